@@ -1,0 +1,296 @@
+"""Elastic pendulum: equations of motion, emitted by symgen from the scene `elastic_pendulum`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 19 operations."""
+    p = ca.SX.sym("p", 6)
+    gravity_y = p[0]
+    bob_mass = p[1]
+    bob_inertia = p[2]
+    spring_stiffness = p[3]
+    spring_damping = p[4]
+    spring_free_length = p[5]
+    c = ca.vertcat(
+        spring_stiffness,
+        spring_free_length,
+        spring_damping,
+        bob_mass * gravity_y,
+        bob_mass,
+        bob_inertia,
+        0.5 * spring_stiffness,
+        gravity_y,
+        2 * spring_damping,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 47 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q_i[0]
+    bob_y = q_i[1]
+    bob_x_dot = q_i_dot[0]
+    bob_y_dot = q_i_dot[1]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    w0 = bob_x**2 + bob_y**2
+    w1 = 1.0 - c1 / ca.sqrt(w0)
+    w2 = bob_x_dot * bob_x + bob_y_dot * bob_y
+    M_hat = ca.vertcat(
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c5,
+    )
+    M_hat = ca.reshape(M_hat, 3, 3)
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        -(bob_x * c0 * w1 + c2 * bob_x / w0 * w2),
+        c3 - (bob_y * c0 * w1 + c2 * bob_y / w0 * w2),
+        0.0,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
+
+
+def augmented() -> ca.Function:
+    """M and Q* of the augmented form (Eq. 28). 47 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q[0]
+    bob_y = q[1]
+    bob_x_dot = q_dot[0]
+    bob_y_dot = q_dot[1]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    w0 = bob_x**2 + bob_y**2
+    w1 = 1.0 - c1 / ca.sqrt(w0)
+    w2 = bob_x_dot * bob_x + bob_y_dot * bob_y
+    M = ca.vertcat(
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c5,
+    )
+    M = ca.reshape(M, 3, 3)
+    M = ca.densify(M)
+    Q_star = ca.vertcat(
+        -(bob_x * c0 * w1 + c2 * bob_x / w0 * w2),
+        c3 - (bob_y * c0 * w1 + c2 * bob_y / w0 * w2),
+        0.0,
+    )
+    Q_star = ca.densify(Q_star)
+    inputs, outputs = [q, q_dot, c], [M, Q_star]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 53 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q[0]
+    bob_y = q[1]
+    bob_x_dot = q_dot[0]
+    bob_y_dot = q_dot[1]
+    bob_theta_dot = q_dot[2]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    w0 = bob_x_dot * (c4 * bob_x_dot) + bob_y_dot * (c4 * bob_y_dot) + bob_theta_dot * (c5 * bob_theta_dot)
+    w1 = bob_x**2
+    w2 = bob_y**2
+    w3 = w1 + w2
+    w4 = c2 * bob_x_dot**2 * w1 / w3 + c2 * bob_y_dot**2 * w2 / w3 + c8 * bob_x_dot * bob_y_dot * bob_x * bob_y / w3
+    kinetic = ca.vertcat(
+        w0 / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        c6 * (ca.sqrt(w3) - c1)**2,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        -(c7 * (c4 * bob_y)),
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        w4,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        0.0,
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def measures() -> ca.Function:
+    """The scene's measures and their rates. 17 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    bob_x = q[0]
+    bob_y = q[1]
+    bob_x_dot = q_dot[0]
+    bob_y_dot = q_dot[1]
+    w0 = ca.sqrt(bob_x**2 + bob_y**2)
+    measures = ca.vertcat(
+        w0,
+        (2 * bob_x * bob_x_dot + 2 * bob_y * bob_y_dot) / (2 * w0),
+    )
+    measures = ca.densify(measures)
+    inputs, outputs = [q, q_dot], [measures]
+    return ca.Function("measures", inputs, outputs, ["q", "q_dot"], ["measures"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 4 operations."""
+    q = ca.SX.sym("q", 3)
+    bob_x = q[0]
+    bob_y = q[1]
+    xy = ca.vertcat(
+        bob_x,
+        bob_y,
+    )
+    xy = ca.densify(xy)
+    inputs, outputs = [q], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q"], ["xy"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 76 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q_i[0]
+    bob_y = q_i[1]
+    bob_x_dot = q_i_dot[0]
+    bob_y_dot = q_i_dot[1]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    w0 = bob_x**2 + bob_y**2
+    w1 = ca.sqrt(w0)
+    w2 = c1 / w1
+    w3 = (1.0 - w2) * c0
+    w4 = bob_x * c0
+    w5 = w2 / w1
+    w6 = w5 * (bob_x / w1)
+    w7 = bob_x_dot * bob_x + bob_y_dot * bob_y
+    w8 = c2 / w0
+    w9 = c2 * bob_x / w0
+    w10 = w9 / w0
+    w11 = 2 * bob_x
+    w12 = bob_y * c0
+    w13 = c2 * bob_y / w0
+    w14 = w13 / w0
+    w15 = w5 * (bob_y / w1)
+    w16 = 2 * bob_y
+    dQ_hat_dq_i = ca.vertcat(
+        -(w3 + w4 * w6 + (w7 * (w8 - w10 * w11) + w9 * bob_x_dot)),
+        -(w12 * w6 + (w13 * bob_x_dot - w7 * (w14 * w11))),
+        0.0,
+        -(w4 * w15 + (w9 * bob_y_dot - w7 * (w10 * w16))),
+        -(w3 + w12 * w15 + (w7 * (w8 - w14 * w16) + w13 * bob_y_dot)),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 3, 3)
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 28 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q_i[0]
+    bob_y = q_i[1]
+    c2 = c[2]
+    w0 = bob_x**2 + bob_y**2
+    w1 = c2 * bob_x / w0
+    w2 = c2 * bob_y / w0
+    dQ_hat_dq_i_dot = ca.vertcat(
+        -(w1 * bob_x),
+        -(w2 * bob_x),
+        0.0,
+        -(w1 * bob_y),
+        -(w2 * bob_y),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 3, 3)
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [q_i, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "c"], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 10 operations."""
+    dMa_dq_i = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    dMa_dq_i = ca.reshape(dMa_dq_i, 3, 3)
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "augmented": augmented,
+    "energy": energy,
+    "measures": measures,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+}

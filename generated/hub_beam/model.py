@@ -1,0 +1,1635 @@
+"""Hub with a flexible beam (F2): equations of motion, emitted by symgen from the scene `hub_beam`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 696 operations."""
+    p = ca.SX.sym("p", 295)
+    torque = p[0]
+    hub_mass = p[1]
+    hub_inertia = p[2]
+    beam_length = p[3]
+    beam_density = p[4]
+    beam_area = p[5]
+    beam_youngs_modulus = p[6]
+    beam_second_moment = p[7]
+    beam100_clamped_free3_kappa_lateral_0_0 = p[8]
+    beam100_clamped_free3_kappa_lateral_1_1 = p[9]
+    beam100_clamped_free3_kappa_lateral_2_2 = p[10]
+    beam100_clamped_free3_mass_0_0 = p[11]
+    beam100_clamped_free3_mass_1_1 = p[12]
+    beam100_clamped_free3_mass_2_2 = p[13]
+    beam100_clamped_free3_s1_0_0 = p[14]
+    beam100_clamped_free3_i0_0_0 = p[15]
+    beam100_clamped_free3_phi_y_0_0 = p[16]
+    beam100_clamped_free3_phi_y_1_0 = p[17]
+    beam100_clamped_free3_phi_y_2_0 = p[18]
+    beam100_clamped_free3_xi_phi_y_0_0 = p[19]
+    beam100_clamped_free3_xi_phi_y_1_0 = p[20]
+    beam100_clamped_free3_xi_phi_y_2_0 = p[21]
+    beam100_clamped_free3_H_0_0 = p[22]
+    beam100_clamped_free3_H_0_1 = p[23]
+    beam100_clamped_free3_H_0_2 = p[24]
+    beam100_clamped_free3_H_1_0 = p[25]
+    beam100_clamped_free3_H_1_1 = p[26]
+    beam100_clamped_free3_H_1_2 = p[27]
+    beam100_clamped_free3_H_2_0 = p[28]
+    beam100_clamped_free3_H_2_1 = p[29]
+    beam100_clamped_free3_H_2_2 = p[30]
+    beam100_clamped_free3_xH_0_0 = p[31]
+    beam100_clamped_free3_xH_0_1 = p[32]
+    beam100_clamped_free3_xH_0_2 = p[33]
+    beam100_clamped_free3_xH_1_0 = p[34]
+    beam100_clamped_free3_xH_1_1 = p[35]
+    beam100_clamped_free3_xH_1_2 = p[36]
+    beam100_clamped_free3_xH_2_0 = p[37]
+    beam100_clamped_free3_xH_2_1 = p[38]
+    beam100_clamped_free3_xH_2_2 = p[39]
+    beam100_clamped_free3_0_0625_at_0_0 = p[40]
+    beam100_clamped_free3_0_0625_shape_1_0 = p[41]
+    beam100_clamped_free3_0_0625_shape_1_1 = p[42]
+    beam100_clamped_free3_0_0625_shape_1_2 = p[43]
+    beam100_clamped_free3_0_0625_H_0_0 = p[47]
+    beam100_clamped_free3_0_0625_H_0_1 = p[48]
+    beam100_clamped_free3_0_0625_H_0_2 = p[49]
+    beam100_clamped_free3_0_0625_H_1_0 = p[50]
+    beam100_clamped_free3_0_0625_H_1_1 = p[51]
+    beam100_clamped_free3_0_0625_H_1_2 = p[52]
+    beam100_clamped_free3_0_0625_H_2_0 = p[53]
+    beam100_clamped_free3_0_0625_H_2_1 = p[54]
+    beam100_clamped_free3_0_0625_H_2_2 = p[55]
+    beam100_clamped_free3_0_125_at_0_0 = p[56]
+    beam100_clamped_free3_0_125_shape_1_0 = p[57]
+    beam100_clamped_free3_0_125_shape_1_1 = p[58]
+    beam100_clamped_free3_0_125_shape_1_2 = p[59]
+    beam100_clamped_free3_0_125_H_0_0 = p[63]
+    beam100_clamped_free3_0_125_H_0_1 = p[64]
+    beam100_clamped_free3_0_125_H_0_2 = p[65]
+    beam100_clamped_free3_0_125_H_1_0 = p[66]
+    beam100_clamped_free3_0_125_H_1_1 = p[67]
+    beam100_clamped_free3_0_125_H_1_2 = p[68]
+    beam100_clamped_free3_0_125_H_2_0 = p[69]
+    beam100_clamped_free3_0_125_H_2_1 = p[70]
+    beam100_clamped_free3_0_125_H_2_2 = p[71]
+    beam100_clamped_free3_0_1875_at_0_0 = p[72]
+    beam100_clamped_free3_0_1875_shape_1_0 = p[73]
+    beam100_clamped_free3_0_1875_shape_1_1 = p[74]
+    beam100_clamped_free3_0_1875_shape_1_2 = p[75]
+    beam100_clamped_free3_0_1875_H_0_0 = p[79]
+    beam100_clamped_free3_0_1875_H_0_1 = p[80]
+    beam100_clamped_free3_0_1875_H_0_2 = p[81]
+    beam100_clamped_free3_0_1875_H_1_0 = p[82]
+    beam100_clamped_free3_0_1875_H_1_1 = p[83]
+    beam100_clamped_free3_0_1875_H_1_2 = p[84]
+    beam100_clamped_free3_0_1875_H_2_0 = p[85]
+    beam100_clamped_free3_0_1875_H_2_1 = p[86]
+    beam100_clamped_free3_0_1875_H_2_2 = p[87]
+    beam100_clamped_free3_0_25_at_0_0 = p[88]
+    beam100_clamped_free3_0_25_shape_1_0 = p[89]
+    beam100_clamped_free3_0_25_shape_1_1 = p[90]
+    beam100_clamped_free3_0_25_shape_1_2 = p[91]
+    beam100_clamped_free3_0_25_H_0_0 = p[95]
+    beam100_clamped_free3_0_25_H_0_1 = p[96]
+    beam100_clamped_free3_0_25_H_0_2 = p[97]
+    beam100_clamped_free3_0_25_H_1_0 = p[98]
+    beam100_clamped_free3_0_25_H_1_1 = p[99]
+    beam100_clamped_free3_0_25_H_1_2 = p[100]
+    beam100_clamped_free3_0_25_H_2_0 = p[101]
+    beam100_clamped_free3_0_25_H_2_1 = p[102]
+    beam100_clamped_free3_0_25_H_2_2 = p[103]
+    beam100_clamped_free3_0_3125_at_0_0 = p[104]
+    beam100_clamped_free3_0_3125_shape_1_0 = p[105]
+    beam100_clamped_free3_0_3125_shape_1_1 = p[106]
+    beam100_clamped_free3_0_3125_shape_1_2 = p[107]
+    beam100_clamped_free3_0_3125_H_0_0 = p[111]
+    beam100_clamped_free3_0_3125_H_0_1 = p[112]
+    beam100_clamped_free3_0_3125_H_0_2 = p[113]
+    beam100_clamped_free3_0_3125_H_1_0 = p[114]
+    beam100_clamped_free3_0_3125_H_1_1 = p[115]
+    beam100_clamped_free3_0_3125_H_1_2 = p[116]
+    beam100_clamped_free3_0_3125_H_2_0 = p[117]
+    beam100_clamped_free3_0_3125_H_2_1 = p[118]
+    beam100_clamped_free3_0_3125_H_2_2 = p[119]
+    beam100_clamped_free3_0_375_at_0_0 = p[120]
+    beam100_clamped_free3_0_375_shape_1_0 = p[121]
+    beam100_clamped_free3_0_375_shape_1_1 = p[122]
+    beam100_clamped_free3_0_375_shape_1_2 = p[123]
+    beam100_clamped_free3_0_375_H_0_0 = p[127]
+    beam100_clamped_free3_0_375_H_0_1 = p[128]
+    beam100_clamped_free3_0_375_H_0_2 = p[129]
+    beam100_clamped_free3_0_375_H_1_0 = p[130]
+    beam100_clamped_free3_0_375_H_1_1 = p[131]
+    beam100_clamped_free3_0_375_H_1_2 = p[132]
+    beam100_clamped_free3_0_375_H_2_0 = p[133]
+    beam100_clamped_free3_0_375_H_2_1 = p[134]
+    beam100_clamped_free3_0_375_H_2_2 = p[135]
+    beam100_clamped_free3_0_4375_at_0_0 = p[136]
+    beam100_clamped_free3_0_4375_shape_1_0 = p[137]
+    beam100_clamped_free3_0_4375_shape_1_1 = p[138]
+    beam100_clamped_free3_0_4375_shape_1_2 = p[139]
+    beam100_clamped_free3_0_4375_H_0_0 = p[143]
+    beam100_clamped_free3_0_4375_H_0_1 = p[144]
+    beam100_clamped_free3_0_4375_H_0_2 = p[145]
+    beam100_clamped_free3_0_4375_H_1_0 = p[146]
+    beam100_clamped_free3_0_4375_H_1_1 = p[147]
+    beam100_clamped_free3_0_4375_H_1_2 = p[148]
+    beam100_clamped_free3_0_4375_H_2_0 = p[149]
+    beam100_clamped_free3_0_4375_H_2_1 = p[150]
+    beam100_clamped_free3_0_4375_H_2_2 = p[151]
+    beam100_clamped_free3_0_5_at_0_0 = p[152]
+    beam100_clamped_free3_0_5_shape_1_0 = p[153]
+    beam100_clamped_free3_0_5_shape_1_1 = p[154]
+    beam100_clamped_free3_0_5_shape_1_2 = p[155]
+    beam100_clamped_free3_0_5_H_0_0 = p[159]
+    beam100_clamped_free3_0_5_H_0_1 = p[160]
+    beam100_clamped_free3_0_5_H_0_2 = p[161]
+    beam100_clamped_free3_0_5_H_1_0 = p[162]
+    beam100_clamped_free3_0_5_H_1_1 = p[163]
+    beam100_clamped_free3_0_5_H_1_2 = p[164]
+    beam100_clamped_free3_0_5_H_2_0 = p[165]
+    beam100_clamped_free3_0_5_H_2_1 = p[166]
+    beam100_clamped_free3_0_5_H_2_2 = p[167]
+    beam100_clamped_free3_0_5625_at_0_0 = p[168]
+    beam100_clamped_free3_0_5625_shape_1_0 = p[169]
+    beam100_clamped_free3_0_5625_shape_1_1 = p[170]
+    beam100_clamped_free3_0_5625_shape_1_2 = p[171]
+    beam100_clamped_free3_0_5625_H_0_0 = p[175]
+    beam100_clamped_free3_0_5625_H_0_1 = p[176]
+    beam100_clamped_free3_0_5625_H_0_2 = p[177]
+    beam100_clamped_free3_0_5625_H_1_0 = p[178]
+    beam100_clamped_free3_0_5625_H_1_1 = p[179]
+    beam100_clamped_free3_0_5625_H_1_2 = p[180]
+    beam100_clamped_free3_0_5625_H_2_0 = p[181]
+    beam100_clamped_free3_0_5625_H_2_1 = p[182]
+    beam100_clamped_free3_0_5625_H_2_2 = p[183]
+    beam100_clamped_free3_0_625_at_0_0 = p[184]
+    beam100_clamped_free3_0_625_shape_1_0 = p[185]
+    beam100_clamped_free3_0_625_shape_1_1 = p[186]
+    beam100_clamped_free3_0_625_shape_1_2 = p[187]
+    beam100_clamped_free3_0_625_H_0_0 = p[191]
+    beam100_clamped_free3_0_625_H_0_1 = p[192]
+    beam100_clamped_free3_0_625_H_0_2 = p[193]
+    beam100_clamped_free3_0_625_H_1_0 = p[194]
+    beam100_clamped_free3_0_625_H_1_1 = p[195]
+    beam100_clamped_free3_0_625_H_1_2 = p[196]
+    beam100_clamped_free3_0_625_H_2_0 = p[197]
+    beam100_clamped_free3_0_625_H_2_1 = p[198]
+    beam100_clamped_free3_0_625_H_2_2 = p[199]
+    beam100_clamped_free3_0_6875_at_0_0 = p[200]
+    beam100_clamped_free3_0_6875_shape_1_0 = p[201]
+    beam100_clamped_free3_0_6875_shape_1_1 = p[202]
+    beam100_clamped_free3_0_6875_shape_1_2 = p[203]
+    beam100_clamped_free3_0_6875_H_0_0 = p[207]
+    beam100_clamped_free3_0_6875_H_0_1 = p[208]
+    beam100_clamped_free3_0_6875_H_0_2 = p[209]
+    beam100_clamped_free3_0_6875_H_1_0 = p[210]
+    beam100_clamped_free3_0_6875_H_1_1 = p[211]
+    beam100_clamped_free3_0_6875_H_1_2 = p[212]
+    beam100_clamped_free3_0_6875_H_2_0 = p[213]
+    beam100_clamped_free3_0_6875_H_2_1 = p[214]
+    beam100_clamped_free3_0_6875_H_2_2 = p[215]
+    beam100_clamped_free3_0_75_at_0_0 = p[216]
+    beam100_clamped_free3_0_75_shape_1_0 = p[217]
+    beam100_clamped_free3_0_75_shape_1_1 = p[218]
+    beam100_clamped_free3_0_75_shape_1_2 = p[219]
+    beam100_clamped_free3_0_75_H_0_0 = p[223]
+    beam100_clamped_free3_0_75_H_0_1 = p[224]
+    beam100_clamped_free3_0_75_H_0_2 = p[225]
+    beam100_clamped_free3_0_75_H_1_0 = p[226]
+    beam100_clamped_free3_0_75_H_1_1 = p[227]
+    beam100_clamped_free3_0_75_H_1_2 = p[228]
+    beam100_clamped_free3_0_75_H_2_0 = p[229]
+    beam100_clamped_free3_0_75_H_2_1 = p[230]
+    beam100_clamped_free3_0_75_H_2_2 = p[231]
+    beam100_clamped_free3_0_8125_at_0_0 = p[232]
+    beam100_clamped_free3_0_8125_shape_1_0 = p[233]
+    beam100_clamped_free3_0_8125_shape_1_1 = p[234]
+    beam100_clamped_free3_0_8125_shape_1_2 = p[235]
+    beam100_clamped_free3_0_8125_H_0_0 = p[239]
+    beam100_clamped_free3_0_8125_H_0_1 = p[240]
+    beam100_clamped_free3_0_8125_H_0_2 = p[241]
+    beam100_clamped_free3_0_8125_H_1_0 = p[242]
+    beam100_clamped_free3_0_8125_H_1_1 = p[243]
+    beam100_clamped_free3_0_8125_H_1_2 = p[244]
+    beam100_clamped_free3_0_8125_H_2_0 = p[245]
+    beam100_clamped_free3_0_8125_H_2_1 = p[246]
+    beam100_clamped_free3_0_8125_H_2_2 = p[247]
+    beam100_clamped_free3_0_875_at_0_0 = p[248]
+    beam100_clamped_free3_0_875_shape_1_0 = p[249]
+    beam100_clamped_free3_0_875_shape_1_1 = p[250]
+    beam100_clamped_free3_0_875_shape_1_2 = p[251]
+    beam100_clamped_free3_0_875_H_0_0 = p[255]
+    beam100_clamped_free3_0_875_H_0_1 = p[256]
+    beam100_clamped_free3_0_875_H_0_2 = p[257]
+    beam100_clamped_free3_0_875_H_1_0 = p[258]
+    beam100_clamped_free3_0_875_H_1_1 = p[259]
+    beam100_clamped_free3_0_875_H_1_2 = p[260]
+    beam100_clamped_free3_0_875_H_2_0 = p[261]
+    beam100_clamped_free3_0_875_H_2_1 = p[262]
+    beam100_clamped_free3_0_875_H_2_2 = p[263]
+    beam100_clamped_free3_0_9375_at_0_0 = p[264]
+    beam100_clamped_free3_0_9375_shape_1_0 = p[265]
+    beam100_clamped_free3_0_9375_shape_1_1 = p[266]
+    beam100_clamped_free3_0_9375_shape_1_2 = p[267]
+    beam100_clamped_free3_0_9375_H_0_0 = p[271]
+    beam100_clamped_free3_0_9375_H_0_1 = p[272]
+    beam100_clamped_free3_0_9375_H_0_2 = p[273]
+    beam100_clamped_free3_0_9375_H_1_0 = p[274]
+    beam100_clamped_free3_0_9375_H_1_1 = p[275]
+    beam100_clamped_free3_0_9375_H_1_2 = p[276]
+    beam100_clamped_free3_0_9375_H_2_0 = p[277]
+    beam100_clamped_free3_0_9375_H_2_1 = p[278]
+    beam100_clamped_free3_0_9375_H_2_2 = p[279]
+    beam100_clamped_free3_1_0_shape_1_0 = p[280]
+    beam100_clamped_free3_1_0_shape_1_1 = p[281]
+    beam100_clamped_free3_1_0_shape_1_2 = p[282]
+    beam100_clamped_free3_1_0_H_0_0 = p[286]
+    beam100_clamped_free3_1_0_H_0_1 = p[287]
+    beam100_clamped_free3_1_0_H_0_2 = p[288]
+    beam100_clamped_free3_1_0_H_1_0 = p[289]
+    beam100_clamped_free3_1_0_H_1_1 = p[290]
+    beam100_clamped_free3_1_0_H_1_2 = p[291]
+    beam100_clamped_free3_1_0_H_2_0 = p[292]
+    beam100_clamped_free3_1_0_H_2_1 = p[293]
+    beam100_clamped_free3_1_0_H_2_2 = p[294]
+    w0 = beam_density * beam_area
+    w1 = w0 * beam_length
+    w2 = w1 * beam100_clamped_free3_mass_0_0
+    w3 = w1 * beam100_clamped_free3_xH_0_0
+    w4 = w1 * beam100_clamped_free3_mass_1_1
+    w5 = w1 * beam100_clamped_free3_xH_1_1
+    w6 = w1 * beam100_clamped_free3_mass_2_2
+    w7 = w1 * beam100_clamped_free3_xH_2_2
+    w8 = beam_length**2
+    w9 = beam_youngs_modulus * beam_second_moment / (beam_length * w8)
+    w10 = w1 * beam_length
+    c = ca.vertcat(
+        w2,
+        w3,
+        w1 * beam100_clamped_free3_xH_0_1,
+        w1 * beam100_clamped_free3_xH_0_2,
+        w4,
+        w1 * beam100_clamped_free3_xH_1_0,
+        w5,
+        w1 * beam100_clamped_free3_xH_1_2,
+        w6,
+        w1 * beam100_clamped_free3_xH_2_0,
+        w1 * beam100_clamped_free3_xH_2_1,
+        w7,
+        w1 * w8 * beam100_clamped_free3_i0_0_0,
+        hub_inertia,
+        torque,
+        w9 * beam100_clamped_free3_kappa_lateral_0_0,
+        w9 * beam100_clamped_free3_kappa_lateral_1_1,
+        w9 * beam100_clamped_free3_kappa_lateral_2_2,
+        w10 * beam100_clamped_free3_xi_phi_y_0_0,
+        w10 * beam100_clamped_free3_xi_phi_y_1_0,
+        w10 * beam100_clamped_free3_xi_phi_y_2_0,
+        w0 * beam100_clamped_free3_H_0_0,
+        w0 * beam100_clamped_free3_H_0_1,
+        w0 * beam100_clamped_free3_H_0_2,
+        w0 * beam100_clamped_free3_H_1_0,
+        w0 * beam100_clamped_free3_H_1_1,
+        w0 * beam100_clamped_free3_H_1_2,
+        w0 * beam100_clamped_free3_H_2_0,
+        w0 * beam100_clamped_free3_H_2_1,
+        w0 * beam100_clamped_free3_H_2_2,
+        w10 * beam100_clamped_free3_s1_0_0,
+        w1 * beam100_clamped_free3_phi_y_0_0,
+        w1 * beam100_clamped_free3_phi_y_1_0,
+        w1 * beam100_clamped_free3_phi_y_2_0,
+        hub_mass,
+        w1,
+        beam100_clamped_free3_0_0625_H_0_0 / beam_length,
+        beam100_clamped_free3_0_0625_H_0_1 / beam_length,
+        beam100_clamped_free3_0_0625_H_0_2 / beam_length,
+        beam100_clamped_free3_0_0625_H_1_0 / beam_length,
+        beam100_clamped_free3_0_0625_H_1_1 / beam_length,
+        beam100_clamped_free3_0_0625_H_1_2 / beam_length,
+        beam100_clamped_free3_0_0625_H_2_0 / beam_length,
+        beam100_clamped_free3_0_0625_H_2_1 / beam_length,
+        beam100_clamped_free3_0_0625_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_0625_at_0_0,
+        beam100_clamped_free3_0_0625_shape_1_0,
+        beam100_clamped_free3_0_0625_shape_1_1,
+        beam100_clamped_free3_0_0625_shape_1_2,
+        beam100_clamped_free3_0_125_H_0_0 / beam_length,
+        beam100_clamped_free3_0_125_H_0_1 / beam_length,
+        beam100_clamped_free3_0_125_H_0_2 / beam_length,
+        beam100_clamped_free3_0_125_H_1_0 / beam_length,
+        beam100_clamped_free3_0_125_H_1_1 / beam_length,
+        beam100_clamped_free3_0_125_H_1_2 / beam_length,
+        beam100_clamped_free3_0_125_H_2_0 / beam_length,
+        beam100_clamped_free3_0_125_H_2_1 / beam_length,
+        beam100_clamped_free3_0_125_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_125_at_0_0,
+        beam100_clamped_free3_0_125_shape_1_0,
+        beam100_clamped_free3_0_125_shape_1_1,
+        beam100_clamped_free3_0_125_shape_1_2,
+        beam100_clamped_free3_0_1875_H_0_0 / beam_length,
+        beam100_clamped_free3_0_1875_H_0_1 / beam_length,
+        beam100_clamped_free3_0_1875_H_0_2 / beam_length,
+        beam100_clamped_free3_0_1875_H_1_0 / beam_length,
+        beam100_clamped_free3_0_1875_H_1_1 / beam_length,
+        beam100_clamped_free3_0_1875_H_1_2 / beam_length,
+        beam100_clamped_free3_0_1875_H_2_0 / beam_length,
+        beam100_clamped_free3_0_1875_H_2_1 / beam_length,
+        beam100_clamped_free3_0_1875_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_1875_at_0_0,
+        beam100_clamped_free3_0_1875_shape_1_0,
+        beam100_clamped_free3_0_1875_shape_1_1,
+        beam100_clamped_free3_0_1875_shape_1_2,
+        beam100_clamped_free3_0_25_H_0_0 / beam_length,
+        beam100_clamped_free3_0_25_H_0_1 / beam_length,
+        beam100_clamped_free3_0_25_H_0_2 / beam_length,
+        beam100_clamped_free3_0_25_H_1_0 / beam_length,
+        beam100_clamped_free3_0_25_H_1_1 / beam_length,
+        beam100_clamped_free3_0_25_H_1_2 / beam_length,
+        beam100_clamped_free3_0_25_H_2_0 / beam_length,
+        beam100_clamped_free3_0_25_H_2_1 / beam_length,
+        beam100_clamped_free3_0_25_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_25_at_0_0,
+        beam100_clamped_free3_0_25_shape_1_0,
+        beam100_clamped_free3_0_25_shape_1_1,
+        beam100_clamped_free3_0_25_shape_1_2,
+        beam100_clamped_free3_0_3125_H_0_0 / beam_length,
+        beam100_clamped_free3_0_3125_H_0_1 / beam_length,
+        beam100_clamped_free3_0_3125_H_0_2 / beam_length,
+        beam100_clamped_free3_0_3125_H_1_0 / beam_length,
+        beam100_clamped_free3_0_3125_H_1_1 / beam_length,
+        beam100_clamped_free3_0_3125_H_1_2 / beam_length,
+        beam100_clamped_free3_0_3125_H_2_0 / beam_length,
+        beam100_clamped_free3_0_3125_H_2_1 / beam_length,
+        beam100_clamped_free3_0_3125_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_3125_at_0_0,
+        beam100_clamped_free3_0_3125_shape_1_0,
+        beam100_clamped_free3_0_3125_shape_1_1,
+        beam100_clamped_free3_0_3125_shape_1_2,
+        beam100_clamped_free3_0_375_H_0_0 / beam_length,
+        beam100_clamped_free3_0_375_H_0_1 / beam_length,
+        beam100_clamped_free3_0_375_H_0_2 / beam_length,
+        beam100_clamped_free3_0_375_H_1_0 / beam_length,
+        beam100_clamped_free3_0_375_H_1_1 / beam_length,
+        beam100_clamped_free3_0_375_H_1_2 / beam_length,
+        beam100_clamped_free3_0_375_H_2_0 / beam_length,
+        beam100_clamped_free3_0_375_H_2_1 / beam_length,
+        beam100_clamped_free3_0_375_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_375_at_0_0,
+        beam100_clamped_free3_0_375_shape_1_0,
+        beam100_clamped_free3_0_375_shape_1_1,
+        beam100_clamped_free3_0_375_shape_1_2,
+        beam100_clamped_free3_0_4375_H_0_0 / beam_length,
+        beam100_clamped_free3_0_4375_H_0_1 / beam_length,
+        beam100_clamped_free3_0_4375_H_0_2 / beam_length,
+        beam100_clamped_free3_0_4375_H_1_0 / beam_length,
+        beam100_clamped_free3_0_4375_H_1_1 / beam_length,
+        beam100_clamped_free3_0_4375_H_1_2 / beam_length,
+        beam100_clamped_free3_0_4375_H_2_0 / beam_length,
+        beam100_clamped_free3_0_4375_H_2_1 / beam_length,
+        beam100_clamped_free3_0_4375_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_4375_at_0_0,
+        beam100_clamped_free3_0_4375_shape_1_0,
+        beam100_clamped_free3_0_4375_shape_1_1,
+        beam100_clamped_free3_0_4375_shape_1_2,
+        beam100_clamped_free3_0_5_H_0_0 / beam_length,
+        beam100_clamped_free3_0_5_H_0_1 / beam_length,
+        beam100_clamped_free3_0_5_H_0_2 / beam_length,
+        beam100_clamped_free3_0_5_H_1_0 / beam_length,
+        beam100_clamped_free3_0_5_H_1_1 / beam_length,
+        beam100_clamped_free3_0_5_H_1_2 / beam_length,
+        beam100_clamped_free3_0_5_H_2_0 / beam_length,
+        beam100_clamped_free3_0_5_H_2_1 / beam_length,
+        beam100_clamped_free3_0_5_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_5_at_0_0,
+        beam100_clamped_free3_0_5_shape_1_0,
+        beam100_clamped_free3_0_5_shape_1_1,
+        beam100_clamped_free3_0_5_shape_1_2,
+        beam100_clamped_free3_0_5625_H_0_0 / beam_length,
+        beam100_clamped_free3_0_5625_H_0_1 / beam_length,
+        beam100_clamped_free3_0_5625_H_0_2 / beam_length,
+        beam100_clamped_free3_0_5625_H_1_0 / beam_length,
+        beam100_clamped_free3_0_5625_H_1_1 / beam_length,
+        beam100_clamped_free3_0_5625_H_1_2 / beam_length,
+        beam100_clamped_free3_0_5625_H_2_0 / beam_length,
+        beam100_clamped_free3_0_5625_H_2_1 / beam_length,
+        beam100_clamped_free3_0_5625_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_5625_at_0_0,
+        beam100_clamped_free3_0_5625_shape_1_0,
+        beam100_clamped_free3_0_5625_shape_1_1,
+        beam100_clamped_free3_0_5625_shape_1_2,
+        beam100_clamped_free3_0_625_H_0_0 / beam_length,
+        beam100_clamped_free3_0_625_H_0_1 / beam_length,
+        beam100_clamped_free3_0_625_H_0_2 / beam_length,
+        beam100_clamped_free3_0_625_H_1_0 / beam_length,
+        beam100_clamped_free3_0_625_H_1_1 / beam_length,
+        beam100_clamped_free3_0_625_H_1_2 / beam_length,
+        beam100_clamped_free3_0_625_H_2_0 / beam_length,
+        beam100_clamped_free3_0_625_H_2_1 / beam_length,
+        beam100_clamped_free3_0_625_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_625_at_0_0,
+        beam100_clamped_free3_0_625_shape_1_0,
+        beam100_clamped_free3_0_625_shape_1_1,
+        beam100_clamped_free3_0_625_shape_1_2,
+        beam100_clamped_free3_0_6875_H_0_0 / beam_length,
+        beam100_clamped_free3_0_6875_H_0_1 / beam_length,
+        beam100_clamped_free3_0_6875_H_0_2 / beam_length,
+        beam100_clamped_free3_0_6875_H_1_0 / beam_length,
+        beam100_clamped_free3_0_6875_H_1_1 / beam_length,
+        beam100_clamped_free3_0_6875_H_1_2 / beam_length,
+        beam100_clamped_free3_0_6875_H_2_0 / beam_length,
+        beam100_clamped_free3_0_6875_H_2_1 / beam_length,
+        beam100_clamped_free3_0_6875_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_6875_at_0_0,
+        beam100_clamped_free3_0_6875_shape_1_0,
+        beam100_clamped_free3_0_6875_shape_1_1,
+        beam100_clamped_free3_0_6875_shape_1_2,
+        beam100_clamped_free3_0_75_H_0_0 / beam_length,
+        beam100_clamped_free3_0_75_H_0_1 / beam_length,
+        beam100_clamped_free3_0_75_H_0_2 / beam_length,
+        beam100_clamped_free3_0_75_H_1_0 / beam_length,
+        beam100_clamped_free3_0_75_H_1_1 / beam_length,
+        beam100_clamped_free3_0_75_H_1_2 / beam_length,
+        beam100_clamped_free3_0_75_H_2_0 / beam_length,
+        beam100_clamped_free3_0_75_H_2_1 / beam_length,
+        beam100_clamped_free3_0_75_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_75_at_0_0,
+        beam100_clamped_free3_0_75_shape_1_0,
+        beam100_clamped_free3_0_75_shape_1_1,
+        beam100_clamped_free3_0_75_shape_1_2,
+        beam100_clamped_free3_0_8125_H_0_0 / beam_length,
+        beam100_clamped_free3_0_8125_H_0_1 / beam_length,
+        beam100_clamped_free3_0_8125_H_0_2 / beam_length,
+        beam100_clamped_free3_0_8125_H_1_0 / beam_length,
+        beam100_clamped_free3_0_8125_H_1_1 / beam_length,
+        beam100_clamped_free3_0_8125_H_1_2 / beam_length,
+        beam100_clamped_free3_0_8125_H_2_0 / beam_length,
+        beam100_clamped_free3_0_8125_H_2_1 / beam_length,
+        beam100_clamped_free3_0_8125_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_8125_at_0_0,
+        beam100_clamped_free3_0_8125_shape_1_0,
+        beam100_clamped_free3_0_8125_shape_1_1,
+        beam100_clamped_free3_0_8125_shape_1_2,
+        beam100_clamped_free3_0_875_H_0_0 / beam_length,
+        beam100_clamped_free3_0_875_H_0_1 / beam_length,
+        beam100_clamped_free3_0_875_H_0_2 / beam_length,
+        beam100_clamped_free3_0_875_H_1_0 / beam_length,
+        beam100_clamped_free3_0_875_H_1_1 / beam_length,
+        beam100_clamped_free3_0_875_H_1_2 / beam_length,
+        beam100_clamped_free3_0_875_H_2_0 / beam_length,
+        beam100_clamped_free3_0_875_H_2_1 / beam_length,
+        beam100_clamped_free3_0_875_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_875_at_0_0,
+        beam100_clamped_free3_0_875_shape_1_0,
+        beam100_clamped_free3_0_875_shape_1_1,
+        beam100_clamped_free3_0_875_shape_1_2,
+        beam100_clamped_free3_0_9375_H_0_0 / beam_length,
+        beam100_clamped_free3_0_9375_H_0_1 / beam_length,
+        beam100_clamped_free3_0_9375_H_0_2 / beam_length,
+        beam100_clamped_free3_0_9375_H_1_0 / beam_length,
+        beam100_clamped_free3_0_9375_H_1_1 / beam_length,
+        beam100_clamped_free3_0_9375_H_1_2 / beam_length,
+        beam100_clamped_free3_0_9375_H_2_0 / beam_length,
+        beam100_clamped_free3_0_9375_H_2_1 / beam_length,
+        beam100_clamped_free3_0_9375_H_2_2 / beam_length,
+        beam_length * beam100_clamped_free3_0_9375_at_0_0,
+        beam100_clamped_free3_0_9375_shape_1_0,
+        beam100_clamped_free3_0_9375_shape_1_1,
+        beam100_clamped_free3_0_9375_shape_1_2,
+        beam100_clamped_free3_1_0_H_0_0 / beam_length,
+        beam100_clamped_free3_1_0_H_0_1 / beam_length,
+        beam100_clamped_free3_1_0_H_0_2 / beam_length,
+        beam100_clamped_free3_1_0_H_1_0 / beam_length,
+        beam100_clamped_free3_1_0_H_1_1 / beam_length,
+        beam100_clamped_free3_1_0_H_1_2 / beam_length,
+        beam100_clamped_free3_1_0_H_2_0 / beam_length,
+        beam100_clamped_free3_1_0_H_2_1 / beam_length,
+        beam100_clamped_free3_1_0_H_2_2 / beam_length,
+        beam_length,
+        beam100_clamped_free3_1_0_shape_1_0,
+        beam100_clamped_free3_1_0_shape_1_1,
+        beam100_clamped_free3_1_0_shape_1_2,
+        w2 - w3,
+        w4 - w5,
+        w6 - w7,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 104 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 247)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    beam_q1_dot = q_i_dot[1]
+    beam_q2_dot = q_i_dot[2]
+    beam_q3_dot = q_i_dot[3]
+    beam_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    w0 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
+    w1 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
+    w2 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w3 = ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t), 0) + -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) * beam_theta_dot
+    w4 = beam_theta_dot**2
+    M_hat = ca.vertcat(
+        c13 + (c12 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2)),
+        c18,
+        c19,
+        c20,
+        c18,
+        c0,
+        0.0,
+        0.0,
+        c19,
+        0.0,
+        c4,
+        0.0,
+        c20,
+        0.0,
+        0.0,
+        c8,
+    )
+    M_hat = ca.reshape(M_hat, 4, 4)
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        w3,
+        w0 * w4 - c15 * beam_q1,
+        w1 * w4 - c16 * beam_q2,
+        w2 * w4 - c17 * beam_q3,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat", "Q_hat"])
+
+
+def closure() -> ca.Function:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 7 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    hub_theta = q_i[0]
+    q_d_next = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        hub_theta,
+    )
+    q_d_next = ca.densify(q_d_next)
+    inputs, outputs = [q_i], [q_d_next]
+    return ca.Function("closure", inputs, outputs, ["q_i"], ["q_d_next"])
+
+
+def velocities() -> ca.Function:
+    """q_d_dot (Eq. 36). 7 operations."""
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    hub_theta_dot = q_i_dot[0]
+    q_d_dot = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        hub_theta_dot,
+    )
+    q_d_dot = ca.densify(q_d_dot)
+    inputs, outputs = [q_i_dot], [q_d_dot]
+    return ca.Function("velocities", inputs, outputs, ["q_i_dot"], ["q_d_dot"])
+
+
+def accelerations() -> ca.Function:
+    """q_d_ddot (Eq. 35). 7 operations."""
+    q_i_ddot = ca.SX.sym("q_i_ddot", 4)
+    hub_theta_ddot = q_i_ddot[0]
+    q_d_ddot = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        hub_theta_ddot,
+    )
+    q_d_ddot = ca.densify(q_d_ddot)
+    inputs, outputs = [q_i_ddot], [q_d_ddot]
+    return ca.Function("accelerations", inputs, outputs, ["q_i_ddot"], ["q_d_ddot"])
+
+
+def constraints() -> ca.Function:
+    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 72 operations."""
+    q = ca.SX.sym("q", 9)
+    hub_x = q[0]
+    hub_y = q[1]
+    hub_theta = q[2]
+    beam_x = q[3]
+    beam_y = q[4]
+    beam_theta = q[5]
+    C = ca.vertcat(
+        hub_x,
+        hub_y,
+        beam_x - hub_x,
+        beam_y - hub_y,
+        beam_theta - hub_theta,
+    )
+    C = ca.densify(C)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 5, 9)
+    C_q = ca.densify(C_q)
+    C_t = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_t = ca.densify(C_t)
+    gamma = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    gamma = ca.densify(gamma)
+    inputs, outputs = [q], [C, C_q, C_t, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "gamma"])
+
+
+def augmented() -> ca.Function:
+    """M and Q* of the augmented form (Eq. 28). 294 operations."""
+    q = ca.SX.sym("q", 9)
+    q_dot = ca.SX.sym("q_dot", 9)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 247)
+    beam_theta = q[5]
+    beam_q1 = q[6]
+    beam_q2 = q[7]
+    beam_q3 = q[8]
+    beam_theta_dot = q_dot[5]
+    beam_q1_dot = q_dot[6]
+    beam_q2_dot = q_dot[7]
+    beam_q3_dot = q_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    w0 = ca.sin(beam_theta)
+    w1 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
+    w2 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
+    w3 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
+    w4 = c30 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) / 2.0
+    w5 = ca.cos(beam_theta)
+    w6 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
+    w7 = w0 * w4 + w5 * w6
+    w8 = -w7
+    w9 = -(w5 * w1 + w0 * c31)
+    w10 = -(w5 * w2 + w0 * c32)
+    w11 = -(w5 * w3 + w0 * c33)
+    w12 = w5 * w4 - w0 * w6
+    w13 = w5 * c31 - w0 * w1
+    w14 = w5 * c32 - w0 * w2
+    w15 = w5 * c33 - w0 * w3
+    w16 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
+    w17 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
+    w18 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w19 = beam_theta_dot**2
+    w20 = c31 * beam_q1_dot + c32 * beam_q2_dot + c33 * beam_q3_dot
+    w21 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
+    w22 = beam_q1_dot * (c21 * beam_q1_dot + c22 * beam_q2_dot + c23 * beam_q3_dot) + beam_q2_dot * (c24 * beam_q1_dot + c25 * beam_q2_dot + c26 * beam_q3_dot)
+    w23 = w22 + beam_q3_dot * (c27 * beam_q1_dot + c28 * beam_q2_dot + c29 * beam_q3_dot)
+    M = ca.vertcat(
+        c34,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c34,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c13,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c35,
+        0.0,
+        w8,
+        w9,
+        w10,
+        w11,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c35,
+        w12,
+        w13,
+        w14,
+        w15,
+        0.0,
+        0.0,
+        0.0,
+        w8,
+        w12,
+        c12 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18),
+        c18,
+        c19,
+        c20,
+        0.0,
+        0.0,
+        0.0,
+        w9,
+        w13,
+        c18,
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w10,
+        w14,
+        c19,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w11,
+        w15,
+        c20,
+        0.0,
+        0.0,
+        c8,
+    )
+    M = ca.reshape(M, 9, 9)
+    M = ca.densify(M)
+    Q_star = ca.vertcat(
+        0.0,
+        0.0,
+        ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t), 0),
+        w12 * w19 + 2 * (w5 * w20 - w0 * w21) * beam_theta_dot + w5 * w23,
+        w7 * w19 + w0 * w23 - 2 * -(w5 * w21 + w0 * w20) * beam_theta_dot,
+        -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot) * beam_theta_dot,
+        w16 * w19 - c15 * beam_q1,
+        w17 * w19 - c16 * beam_q2,
+        w18 * w19 - c17 * beam_q3,
+    )
+    Q_star = ca.densify(Q_star)
+    inputs, outputs = [q, q_dot, t, c], [M, Q_star]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star"])
+
+
+def reactions() -> ca.Function:
+    """Lagrange multipliers lam (Eq. 37). 227 operations."""
+    q = ca.SX.sym("q", 9)
+    q_dot = ca.SX.sym("q_dot", 9)
+    q_ddot = ca.SX.sym("q_ddot", 9)
+    c = ca.SX.sym("c", 247)
+    beam_theta = q[5]
+    beam_q1 = q[6]
+    beam_q2 = q[7]
+    beam_q3 = q[8]
+    beam_theta_dot = q_dot[5]
+    beam_q1_dot = q_dot[6]
+    beam_q2_dot = q_dot[7]
+    beam_q3_dot = q_dot[8]
+    hub_x_ddot = q_ddot[0]
+    hub_y_ddot = q_ddot[1]
+    beam_x_ddot = q_ddot[3]
+    beam_y_ddot = q_ddot[4]
+    beam_theta_ddot = q_ddot[5]
+    beam_q1_ddot = q_ddot[6]
+    beam_q2_ddot = q_ddot[7]
+    beam_q3_ddot = q_ddot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    w0 = ca.cos(beam_theta)
+    w1 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
+    w2 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
+    w3 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
+    w4 = c30 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) / 2.0
+    w5 = ca.sin(beam_theta)
+    w6 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
+    w7 = w0 * w4 - w5 * w6
+    w8 = beam_theta_dot**2
+    w9 = c31 * beam_q1_dot + c32 * beam_q2_dot + c33 * beam_q3_dot
+    w10 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
+    w11 = beam_q1_dot * (c21 * beam_q1_dot + c22 * beam_q2_dot + c23 * beam_q3_dot) + beam_q2_dot * (c24 * beam_q1_dot + c25 * beam_q2_dot + c26 * beam_q3_dot)
+    w12 = w11 + beam_q3_dot * (c27 * beam_q1_dot + c28 * beam_q2_dot + c29 * beam_q3_dot)
+    w13 = w5 * w4 + w0 * w6
+    w14 = c35 * beam_x_ddot - w13 * beam_theta_ddot - (w0 * w1 + w5 * c31) * beam_q1_ddot - (w0 * w2 + w5 * c32) * beam_q2_ddot
+    w15 = w7 * w8 + 2 * (w0 * w9 - w5 * w10) * beam_theta_dot + w0 * w12 - (w14 - (w0 * w3 + w5 * c33) * beam_q3_ddot)
+    w16 = c35 * beam_y_ddot + w7 * beam_theta_ddot + (w0 * c31 - w5 * w1) * beam_q1_ddot + (w0 * c32 - w5 * w2) * beam_q2_ddot
+    w17 = w13 * w8 + w5 * w12 - 2 * -(w0 * w10 + w5 * w9) * beam_theta_dot - (w16 + (w0 * c33 - w5 * w3) * beam_q3_ddot)
+    w18 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
+    w19 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
+    w20 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w21 = w7 * beam_y_ddot - w13 * beam_x_ddot + (c12 + (beam_q1 * w18 + beam_q2 * w19 + beam_q3 * w20)) * beam_theta_ddot
+    w22 = -2.0 * (w18 * beam_q1_dot + w19 * beam_q2_dot + w20 * beam_q3_dot) * beam_theta_dot - (w21 + c18 * beam_q1_ddot + c19 * beam_q2_ddot + c20 * beam_q3_ddot)
+    lam = ca.vertcat(
+        w15 - c34 * hub_x_ddot,
+        w17 - c34 * hub_y_ddot,
+        w15,
+        w17,
+        w22,
+    )
+    lam = ca.densify(lam)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 224 operations."""
+    q = ca.SX.sym("q", 9)
+    q_dot = ca.SX.sym("q_dot", 9)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 247)
+    beam_theta = q[5]
+    beam_q1 = q[6]
+    beam_q2 = q[7]
+    beam_q3 = q[8]
+    hub_x_dot = q_dot[0]
+    hub_y_dot = q_dot[1]
+    hub_theta_dot = q_dot[2]
+    beam_x_dot = q_dot[3]
+    beam_y_dot = q_dot[4]
+    beam_theta_dot = q_dot[5]
+    beam_q1_dot = q_dot[6]
+    beam_q2_dot = q_dot[7]
+    beam_q3_dot = q_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    w0 = hub_x_dot * (c34 * hub_x_dot) + hub_y_dot * (c34 * hub_y_dot) + hub_theta_dot * (c13 * hub_theta_dot)
+    w1 = ca.sin(beam_theta)
+    w2 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
+    w3 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
+    w4 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
+    w5 = c30 - (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4) / 2.0
+    w6 = ca.cos(beam_theta)
+    w7 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
+    w8 = w1 * w5 + w6 * w7
+    w9 = w6 * w2 + w1 * c31
+    w10 = w6 * w3 + w1 * c32
+    w11 = w6 * w4 + w1 * c33
+    w12 = c35 * beam_x_dot - w8 * beam_theta_dot - w9 * beam_q1_dot - w10 * beam_q2_dot - w11 * beam_q3_dot
+    w13 = w6 * w5 - w1 * w7
+    w14 = w6 * c31 - w1 * w2
+    w15 = w6 * c32 - w1 * w3
+    w16 = w6 * c33 - w1 * w4
+    w17 = c35 * beam_y_dot + w13 * beam_theta_dot + w14 * beam_q1_dot + w15 * beam_q2_dot + w16 * beam_q3_dot
+    w18 = beam_q1 * (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) + beam_q2 * (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3))
+    w19 = (c12 + (w18 + beam_q3 * (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)))) * beam_theta_dot
+    w20 = w13 * beam_y_dot - w8 * beam_x_dot + w19 + c18 * beam_q1_dot + c19 * beam_q2_dot + c20 * beam_q3_dot
+    w21 = w0 + beam_x_dot * w12 + beam_y_dot * w17 + beam_theta_dot * w20 + beam_q1_dot * (w14 * beam_y_dot - w9 * beam_x_dot + c18 * beam_theta_dot + c0 * beam_q1_dot)
+    w22 = w21 + beam_q2_dot * (w15 * beam_y_dot - w10 * beam_x_dot + c19 * beam_theta_dot + c4 * beam_q2_dot)
+    w23 = w22 + beam_q3_dot * (w16 * beam_y_dot - w11 * beam_x_dot + c20 * beam_theta_dot + c8 * beam_q3_dot)
+    kinetic = ca.vertcat(
+        w23 / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        (beam_q1 * c15 * beam_q1 + beam_q2 * c16 * beam_q2 + beam_q3 * c17 * beam_q3) / 2.0,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        0.0,
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        0.0,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t) * hub_theta_dot, 0),
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 819 operations."""
+    q = ca.SX.sym("q", 9)
+    exaggeration = ca.SX.sym("exaggeration", 1)
+    c = ca.SX.sym("c", 247)
+    hub_x = q[0]
+    hub_y = q[1]
+    beam_x = q[3]
+    beam_y = q[4]
+    beam_theta = q[5]
+    beam_q1 = q[6]
+    beam_q2 = q[7]
+    beam_q3 = q[8]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    c78 = c[78]
+    c79 = c[79]
+    c80 = c[80]
+    c81 = c[81]
+    c82 = c[82]
+    c83 = c[83]
+    c84 = c[84]
+    c85 = c[85]
+    c86 = c[86]
+    c87 = c[87]
+    c88 = c[88]
+    c89 = c[89]
+    c90 = c[90]
+    c91 = c[91]
+    c92 = c[92]
+    c93 = c[93]
+    c94 = c[94]
+    c95 = c[95]
+    c96 = c[96]
+    c97 = c[97]
+    c98 = c[98]
+    c99 = c[99]
+    c100 = c[100]
+    c101 = c[101]
+    c102 = c[102]
+    c103 = c[103]
+    c104 = c[104]
+    c105 = c[105]
+    c106 = c[106]
+    c107 = c[107]
+    c108 = c[108]
+    c109 = c[109]
+    c110 = c[110]
+    c111 = c[111]
+    c112 = c[112]
+    c113 = c[113]
+    c114 = c[114]
+    c115 = c[115]
+    c116 = c[116]
+    c117 = c[117]
+    c118 = c[118]
+    c119 = c[119]
+    c120 = c[120]
+    c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
+    c125 = c[125]
+    c126 = c[126]
+    c127 = c[127]
+    c128 = c[128]
+    c129 = c[129]
+    c130 = c[130]
+    c131 = c[131]
+    c132 = c[132]
+    c133 = c[133]
+    c134 = c[134]
+    c135 = c[135]
+    c136 = c[136]
+    c137 = c[137]
+    c138 = c[138]
+    c139 = c[139]
+    c140 = c[140]
+    c141 = c[141]
+    c142 = c[142]
+    c143 = c[143]
+    c144 = c[144]
+    c145 = c[145]
+    c146 = c[146]
+    c147 = c[147]
+    c148 = c[148]
+    c149 = c[149]
+    c150 = c[150]
+    c151 = c[151]
+    c152 = c[152]
+    c153 = c[153]
+    c154 = c[154]
+    c155 = c[155]
+    c156 = c[156]
+    c157 = c[157]
+    c158 = c[158]
+    c159 = c[159]
+    c160 = c[160]
+    c161 = c[161]
+    c162 = c[162]
+    c163 = c[163]
+    c164 = c[164]
+    c165 = c[165]
+    c166 = c[166]
+    c167 = c[167]
+    c168 = c[168]
+    c169 = c[169]
+    c170 = c[170]
+    c171 = c[171]
+    c172 = c[172]
+    c173 = c[173]
+    c174 = c[174]
+    c175 = c[175]
+    c176 = c[176]
+    c177 = c[177]
+    c178 = c[178]
+    c179 = c[179]
+    c180 = c[180]
+    c181 = c[181]
+    c182 = c[182]
+    c183 = c[183]
+    c184 = c[184]
+    c185 = c[185]
+    c186 = c[186]
+    c187 = c[187]
+    c188 = c[188]
+    c189 = c[189]
+    c190 = c[190]
+    c191 = c[191]
+    c192 = c[192]
+    c193 = c[193]
+    c194 = c[194]
+    c195 = c[195]
+    c196 = c[196]
+    c197 = c[197]
+    c198 = c[198]
+    c199 = c[199]
+    c200 = c[200]
+    c201 = c[201]
+    c202 = c[202]
+    c203 = c[203]
+    c204 = c[204]
+    c205 = c[205]
+    c206 = c[206]
+    c207 = c[207]
+    c208 = c[208]
+    c209 = c[209]
+    c210 = c[210]
+    c211 = c[211]
+    c212 = c[212]
+    c213 = c[213]
+    c214 = c[214]
+    c215 = c[215]
+    c216 = c[216]
+    c217 = c[217]
+    c218 = c[218]
+    c219 = c[219]
+    c220 = c[220]
+    c221 = c[221]
+    c222 = c[222]
+    c223 = c[223]
+    c224 = c[224]
+    c225 = c[225]
+    c226 = c[226]
+    c227 = c[227]
+    c228 = c[228]
+    c229 = c[229]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c235 = c[235]
+    c236 = c[236]
+    c237 = c[237]
+    c238 = c[238]
+    c239 = c[239]
+    c240 = c[240]
+    c241 = c[241]
+    c242 = c[242]
+    c243 = c[243]
+    w0 = ca.cos(beam_theta)
+    w1 = beam_q1 * exaggeration
+    w2 = beam_q2 * exaggeration
+    w3 = beam_q3 * exaggeration
+    w4 = w1 * (c36 * w1 + c37 * w2 + c38 * w3) + w2 * (c39 * w1 + c40 * w2 + c41 * w3) + w3 * (c42 * w1 + c43 * w2 + c44 * w3)
+    w5 = c45 - w4 / 2.0
+    w6 = ca.sin(beam_theta)
+    w7 = c46 * w1 + c47 * w2 + c48 * w3
+    w8 = w1 * (c49 * w1 + c50 * w2 + c51 * w3) + w2 * (c52 * w1 + c53 * w2 + c54 * w3) + w3 * (c55 * w1 + c56 * w2 + c57 * w3)
+    w9 = c58 - w8 / 2.0
+    w10 = c59 * w1 + c60 * w2 + c61 * w3
+    w11 = w1 * (c62 * w1 + c63 * w2 + c64 * w3) + w2 * (c65 * w1 + c66 * w2 + c67 * w3) + w3 * (c68 * w1 + c69 * w2 + c70 * w3)
+    w12 = c71 - w11 / 2.0
+    w13 = c72 * w1 + c73 * w2 + c74 * w3
+    w14 = w1 * (c75 * w1 + c76 * w2 + c77 * w3) + w2 * (c78 * w1 + c79 * w2 + c80 * w3) + w3 * (c81 * w1 + c82 * w2 + c83 * w3)
+    w15 = c84 - w14 / 2.0
+    w16 = c85 * w1 + c86 * w2 + c87 * w3
+    w17 = w1 * (c88 * w1 + c89 * w2 + c90 * w3) + w2 * (c91 * w1 + c92 * w2 + c93 * w3) + w3 * (c94 * w1 + c95 * w2 + c96 * w3)
+    w18 = c97 - w17 / 2.0
+    w19 = c98 * w1 + c99 * w2 + c100 * w3
+    w20 = w1 * (c101 * w1 + c102 * w2 + c103 * w3) + w2 * (c104 * w1 + c105 * w2 + c106 * w3) + w3 * (c107 * w1 + c108 * w2 + c109 * w3)
+    w21 = c110 - w20 / 2.0
+    w22 = c111 * w1 + c112 * w2 + c113 * w3
+    w23 = w1 * (c114 * w1 + c115 * w2 + c116 * w3) + w2 * (c117 * w1 + c118 * w2 + c119 * w3) + w3 * (c120 * w1 + c121 * w2 + c122 * w3)
+    w24 = c123 - w23 / 2.0
+    w25 = c124 * w1 + c125 * w2 + c126 * w3
+    w26 = w1 * (c127 * w1 + c128 * w2 + c129 * w3) + w2 * (c130 * w1 + c131 * w2 + c132 * w3) + w3 * (c133 * w1 + c134 * w2 + c135 * w3)
+    w27 = c136 - w26 / 2.0
+    w28 = c137 * w1 + c138 * w2 + c139 * w3
+    w29 = w1 * (c140 * w1 + c141 * w2 + c142 * w3) + w2 * (c143 * w1 + c144 * w2 + c145 * w3) + w3 * (c146 * w1 + c147 * w2 + c148 * w3)
+    w30 = c149 - w29 / 2.0
+    w31 = c150 * w1 + c151 * w2 + c152 * w3
+    w32 = w1 * (c153 * w1 + c154 * w2 + c155 * w3) + w2 * (c156 * w1 + c157 * w2 + c158 * w3) + w3 * (c159 * w1 + c160 * w2 + c161 * w3)
+    w33 = c162 - w32 / 2.0
+    w34 = c163 * w1 + c164 * w2 + c165 * w3
+    w35 = w1 * (c166 * w1 + c167 * w2 + c168 * w3) + w2 * (c169 * w1 + c170 * w2 + c171 * w3) + w3 * (c172 * w1 + c173 * w2 + c174 * w3)
+    w36 = c175 - w35 / 2.0
+    w37 = c176 * w1 + c177 * w2 + c178 * w3
+    w38 = w1 * (c179 * w1 + c180 * w2 + c181 * w3) + w2 * (c182 * w1 + c183 * w2 + c184 * w3) + w3 * (c185 * w1 + c186 * w2 + c187 * w3)
+    w39 = c188 - w38 / 2.0
+    w40 = c189 * w1 + c190 * w2 + c191 * w3
+    w41 = w1 * (c192 * w1 + c193 * w2 + c194 * w3) + w2 * (c195 * w1 + c196 * w2 + c197 * w3) + w3 * (c198 * w1 + c199 * w2 + c200 * w3)
+    w42 = c201 - w41 / 2.0
+    w43 = c202 * w1 + c203 * w2 + c204 * w3
+    w44 = w1 * (c205 * w1 + c206 * w2 + c207 * w3) + w2 * (c208 * w1 + c209 * w2 + c210 * w3) + w3 * (c211 * w1 + c212 * w2 + c213 * w3)
+    w45 = c214 - w44 / 2.0
+    w46 = c215 * w1 + c216 * w2 + c217 * w3
+    w47 = w1 * (c218 * w1 + c219 * w2 + c220 * w3) + w2 * (c221 * w1 + c222 * w2 + c223 * w3) + w3 * (c224 * w1 + c225 * w2 + c226 * w3)
+    w48 = c227 - w47 / 2.0
+    w49 = c228 * w1 + c229 * w2 + c230 * w3
+    w50 = w1 * (c231 * w1 + c232 * w2 + c233 * w3) + w2 * (c234 * w1 + c235 * w2 + c236 * w3) + w3 * (c237 * w1 + c238 * w2 + c239 * w3)
+    w51 = c240 - w50 / 2.0
+    w52 = c241 * w1 + c242 * w2 + c243 * w3
+    xy = ca.vertcat(
+        hub_x,
+        hub_y,
+        beam_x,
+        beam_y,
+        beam_x + (w0 * w5 - w6 * w7),
+        beam_y + (w6 * w5 + w0 * w7),
+        beam_x + (w0 * w9 - w6 * w10),
+        beam_y + (w6 * w9 + w0 * w10),
+        beam_x + (w0 * w12 - w6 * w13),
+        beam_y + (w6 * w12 + w0 * w13),
+        beam_x + (w0 * w15 - w6 * w16),
+        beam_y + (w6 * w15 + w0 * w16),
+        beam_x + (w0 * w18 - w6 * w19),
+        beam_y + (w6 * w18 + w0 * w19),
+        beam_x + (w0 * w21 - w6 * w22),
+        beam_y + (w6 * w21 + w0 * w22),
+        beam_x + (w0 * w24 - w6 * w25),
+        beam_y + (w6 * w24 + w0 * w25),
+        beam_x + (w0 * w27 - w6 * w28),
+        beam_y + (w6 * w27 + w0 * w28),
+        beam_x + (w0 * w30 - w6 * w31),
+        beam_y + (w6 * w30 + w0 * w31),
+        beam_x + (w0 * w33 - w6 * w34),
+        beam_y + (w6 * w33 + w0 * w34),
+        beam_x + (w0 * w36 - w6 * w37),
+        beam_y + (w6 * w36 + w0 * w37),
+        beam_x + (w0 * w39 - w6 * w40),
+        beam_y + (w6 * w39 + w0 * w40),
+        beam_x + (w0 * w42 - w6 * w43),
+        beam_y + (w6 * w42 + w0 * w43),
+        beam_x + (w0 * w45 - w6 * w46),
+        beam_y + (w6 * w45 + w0 * w46),
+        beam_x + (w0 * w48 - w6 * w49),
+        beam_y + (w6 * w48 + w0 * w49),
+        beam_x + (w0 * w51 - w6 * w52),
+        beam_y + (w6 * w51 + w0 * w52),
+    )
+    xy = ca.reshape(xy, 2, 18)
+    xy = ca.densify(xy)
+    inputs, outputs = [q, exaggeration, c], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 74 operations."""
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    c = ca.SX.sym("c", 247)
+    beam_q1_dot = q_i_dot[1]
+    beam_q2_dot = q_i_dot[2]
+    beam_q3_dot = q_i_dot[3]
+    beam_theta_dot = q_d_dot[4]
+    c2 = c[2]
+    c3 = c[3]
+    c5 = c[5]
+    c7 = c[7]
+    c9 = c[9]
+    c10 = c[10]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c244 = c[244]
+    c245 = c[245]
+    c246 = c[246]
+    w0 = beam_theta_dot**2
+    dQ_hat_dq_i = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam_theta_dot * (-2.0 * (beam_q1_dot * c244 - beam_q2_dot * c5 - beam_q3_dot * c9)),
+        w0 * c244 - c15,
+        -(w0 * c5),
+        -(w0 * c9),
+        beam_theta_dot * (-2.0 * (beam_q2_dot * c245 - beam_q1_dot * c2 - beam_q3_dot * c10)),
+        -(w0 * c2),
+        w0 * c245 - c16,
+        -(w0 * c10),
+        beam_theta_dot * (-2.0 * (beam_q3_dot * c246 - (beam_q1_dot * c3 + beam_q2_dot * c7))),
+        -(w0 * c3),
+        -(w0 * c7),
+        w0 * c246 - c17,
+    )
+    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 72 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    c = ca.SX.sym("c", 247)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    beam_q1_dot = q_i_dot[1]
+    beam_q2_dot = q_i_dot[2]
+    beam_q3_dot = q_i_dot[3]
+    beam_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    w0 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
+    w1 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
+    w2 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w3 = 2 * beam_theta_dot
+    w4 = -2.0 * beam_theta_dot
+    dQ_hat_dq_i_dot = ca.vertcat(
+        -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot),
+        w0 * w3,
+        w1 * w3,
+        w2 * w3,
+        w0 * w4,
+        0.0,
+        0.0,
+        0.0,
+        w1 * w4,
+        0.0,
+        0.0,
+        0.0,
+        w2 * w4,
+        0.0,
+        0.0,
+        0.0,
+    )
+    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 84 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 4)
+    c = ca.SX.sym("c", 247)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    hub_theta_ddot = q_i_ddot[0]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    w0 = beam_q3 * hub_theta_ddot
+    w1 = beam_q2 * hub_theta_ddot
+    w2 = (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) * hub_theta_ddot - (c9 * w0 + c5 * w1)
+    w3 = beam_q1 * hub_theta_ddot
+    w4 = (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)) * hub_theta_ddot - c10 * w0 - c6 * w1
+    w5 = (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)) * hub_theta_ddot - c11 * w0 + c8 * w0
+    dMa_dq_i = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w2 - c1 * w3 + c0 * w3,
+        0.0,
+        0.0,
+        0.0,
+        w4 + c4 * w1 - c2 * w3,
+        0.0,
+        0.0,
+        0.0,
+        w5 - c7 * w1 - c3 * w3,
+        0.0,
+        0.0,
+        0.0,
+    )
+    dMa_dq_i = ca.reshape(dMa_dq_i, 4, 4)
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+
+
+def substep_2() -> ca.Function:
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 73 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    q_L_ddot = ca.SX.sym("q_L_ddot", 1)
+    c = ca.SX.sym("c", 247)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    beam_theta_dot = q_d_dot[4]
+    hub_theta_ddot = q_L_ddot[0]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    w0 = beam_theta_dot**2
+    w1 = (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) * w0 - c15 * beam_q1 - c18 * hub_theta_ddot
+    w2 = (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)) * w0 - c16 * beam_q2 - c19 * hub_theta_ddot
+    w3 = (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)) * w0 - c17 * beam_q3 - c20 * hub_theta_ddot
+    M_hat_SS = ca.vertcat(
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c8,
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 3, 3)
+    M_hat_SS = ca.densify(M_hat_SS)
+    rhs_S = ca.vertcat(
+        w1,
+        w2,
+        w3,
+    )
+    rhs_S = ca.densify(rhs_S)
+    inputs, outputs = [q_i, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "closure": closure,
+    "velocities": velocities,
+    "accelerations": accelerations,
+    "constraints": constraints,
+    "augmented": augmented,
+    "reactions": reactions,
+    "energy": energy,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+    "substep_2": substep_2,
+}

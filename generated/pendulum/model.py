@@ -1,0 +1,316 @@
+"""Simple pendulum: equations of motion, emitted by symgen from the scene `pendulum`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 13 operations."""
+    p = ca.SX.sym("p", 3)
+    length = p[0]
+    gravity_y = p[1]
+    rod_mass = p[2]
+    c = ca.vertcat(
+        rod_mass * length,
+        gravity_y,
+        rod_mass * length**2,
+        rod_mass * gravity_y,
+        rod_mass,
+        length,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 9 operations."""
+    q_i = ca.SX.sym("q_i", 1)
+    c = ca.SX.sym("c", 6)
+    rod_theta = q_i[0]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    M_hat = ca.vertcat(
+        c2,
+    )
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        ca.cos(rod_theta) * c0 * c1,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "c"], ["M_hat", "Q_hat"])
+
+
+def closure() -> ca.Function:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 3 operations."""
+    q_d_next = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    q_d_next = ca.densify(q_d_next)
+    inputs, outputs = [], [q_d_next]
+    return ca.Function("closure", inputs, outputs, [], ["q_d_next"])
+
+
+def velocities() -> ca.Function:
+    """q_d_dot (Eq. 36). 3 operations."""
+    q_d_dot = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    q_d_dot = ca.densify(q_d_dot)
+    inputs, outputs = [], [q_d_dot]
+    return ca.Function("velocities", inputs, outputs, [], ["q_d_dot"])
+
+
+def accelerations() -> ca.Function:
+    """q_d_ddot (Eq. 35). 3 operations."""
+    q_d_ddot = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    q_d_ddot = ca.densify(q_d_ddot)
+    inputs, outputs = [], [q_d_ddot]
+    return ca.Function("accelerations", inputs, outputs, [], ["q_d_ddot"])
+
+
+def constraints() -> ca.Function:
+    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 16 operations."""
+    q = ca.SX.sym("q", 3)
+    rod_x = q[0]
+    rod_y = q[1]
+    C = ca.vertcat(
+        rod_x,
+        rod_y,
+    )
+    C = ca.densify(C)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 2, 3)
+    C_q = ca.densify(C_q)
+    C_t = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    C_t = ca.densify(C_t)
+    gamma = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    gamma = ca.densify(gamma)
+    inputs, outputs = [q], [C, C_q, C_t, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "gamma"])
+
+
+def augmented() -> ca.Function:
+    """M and Q* of the augmented form (Eq. 28). 30 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 6)
+    rod_theta = q[2]
+    rod_theta_dot = q_dot[2]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    w0 = ca.sin(rod_theta) * c0
+    w1 = -w0
+    w2 = ca.cos(rod_theta) * c0
+    w3 = rod_theta_dot**2
+    M = ca.vertcat(
+        c4,
+        0.0,
+        w1,
+        0.0,
+        c4,
+        w2,
+        w1,
+        w2,
+        c2,
+    )
+    M = ca.reshape(M, 3, 3)
+    M = ca.densify(M)
+    Q_star = ca.vertcat(
+        w2 * w3,
+        w0 * w3 + c3,
+        w2 * c1,
+    )
+    Q_star = ca.densify(Q_star)
+    inputs, outputs = [q, q_dot, c], [M, Q_star]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+
+
+def reactions() -> ca.Function:
+    """Lagrange multipliers lam (Eq. 37). 26 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    q_ddot = ca.SX.sym("q_ddot", 3)
+    c = ca.SX.sym("c", 6)
+    rod_theta = q[2]
+    rod_theta_dot = q_dot[2]
+    rod_x_ddot = q_ddot[0]
+    rod_y_ddot = q_ddot[1]
+    rod_theta_ddot = q_ddot[2]
+    c0 = c[0]
+    c3 = c[3]
+    c4 = c[4]
+    w0 = ca.cos(rod_theta) * c0
+    w1 = rod_theta_dot**2
+    w2 = ca.sin(rod_theta) * c0
+    lam = ca.vertcat(
+        w0 * w1 - (c4 * rod_x_ddot - w2 * rod_theta_ddot),
+        w2 * w1 + c3 - (c4 * rod_y_ddot + w0 * rod_theta_ddot),
+    )
+    lam = ca.densify(lam)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 41 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 6)
+    rod_y = q[1]
+    rod_theta = q[2]
+    rod_x_dot = q_dot[0]
+    rod_y_dot = q_dot[1]
+    rod_theta_dot = q_dot[2]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    w0 = ca.sin(rod_theta) * c0
+    w1 = ca.cos(rod_theta) * c0
+    w2 = rod_x_dot * (c4 * rod_x_dot - w0 * rod_theta_dot) + rod_y_dot * (c4 * rod_y_dot + w1 * rod_theta_dot)
+    kinetic = ca.vertcat(
+        (w2 + rod_theta_dot * (w1 * rod_y_dot - w0 * rod_x_dot + c2 * rod_theta_dot)) / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        0.0,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        -(c1 * (c4 * rod_y + w0)),
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        0.0,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        0.0,
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def measures() -> ca.Function:
+    """The scene's measures and their rates. 23 operations."""
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 6)
+    rod_x = q[0]
+    rod_y = q[1]
+    rod_theta = q[2]
+    rod_x_dot = q_dot[0]
+    rod_y_dot = q_dot[1]
+    rod_theta_dot = q_dot[2]
+    c5 = c[5]
+    w0 = ca.cos(rod_theta)
+    w1 = ca.sin(rod_theta)
+    measures = ca.vertcat(
+        rod_x + w0 * c5,
+        rod_x_dot - c5 * (w1 * rod_theta_dot),
+        rod_y + w1 * c5,
+        rod_y_dot + c5 * (w0 * rod_theta_dot),
+    )
+    measures = ca.densify(measures)
+    inputs, outputs = [q, q_dot, c], [measures]
+    return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 14 operations."""
+    q = ca.SX.sym("q", 3)
+    c = ca.SX.sym("c", 6)
+    rod_x = q[0]
+    rod_y = q[1]
+    rod_theta = q[2]
+    c5 = c[5]
+    xy = ca.vertcat(
+        rod_x,
+        rod_y,
+        rod_x + ca.cos(rod_theta) * c5,
+        rod_y + ca.sin(rod_theta) * c5,
+    )
+    xy = ca.reshape(xy, 2, 2)
+    xy = ca.densify(xy)
+    inputs, outputs = [q, c], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 8 operations."""
+    q_i = ca.SX.sym("q_i", 1)
+    c = ca.SX.sym("c", 6)
+    rod_theta = q_i[0]
+    c0 = c[0]
+    c1 = c[1]
+    dQ_hat_dq_i = ca.vertcat(
+        -(c1 * (c0 * ca.sin(rod_theta))),
+    )
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 2 operations."""
+    dQ_hat_dq_i_dot = ca.vertcat(
+        0.0,
+    )
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, [], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 2 operations."""
+    dMa_dq_i = ca.vertcat(
+        0.0,
+    )
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "closure": closure,
+    "velocities": velocities,
+    "accelerations": accelerations,
+    "constraints": constraints,
+    "augmented": augmented,
+    "reactions": reactions,
+    "energy": energy,
+    "measures": measures,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+}

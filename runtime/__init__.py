@@ -1,0 +1,11 @@
+"""Steps generated models through time. Knows nothing of SymPy or of how the equations were derived."""
+
+from runtime.initial import InitialStateError
+from runtime.model import Group, Model, ModelError, load_model
+from runtime.schemes.options import SCHEMES, Options, SchemeError
+from runtime.simulate import simulate
+from runtime.solution import Solution
+from runtime.status import Status
+
+__all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
+           "Status", "load_model", "simulate"]

@@ -1,0 +1,153 @@
+"""C source of a step program: stages as straight-line code, split into chunks when long.
+
+One function with tens of thousands of locals makes a compiler slow and greedy (20,000 statements: 13 s); chunks of
+CHUNK statements that pass values through a work array compile in linear time and cost nothing at run time.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from runtime.engine.program import Call, Program, Repeat, Sequence, stages
+from runtime.engine.tape import UNUSED, Node, Tape, read_tape
+
+CHUNK = 1000
+
+_BINARY = {
+    ca.OP_ADD: "{a} + {b}", ca.OP_SUB: "{a} - {b}", ca.OP_MUL: "{a} * {b}", ca.OP_DIV: "{a} / {b}",
+    ca.OP_POW: "pow({a}, {b})", ca.OP_CONSTPOW: "pow({a}, {b})", ca.OP_LT: "{a} < {b}", ca.OP_LE: "{a} <= {b}",
+    ca.OP_EQ: "{a} == {b}", ca.OP_NE: "{a} != {b}", ca.OP_AND: "{a} && {b}", ca.OP_OR: "{a} || {b}",
+    ca.OP_FMIN: "fmin({a}, {b})", ca.OP_FMAX: "fmax({a}, {b})", ca.OP_ATAN2: "atan2({a}, {b})",
+    ca.OP_FMOD: "fmod({a}, {b})", ca.OP_COPYSIGN: "copysign({a}, {b})", ca.OP_HYPOT: "hypot({a}, {b})",
+    ca.OP_IF_ELSE_ZERO: "{a} != 0 ? {b} : 0",
+}
+_UNARY = {
+    ca.OP_NEG: "-{a}", ca.OP_SQ: "{a} * {a}", ca.OP_TWICE: "2 * {a}", ca.OP_INV: "1 / {a}", ca.OP_NOT: "!{a}",
+    ca.OP_SIGN: "({a} > 0) - ({a} < 0)", ca.OP_ASSIGN: "{a}",
+    **{op: name + "({a})" for op, name in (
+        (ca.OP_SQRT, "sqrt"), (ca.OP_EXP, "exp"), (ca.OP_LOG, "log"), (ca.OP_SIN, "sin"), (ca.OP_COS, "cos"),
+        (ca.OP_TAN, "tan"), (ca.OP_ASIN, "asin"), (ca.OP_ACOS, "acos"), (ca.OP_ATAN, "atan"), (ca.OP_SINH, "sinh"),
+        (ca.OP_COSH, "cosh"), (ca.OP_TANH, "tanh"), (ca.OP_FABS, "fabs"), (ca.OP_FLOOR, "floor"),
+        (ca.OP_CEIL, "ceil"))},
+}
+
+
+def program_source(program: Program) -> str:
+    """C source with `void run(double *z, const double *c, long n)`, which applies the program n times."""
+    parts = ["#include <math.h>\n"]
+    numbers: dict[str, int] = {}
+    for position, stage in enumerate(stages(program)):
+        numbers[stage.name()] = position
+        parts.append(stage_source(f"stage_{position}", read_tape(stage)))
+    body = "\n".join(_control(program, numbers, 2))
+    parts.append("void run(double *z, const double *c, long n) {\n"
+                 "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n}\n")
+    return "\n".join(parts)
+
+
+def _control(node: Program, numbers: dict[str, int], depth: int) -> list[str]:
+    pad = "  " * depth
+    if isinstance(node, Call):
+        return [f"{pad}stage_{numbers[node.stage.name()]}(z, c);"]
+    if isinstance(node, Sequence):
+        return [line for part in node.parts for line in _control(part, numbers, depth)]
+    inner = _control(node.body, numbers, depth + 1)
+    if isinstance(node, Repeat):
+        head = f"{pad}for (long j{depth} = 0; j{depth} < {node.count}; ++j{depth}) {{"
+    else:
+        head = f"{pad}for (long j{depth} = 0; j{depth} < {node.limit} && z[{node.flag}] > 0; ++j{depth}) {{"
+    return [head, *inner, f"{pad}}}"]
+
+
+def stage_source(name: str, tape: Tape) -> str:
+    """C source of `static void name(double *z, const double *c)`: z is updated in place, changed entries only."""
+    stores = [(entry, node) for entry, node in enumerate(tape.outputs[0])
+              if not _is_same_entry(tape.nodes[node], entry)]
+    needed = _needed(tape, [node for _, node in stores])
+    order = [k for k in range(len(tape.nodes)) if needed[k] and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
+    writer = _Writer(tape, order, stores)
+    return writer.chunked(name) if len(order) > 2 * CHUNK else writer.single(name)
+
+
+def _is_same_entry(node: Node, entry: int) -> bool:
+    return node.op == ca.OP_INPUT and node.a == 0 and node.b == entry
+
+
+def _needed(tape: Tape, roots: list[int]) -> list[bool]:
+    needed = [False] * len(tape.nodes)
+    for root in roots:
+        needed[root] = True
+    for k in range(len(tape.nodes) - 1, -1, -1):
+        node = tape.nodes[k]
+        if needed[k] and node.op not in (ca.OP_INPUT, ca.OP_CONST):
+            needed[node.a] = True
+            if node.b != UNUSED:
+                needed[node.b] = True
+    return needed
+
+
+class _Writer:
+    """Statements of one stage. All loads of z precede its stores, so the update can be in place."""
+
+    def __init__(self, tape: Tape, order: list[int], stores: list[tuple[int, int]]) -> None:
+        self.tape, self.order, self.stores = tape, order, stores
+
+    def _operand(self, k: int, names: dict[int, str]) -> str:
+        node = self.tape.nodes[k]
+        if node.op == ca.OP_CONST:
+            return f"({node.value!r})" if node.value < 0 else repr(node.value)
+        if node.op == ca.OP_INPUT:
+            return f"{'zc'[node.a]}[{node.b}]"
+        return names[k]
+
+    def _expression(self, k: int, names: dict[int, str]) -> str:
+        node = self.tape.nodes[k]
+        a = self._operand(node.a, names)
+        if node.b == UNUSED:
+            return _UNARY[node.op].format(a=a)
+        return _BINARY[node.op].format(a=a, b=self._operand(node.b, names))
+
+    def single(self, name: str) -> str:
+        """One function."""
+        names = {k: f"v{k}" for k in self.order}
+        lines = [f"static void {name}(double *z, const double *c) {{"]
+        lines += [f"  const double v{k} = {self._expression(k, names)};" for k in self.order]
+        return "\n".join([*lines, *self._store(names), "}\n"])
+
+    def _store(self, names: dict[int, str]) -> list[str]:
+        """Stores at the end; an entry of z that another store reads is copied first."""
+        lines = [f"  const double s{entry} = {self._operand(node, names)};" for entry, node in self.stores]
+        return lines + [f"  z[{entry}] = s{entry};" for entry, _ in self.stores]
+
+    def chunked(self, name: str) -> str:
+        """Functions of CHUNK statements; values used in a later chunk live in a work array."""
+        chunk_of = {k: position // CHUNK for position, k in enumerate(self.order)}
+        last = (len(self.order) - 1) // CHUNK + 1  # the stores are the last chunk
+        slots: dict[int, int] = {}
+        for k in self.order:
+            node = self.tape.nodes[k]
+            for argument in (node.a, node.b):
+                if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
+                    slots.setdefault(argument, len(slots))
+        for _, node_index in self.stores:
+            if node_index in chunk_of:
+                slots.setdefault(node_index, len(slots))
+        parts = [f"static double {name}_w[{max(1, len(slots))}];"]
+        for chunk in range(last):
+            parts.append(self._chunk(name, chunk, chunk_of, slots))
+        names = {k: f"w[{slot}]" for k, slot in slots.items()}
+        calls = "\n".join(f"  {name}_{chunk}(z, c, {name}_w);" for chunk in range(last))
+        parts.append(f"static void {name}(double *z, const double *c) {{\n  const double *w = {name}_w;\n{calls}\n"
+                     + "\n".join(self._store(names)) + "\n}\n")
+        return "\n".join(parts)
+
+    def _chunk(self, name: str, chunk: int, chunk_of: dict[int, int], slots: dict[int, int]) -> str:
+        members = self.order[chunk * CHUNK:(chunk + 1) * CHUNK]
+        names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of[k] != chunk}
+        lines = [f"static __attribute__((noinline)) void {name}_{chunk}"
+                 "(const double *z, const double *c, double *restrict w) {"]
+        for k in members:
+            names[k] = f"v{k}"
+            lines.append(f"  const double v{k} = {self._expression(k, names)};")
+        lines += [f"  w[{slots[k]}] = v{k};" for k in members if k in slots]
+        return "\n".join([*lines, "}\n"])

@@ -1,0 +1,50 @@
+"""Which engine runs a program: compiled where a compiler is there and pays, interpreted otherwise."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from runtime.engine.compiled import CompiledProgram, find_compiler
+from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.program import Call, Program, Repeat, Sequence, stages
+
+VM_SECONDS_PER_OPERATION = 5e-9
+COMPILE_SECONDS_PER_OPERATION = 1.5e-4
+COMPILE_SECONDS = 0.1
+
+
+class Engine(Protocol):
+    """Runs a program n times on z in place."""
+
+    name: str
+
+    def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
+        """Apply the program n times to z."""
+
+
+def operations_per_step(program: Program) -> int:
+    """Operations of one application (each Until body counted once)."""
+    if isinstance(program, Call):
+        return int(program.stage.n_instructions())
+    if isinstance(program, Sequence):
+        return sum(operations_per_step(part) for part in program.parts)
+    if isinstance(program, Repeat):
+        return program.count * operations_per_step(program.body)
+    return operations_per_step(program.body)
+
+
+def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:
+    """`wish` is auto, compiled or interpreted. auto compiles when that is expected to save time.
+
+    Raises ValueError for an unknown wish and CompilerError when `compiled` cannot be had.
+    """
+    if wish not in ("auto", "compiled", "interpreted"):
+        raise ValueError(f"engine must be auto, compiled or interpreted, not {wish!r}")
+    if wish == "auto":
+        interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
+        size = sum(stage.n_instructions() for stage in stages(program))
+        pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
+        wish = "compiled" if pays and find_compiler() else "interpreted"
+    return CompiledProgram(program) if wish == "compiled" else InterpretedProgram(program, z_size, c_size)

@@ -1,0 +1,97 @@
+"""Compile a step program with the machine's C compiler, into a cache keyed by content."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from runtime.engine.c_source import CHUNK, program_source
+from runtime.engine.program import Program
+
+# -ffp-contract=off keeps compiled code bit-identical to the CasADi virtual machine (no fused multiply-add)
+COMMON_FLAGS = ("-shared", "-fPIC", "-march=native", "-ffp-contract=off", "-fno-math-errno")
+SMALL_FLAGS, LARGE_FLAGS = ("-O3",), ("-O1",)
+
+
+class CompilerError(RuntimeError):
+    """The C compiler is missing or failed."""
+
+
+def find_compiler() -> str | None:
+    """The C compiler to use: $CC, cc, gcc or clang; None if there is none."""
+    for name in (os.environ.get("CC"), "cc", "gcc", "clang"):
+        if name and (path := shutil.which(name)):
+            return path
+    return None
+
+
+def cache_folder() -> Path:
+    """Where compiled programs are kept: $SYMGEN_CACHE, else the user's cache folder."""
+    chosen = os.environ.get("SYMGEN_CACHE")
+    if chosen:
+        return Path(chosen)
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
+
+
+@cache
+def _identity(compiler: str) -> str:
+    """Compiler version and what -march=native means on this processor."""
+    command = [compiler, "-march=native", "-E", "-v", "-x", "c", os.devnull]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    kept = [line for line in result.stderr.splitlines() if "-march" in line or "version" in line]
+    return "\n".join(line for line in kept if "/tmp" not in line)
+
+
+def compile_source(source: str, large: bool = False) -> Path:
+    """Shared library of a C source, from the cache if it is there. Raises CompilerError."""
+    compiler = find_compiler()
+    if compiler is None:
+        raise CompilerError("no C compiler found (set CC, or install gcc); the interpreted engine needs none")
+    flags = (*(LARGE_FLAGS if large else SMALL_FLAGS), *COMMON_FLAGS)
+    key = hashlib.sha256("\n".join([source, *flags, compiler, _identity(compiler)]).encode()).hexdigest()
+    folder = cache_folder()
+    target = folder / f"{key}.so"  # named by content: the loader caches libraries by path
+    if not target.exists():
+        _build(compiler, flags, source, folder, target)
+    return target
+
+
+def _build(compiler: str, flags: tuple[str, ...], source: str, folder: Path, target: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as work:
+            source_file, library = Path(work) / "program.c", Path(work) / "program.so"
+            source_file.write_text(source, encoding="utf-8")
+            command = [compiler, *flags, "-o", str(library), str(source_file), "-lm"]
+            result = subprocess.run(command, capture_output=True, text=True)
+            if result.returncode != 0:
+                raise CompilerError(f"{compiler} failed: {result.stderr.strip()[:2000]}")
+            os.replace(library, target)
+    except OSError as error:
+        raise CompilerError(f"cannot compile in {folder}: {error}; set SYMGEN_CACHE to a writable folder") from error
+
+
+class CompiledProgram:
+    """A program as native code."""
+
+    name = "compiled"
+
+    def __init__(self, program: Program) -> None:
+        source = program_source(program)
+        self.source_lines = source.count("\n")
+        self.library = compile_source(source, large=self.source_lines > 20 * CHUNK)
+        self._run = ctypes.CDLL(str(self.library)).run
+        self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
+        self._run.restype = None
+
+    def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
+        """Apply the program n times to z, in place."""
+        self._run(z.ctypes.data, c.ctypes.data, n)

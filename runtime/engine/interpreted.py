@@ -1,0 +1,78 @@
+"""Run a step program in CasADi's virtual machine: no compiler needed, same operations in the same order."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.engine.program import Call, Program, Repeat, Sequence
+
+
+def program_function(program: Program, z_size: int, c_size: int) -> ca.Function:
+    """The whole program as one Function (z, c) -> z, differentiable as far as its stages are."""
+    return _Composer(z_size, c_size).function(program)
+
+
+class _Composer:
+    def __init__(self, z_size: int, c_size: int) -> None:
+        self.z, self.c = ca.MX.sym("z", z_size), ca.MX.sym("c", c_size)
+
+    def function(self, node: Program) -> ca.Function:
+        if isinstance(node, Call):
+            return node.stage
+        if isinstance(node, Sequence):
+            z = self.z
+            for part in node.parts:
+                z = self.function(part)(z, self.c)
+            return ca.Function("sequence", [self.z, self.c], [z])
+        if isinstance(node, Repeat):
+            return self.power(self.function(node.body), node.count)
+        once = self._conditional(self.function(node.body), node.flag)
+        return self.power(once, node.limit)
+
+    def power(self, function: ca.Function, n: int) -> ca.Function:
+        """function applied n times, by repeated squaring."""
+        result, square, left = None, function, n
+        while left:
+            if left & 1:
+                result = square if result is None else self._chain(result, square)
+            left >>= 1
+            if left:
+                square = self._chain(square, square)
+        return result if result is not None else ca.Function("none", [self.z, self.c], [self.z])
+
+    def _chain(self, first: ca.Function, second: ca.Function) -> ca.Function:
+        return ca.Function("chain", [self.z, self.c], [second(first(self.z, self.c), self.c)])
+
+    def _conditional(self, body: ca.Function, flag: int) -> ca.Function:
+        keep = ca.Function("keep", [self.z, self.c], [self.z])
+        switch = ca.Function.if_else("until", body, keep)
+        return ca.Function("once", [self.z, self.c], [switch(self.z[flag] > 0, self.z, self.c)])
+
+
+class InterpretedProgram:
+    """A program evaluated by CasADi."""
+
+    name = "interpreted"
+
+    def __init__(self, program: Program, z_size: int, c_size: int) -> None:
+        self._composer = _Composer(z_size, c_size)
+        self._step = self._composer.function(program)
+        self._batches: dict[int, tuple] = {}
+
+    def _batch(self, n: int) -> tuple:
+        if n not in self._batches:
+            function = self._composer.power(self._step, n)
+            buffer, evaluate = function.buffer()
+            self._batches[n] = (function, buffer, evaluate)
+        return self._batches[n]
+
+    def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
+        """Apply the program n times to z, in place."""
+        _, buffer, evaluate = self._batch(n)
+        result = np.empty_like(z)
+        buffer.set_arg(0, memoryview(z))
+        buffer.set_arg(1, memoryview(c))
+        buffer.set_res(0, memoryview(result))
+        evaluate()
+        z[:] = result

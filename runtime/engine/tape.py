@@ -1,0 +1,90 @@
+"""An SX Function as straight-line code: one list of nodes in single assignment. Printed as Python or as C."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import casadi as ca
+
+
+class Node(NamedTuple):
+    """One value: an input entry (op OP_INPUT: a = argument, b = entry), a constant, or op(a[, b]) of nodes."""
+
+    op: int
+    a: int
+    b: int
+    value: float
+
+
+@dataclass(frozen=True)
+class Tape:
+    """Nodes in an order in which each uses earlier ones only; outputs[k] lists the node of every entry."""
+
+    input_names: list[str]
+    input_sizes: list[int]
+    output_names: list[str]
+    output_shapes: list[tuple[int, int]]
+    nodes: list[Node]
+    outputs: list[list[int]]
+
+    @property
+    def operations(self) -> int:
+        """CasADi's own count of the instructions of the Function this tape came from (loads and stores included)."""
+        return len(self.nodes) + sum(len(entries) for entries in self.outputs)
+
+
+BINARY = frozenset((ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV, ca.OP_POW, ca.OP_CONSTPOW, ca.OP_LT, ca.OP_LE,
+                    ca.OP_EQ, ca.OP_NE, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_ATAN2, ca.OP_FMOD,
+                    ca.OP_COPYSIGN, ca.OP_IF_ELSE_ZERO, ca.OP_HYPOT))
+UNUSED = -1
+
+
+def read_tape(function: ca.Function) -> Tape:
+    """The tape of an SX Function with dense outputs. Raises ValueError for any other kind of Function."""
+    if not function.is_a("SXFunction"):
+        raise ValueError(f"{function.name()}: only a Function of SX expressions has a tape")
+    shapes = [function.size_out(k) for k in range(function.n_out())]
+    for k in range(function.n_out()):
+        if not function.sparsity_out(k).is_dense():
+            raise ValueError(f"{function.name()}: output {function.name_out(k)} is not dense")
+    outputs = [[UNUSED] * (rows * columns) for rows, columns in shapes]
+    nodes = _read_nodes(function, outputs)
+    return Tape(function.name_in(), [function.nnz_in(k) for k in range(function.n_in())],
+                function.name_out(), shapes, nodes, outputs)
+
+
+def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
+    holder: dict[int, int] = {}  # work register -> node that it holds now
+    nodes: list[Node] = []
+    for k in range(function.n_instructions()):
+        op = function.instruction_id(k)
+        arguments = function.instruction_input(k)
+        if op == ca.OP_OUTPUT:
+            result, entry = function.instruction_output(k)
+            outputs[result][entry] = holder[arguments[0]]
+            continue
+        if op == ca.OP_CONST:
+            node = Node(op, UNUSED, UNUSED, function.instruction_constant(k))
+        elif op == ca.OP_INPUT:
+            node = Node(op, arguments[0], arguments[1], 0.0)
+        else:
+            second = holder[arguments[1]] if op in BINARY else UNUSED
+            node = Node(op, holder[arguments[0]], second, 0.0)
+        holder[function.instruction_output(k)[0]] = len(nodes)
+        nodes.append(node)
+    return nodes
+
+
+def uses(tape: Tape) -> list[int]:
+    """How often each node is used, as an argument or as an output entry."""
+    count = [0] * len(tape.nodes)
+    for node in tape.nodes:
+        if node.op not in (ca.OP_INPUT, ca.OP_CONST):
+            count[node.a] += 1
+            if node.b != UNUSED:
+                count[node.b] += 1
+    for entries in tape.outputs:
+        for entry in entries:
+            count[entry] += 1
+    return count

@@ -1,0 +1,156 @@
+"""A Solution as files and tables: .npz without pickle, CSV, xarray, NetCDF."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from dataclasses import asdict
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from runtime.files import replacing
+from runtime.model import Group, Model, ModelError, Parameter
+from runtime.status import Status
+
+if TYPE_CHECKING:
+    import xarray
+
+    from runtime.solution import Solution
+
+FORMAT = "symgen solution 1"
+ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "measures")
+NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "measures")
+POWERS = ("power_dissipated", "power_applied", "power_driven")
+
+
+def unit(coordinate: str, derivative: int = 0) -> str:
+    """SI unit of a coordinate (angles are named `theta`) or of its time derivatives."""
+    base = "rad" if coordinate.rpartition(".")[2].startswith("theta") else "m"
+    return base + ("", "/s", "/s^2")[derivative]
+
+
+def write_npz(solution: Solution, path: str | Path) -> None:
+    """Plain arrays, and one JSON text for the rest. Raises OutputError."""
+    model = solution.model
+    header = {
+        "format": FORMAT,
+        "model": {
+            **{key: getattr(model, key) for key in NAMES},
+            "groups": [asdict(group) for group in model.groups],
+            "outlines": [list(entry) for entry in model.outlines],
+            "parameters": [asdict(parameter) for parameter in model.parameters],
+            "initial_q": model.initial_q.tolist(), "initial_q_dot": model.initial_q_dot.tolist(),
+            "simulation": dict(model.simulation), "operations": dict(model.operations),
+        },
+        "scheme": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
+        "stats": {key: _plain(value) for key, value in solution.stats.items()}, "status": asdict(solution.status),
+        "energy": list(solution.energy),
+    }
+    arrays = {key: np.asarray(getattr(solution, key), dtype=float) for key in ARRAYS}
+    arrays |= {f"energy_{key}": np.asarray(series, dtype=float) for key, series in solution.energy.items()}
+    with replacing(Path(path)) as temporary, open(temporary, "wb") as stream:
+        np.savez_compressed(stream, allow_pickle=False, header=np.array(json.dumps(header)), **arrays)
+
+
+def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
+    """The fields of a Solution. Raises ModelError if the file is not one or belongs to another model."""
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            header = json.loads(str(data["header"]))
+            if header["format"] != FORMAT:
+                raise ModelError(f"{path} is a saved solution in another format; simulate again")
+            fields: dict[str, Any] = {key: data[key] for key in ARRAYS}
+            fields["energy"] = {key: data[f"energy_{key}"] for key in header["energy"]}
+        recorded = _recorded_model(header["model"])
+        fields |= {key: header[key] for key in ("scheme", "dt", "m", "stats")}
+        fields["status"] = Status(**header["status"])
+    except ModelError:
+        raise
+    except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, zipfile.BadZipFile) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ModelError(f"{path} is not a saved solution ({reason})") from error
+    for key in ("coordinates", "q_i", "constraints", "measures"):
+        if model is not None and getattr(model, key) != getattr(recorded, key):
+            raise ModelError(f"{path} belongs to model {recorded.name}, whose {key} differ from those of {model.name}")
+    return {**fields, "model": model or recorded}
+
+
+def _recorded_model(header: dict[str, Any]) -> Model:
+    """A model with names but without functions."""
+    return Model(
+        **{key: header[key] for key in NAMES}, groups=[Group(**entry) for entry in header["groups"]],
+        outlines=[(body, count) for body, count in header["outlines"]],
+        parameters=[Parameter(**entry) for entry in header["parameters"]],
+        initial_q=np.array(header["initial_q"], dtype=float),
+        initial_q_dot=np.array(header["initial_q_dot"], dtype=float),
+        builders={}, simulation=header["simulation"], operations=header["operations"])
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def table(solution: Solution) -> dict[str, np.ndarray]:
+    """Columns by name: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, energies, measures."""
+    model = solution.model
+    columns = {"t": solution.t}
+    for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
+        columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
+    columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
+    columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
+    columns["constraint_error"] = solution.constraint_error
+    return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
+
+
+def to_csv(solution: Solution, path: str | Path) -> None:
+    """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
+    columns = table(solution)
+    with replacing(path) as temporary:
+        np.savetxt(temporary, np.column_stack(list(columns.values())), fmt="%.17g", delimiter=",",
+                   header=",".join(columns), comments="", encoding="utf-8")
+
+
+def to_xarray(solution: Solution) -> xarray.Dataset:
+    """Dataset over t with units and names. Raises ImportError naming the extra if xarray is missing."""
+    try:
+        import xarray
+    except ImportError as error:
+        raise ImportError("xarray is not installed; install it with: pip install 'symgen[netcdf]'") from error
+    model = solution.model
+    kinds = (("q", solution.q, 0), ("q_dot", solution.q_dot, 1), ("q_ddot", solution.q_ddot, 2))
+    variables: dict[str, Any] = {}
+    for key, values, order in kinds:
+        units = ", ".join(f"{name}: {unit(name, order)}" for name in model.coordinates)
+        variables[key] = (("t", "coordinate"), values, {"units": units})
+    variables["q_i"] = (("t", "independent"), solution.q_i)
+    variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
+    for key, series in solution.energy.items():
+        variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
+    variables["constraint_error"] = ("t", solution.constraint_error)
+    variables["measures"] = (("t", "measure"), solution.measures)
+    variables["parameters"] = ("parameter", solution.parameters)
+    dataset = xarray.Dataset(
+        variables,
+        coords={"t": ("t", solution.t, {"units": "s"}), "coordinate": _labels(model.coordinates),
+                "independent": _labels(model.q_i), "constraint": _labels(model.constraints),
+                "measure": _labels(model.measures), "parameter": _labels([entry.name for entry in model.parameters])},
+        attrs={"model": model.name, "title": model.title, "scheme": solution.scheme, "dt": solution.dt,
+               "m": np.array(solution.m, dtype=int), "status": str(solution.status)})
+    return dataset
+
+
+def _labels(names: list[str]) -> np.ndarray:
+    return np.array(names, dtype=np.str_ if names else "U1")
+
+
+def to_netcdf(solution: Solution, path: str | Path) -> None:
+    """NetCDF 4 through h5netcdf. Raises ImportError naming the extra, or OutputError."""
+    dataset = to_xarray(solution)
+    if find_spec("h5netcdf") is None:
+        raise ImportError("h5netcdf is not installed; install it with: pip install 'symgen[netcdf]'")
+    empty = [name for name, values in dataset.variables.items() if values.size == 0]
+    with replacing(path) as temporary:
+        dataset.drop_vars(empty).to_netcdf(temporary, engine="h5netcdf")

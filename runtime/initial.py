@@ -1,0 +1,142 @@
+"""Consistent initial state: positions and velocities that satisfy the constraints (Eqs. 21, 24).
+
+What the user fixed or gave stays exactly as long as what was left open can satisfy the constraints. Only if it
+cannot do given values move, as little as possible in the least-squares sense (case F1 violates one by 2e-10).
+Elastic coordinates that were left open count as given zeros.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+import numpy as np
+
+MAX_ITERATIONS = 100
+LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
+POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
+VELOCITY_TOLERANCE = 1e-12
+
+Residual = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+
+
+class InitialStateError(ValueError):
+    """No consistent initial state: the message names the joints in conflict and what to do."""
+
+
+@dataclass(frozen=True)
+class GivenValues:
+    """What the user said about coordinates or rates: name -> value, and which of them are fixed."""
+
+    values: Mapping[str, float] = field(default_factory=dict)
+    fixed: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class ConsistentState:
+    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}."""
+
+    q: np.ndarray
+    q_dot: np.ndarray
+    changed: dict[str, tuple[float, float]]
+
+
+def consistent_state(
+    names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
+    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
+    guess: np.ndarray | None = None,
+) -> ConsistentState:
+    """Solve C(q) = 0, then C_q q_dot = nu.
+
+    names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
+    guess: where coordinates that were left open start (zero by default).
+    Raises InitialStateError if no state within reach satisfies the constraints.
+    """
+    q0, open_, free = _start(names, elastic, coordinates, guess)
+    q = _positions(q0, open_, position)
+    if q is None:
+        q = _positions(q0, free, position)
+    if q is None:
+        _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
+    v0, open_, free = _start(names, elastic, rates)
+    C_q, nu = velocity(q)
+    v = _velocities(v0, open_, C_q, nu)
+    if v is None:
+        v = _velocities(v0, free, C_q, nu)
+    if v is None:
+        nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
+        _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
+    changed = {name: (coordinates.values[name], float(q[k])) for k, name in enumerate(names)
+               if name in coordinates.values and q[k] != coordinates.values[name]}
+    changed |= {f"{name}_dot": (rates.values[name], float(v[k])) for k, name in enumerate(names)
+                if name in rates.values and v[k] != rates.values[name]}
+    return ConsistentState(q, v, changed)
+
+
+def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
+           guess: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(starting values, which were left open, which may move at all)."""
+    start = np.zeros(len(names)) if guess is None else guess
+    value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
+    open_ = np.array([name not in given.values and k not in elastic for k, name in enumerate(names)], dtype=bool)
+    free = np.array([name not in given.fixed for name in names], dtype=bool)
+    return value, open_, free
+
+
+def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:
+    """Gauss-Newton on C(q) = 0 moving the free coordinates only; None if it does not get there."""
+    q = _nearest(q0, free, position)
+    C, _ = position(q)
+    return q if C.size == 0 or np.abs(C).max() <= POSITION_TOLERANCE * _scale(q) else None
+
+
+def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray:
+    q, best, best_error = q0.copy(), q0.copy(), np.inf
+    for _ in range(MAX_ITERATIONS):
+        C, C_q = position(q)
+        if not (np.all(np.isfinite(C)) and np.all(np.isfinite(C_q))):
+            raise InitialStateError("the constraints are not finite at the initial state; check motions and parameters")
+        error = float(np.abs(C).max(initial=0.0))
+        if error < best_error:
+            best, best_error = q, error
+        if error <= 1e-16 * _scale(q):
+            break
+        step = _least_change(C_q, -C, free)
+        largest = float(np.abs(step).max(initial=0.0))
+        if largest <= 1e-16 * _scale(q):
+            break
+        q = q + step * min(1.0, LARGEST_STEP / largest)
+    return best
+
+
+def _velocities(v0: np.ndarray, free: np.ndarray, C_q: np.ndarray, nu: np.ndarray) -> np.ndarray | None:
+    v = v0 + _least_change(C_q, nu - C_q @ v0, free)
+    v = v + _least_change(C_q, nu - C_q @ v, free)
+    residual = float(np.abs(nu - C_q @ v).max(initial=0.0))
+    return v if residual <= VELOCITY_TOLERANCE * _scale(v) else None
+
+
+def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.ndarray:
+    """Smallest step with C_q step = side on the free coordinates (least squares if there is none)."""
+    step = np.zeros(C_q.shape[1])
+    if C_q.shape[0] and free.any():
+        step[free] = np.linalg.lstsq(C_q[:, free], side, rcond=1e-13)[0]
+    return step
+
+
+def _scale(values: np.ndarray) -> float:
+    return max(1.0, float(np.abs(values).max(initial=0.0)))
+
+
+def _refuse(residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: list[str], names: list[str],
+            level: str) -> NoReturn:
+    worst = np.abs(residual) > 0.01 * np.abs(residual).max()
+    joints = sorted({labels[k].split(".")[0] for k in np.flatnonzero(worst)})
+    touched = np.abs(C_q[worst]).max(axis=0) > 0
+    held = sorted(names[k] for k in np.flatnonzero(touched & ~free))
+    reason = f"; fixed there: {', '.join(held)}" if held else ""
+    raise InitialStateError(
+        f"no consistent initial state at {level} level: {', '.join(joints)} cannot all be satisfied "
+        f"(largest error {np.abs(residual).max():.3g}){reason}; "
+        "free one of the fixed values, correct the lengths, or start closer to an assembled position")

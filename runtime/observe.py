@@ -1,0 +1,68 @@
+"""From saved states of a scheme to a Solution: all coordinates, rates, reactions, energies, constraint error."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.model import Model
+from runtime.schemes.central_difference import CentralDifference
+from runtime.solution import Solution
+from runtime.status import Status
+
+ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
+
+
+def observe_samples(model: Model, scheme: CentralDifference, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
+                    name: str, stats: dict[str, float | int | str], status: Status) -> Solution:
+    """Solution of the samples (N, len(z)) of a scheme's state between major steps."""
+    observed = evaluate(scheme.observe(), {"z": samples}, c)
+    q = join(model, observed["q_i"], observed["q_d"])
+    q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])
+    q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])
+    t = observed["t"][:, 0]
+    stats = {**stats, "closure_error": float(samples[-1][scheme.layout.slice("closure_error")][0])}
+    return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
+
+
+def assemble_solution(
+    model: Model, t: np.ndarray, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, p: np.ndarray, c: np.ndarray,
+    name: str, dt: float, m: list[int], stats: dict[str, float | int | str], status: Status,
+) -> Solution:
+    """Solution from full coordinate histories (N, n): what any integrator on the emitted functions can call."""
+    values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
+    energy = {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), values, c).items()}
+    n = len(t)
+    lam, error, driven, measures = np.zeros((n, 0)), np.zeros(n), np.zeros(n), np.zeros((n, 0))
+    if model.constraints:
+        constraint = evaluate(model.kernel("constraints"), values, c)
+        lam = evaluate(model.kernel("reactions"), values, c)["lam"]
+        error = np.abs(constraint["C"]).max(axis=1)
+        driven = np.sum(lam * constraint["C_t"], axis=1)
+    if model.measures:
+        measures = evaluate(model.kernel("measures"), values, c)["measures"]
+    return Solution(model=model, scheme=name, dt=dt, m=list(m), parameters=p, t=t, q_i=q[:, model.independent_columns],
+                    q=q, q_dot=q_dot, q_ddot=q_ddot, lam=lam, energy={**energy, "power_driven": driven},
+                    constraint_error=error, measures=measures, stats=stats, status=status)
+
+
+def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
+    """(N, n) in coordinate order from (N, n_i) and (N, n_d)."""
+    full = np.zeros((independent.shape[0], len(model.coordinates)))
+    full[:, model.independent_columns] = independent
+    full[:, model.dependent_columns] = dependent
+    return full
+
+
+def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+    """Outputs (N, size) of a Function at N samples (rows of each value), matrices flattened column by column."""
+    n = next(iter(values.values())).shape[0]
+    columns = {name: c[:, None] if name == "c" else values[name].T for name in function.name_in()}
+    mapped = function.map("samples", "serial", n, [k for k, name in enumerate(function.name_in()) if name == "c"], [])
+    result = mapped(**columns)
+    shapes = {name: function.size_out(name) for name in function.name_out()}
+    output: dict[str, np.ndarray] = {}
+    for name, (rows, cols) in shapes.items():
+        table = np.asarray(result[name], dtype=float).reshape(rows, n, cols)
+        output[name] = table.transpose(1, 2, 0).reshape(n, rows * cols)
+    return output

@@ -1,0 +1,55 @@
+"""Steps of nested groups: dt_1 = dt_S, dt_2 = m_2 dt_1, ... (Eq. 72)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from runtime.model import Model
+from runtime.schemes.options import SchemeError
+
+MAX_RATIO = 10**6
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Groups as positions in q_i, slow to fast, the step h[g] of each [s], and ratios m[g] = h[g] / h[g + 1]."""
+
+    groups: list[list[int]]
+    h: list[float]
+    m: list[int]
+
+    @property
+    def dt_L(self) -> float:
+        """The major step."""
+        return self.h[0]
+
+    def first_of(self, level: int) -> list[int]:
+        """Positions in q_i of the groups slower than `level`."""
+        return [k for group in self.groups[:level] for k in group]
+
+    def from_level(self, level: int) -> list[int]:
+        """Positions in q_i of the groups from `level` on."""
+        return [k for group in self.groups[level:] for k in group]
+
+
+def make_grid(model: Model, dt: float, m: list[int], single: bool) -> Grid:
+    """Grid of a model's groups with major step dt, or of one group for a single-rate scheme.
+
+    Raises SchemeError for steps that are not positive, ratios that are not whole, or a wrong number of ratios.
+    """
+    if isinstance(dt, bool) or not isinstance(dt, int | float) or not 0 < dt < float("inf"):
+        raise SchemeError(f"the step dt must be a positive number of seconds, not {dt!r}")
+    if single:
+        return Grid([list(range(len(model.q_i)))], [float(dt)], [])
+    groups = [list(group.positions) for group in model.groups]
+    if len(m) != len(groups) - 1:
+        names = ", ".join(group.name for group in model.groups)
+        raise SchemeError(f"m needs {len(groups) - 1} ratio(s), one between each two of the groups {names}; "
+                          f"got {len(m)}: {m}")
+    for ratio in m:
+        if isinstance(ratio, bool) or not isinstance(ratio, int) or not 1 <= ratio <= MAX_RATIO:
+            raise SchemeError(f"m must hold whole numbers from 1 to {MAX_RATIO}, not {ratio!r}")
+    steps = [float(dt)]
+    for ratio in m:
+        steps.append(steps[-1] / ratio)
+    return Grid(groups, steps, list(m))

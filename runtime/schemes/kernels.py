@@ -1,0 +1,94 @@
+"""The model's kernels inside a stage: called on SX by name, with the closure and the velocities around them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from runtime.model import Model
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A configuration with consistent q_d; loop holds the loop unknowns, C_loop the error before the last Newton."""
+
+    q_i: ca.SX
+    q_d: ca.SX
+    t: ca.SX
+    C_loop: ca.SX
+
+
+class StepKernels:
+    """SX evaluations of a model's kernels for the stages of a scheme."""
+
+    def __init__(self, model: Model, c: ca.SX) -> None:
+        self.model, self.c = model, c
+        self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
+
+    def call(self, name: str, output: str | None = None, **arguments: ca.SX) -> dict[str, ca.SX]:
+        """Kernel outputs by name; arguments that the kernel does not take are ignored."""
+        kernel = self.model.kernel(name)
+        values = {**arguments, "c": self.c}
+        return dict(kernel.call({key: values[key] for key in kernel.name_in()}))
+
+    def close(self, q_i: ca.SX, loop: ca.SX, t: ca.SX, iterations: int) -> Motion:
+        """q_d = f(q_i, t) from a guess of the loop unknowns, by a fixed number of Newton steps."""
+        if not self.model.q_d:
+            return Motion(q_i, ca.SX(0, 1), t, ca.SX(0))
+        q_d = ca.SX.zeros(len(self.model.q_d))
+        for position, k in enumerate(self.loops):
+            q_d[k] = loop[position]
+        error = ca.SX(0)
+        for _ in range(iterations if self.loops else 1):
+            result = self.call("closure", q_i=q_i, q_d=q_d, t=t)
+            q_d = result["q_d_next"]
+            if "C_loop" in result:
+                error = _largest(result["C_loop"])
+        return Motion(q_i, q_d, t, error)
+
+    def rates(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+        """q_d_dot (Eq. 36)."""
+        if not self.model.q_d:
+            return ca.SX(0, 1)
+        return self.call("velocities", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=q_i_dot, t=motion.t)["q_d_dot"]
+
+    def _arguments(self, motion: Motion, q_i_dot: ca.SX) -> dict[str, ca.SX]:
+        return {"q_i": motion.q_i, "q_d": motion.q_d, "q_i_dot": q_i_dot, "q_d_dot": self.rates(motion, q_i_dot),
+                "t": motion.t}
+
+    def condensed(self, motion: Motion, q_i_dot: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """(M_hat, Q_hat) of Eq. (38)."""
+        result = self.call("condensed", **self._arguments(motion, q_i_dot))
+        return result["M_hat"], result["Q_hat"]
+
+    def substep(self, level: int, motion: Motion, q_i_dot: ca.SX, q_L_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """(M_hat_SS, right-hand side) of the groups from `level` on (0 = slowest), slower ones given (Eq. 64)."""
+        arguments = self._arguments(motion, q_i_dot)
+        result = self.call(f"substep_{level + 1}", **arguments, q_L_ddot=q_L_ddot)
+        return result["M_hat_SS"], result["rhs_S"]
+
+    def damping(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+        """dQ_hat/dq_i_dot, total; all zero where no force depends on velocity."""
+        if not self.velocity_dependent:
+            return ca.SX.zeros(len(self.model.q_i), len(self.model.q_i))
+        return self.call("dQ_hat_dq_i_dot", **self._arguments(motion, q_i_dot))["dQ_hat_dq_i_dot"]
+
+    @property
+    def velocity_dependent(self) -> bool:
+        """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
+        kernel = self.model.kernel("condensed")
+        return any(name in kernel.name_in() for name in ("q_i_dot", "q_d_dot"))
+
+    def loop_part(self, q_d: ca.SX) -> ca.SX:
+        """Entries of a dependent vector that belong to loop unknowns."""
+        return ca.vertcat(*(q_d[k] for k in self.loops)) if self.loops else ca.SX(0, 1)
+
+
+def _largest(vector: ca.SX) -> ca.SX:
+    total = ca.fabs(vector[0])
+    for k in range(1, vector.numel()):
+        total = ca.fmax(total, ca.fabs(vector[k]))
+    return total
+
+

@@ -1,0 +1,57 @@
+"""What may be chosen about a central-difference scheme, every reading of the paper by name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from runtime.schemes.slow_interpolation import INTERPOLATIONS
+
+
+class SchemeError(ValueError):
+    """A scheme, step or option that cannot be used."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """Readings of the paper (method.md, 2) and tolerances.
+
+    common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
+        Newton on dQ_hat/dq_i_dot where forces depend on velocity.
+    guess: `taylor` (50)-(51) or `previous` (48)-(49).
+    slow_interpolation: how slow variables move during sub-steps, see slow_interpolation.py.
+    sub_step_velocity: `predictor` takes q_S_dot with the last acceleration (explicit, second order); `newton` solves
+        (43) with the emitted Jacobian.
+    eps: one tolerance per group, slow to fast (eps_L, eps_S), in the coordinates' own unit; a single one serves all.
+    """
+
+    common_update: Literal["fixed_point", "direct"] = "direct"
+    guess: Literal["taylor", "previous"] = "taylor"
+    slow_interpolation: str = "end_point_sum"
+    sub_step_velocity: Literal["predictor", "newton"] = "predictor"
+    eps: tuple[float, ...] = (1e-13,)
+    max_iterations: int = 500
+    newton_iterations: int = 1
+    closure_iterations: int = 2
+
+    def checked(self, groups: int) -> Options:
+        """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
+        choices = {"common_update": ("fixed_point", "direct"), "guess": ("taylor", "previous"),
+                   "sub_step_velocity": ("predictor", "newton"), "slow_interpolation": tuple(INTERPOLATIONS)}
+        for name, allowed in choices.items():
+            if getattr(self, name) not in allowed:
+                raise SchemeError(f"{name} must be one of {', '.join(allowed)}, not {getattr(self, name)!r}")
+        for name in ("max_iterations", "newton_iterations", "closure_iterations"):
+            value = getattr(self, name)
+            if not isinstance(value, int) or value < 1:
+                raise SchemeError(f"{name} must be a whole number of at least 1, not {value!r}")
+        eps = tuple(self.eps) * groups if len(self.eps) == 1 else tuple(self.eps)
+        if len(eps) != groups or not all(value > 0 for value in eps):
+            raise SchemeError(f"eps needs one positive tolerance per group ({groups}), not {self.eps}")
+        return replace(self, eps=eps)
+
+
+SCHEMES: dict[str, Options] = {
+    "single_rate": Options(),
+    "printed": Options(common_update="fixed_point"),
+}

@@ -1,0 +1,155 @@
+"""Run a scheme on a model: many major steps a native call, checks and output in between."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from runtime.engine.choose import Engine, choose_engine, operations_per_step
+from runtime.model import Model
+from runtime.observe import observe_samples
+from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.grid import Grid, make_grid
+from runtime.schemes.options import SCHEMES, Options, SchemeError
+from runtime.solution import Solution
+from runtime.start_state import start_state
+from runtime.status import Status
+from runtime.watch import Watch
+
+MAX_SAMPLES = 10_000_000
+CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
+Progress = Callable[[float, float], None]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Checked arguments of a run."""
+
+    scheme: CentralDifference
+    grid: Grid
+    steps: int
+    save_every: int
+    t0: float
+
+
+def simulate(
+    model: Model, *, t_end: float | None = None, dt: float | None = None, m: list[int] | None = None,
+    scheme: str | None = None, parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
+    options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None,
+) -> Solution:
+    """Simulate from t0 to t_end with major step dt and ratios m (None: the scene's own settings).
+
+    scheme: a name of runtime.schemes.options.SCHEMES; options: changes to its Options by name. parameters and initial
+    change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
+    between native calls. Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError,
+    InitialStateError or CompilerError for arguments that cannot be used.
+    """
+    plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
+    p = model.parameter_vector(parameters)
+    c = model.constants(p)
+    state = start_state(model, p, c, t0, initial)
+    started = time.perf_counter()
+    runner = choose_engine(engine, plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size, plan.steps)
+    prepared = time.perf_counter()
+    z = start_vector(model, plan.scheme, state.q, state.q_dot, t0, c)
+    samples, status = _run(plan, runner, z, c, Watch(model, plan.scheme, c), progress)
+    finished = time.perf_counter()
+    name = scheme or str(model.simulation["scheme"])
+    stats = _statistics(plan, runner, samples[-1], prepared - started, finished - prepared)
+    return observe_samples(model, plan.scheme, np.array(samples), p, c, name, stats, status)
+
+
+def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] | None, scheme: str | None,
+              save_every: int | None, options: Mapping[str, Any] | None, t0: float) -> Plan:
+    """Resolve defaults and check every number of a run. Raises SchemeError."""
+    defaults = model.simulation
+    name = scheme or str(defaults["scheme"])
+    if name not in SCHEMES:
+        raise SchemeError(f"there is no scheme {name!r}; choose one of {', '.join(SCHEMES)}")
+    chosen = _with_changes(SCHEMES[name], options or {})
+    single = name == "single_rate"
+    if m is None:
+        m = list(defaults["m"]) if len(defaults["m"]) == len(model.groups) - 1 else [1] * (len(model.groups) - 1)
+    grid = make_grid(model, float(defaults["dt"]) if dt is None else dt, [] if single else m, single)
+    end = float(defaults["t_end"]) if t_end is None else t_end
+    if isinstance(end, bool) or not isinstance(end, int | float) or not np.isfinite(end) or end <= t0:
+        raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
+    every = int(defaults["save_every"]) if save_every is None else save_every
+    if isinstance(every, bool) or not isinstance(every, int) or every < 1:
+        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {every!r}")
+    steps = max(1, round((end - t0) / grid.dt_L))
+    if steps / every > MAX_SAMPLES:
+        raise SchemeError(f"{steps // every} saved states are too many; raise save_every or dt")
+    return Plan(CentralDifference(model, grid, chosen), grid, steps, every, t0)
+
+
+def _with_changes(options: Options, changes: Mapping[str, Any]) -> Options:
+    known = {field.name for field in fields(Options)}
+    for name in changes:
+        if name not in known:
+            raise SchemeError(f"there is no option {name!r}; options are {', '.join(sorted(known))}")
+    return replace(options, **changes)
+
+
+def start_vector(model: Model, scheme: CentralDifference, q: np.ndarray, q_dot: np.ndarray, t0: float,
+                 c: np.ndarray) -> np.ndarray:
+    """z of a scheme at a consistent state (Eqs. 68-71)."""
+    columns = model.independent_columns
+    loop = np.array([q[model.coordinates.index(name)] for name in model.loop_unknowns])
+    return np.asarray(scheme.start()(t0, q[columns], q_dot[columns], loop, c), dtype=float).ravel().copy()
+
+
+def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
+         progress: Progress | None) -> tuple[list[np.ndarray], Status]:
+    """Samples of z, the last one good, and the status."""
+    samples = [z.copy()]
+    status = watch.first(z)
+    done, per_call = 0, 1
+    try:
+        while done < plan.steps and status is None:
+            until_save = plan.save_every - done % plan.save_every
+            n = min(until_save, plan.steps - done, per_call)
+            began = time.perf_counter()
+            runner.run(z, c, n)
+            elapsed = time.perf_counter() - began
+            done += n
+            per_call = _next_batch(per_call, elapsed)
+            status = watch.after(z)
+            if status is None and (done % plan.save_every == 0 or done == plan.steps):
+                samples.append(z.copy())
+            if progress is not None:
+                progress(plan.t0 + done * plan.grid.dt_L, plan.t0 + plan.steps * plan.grid.dt_L)
+    except KeyboardInterrupt:
+        status = Status("interrupted", plan.t0 + done * plan.grid.dt_L, None, "stopped by the user",
+                        "What was computed is kept.")
+    return samples, status or Status("completed", plan.t0 + plan.steps * plan.grid.dt_L)
+
+
+def _next_batch(per_call: int, elapsed: float) -> int:
+    """Powers of two only: the interpreted engine builds one Function per batch length."""
+    if elapsed < CALL_SECONDS / 4:
+        return min(per_call * 2, 1 << 20)
+    return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call
+
+
+def _statistics(plan: Plan, runner: Engine, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
+    layout, grid = plan.scheme.layout, plan.grid
+    steps = int(z[layout.slice("n")][0])
+    per_step = [1]
+    for ratio in grid.m:
+        per_step.append(per_step[-1] * ratio)
+    sweeps = int(z[layout.slice("iterations")][0])
+    newton = plan.scheme.options.newton_iterations if plan.scheme.newton else 0
+    return {
+        "steps": steps, "sub_steps": steps * (per_step[-1] - 1), "full_evaluations": sweeps or steps * max(1, newton),
+        "evaluations": (sweeps or steps * max(1, newton)) + steps * (per_step[-1] - 1),
+        "newton_iterations": steps * newton, "sweeps": sweeps, "engine": runner.name,
+        "operations_per_step": operations_per_step(plan.scheme.program()),
+        "setup_seconds": setup, "wall_seconds": wall,
+        "seconds_per_step": wall / max(1, steps),
+    }

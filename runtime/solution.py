@@ -1,0 +1,169 @@
+"""What a simulation leaves: the saved states, forces, energies, measures and how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from runtime import export
+from runtime.model import Model, ModelError
+from runtime.status import Status
+
+if TYPE_CHECKING:
+    import xarray
+
+STORED = ("kinetic", "elastic", "potential")
+SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "measures", "constraint_error")
+
+
+@dataclass
+class Solution:
+    """N saved samples of a model with n coordinates, n_i of them independent. SI units throughout.
+
+    t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
+    lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
+    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C|;
+    measures (N, len(model.measures)); parameters: the vector p that was used; m: ratio of each next group's step.
+    """
+
+    model: Model
+    scheme: str
+    dt: float
+    m: list[int]
+    parameters: np.ndarray
+    t: np.ndarray
+    q_i: np.ndarray
+    q: np.ndarray
+    q_dot: np.ndarray
+    q_ddot: np.ndarray
+    lam: np.ndarray
+    energy: dict[str, np.ndarray]
+    constraint_error: np.ndarray
+    measures: np.ndarray
+    stats: dict[str, float | int | str] = field(default_factory=dict)
+    status: Status = field(default_factory=lambda: Status("completed", 0.0))
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """(N,) a coordinate or a measure by name. Raises ModelError for an unknown name."""
+        if name in self.model.coordinates:
+            return self.q[:, self.model.coordinates.index(name)]
+        return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
+
+    def rate(self, name: str) -> np.ndarray:
+        """(N,) velocity of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
+        return self.q_dot[:, self._column(name, self.model.coordinates, "coordinate")]
+
+    def acceleration(self, name: str) -> np.ndarray:
+        """(N,) acceleration of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
+        return self.q_ddot[:, self._column(name, self.model.coordinates, "coordinate")]
+
+    def multiplier(self, row: str) -> np.ndarray:
+        """(N,) multiplier of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
+        return self.lam[:, self._column(row, self.model.constraints, "constraint")]
+
+    def _column(self, name: str, names: Sequence[str], kind: str) -> int:
+        if name not in names:
+            known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)
+            listed = ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
+            raise ModelError(f"model {self.model.name} has no {kind} {name!r}; it has {listed or 'none'}")
+        return list(names).index(name)
+
+    @property
+    def total_energy(self) -> np.ndarray:
+        """(N,) kinetic + elastic + potential energy [J]."""
+        return np.sum([self.energy[key] for key in STORED], axis=0)
+
+    def work(self) -> np.ndarray:
+        """(N,) work done on the system since the first sample [J].
+
+        Integral of power_applied + power_driven - power_dissipated over the saved samples, by the trapezoidal rule
+        with end correction (fourth order for smooth power, any spacing).
+        """
+        power = self.energy["power_applied"] + self.energy["power_driven"] - self.energy["power_dissipated"]
+        if len(self.t) < 2:
+            return np.zeros_like(self.t)
+        h = np.diff(self.t)
+        area = 0.5 * h * (power[1:] + power[:-1])
+        if len(self.t) > 2:
+            area -= h**2 / 12.0 * np.diff(np.gradient(power, self.t, edge_order=2))
+        return np.concatenate([[0.0], np.cumsum(area)])
+
+    def energy_balance(self) -> np.ndarray:
+        """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
+        total = self.total_energy
+        return total - total[:1] - self.work()
+
+    def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
+        """Values between the saved samples at time(s) t [s].
+
+        what: "q" and coordinate names by cubic Hermite polynomials through q and q_dot, "q_i" likewise, "q_dot"
+        through q_dot and q_ddot; "q_ddot", "lam", "measures", "constraint_error" and names of measures and energies
+        linearly. Shape: that of t, then of one sample. Raises ModelError for an unknown name and ValueError for a
+        time outside the saved ones.
+        """
+        times = np.asarray(t, dtype=float)
+        if times.size and not (times.min() >= self.t[0] and times.max() <= self.t[-1]):
+            raise ValueError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
+        values, slopes = self._samples(what)
+        flat = _linear(self.t, values, times.ravel()) if slopes is None or len(self.t) < 2 else \
+            _hermite(self.t, values, slopes, times.ravel())
+        return flat.reshape(times.shape + values.shape[1:])
+
+    def _samples(self, what: str) -> tuple[np.ndarray, np.ndarray | None]:
+        """(values, slopes or None) of a series or a single quantity."""
+        if what in self.model.coordinates:
+            return self[what], self.rate(what)
+        if what in self.energy:
+            return self.energy[what], None
+        if what not in SERIES:
+            return self[what], None
+        columns = self.model.independent_columns
+        slopes = {"q": self.q_dot, "q_dot": self.q_ddot, "q_i": self.q_dot[:, columns]}
+        return getattr(self, what), slopes.get(what)
+
+    def save(self, path: str | Path) -> None:
+        """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""
+        export.write_npz(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path, model: Model | None = None) -> Solution:
+        """Read what `save` wrote. Without `model` the names are there, but no functions (none to animate with).
+
+        Raises ModelError if the file is not a saved solution or belongs to another model.
+        """
+        return cls(**export.read_npz(path, model))
+
+    def to_csv(self, path: str | Path) -> None:
+        """One row a sample, a header row of names. Raises OutputError if it cannot be written."""
+        export.to_csv(self, path)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A labelled Dataset with units. Raises ImportError naming the extra `netcdf` if xarray is missing."""
+        return export.to_xarray(self)
+
+    def to_netcdf(self, path: str | Path) -> None:
+        """A NetCDF file. Raises ImportError naming the extra `netcdf`, or OutputError."""
+        export.to_netcdf(self, path)
+
+
+def _linear(t: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
+    if len(t) < 2:
+        return np.repeat(values[:1], len(times), axis=0)
+    k = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    s = ((times - t[k]) / (t[k + 1] - t[k])).reshape(-1, *([1] * (values.ndim - 1)))
+    return (1.0 - s) * values[k] + s * values[k + 1]
+
+
+def _hermite(t: np.ndarray, values: np.ndarray, slopes: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Cubic polynomials with the samples' values and slopes."""
+    k = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    shape = (-1, *([1] * (values.ndim - 1)))
+    h = (t[k + 1] - t[k]).reshape(shape)
+    s = (times - t[k]).reshape(shape) / h
+    left = (1.0 + 2.0 * s) * (1.0 - s) ** 2 * values[k] + s * (1.0 - s) ** 2 * h * slopes[k]
+    right = s**2 * (3.0 - 2.0 * s) * values[k + 1] - s**2 * (1.0 - s) * h * slopes[k + 1]
+    return left + right

@@ -1,0 +1,29 @@
+"""How a simulation ended: a named status with time, coordinate, likely cause and advice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+StatusName = Literal["completed", "interrupted", "not_finite", "diverged", "constraints_lost", "iteration_failed"]
+
+
+@dataclass(frozen=True)
+class Status:
+    """name; time of the last good state [s]; coordinate that failed (if any); cause and advice in plain words."""
+
+    name: StatusName
+    time: float
+    coordinate: str | None = None
+    cause: str = ""
+    advice: str = ""
+
+    @property
+    def ok(self) -> bool:
+        """Did the run reach its end?"""
+        return self.name == "completed"
+
+    def __str__(self) -> str:
+        where = f", coordinate {self.coordinate}" if self.coordinate else ""
+        tail = f": {self.cause}. {self.advice}" if self.cause else ""
+        return f"{self.name} at t = {self.time:.9g} s{where}{tail}"

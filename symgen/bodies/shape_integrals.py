@@ -1,0 +1,194 @@
+"""Inertia shape integrals of a planar body in its own frame, from each body type of the scene (Eqs. 15-20)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from symgen.modes import axial_modes, beam_integrals, lateral_modes
+from symgen.modes.integrals import BeamIntegrals
+from symgen.parameters import ParameterTable
+from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
+
+
+@dataclass(frozen=True)
+class PointShape:
+    """A marker of a body: position (2), shapes Phi (2 x nf), slopes (nf), foreshortening H (nf x nf, 1/m)."""
+
+    position: ca.SX
+    angle: ca.SX
+    Phi: ca.SX
+    slope: ca.SX
+    H: ca.SX
+
+
+@dataclass(frozen=True)
+class ShapeIntegrals:
+    """Integrals over the mass, about the frame origin, in the body frame; nf modes.
+
+    mass [kg]; S1 = int rho0 (2, kg m); I0 = int |rho0|^2 (kg m^2); Sb = int Phi (2 x nf); i1 = int rho0.Phi (nf);
+    B = int rho0 x Phi (nf); M_ff (nf x nf); G = int Phi x Phi (nf x nf, skew); K_ff, D_ff (nf x nf);
+    S_H = int H, G_H = int x H (nf x nf): foreshortening, zero when the body has no geometric stiffening.
+    """
+
+    mass: ca.SX
+    S1: ca.SX
+    I0: ca.SX
+    Sb: ca.SX
+    i1: ca.SX
+    B: ca.SX
+    M_ff: ca.SX
+    G: ca.SX
+    K_ff: ca.SX
+    D_ff: ca.SX
+    S_H: ca.SX
+    G_H: ca.SX
+
+    @property
+    def nf(self) -> int:
+        """Number of modes."""
+        return int(self.M_ff.shape[0])
+
+
+def rigid_integrals(body: RigidBody, table: ParameterTable) -> ShapeIntegrals:
+    """Integrals of a rigid body: no modes."""
+    mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
+    inertia = table.quantity(body.inertia, f"{body.name}.inertia", "kg m^2", "inertia about the centre of mass")
+    center = _position(body.center_of_mass, f"{body.name}.center_of_mass", table)
+    none, square = ca.SX(2, 0), ca.SX(0, 0)
+    column = ca.SX(0, 1)
+    return ShapeIntegrals(mass, mass * center, inertia + mass * ca.sumsqr(center), none, column, column,
+                          square, square, square, square, square, square)
+
+
+def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
+    """Integrals of a body given by its modal matrices: taken as they are (case F1 needs that)."""
+    name = body.name
+    nf = len(body.M_ff)
+
+    def vector(values: object, label: str, unit: str) -> ca.SX:
+        return _matrix([[value] for value in values], f"{name}.{label}", unit, table, (nf, 1))  # type: ignore[attr-defined]
+
+    def square(values: object, label: str, unit: str) -> ca.SX:
+        return _matrix(values, f"{name}.{label}", unit, table, (nf, nf))
+
+    stiffening = body.foreshortening
+    return ShapeIntegrals(
+        mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
+        S1=_position(body.first_moment, f"{name}.first_moment", table, "kg m"),
+        I0=table.quantity(body.inertia, f"{name}.inertia", "kg m^2", "inertia about the frame origin"),
+        Sb=_matrix(body.phi_integral, f"{name}.phi_integral", "kg", table, (2, nf)),
+        i1=vector(body.rho_dot_phi or [0.0] * nf, "rho_dot_phi", "kg m"),
+        B=vector(body.rho_cross_phi or [0.0] * nf, "rho_cross_phi", "kg m"),
+        M_ff=square(body.M_ff, "M_ff", "kg"),
+        G=square(body.phi_cross_phi, "phi_cross_phi", "kg"),
+        K_ff=square(body.K_ff, "K_ff", "N/m"),
+        D_ff=square(body.D_ff, "D_ff", "N s/m"),
+        S_H=square(stiffening.H if stiffening else None, "H", "kg/m"),
+        G_H=square(stiffening.xH if stiffening else None, "xH", "kg"),
+    )
+
+
+def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
+    """Dimensionless integrals of a beam's mesh and modes (numbers)."""
+    lateral = lateral_modes(body.elements, body.lateral.ends, body.lateral.modes) if body.lateral else None
+    axial = axial_modes(body.elements, body.axial.ends, body.axial.modes) if body.axial else None
+    return beam_integrals(lateral, axial)
+
+
+def mesh_key(body: BeamBody) -> str:
+    """Name of a beam's mesh and mode set: beams that share it share their data in p."""
+    parts = [f"beam{body.elements}"]
+    parts += [f"{body.lateral.ends}{body.lateral.modes}"] if body.lateral else []
+    parts += [f"axial-{body.axial.ends}{body.axial.modes}"] if body.axial else []
+    return "/".join(parts)
+
+
+def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTable) -> ShapeIntegrals:
+    """Integrals of a uniform beam: physical scale times the mesh's dimensionless data."""
+    name, key = body.name, mesh_key(body)
+    length = table.quantity(body.length, f"{name}.length", "m", "length")
+    density = table.quantity(body.density, f"{name}.density", "kg/m^3", "density")
+    area = table.quantity(body.area, f"{name}.area", "m^2", "cross-section area")
+    modulus = table.quantity(body.youngs_modulus, f"{name}.youngs_modulus", "N/m^2", "Young's modulus")
+    second = table.quantity(body.second_moment, f"{name}.second_moment", "m^4", "second moment of area")
+    mass = density * area * length
+
+    def column(values: np.ndarray, label: str) -> ca.SX:
+        return table.data(np.reshape(values, (-1, 1)), f"{key}.{label}", "1", "shape integral of the mesh")
+
+    def matrix(values: np.ndarray, label: str) -> ca.SX:
+        return table.data(values, f"{key}.{label}", "1", "shape integral of the mesh")
+
+    nf = len(data.phi_x)
+    K_ff = ca.diagcat(modulus * second / length**3 * matrix(data.kappa_lateral, "kappa_lateral"),
+                      modulus * area / length * matrix(data.kappa_axial, "kappa_axial"))
+    M_ff = mass * matrix(data.mass, "mass")
+    zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
+    D_ff = ca.SX(nf, nf)
+    if not zeta.is_zero():
+        for a in range(nf):
+            D_ff[a, a] = 2 * zeta * ca.sqrt(K_ff[a, a] * M_ff[a, a])
+    on = 1.0 if body.stiffening else 0.0
+    return ShapeIntegrals(
+        mass=mass,
+        S1=ca.vertcat(mass * length * matrix(np.array([[data.s1]]), "s1"), 0),
+        I0=mass * length**2 * matrix(np.array([[data.i0]]), "i0"),
+        Sb=mass * ca.horzcat(column(data.phi_x, "phi_x"), column(data.phi_y, "phi_y")).T,
+        i1=mass * length * column(data.xi_phi_x, "xi_phi_x"),
+        B=mass * length * column(data.xi_phi_y, "xi_phi_y"),
+        M_ff=M_ff,
+        G=mass * matrix(data.phi_cross_phi, "phi_cross_phi"),
+        K_ff=K_ff,
+        D_ff=D_ff,
+        S_H=mass / length * matrix(on * data.H, "H"),
+        G_H=mass * matrix(on * data.xH, "xH"),
+    )
+
+
+def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterTable) -> PointShape:
+    """Shapes of a beam at the fraction `at` of its length."""
+    key = f"{mesh_key(body)}@{at!r}"
+    length = table.quantity(body.length, f"{body.name}.length", "m", "length")
+    point = data.point(at)
+    on = 1.0 if body.stiffening else 0.0
+    rows = np.vstack([point.shape_x, point.shape_y])
+    fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")
+    return PointShape(
+        position=ca.vertcat(length if at == 1.0 else length * fraction, 0),
+        angle=ca.SX(0),
+        Phi=table.data(rows, f"{key}.shape", "1", "mode shapes at a marker"),
+        slope=table.data(np.reshape(point.slope, (-1, 1)), f"{key}.slope", "1", "mode slopes at a marker") / length,
+        H=table.data(on * point.H, f"{key}.H", "1", "foreshortening at a marker") / length,
+    )
+
+
+def body_integrals(scene: Scene, name: str, table: ParameterTable) -> ShapeIntegrals:
+    """Shape integrals of the named body of the scene."""
+    body = scene.body(name)
+    if isinstance(body, RigidBody):
+        return rigid_integrals(body, table)
+    if isinstance(body, ModalBody):
+        return modal_integrals(body, table)
+    if isinstance(body, BeamBody):
+        return beam_shape_integrals(body, beam_integrals_of(body), table)
+    raise TypeError(f"body {name} has no inertia")
+
+
+def _position(values: tuple[float | str, float | str], name: str, table: ParameterTable, unit: str = "m") -> ca.SX:
+    return ca.vertcat(*(table.quantity(value, f"{name}.{axis}", unit, f"component {axis}")
+                        for axis, value in zip("xy", values, strict=True)))
+
+
+def _matrix(values: object, name: str, unit: str, table: ParameterTable, shape: tuple[int, int]) -> ca.SX:
+    result = ca.SX(*shape)
+    if values is None:
+        return result
+    for row, entries in enumerate(values):  # type: ignore[arg-type, var-annotated]
+        for column, value in enumerate(entries):
+            quantity = table.quantity(value, f"{name}[{row},{column}]", unit, "modal data")
+            if not quantity.is_zero():
+                result[row, column] = quantity
+    return result

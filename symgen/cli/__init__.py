@@ -1,0 +1,35 @@
+"""The command line: `symgen COMMAND ...`. The only part that knows both the generator and the runtime.
+
+Exit codes: 0 done; 1 the numbers failed (a run that did not reach its end, or `generate --check` that found stale
+code); 2 wrong input; 130 interrupted. With --json, standard output is exactly one JSON object.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from symgen.cli.arguments import UsageError, parser
+from symgen.cli.outcome import INTERRUPTED, OK, WRONG_INPUT, report, report_error
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code; a user's mistake is a message, never a traceback."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    as_json = "--json" in given
+    command = next((word for word in given if not word.startswith("-")), "")
+    try:
+        parsed = parser().parse_args(given)
+        outcome = parsed.run(parsed)
+        report(outcome, command, as_json)
+        return outcome.code
+    except KeyboardInterrupt:
+        report_error(command, "interrupted", as_json, INTERRUPTED)
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader of the output went away (| head): not an error
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return OK
+    except (UsageError, ValueError, OSError) as error:
+        report_error(command, error, as_json, WRONG_INPUT)
+        return WRONG_INPUT

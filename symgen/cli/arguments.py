@@ -1,0 +1,103 @@
+"""Reading the command line. Nothing heavy is imported here: `symgen --help` answers at once."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Callable
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any, NoReturn
+
+
+SCENE: dict[str, Any] = {"metavar": "SCENE", "help": "built-in name, .toml file, or generated folder"}
+
+
+class UsageError(Exception):
+    """Wrong words on the command line."""
+
+
+class Parser(argparse.ArgumentParser):
+    """An ArgumentParser that raises UsageError instead of leaving the process."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(f"{message}\n{self.format_usage().rstrip()}")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The whole command line; each subcommand's module adds itself."""
+    from symgen.cli import animate, demo, generate, listing, new, show, simulate
+
+    root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
+                  "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
+                  "2 wrong input, 130 interrupted.")
+    root.add_argument("--version", action="version", version=f"symgen {_version()}")
+    subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for module in (new, listing, show, generate, simulate, animate, demo):
+        module.add(subparsers)
+    return root
+
+
+def add_command(subparsers: Any, name: str, run: Callable[[argparse.Namespace], Any], summary: str,
+                details: str = "") -> argparse.ArgumentParser:
+    """A subcommand with the option every command has."""
+    command: argparse.ArgumentParser = subparsers.add_parser(name, help=summary, description=f"{summary} {details}")
+    command.add_argument("--json", action="store_true", help="write one JSON object to standard output, nothing else")
+    command.set_defaults(run=run)
+    return command
+
+
+def add_scene(command: argparse.ArgumentParser, **options: Any) -> None:
+    """The word that names a scene, and what built-in scenes can be made with."""
+    command.add_argument("scene", **{**SCENE, **options})
+    command.add_argument("--with", action="append", type=assignment, default=[], dest="made_with", metavar="NAME=VALUE",
+                         help="what a built-in scene is made with, for instance links=50 for chain; may be repeated")
+
+
+def add_run_options(command: argparse.ArgumentParser) -> None:
+    """How a scene is stepped; what is not given comes from the scene."""
+    group = command.add_argument_group("run", "What is not given comes from the scene's [simulation].")
+    group.add_argument("--t-end", type=number, metavar="SECONDS", help="end of the run")
+    group.add_argument("--dt", type=number, metavar="SECONDS", help="major step dt_L")
+    group.add_argument("--m", type=ratios, metavar="10,4", help="ratio of each next group's step, slow to fast")
+    group.add_argument("--scheme", help="time stepping scheme, for instance printed or single_rate")
+    group.add_argument("--set", action="append", type=assignment, default=[], metavar="NAME=VALUE",
+                       help="change a parameter; may be repeated")
+    group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
+                       help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
+    group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
+    group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
+                       help="interpreted by CasADi or compiled C (default: auto)")
+
+
+def number(text: str) -> float:
+    """A finite float."""
+    value = float(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def ratios(text: str) -> list[int]:
+    """Comma-separated whole numbers; an empty text is an empty list."""
+    try:
+        return [int(part) for part in text.split(",")] if text.strip() else []
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a list of whole numbers such as 10,4") from None
+
+
+def assignment(text: str) -> tuple[str, float]:
+    """NAME=VALUE with a finite number."""
+    name, equals, value = text.partition("=")
+    try:
+        if name.strip() and equals:
+            return name.strip(), number(value)
+    except (ValueError, argparse.ArgumentTypeError):
+        pass
+    raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE with a finite number")
+
+
+def _version() -> str:
+    try:
+        return version("symgen")
+    except PackageNotFoundError:
+        return "(not installed)"

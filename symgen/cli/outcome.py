@@ -1,0 +1,57 @@
+"""What a command has to say, and how it is said: lines for a person, or one JSON object."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+OK, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """data for --json; lines for a person; exit code."""
+
+    data: Mapping[str, Any]
+    lines: list[str] = field(default_factory=list)
+    code: int = OK
+
+
+def report(outcome: Outcome, command: str, as_json: bool) -> None:
+    """Write the outcome to standard output."""
+    if as_json:
+        _write_json({"command": command, "exit_code": outcome.code, **outcome.data})
+    elif outcome.lines:
+        print("\n".join(outcome.lines))
+    sys.stdout.flush()
+
+
+def report_error(command: str, error: Exception | str, as_json: bool, code: int) -> None:
+    """Write an error: to standard error for a person, as the JSON object on standard output otherwise."""
+    further = [str(entry) for entry in getattr(error, "also", ())]
+    if as_json:
+        details = {"kind": type(error).__name__ if isinstance(error, Exception) else error, "message": str(error)}
+        details |= {key: getattr(error, key) for key in ("item", "problem", "remedy") if hasattr(error, key)}
+        _write_json({"command": command, "exit_code": code, "error": {**details, "also": further}})
+        return
+    for text in (str(error), *further):
+        print(f"symgen: {text}", file=sys.stderr)
+
+
+def _write_json(data: Mapping[str, Any]) -> None:
+    print(json.dumps(_strict(data), indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def _strict(value: Any) -> Any:
+    """null for NaN and infinity, text for paths."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return {str(key): _strict(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_strict(part) for part in value]
+    return value if value is None or isinstance(value, str | int) else str(value)

@@ -1,0 +1,77 @@
+"""Steps that `simulate`, `animate` and `demo` share: run a model, leave the results, say how it ended."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from symgen.cli.arguments import UsageError
+from symgen.cli.outcome import FAILED, INTERRUPTED, OK
+from symgen.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from runtime.model import Model
+    from runtime.solution import Solution
+
+MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
+
+
+def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
+    """Simulate with the options of `add_run_options`. Raises UsageError or ValueError subclasses."""
+    from runtime.engine.compiled import CompilerError
+    from runtime.simulate import simulate
+
+    try:
+        with Progress(f"symgen {model.name}") as progress:
+            return simulate(model, t_end=arguments.t_end, dt=arguments.dt, m=arguments.m, scheme=arguments.scheme,
+                            parameters=dict(arguments.set), initial=dict(arguments.initial),
+                            save_every=arguments.save_every, engine=arguments.engine, progress=progress)
+    except CompilerError as error:  # asked for --engine compiled where it cannot be had
+        raise UsageError(f"{error}; use --engine auto or interpreted") from error
+
+
+def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
+    """solution.npz, solution.csv, report.json and report.md in `folder`; {what: path}. Raises OutputError."""
+    from runtime.report import run_report, write_report
+
+    solution.save(folder / SOLUTION_FILE)
+    solution.to_csv(folder / "solution.csv")
+    write_report(run_report(solution), folder, solution.model.title or solution.model.name)
+    names = (SOLUTION_FILE, "solution.csv", "report.json", "report.md")
+    return {name: str(folder / name) for name in names}
+
+
+def leave_pictures(solution: Solution, folder: Path) -> dict[str, str]:
+    """coordinates.png and energy.png in `folder`; {what: path}. Raises OutputError."""
+    from runtime import plots
+
+    plots.coordinates(solution, folder / "coordinates.png")
+    plots.energy_balance(solution, folder / "energy.png")
+    return {name: str(folder / name) for name in ("coordinates.png", "energy.png")}
+
+
+def exit_code(solution: Solution) -> int:
+    """0 for a completed run, 130 for an interrupted one, 1 for any other."""
+    if solution.status.ok:
+        return OK
+    return INTERRUPTED if solution.status.name == "interrupted" else FAILED
+
+
+def summary(solution: Solution) -> list[str]:
+    """A few lines on a run for a person."""
+    model, stats = solution.model, solution.stats
+    balance = float(abs(solution.energy_balance()).max())
+    m = ",".join(map(str, solution.m)) or "-"
+    lines = [f"{model.title or model.name}: {solution.status}",
+             f"scheme {solution.scheme}, dt = {solution.dt:g} s, m = {m}, {stats.get('steps', '?')} steps, "
+             f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
+             f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, "
+             f"largest energy balance error {balance:.3g} J (total {float(solution.total_energy[-1]):.6g} J)"]
+    final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in model.q_i[:6])
+    more = ", ..." if len(model.q_i) > 6 else ""
+    return [*lines, f"at t = {float(solution.t[-1]):.6g} s: {final}{more}"]
+
+
+def _seconds(value: Any) -> str:
+    return f"{value:.3g} s" if isinstance(value, int | float) else "? s"

@@ -1,0 +1,39 @@
+"""`symgen simulate`: step a scene or a generated model, and leave the results in a folder."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from symgen.cli.arguments import add_command, add_run_options, add_scene
+from symgen.cli.outcome import Outcome
+
+
+def add(subparsers: Any) -> None:
+    """Declare the subcommand."""
+    command = add_command(subparsers, "simulate", run, "Simulate a scene or a generated model.",
+                          "With --out it leaves model/, solution.npz, solution.csv, report.json and report.md.")
+    add_scene(command)
+    command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
+    command.add_argument("--plots", action="store_true", help="also leave coordinates.png and energy.png (needs --out)")
+    add_run_options(command)
+
+
+def run(arguments: argparse.Namespace) -> Outcome:
+    """Simulate; exit code 1 if the run did not reach its end, with what was computed until then."""
+    from runtime.report import run_report
+    from symgen.cli.arguments import UsageError
+    from symgen.cli.running import exit_code, leave_pictures, leave_results, run_model, summary
+    from symgen.cli.sources import opened_model
+
+    if arguments.plots and not arguments.out:
+        raise UsageError("--plots needs --out DIR")
+    folder = Path(arguments.out) if arguments.out else None
+    model = opened_model(arguments.scene, arguments.made_with, folder / "model" if folder else None)
+    solution = run_model(model, arguments)
+    files = leave_results(solution, folder) if folder else {}
+    if folder and arguments.plots:
+        files |= leave_pictures(solution, folder)
+    lines = summary(solution) + ([f"results in {folder}"] if folder else [])
+    return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

@@ -1,0 +1,130 @@
+"""From a word on the command line to a scene or a model: built-in name, .toml file, or folder of a generated model."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from runtime.model import Model
+    from symgen.scene import Scene
+
+
+MAX_COUNT = 1000
+
+
+@dataclass(frozen=True)
+class Source:
+    """A scene and the folder its generated code belongs in."""
+
+    scene: Scene
+    folder: Path
+
+
+def builtin_scenes() -> Mapping[str, Callable[..., Scene]]:
+    """The built-in scenes by name."""
+    from symgen.scenes import SCENES
+
+    return SCENES
+
+
+def builtin_name(word: str) -> str | None:
+    """The built-in scene that `word` names; dashes count as underscores."""
+    name = word.replace("-", "_")
+    return name if name in builtin_scenes() else None
+
+
+def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Source:
+    """The scene that `word` names, and where its code goes: ./NAME if not a built-in scene as it stands.
+
+    made_with: arguments of a built-in scene's function. Raises SceneError.
+    """
+    from symgen.scene import Scene, SceneError
+    from symgen.scene.errors import did_you_mean
+    from symgen.scenes import generated_folder
+
+    scenes, path = builtin_scenes(), Path(word)
+    name = builtin_name(word)
+    if name is not None:
+        scene = _made(name, scenes[name], made_with)
+        return Source(scene, Path(scene.name) if made_with else generated_folder(name))
+    if made_with:
+        raise SceneError("--with", f"'{word}' is not a built-in scene", "change the scene file, or use --set")
+    if path.suffix == ".toml":
+        scene = Scene.from_toml(path)
+        return Source(scene, Path(scene.name))
+    if (path / "scene.toml").is_file():
+        return Source(Scene.from_toml(path / "scene.toml"), path)
+    if path.is_dir():
+        raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
+    raise SceneError(f"scene '{word}'", "is neither a built-in scene nor a .toml file",
+                     f"{did_you_mean(word.replace('-', '_'), scenes)} (see: symgen list)")
+
+
+def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, float]]) -> Scene:
+    """The scene of a function called with arguments by name; whole numbers where it counts something."""
+    from symgen.scene import SceneError
+    from symgen.scene.errors import did_you_mean
+
+    known = inspect.signature(make).parameters
+    values: dict[str, float | int] = {}
+    for key, value in made_with:
+        if key not in known:
+            raise SceneError(f"--with {key}", f"scene {name} is not made with that", did_you_mean(key, known))
+        counts = isinstance(known[key].default, int)
+        if counts and (value != int(value) or not 0 <= value <= MAX_COUNT):
+            raise SceneError(f"--with {key}", f"{value:g} is not a whole number from 0 to {MAX_COUNT}", "count again")
+        values[key] = int(value) if counts else value
+    return make(**values)
+
+
+def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: Path | None = None) -> Model:
+    """The model of a generated folder, or of a scene: from its own folder if that is current, else generated anew.
+
+    keep: folder that gets the model's files. Raises ModelError or SceneError.
+    """
+    from runtime.model import load_model
+
+    folder = Path(word)
+    if not folder.is_dir() or builtin_name(word) is not None or made_with:
+        source = find_source(word, made_with)
+        if not is_current(source):
+            return _generated(source.scene, keep)
+        folder = source.folder
+    model = load_model(folder)
+    if keep is not None and keep.resolve() != folder.resolve():
+        _copy(folder, keep)
+    return model
+
+
+def _generated(scene: Scene, keep: Path | None) -> Model:
+    from runtime.model import load_model
+    from symgen.generate import generate
+
+    if keep is not None:
+        return load_model(generate(scene, keep))
+    with tempfile.TemporaryDirectory(prefix="symgen-") as folder:
+        return load_model(generate(scene, folder))
+
+
+def _copy(source: Path, target: Path) -> None:
+    """The files that the manifest lists, the manifest last."""
+    from runtime.files import write_text
+
+    listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
+    for name in (*listed, "manifest.json"):
+        write_text(target / name, (source / name).read_text(encoding="utf-8"))
+
+
+def is_current(source: Source) -> bool:
+    """Was the code in the source's folder generated from this very scene?"""
+    try:
+        text = (source.folder / "scene.toml").read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return False
+    return (source.folder / "manifest.json").is_file() and text == source.scene.to_toml()

@@ -1,0 +1,196 @@
+"""Condensation to independent coordinates along the structure (Eqs. 29-38).
+
+Every dependent acceleration is one substitution  x_d'' = sum e_j x_j'' + c.  With S collecting the e and s the c,
+M_hat = S^T M S and Q_hat = S^T (Q* - M s). Neither S nor an inverse is ever formed: M_hat comes from one congruence
+per substitution (tip to root, which is the composite-body recursion for a chain), Q_hat from one sweep out and one
+back. Loop closures are solved by Cramer's rule and then are substitutions like any other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.elimination import Choice
+from symgen.equations import Equations, matrix_times
+from symgen.rows import Row, add_scaled, add_to
+
+CRAMER_LIMIT = 3  # larger loop blocks are solved by CasADi's QR, which needs no pivoting either
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """x_d' = sum e_j x_j' + c_velocity and x_d'' = sum e_j x_j'' + c_acceleration (Eqs. 36, 35)."""
+
+    column: int
+    e: Row
+    c_velocity: ca.SX
+    c_acceleration: ca.SX
+
+
+@dataclass(frozen=True)
+class Condensed:
+    """A system with its substitutions, in the order of evaluation (independent coordinates to the tips)."""
+
+    equations: Equations
+    choice: Choice
+    substitutions: list[Substitution]
+
+    def dependent_velocities(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """q_dot of every coordinate from q_i_dot (Eq. 36)."""
+        return self._sweep(independent, [s.c_velocity for s in self.substitutions])
+
+    def accelerations(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """q_ddot of every coordinate from q_i_ddot (Eq. 35)."""
+        return self._sweep(independent, [s.c_acceleration for s in self.substitutions])
+
+    def tangent(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """S v: the virtual displacement of every coordinate that goes with v of q_i (Eq. 29)."""
+        return self._sweep(independent, [ca.SX(0)] * len(self.substitutions))
+
+    def _sweep(self, independent: Mapping[int, ca.SX], constants: list[ca.SX]) -> dict[int, ca.SX]:
+        values = dict(independent)
+        for substitution, constant in zip(self.substitutions, constants, strict=True):
+            total = constant
+            for column, factor in substitution.e.items():
+                if column in values:
+                    total = total + factor * values[column]
+            if not total.is_zero():
+                values[substitution.column] = total
+        return values
+
+    def M_hat(self) -> ca.SX:
+        """S^T M S (Eq. 38), dense n_i x n_i."""
+        M = [dict(row) for row in self.equations.M]
+        for substitution in reversed(self.substitutions):
+            congruence(M, substitution.column, substitution.e)
+        independent = self.choice.independent
+        result = ca.SX(len(independent), len(independent))
+        for i, row in enumerate(independent):
+            for j, column in enumerate(independent):
+                result[i, j] = M[row].get(column, ca.SX(0))
+        return ca.densify(result)
+
+    def generalised_force(self, accelerations: Mapping[int, ca.SX]) -> ca.SX:
+        """S^T (Q* - M x'') for the x'' that `accelerations` of some q_i imply: Q_hat when they are all zero.
+
+        With the slow accelerations given, it is the right-hand side of a sub-step (Eq. 64) without forming
+        M_hat_SL.
+        """
+        eq = self.equations
+        inertia = matrix_times(eq.M, self.accelerations(accelerations))
+        force = {column: eq.Q_star[column] - inertia.get(column, ca.SX(0)) for column in range(len(eq.names))}
+        return self.project(force)
+
+    def project(self, force: Row) -> ca.SX:
+        """S^T force: a generalised force on q as one on q_i."""
+        work = dict(force)
+        for substitution in reversed(self.substitutions):
+            value = work.pop(substitution.column, ca.SX(0))
+            if not value.is_zero():
+                add_scaled(work, value, substitution.e)
+        return ca.densify(ca.vertcat(*(work.get(column, ca.SX(0)) for column in self.choice.independent)))
+
+
+def congruence(M: list[Row], d: int, e: Row) -> None:
+    """M <- E^T M E for x_d = sum e_j x_j, in place; row and column d vanish."""
+    row = M[d]
+    M[d] = {}
+    M_dd = row.pop(d, ca.SX(0))
+    for column in row:
+        M[column].pop(d, None)
+    carried = {j: row.get(j, ca.SX(0)) + e_j * M_dd for j, e_j in e.items()}
+    for i, e_i in e.items():
+        for j, value in row.items():
+            if j not in e:
+                _add_symmetric(M, i, j, e_i * value)
+        for j, e_j in e.items():
+            if i <= j:
+                _add_symmetric(M, i, j, e_i * carried[j] + e_j * row.get(i, ca.SX(0)))
+
+
+def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
+    add_to(M[i], j, value)
+    if i != j and j in M[i]:
+        M[j][i] = M[i][j]
+
+
+def condense(equations: Equations, choice: Choice) -> Condensed:
+    """Substitutions for every dependent coordinate of the choice."""
+    structural = [_structural(equations, row, column) for row, column in choice.structural]
+    loops = _loop_substitutions(equations, choice, structural)
+    return Condensed(equations, choice, loops + structural)
+
+
+def _structural(equations: Equations, row: int, column: int) -> Substitution:
+    constraint = equations.constraints[row]
+    pivot = constraint.C_q[column]
+    e = {c: -value / pivot for c, value in constraint.C_q.items() if c != column}
+    return Substitution(column, e, -constraint.C_t / pivot, constraint.gamma / pivot)
+
+
+def reduced_loop_rows(equations: Equations, choice: Choice, structural: list[Substitution]) -> list[tuple[Row, ca.SX, ca.SX]]:
+    """Loop rows of C_q, nu and gamma in the coordinates that are not structurally eliminated."""
+    result = []
+    for row in choice.loop_rows:
+        constraint = equations.constraints[row]
+        entries, nu, gamma = dict(constraint.C_q), -constraint.C_t, constraint.gamma
+        for substitution in reversed(structural):
+            factor = entries.pop(substitution.column, None)
+            if factor is not None:
+                add_scaled(entries, factor, substitution.e)
+                nu = nu - factor * substitution.c_velocity
+                gamma = gamma - factor * substitution.c_acceleration
+        result.append((entries, nu, gamma))
+    return result
+
+
+def _loop_substitutions(equations: Equations, choice: Choice, structural: list[Substitution]) -> list[Substitution]:
+    """x_loop'' = U^-1 (gamma - R x_i''): a small block, solved without a pivot that could vanish."""
+    if not choice.loop_rows:
+        return []
+    rows = reduced_loop_rows(equations, choice, structural)
+    U = [[entries.get(column, ca.SX(0)) for column in choice.loop_columns] for entries, _, _ in rows]
+    independent = sorted({c for entries, _, _ in rows for c in entries if c not in choice.loop_columns})
+    sides = [[-entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in independent]
+    sides += [[nu for _, nu, _ in rows], [gamma for _, _, gamma in rows]]
+    solved = solve_small(U, sides)
+    substitutions = []
+    for k, column in enumerate(choice.loop_columns):
+        e: Row = {}
+        for position, other in enumerate(independent):
+            add_to(e, other, solved[position][k])
+        substitutions.append(Substitution(column, e, solved[-2][k], solved[-1][k]))
+    return substitutions
+
+
+def solve_small(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> list[list[ca.SX]]:
+    """Solutions of U x = side for several sides: Cramer's rule up to 3x3, QR beyond."""
+    n = len(U)
+    if n > CRAMER_LIMIT:
+        matrix = ca.vertcat(*(ca.horzcat(*row) for row in U))
+        solution = ca.solve(matrix, ca.horzcat(*(ca.vertcat(*side) for side in sides)))
+        return [[solution[row, k] + 0 for row in range(n)] for k in range(len(sides))]
+    if n == 1:
+        inverse = 1 / U[0][0]
+        return [[side[0] * inverse if not side[0].is_zero() else ca.SX(0)] for side in sides]
+    adjugate = _adjugate(U)
+    determinant = sum((U[0][j] * adjugate[j][0] for j in range(n)), ca.SX(0))
+    inverse = 1 / determinant
+    return [[sum((adjugate[i][j] * side[j] for j in range(n)), ca.SX(0)) * inverse for i in range(n)]
+            for side in sides]
+
+
+def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:
+    n = len(U)
+    if n == 2:
+        return [[U[1][1], -U[0][1]], [-U[1][0], U[0][0]]]
+
+    def cofactor(i: int, j: int) -> ca.SX:
+        a, b = [k for k in range(3) if k != i], [k for k in range(3) if k != j]
+        minor = U[a[0]][b[0]] * U[a[1]][b[1]] - U[a[0]][b[1]] * U[a[1]][b[0]]
+        return minor if (i + j) % 2 == 0 else -minor
+
+    return [[cofactor(j, i) for j in range(3)] for i in range(3)]

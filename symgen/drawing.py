@@ -1,0 +1,21 @@
+"""Points to draw: a polyline per body, with the deformation scaled by an exaggeration factor."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from symgen.equations import Equations
+from symgen.hoisting import Kernel
+from symgen.scene import Scene
+
+
+
+def drawing(equations: Equations, scene: Scene) -> Kernel:
+    """xy (2 x points) of all polylines one after another; `outline_sizes` says how many points each has."""
+    exaggeration = ca.SX.sym("exaggeration")
+    scaled = ca.vertcat(*(value * exaggeration if column in equations.elastic_columns else value
+                          for column, value in enumerate(equations.q)))
+    columns = [ca.vertcat(*point) for outline in equations.outlines for point in outline.points]
+    points = ca.horzcat(*columns) if columns else ca.SX(2, 0)
+    q = ca.vertcat(*equations.q)
+    return Kernel({"q": q, "exaggeration": exaggeration, "t": equations.t}, {"xy": ca.substitute(points, q, scaled)})

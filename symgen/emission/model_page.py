@@ -1,0 +1,120 @@
+"""model.md: what was modelled, for a person to read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from symgen.emission.model_text import meaning
+from symgen.pipeline import Derived
+from symgen.scene import BeamBody, ModalBody, RigidBody
+
+JOINT_EQUATIONS = {
+    "revolute": "r_b - r_a = 0",
+    "prismatic": "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0",
+    "weld": "r_b - r_a = 0, phi_b - phi_a = 0",
+    "point_on_line": "n_a . (r_b - r_a) = 0",
+    "prescribed_angle": "phi_b - phi_a - f(t) = 0",
+    "prescribed_displacement": "t_a . (r_b - r_a) - f(t) = 0",
+}
+
+
+def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
+    """Markdown page of a derived model."""
+    scene = derived.scene
+    parts = [f"# {scene.title or scene.name}", scene.description or "", _coordinates(derived), _bodies(derived),
+             _joints(derived), _loads(derived), _left_out(derived), _functions(operations), _parameters(derived)]
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _coordinates(derived: Derived) -> str:
+    eq, choice = derived.system.equations, derived.system.choice
+    group_of = {k: group.name for group in derived.groups for k in group.positions}
+    independent = {column: group_of[k] for k, column in enumerate(choice.independent)}
+    loops = set(choice.loop_columns)
+    lines = ["## Coordinates", "", "| coordinate | role |", "|---|---|"]
+    for column, name in enumerate(eq.names):
+        if column in independent:
+            role = f"independent, group {independent[column]}"
+        elif column in loops:
+            role = "dependent, loop unknown (Newton)"
+        else:
+            role = "dependent, closed form"
+        lines.append(f"| `{name}` | {role} |")
+    return "\n".join(lines)
+
+
+def _bodies(derived: Derived) -> str:
+    bodies = [body for body in derived.scene.bodies if body.type != "ground"]
+    if not bodies:
+        n = len(derived.system.equations.names)
+        return f"## Structure\n\nM x'' + D x' + K x = F(t) with {n} coordinates (Eqs. 3-14)."
+    lines = ["## Bodies", "", "Every body: mass blocks and Q_v of Eq. (20) in the floating frame (R_o, theta, q_f).", "",
+             "| body | kind | what it has |", "|---|---|---|"]
+    for body in bodies:
+        if isinstance(body, RigidBody):
+            lines.append(f"| {body.name} | rigid | mass {body.mass}, inertia {body.inertia} about the centre of mass |")
+        elif isinstance(body, BeamBody):
+            sets = [f"{kind} modes {mode.ends} x {mode.modes}" for kind, mode in
+                    (("lateral", body.lateral), ("axial", body.axial)) if mode]
+            extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
+            lines.append(f"| {body.name} | beam, {body.elements} elements, lumped mass | {', '.join(sets)}; {extra} |")
+        elif isinstance(body, ModalBody):
+            lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
+    return "\n".join(lines)
+
+
+def _joints(derived: Derived) -> str:
+    if not derived.scene.joints:
+        return ""
+    lines = ["## Joints", "", "| joint | type | between | equations |", "|---|---|---|---|"]
+    for joint in derived.scene.joints:
+        motion = getattr(joint, "motion", None)
+        equations = JOINT_EQUATIONS[joint.type] + (f", f(t) = `{motion}`" if motion else "")
+        lines.append(f"| {joint.name} | {joint.type} | {joint.marker_a} - {joint.marker_b} | {equations} |")
+    return "\n".join(lines)
+
+
+def _loads(derived: Derived) -> str:
+    if not derived.scene.loads:
+        return ""
+    lines = ["## Loads", ""]
+    lines += [f"- {load.name}: {load.type.replace('_', ' ')}" for load in derived.scene.loads]
+    return "\n".join(lines)
+
+
+def _left_out(derived: Derived) -> str:
+    """What the scene does not need and the code therefore does not contain."""
+    scene, eq = derived.scene, derived.system.equations
+    items = []
+    if scene.structure is None:
+        items.append("the third dimension: the scene is planar")
+        if all(component == 0 for component in scene.gravity):
+            items.append("gravity: its components are zero")
+    if eq.dissipated.is_zero():
+        items.append("damping: no body, joint or spring has any")
+    if not derived.system.choice.loop_rows:
+        items.append("Newton iterations: every dependent coordinate has a closed form")
+    if all(constraint.C_t.is_zero() for constraint in eq.constraints):
+        items.append("time in the constraints: no motion is prescribed")
+    rigid = [body.name for body in scene.bodies if body.type == "rigid"]
+    if rigid:
+        items.append(f"shape integrals of rigid bodies: {', '.join(rigid)}")
+    stiff = [body.name for body in scene.bodies if isinstance(body, BeamBody) and not body.stiffening]
+    if stiff:
+        items.append(f"geometric stiffening, not asked for: {', '.join(stiff)}")
+    return "## Left out because the scene does not need it\n\n" + "\n".join(f"- {item}" for item in items)
+
+
+def _functions(operations: Mapping[str, int]) -> str:
+    lines = ["## Functions", "", "| function | operations | what it gives |", "|---|---|---|"]
+    lines += [f"| `{name}` | {count} | {meaning(name)} |" for name, count in operations.items()]
+    return "\n".join(lines)
+
+
+def _parameters(derived: Derived) -> str:
+    shown = [entry for entry in derived.parameters if entry.kind != "data"]
+    if not shown:
+        return ""
+    lines = ["## Parameters (run-time inputs)", "", "| name | unit | meaning |", "|---|---|---|"]
+    lines += [f"| `{entry.name}` | {entry.unit} | {entry.description} |" for entry in shown]
+    return "\n".join(lines)

@@ -1,0 +1,103 @@
+"""Write a model's files, or compare them with what is there: one code path for `generate` and its `--check`."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import os
+import tempfile
+from pathlib import Path
+
+from symgen.emission.manifest import data_text, manifest_text
+from symgen.emission.model_page import model_page
+from symgen.emission.model_text import model_text
+from symgen.pipeline import Derived
+from symgen.scene import SceneError
+
+DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last digits between machines
+
+
+def emit(derived: Derived) -> dict[str, str]:
+    """All files of the model by name."""
+    model, operations = model_text(derived)
+    files = {
+        "model.py": model,
+        "data.json": data_text(derived),
+        "model.md": model_page(derived, operations),
+        "scene.toml": derived.scene.to_toml(),
+    }
+    return {**files, "manifest.json": manifest_text(derived, operations, files)}
+
+
+def write_model(files: dict[str, str], folder: Path) -> None:
+    """Write the files, each to a temporary name first, the manifest last.
+
+    Raises SceneError if the folder cannot be written.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in files.items():
+            handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{name}.")
+            try:
+                with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+                    stream.write(text)
+                os.chmod(temporary, 0o644)
+                os.replace(temporary, folder / name)
+            except BaseException:
+                Path(temporary).unlink(missing_ok=True)
+                raise
+    except OSError as error:
+        raise SceneError(str(folder), f"cannot be written ({error.strerror or error})",
+                         "choose another output folder or change its permissions") from error
+
+
+def compare_model(files: dict[str, str], folder: Path) -> str:
+    """Unified diff between the files and the folder; empty if they agree.
+
+    Text is compared byte for byte, data.json number by number; versions in the manifest may differ.
+    """
+    report: list[str] = []
+    for name, text in files.items():
+        path = folder / name
+        present = path.read_text(encoding="utf-8") if path.is_file() else ""
+        if name == "data.json" and _same_data(present, text):
+            continue
+        if name == "manifest.json":
+            present, text = _comparable_manifest(present), _comparable_manifest(text)
+        if present != text:
+            report += difflib.unified_diff(present.splitlines(True), text.splitlines(True),
+                                           str(path), f"{path} (regenerated)")
+    surplus = sorted(path.name for path in folder.glob("*") if path.is_file() and path.name not in files
+                     and path.name != "__init__.py") if folder.is_dir() else []
+    report += [f"only in {folder}: {name}\n" for name in surplus]
+    return "".join(report)
+
+
+def _comparable_manifest(text: str) -> str:
+    try:
+        manifest = json.loads(text)
+    except json.JSONDecodeError:
+        return text
+    if not isinstance(manifest, dict):
+        return text
+    manifest.pop("versions", None)
+    manifest.get("files", {}).pop("data.json", None)
+    return json.dumps(manifest, indent=1) + "\n"
+
+
+def _same_data(present: str, regenerated: str) -> bool:
+    try:
+        return _close(json.loads(present), json.loads(regenerated))
+    except json.JSONDecodeError:
+        return False
+
+
+def _close(a: object, b: object) -> bool:
+    if isinstance(a, dict) and isinstance(b, dict):
+        return list(a) == list(b) and all(_close(a[key], b[key]) for key in a)
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(_close(x, y) for x, y in zip(a, b, strict=True))
+    if isinstance(a, int | float) and isinstance(b, int | float):
+        return math.isclose(a, b, rel_tol=DATA_TOLERANCE, abs_tol=1e-12)
+    return a == b

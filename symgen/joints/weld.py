@@ -1,0 +1,11 @@
+"""Weld: two markers coincide in position and angle."""
+
+from functools import cache
+
+from symgen.joints.planar_template import JointType, d, joint_type, phi_a, phi_b
+
+
+@cache
+def template() -> JointType:
+    """r_b - r_a = 0 and phi_b - phi_a = 0."""
+    return joint_type([("x", d[0]), ("y", d[1]), ("angle", phi_b - phi_a)])

@@ -1,0 +1,237 @@
+"""The functions a model offers, as SX kernels in independent and dependent coordinates (Eqs. 20-39).
+
+Argument order everywhere: q_i, q_d, q_i_dot, q_d_dot, [extra], t, then p (c once hoisted). Hoisting drops what a
+kernel does not use. q_i follows the partition, q_d the scene's coordinate order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.condensation import Condensed, reduced_loop_rows, solve_small
+from symgen.drawing import drawing
+from symgen.elimination import constraint_jacobian
+from symgen.equations import matrix_times
+from symgen.hoisting import Kernel
+from symgen.jacobians import jacobian_kernels
+from symgen.rows import Row
+from symgen.scene import Scene
+
+
+@dataclass(frozen=True)
+class Arguments:
+    """The SX arguments of the kernels of one system."""
+
+    q_i: ca.SX
+    q_d: ca.SX
+    q_i_dot: ca.SX
+    q_d_dot: ca.SX
+    q_i_ddot: ca.SX
+    t: ca.SX
+    dependent: list[int]
+
+    def select(self, *names: str, **extra: ca.SX) -> dict[str, ca.SX]:
+        """Named inputs in the common order, extras before t."""
+        inputs = {name: getattr(self, name) for name in names}
+        return {**inputs, **extra, "t": self.t}
+
+
+def arguments_of(system: Condensed) -> Arguments:
+    """Arguments of a condensed system; q_d sorted by scene order."""
+    eq, independent = system.equations, system.choice.independent
+    dependent = sorted(system.choice.dependent)
+
+    def stack(source: list[ca.SX], columns: list[int]) -> ca.SX:
+        return ca.vertcat(*(source[c] for c in columns)) if columns else ca.SX(0, 1)
+
+    return Arguments(stack(eq.q, independent), stack(eq.q, dependent), stack(eq.q_dot, independent),
+                     stack(eq.q_dot, dependent), ca.SX.sym("q_i_ddot", len(independent)), eq.t, dependent)
+
+
+def build_kernels(
+    system: Condensed, scene: Scene, groups: list[list[int]], wanted: frozenset[str] | None = None
+) -> dict[str, Kernel]:
+    """All kernels of a system; `groups` are positions in q_i, slow to fast. `wanted` limits them by name."""
+    arguments = arguments_of(system)
+    builders: dict[str, Callable[[], Kernel]] = {
+        "condensed": lambda: _condensed(system, arguments),
+        "closure": lambda: _closure(system, arguments),
+        "velocities": lambda: _velocities(system, arguments),
+        "accelerations": lambda: _accelerations(system, arguments),
+        "constraints": lambda: _constraints(system),
+        "augmented": lambda: _augmented(system),
+        "reactions": lambda: _reactions(system),
+        "energy": lambda: _energy(system),
+        "measures": lambda: _measures(system),
+        "drawing": lambda: drawing(system.equations, scene),
+    }
+    for name, build in jacobian_kernels(system, arguments).items():
+        builders[name] = build
+    for level in range(1, len(groups)):
+        builders[f"substep_{level + 1}"] = lambda level=level: _substep(system, arguments, groups, level)
+    chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
+    kernels = {name: build() for name, build in chosen.items()}
+    return {name: kernel for name, kernel in kernels.items()
+            if any(output.numel() for output in kernel.outputs.values())}
+
+
+def _column(system: Condensed, arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:
+    entries = [values.get(c, ca.SX(0)) for c in arguments.dependent]
+    return ca.densify(ca.vertcat(*entries)) if entries else ca.SX(0, 1)
+
+
+def _independent(system: Condensed, vector: ca.SX) -> dict[int, ca.SX]:
+    return {column: vector[k] for k, column in enumerate(system.choice.independent)}
+
+
+def _condensed(system: Condensed, a: Arguments) -> Kernel:
+    """M_hat and Q_hat (Eq. 38)."""
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return Kernel(inputs, {"M_hat": system.M_hat(), "Q_hat": system.generalised_force({})})
+
+
+def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:
+    """M_hat of the groups from `level` on, and their right-hand side with slower accelerations given (Eq. 64)."""
+    slow = [k for group in groups[:level] for k in group]
+    fast = [k for group in groups[level:] for k in group]
+    q_L_ddot = ca.SX.sym("q_L_ddot", len(slow))
+    given = {system.choice.independent[k]: q_L_ddot[position] for position, k in enumerate(slow)}
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_L_ddot=q_L_ddot)
+    M_hat, force = system.M_hat(), system.generalised_force(given)
+    return Kernel(inputs, {"M_hat_SS": M_hat[fast, fast], "rhs_S": force[fast]})
+
+
+def _closure(system: Condensed, a: Arguments) -> Kernel:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step."""
+    eq, choice = system.equations, system.choice
+    position = _placed(system, a)
+    outputs = {"q_d_next": position}
+    if choice.loop_rows:
+        rows = reduced_loop_rows(eq, choice, [s for s in system.substitutions if s.column not in choice.loop_columns])
+        guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
+        old, new = _replacement(system, guess)
+        U = [[entries.get(column, ca.SX(0)) for column in choice.loop_columns] for entries, _, _ in rows]
+        residual = [eq.constraints[row].C for row in choice.loop_rows]
+        flat = ca.substitute([ca.vertcat(*residual), *(u for line in U for u in line)], [old], [new])
+        n = len(choice.loop_rows)
+        matrix = [[flat[1 + i * n + j] + 0 for j in range(n)] for i in range(n)]
+        C = [flat[0][k] + 0 for k in range(n)]
+        step = solve_small(matrix, [C])[0]
+        x_loop = [eq.q[c] - step[k] for k, c in enumerate(choice.loop_columns)]
+        loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
+        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C)}
+    return Kernel(a.select("q_i", "q_d"), outputs)
+
+
+def _structural_positions(system: Condensed, known: dict[int, ca.SX]) -> dict[int, ca.SX]:
+    """Closed forms of the structural coordinates: each row is solved for its pivot, in order of evaluation."""
+    eq = system.equations
+    values = dict(known)
+    for row, column in system.choice.structural:
+        constraint = eq.constraints[row]
+        involved = [c for c in constraint.C_q if c != column]
+        old = ca.vertcat(eq.q[column], *(eq.q[c] for c in involved))
+        new = ca.vertcat(0, *(values[c] for c in involved))
+        rest = ca.substitute(constraint.C, old, new)
+        values[column] = -rest / constraint.C_q[column]
+    return values
+
+
+def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca.SX]:
+    columns = [column for _, column in system.choice.structural]
+    if not columns:
+        return ca.SX.sym("none", 0), ca.SX(0, 1)
+    return (ca.vertcat(*(system.equations.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
+
+
+def _placed(system: Condensed, a: Arguments) -> ca.SX:
+    known = {c: system.equations.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
+    return _column(system, a, _structural_positions(system, known))
+
+
+def _velocities(system: Condensed, a: Arguments) -> Kernel:
+    """q_d_dot (Eq. 36)."""
+    values = system.dependent_velocities(_independent(system, a.q_i_dot))
+    return Kernel(a.select("q_i", "q_d", "q_i_dot"), {"q_d_dot": _column(system, a, values)})
+
+
+def _accelerations(system: Condensed, a: Arguments) -> Kernel:
+    """q_d_ddot (Eq. 35)."""
+    values = system.accelerations(_independent(system, a.q_i_ddot))
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_i_ddot=a.q_i_ddot)
+    return Kernel(inputs, {"q_d_ddot": _column(system, a, values)})
+
+
+def _constraints(system: Condensed) -> Kernel:
+    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27); nu = -C_t."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    outputs = {"C": ca.vertcat(*(row.C for row in eq.constraints)), "C_q": constraint_jacobian(eq),
+               "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
+               "gamma": ca.vertcat(*(row.gamma for row in eq.constraints))}
+    return Kernel(inputs, outputs)
+
+
+def _augmented(system: Condensed) -> Kernel:
+    """M and Q* of Eq. (28) in all coordinates."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    M = ca.SX(len(eq.names), len(eq.names))
+    for row, entries in enumerate(eq.M):
+        for column, value in entries.items():
+            M[row, column] = value
+    return Kernel(inputs, {"M": M, "Q_star": ca.vertcat(*eq.Q_star)})
+
+
+def _reactions(system: Condensed) -> Kernel:
+    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure."""
+    eq, choice = system.equations, system.choice
+    q_ddot = ca.SX.sym("q_ddot", len(eq.names))
+    inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
+    force = {c: eq.Q_star[c] - inertia.get(c, ca.SX(0)) for c in range(len(eq.names))}
+    lam: dict[int, ca.SX] = {}
+    if choice.loop_rows:
+        lam |= _loop_reactions(system, force)
+    for row, column in reversed(choice.structural):
+        rest = force[column]
+        for other, value in lam.items():
+            factor = eq.constraints[other].C_q.get(column)
+            if factor is not None:
+                rest = rest - factor * value
+        lam[row] = rest / eq.constraints[row].C_q[column]
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot, "t": eq.t}
+    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints))))})
+
+
+def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
+    """U^T lam_loop = the force on the loop unknowns after all structural coordinates are substituted."""
+    eq, choice = system.equations, system.choice
+    structural = [s for s in system.substitutions if s.column not in choice.loop_columns]
+    work = dict(force)
+    for substitution in reversed(structural):
+        value = work.pop(substitution.column)
+        for column, factor in substitution.e.items():
+            work[column] = work[column] + factor * value
+    rows = reduced_loop_rows(eq, choice, structural)
+    transposed = [[entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in choice.loop_columns]
+    solved = solve_small(transposed, [[work[column] for column in choice.loop_columns]])[0]
+    return dict(zip(choice.loop_rows, solved, strict=True))
+
+
+def _energy(system: Condensed) -> Kernel:
+    """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    return Kernel(inputs, {"kinetic": eq.kinetic(), "elastic": eq.elastic, "potential": eq.potential,
+                           "power_dissipated": eq.dissipated, "power_applied": eq.applied})
+
+
+def _measures(system: Condensed) -> Kernel:
+    """The scene's measures and their rates, in scene order."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    values = list(eq.measures.values())
+    return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})

@@ -1,0 +1,132 @@
+"""Bending modes of a uniform Euler-Bernoulli beam with lumped nodal masses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from . import elements as fe
+from .cleaning import Array, clean, fixed, symmetric
+from .flexibility import lateral_flexibility
+from .mesh import centred_positions, check_request, locate, lumped_masses, node_positions
+from .vibration import check_rigid_modes, free_vibration, normalised
+
+# Ends -> node motions that are not elastic modes (held deflections, or rigid motions).
+LATERAL_ENDS = {
+    "pinned-pinned": 2,
+    "clamped-free": 1,
+    "free-free": 2,
+    "clamped-pinned": 2,
+    "clamped-clamped": 2,
+}
+
+
+class LateralPoint(NamedTuple):
+    """Lateral data at one point: phi (modes,), slope = d phi / d xi (modes,), eta (modes, modes)."""
+
+    phi: Array
+    slope: Array
+    eta: Array
+
+
+@dataclass(frozen=True, eq=False)
+class LateralModes:
+    """Bending modes for L = 1, EI = 1, rho A = 1; n elements. Arrays are read-only.
+
+    xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
+    phi (n+1, modes): nodal deflection per unit modal coordinate, largest magnitude 1 (coordinate in m).
+    slope (n+1, modes): d phi / d xi; the rotation per metre of coordinate is slope / L.
+    kappa (modes, modes): Phi^T K Phi, diagonal; K_ff = EI / L^3 kappa.
+    mass (modes, modes): sum mu phi phi^T, diagonal; M_ff = rho A L mass (Eq. 20).
+    eta (n+1, modes, modes): integral of phi'^T phi' from 0 to xi; the foreshortening matrix is H = eta / L.
+    frequencies (modes,): omega = frequencies sqrt(EI / (rho A L^4)), in rad/s.
+    """
+
+    ends: str
+    xi: Array
+    mu: Array
+    phi: Array
+    slope: Array
+    kappa: Array
+    mass: Array
+    eta: Array
+    frequencies: Array
+
+    @property
+    def elements(self) -> int:
+        """Number of elements."""
+        return len(self.xi) - 1
+
+    @property
+    def modes(self) -> int:
+        """Number of modes."""
+        return self.phi.shape[1]
+
+    def interpolate(self, at: float) -> LateralPoint:
+        """Values at the fraction `at` of the length: Hermite cubic with its exact eta; nodal on a node.
+
+        Raises ValueError if `at` is outside [0, 1].
+        """
+        element, local = locate(at, self.elements)
+        if local in (0.0, 1.0):
+            node = element + int(local)
+            return LateralPoint(self.phi[node], self.slope[node], self.eta[node])
+        phi, slope = fe.hermite(self.phi, self.slope, element, local, self.elements)
+        part = fe.slope_products(self.phi, self.slope, element, local, self.elements)
+        return LateralPoint(
+            clean(phi, 1.0),
+            clean(slope, float(np.max(np.abs(self.slope)))),
+            clean(self.eta[element] + part, float(np.max(np.abs(self.eta)))),
+        )
+
+
+def lateral_modes(elements: int, ends: str, modes: int) -> LateralModes:
+    """First `modes` elastic bending modes of the beam in `elements` equal elements (Eqs. 15-20).
+
+    ends: "pinned-pinned", "clamped-free", "free-free" (the two rigid modes removed), "clamped-pinned" or
+    "clamped-clamped", start first. Masses are lumped at the nodes without rotary inertia, so the rotations
+    are condensed statically, without error, and recovered from the deflections.
+    Raises ValueError for unknown ends or a mesh too coarse for the modes, RuntimeError if a free beam lacks
+    its two rigid modes.
+    """
+    check_request("lateral", elements, ends, modes, LATERAL_ENDS)
+    xi, mu = node_positions(elements), lumped_masses(elements)
+    start, end = ends.split("-")
+    free = np.arange(int(start != "free"), elements + 1 - int(end != "free"))
+    rigid = None
+    if ends == "free-free":
+        check_rigid_modes(fe.condensed_beam_stiffness(elements), mu, 2)
+        rigid = np.stack([np.ones(elements + 1), centred_positions(elements)], axis=1)
+    mirrored = start == end
+    values, shapes = free_vibration(lateral_flexibility(xi[free], ends), mu[free], modes, mirrored, rigid)
+    phi = np.zeros((elements + 1, modes))
+    phi[free] = clean(normalised(shapes))
+    slope = fe.condensed_slopes(elements, (start == "clamped", end == "clamped")) @ phi
+    if mirrored:
+        # The slope of a symmetric shape is antisymmetric and the other way round; make that exact too.
+        parity = np.where(np.all(phi == phi[::-1], axis=0), 1.0, -1.0)
+        slope = 0.5 * (slope - parity * slope[::-1])
+    slope = clean(slope)
+    mass = np.diag(np.einsum("k,ka,ka->a", mu, phi, phi))
+    return LateralModes(
+        ends,
+        fixed(xi),
+        fixed(mu),
+        fixed(phi),
+        fixed(slope),
+        kappa=fixed(np.diag(values * np.diag(mass))),
+        mass=fixed(mass),
+        eta=fixed(_cumulative_eta(phi, slope)),
+        frequencies=fixed(np.sqrt(values)),
+    )
+
+
+def _cumulative_eta(phi: Array, slope: Array) -> Array:
+    """Integral of phi'^T phi' from the start to each node, shape (n + 1, modes, modes)."""
+    elements = len(phi) - 1
+    eta = np.zeros((elements + 1, phi.shape[1], phi.shape[1]))
+    parts = [fe.slope_products(phi, slope, k, 1.0, elements) for k in range(elements)]
+    eta[1:] = np.cumsum(parts, axis=0)
+    return clean(symmetric(eta))

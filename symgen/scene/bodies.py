@@ -1,0 +1,120 @@
+"""Ground, rigid bodies and uniform beams, with their markers (Eq. 15-20)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, Strict
+
+from .fields import MARKER_ANGLE, Bound, Flag, Meaning, Model, Name, Number, Quantity
+
+LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
+AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed"]
+Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
+Position = Annotated[tuple[Quantity, Quantity], Meaning("position in the body frame, (x, y)", "m")]
+
+
+class RigidMarker(Model):
+    """A point and a direction on the ground or on a rigid body. position [m], angle [rad]."""
+
+    position: Position = (0.0, 0.0)
+    angle: Annotated[Quantity, MARKER_ANGLE] = 0.0
+
+
+class GroundBody(Model):
+    """The fixed frame. A scene has one even when it does not mention it."""
+
+    type: Literal["ground"] = "ground"
+    name: Literal["ground"] = "ground"
+    markers: dict[Name, RigidMarker] = Field(default_factory=dict)
+
+    @property
+    def nf(self) -> int:
+        """Number of elastic coordinates: none."""
+        return 0
+
+    def implicit_markers(self) -> dict[str, RigidMarker]:
+        """The marker every ground has."""
+        return {"origin": RigidMarker()}
+
+
+class RigidBody(Model):
+    """A rigid body with coordinates R_o, theta of its frame.
+
+    mass [kg]; inertia [kg m^2] about the centre of mass; center_of_mass [m] in the body frame.
+    ``free = true`` says that no joint is intended.
+    """
+
+    type: Literal["rigid"] = "rigid"
+    name: Name
+    mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
+    inertia: Annotated[
+        Quantity, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)
+    ]
+    center_of_mass: Position = (0.0, 0.0)
+    free: Flag = False
+    markers: dict[Name, RigidMarker] = Field(default_factory=dict)
+
+    @property
+    def nf(self) -> int:
+        """Number of elastic coordinates: none."""
+        return 0
+
+    def implicit_markers(self) -> dict[str, RigidMarker]:
+        """The frame's origin and the centre of mass."""
+        return {"origin": RigidMarker(), "center": RigidMarker(position=self.center_of_mass)}
+
+
+class LateralModes(Model):
+    """Which bending modes of the free-vibration problem are kept (Eq. 18)."""
+
+    ends: LATERAL_ENDS
+    modes: Modes
+
+
+class AxialModes(Model):
+    """Which axial modes of the free-vibration problem are kept (Eq. 18)."""
+
+    ends: AXIAL_ENDS
+    modes: Modes
+
+
+class BeamMarker(Model):
+    """A point of a beam: ``at`` is the fraction of the length, 0 at the start, 1 at the end. angle [rad]."""
+
+    at: Number
+    angle: Annotated[Quantity, MARKER_ANGLE] = 0.0
+
+
+class BeamBody(Model):
+    """A uniform beam meshed into elements with lumped nodal masses (Eq. 15-20).
+
+    length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
+    all modes. The frame lies at the start with x along the undeformed beam. q_f holds the lateral modes, then
+    the axial ones.
+    ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
+    """
+
+    type: Literal["beam"] = "beam"
+    name: Name
+    length: Annotated[Quantity, Meaning("length", "m", Bound.POSITIVE)]
+    density: Annotated[Quantity, Meaning("density", "kg/m^3", Bound.POSITIVE)]
+    area: Annotated[Quantity, Meaning("area of the cross-section", "m^2", Bound.POSITIVE)]
+    second_moment: Annotated[Quantity, Meaning("second moment of area", "m^4", Bound.POSITIVE)]
+    youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
+    elements: Annotated[int, Strict(), Field(ge=2, le=500)] = 20
+    lateral: LateralModes | None = None
+    axial: AxialModes | None = None
+    stiffening: Flag = False
+    damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0
+    free: Flag = False
+    markers: dict[Name, BeamMarker] = Field(default_factory=dict)
+
+    @property
+    def nf(self) -> int:
+        """Number of elastic coordinates: lateral modes and axial modes."""
+        return sum(modes.modes for modes in (self.lateral, self.axial) if modes is not None)
+
+    def implicit_markers(self) -> dict[str, BeamMarker]:
+        """The two ends of the beam."""
+        return {"start": BeamMarker(at=0.0), "end": BeamMarker(at=1.0)}

@@ -1,0 +1,167 @@
+"""A scene written in Python. The builder collects entries; the schema checks them once, in `build`."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+from .errors import SceneError, show
+from .scene import Scene
+
+MAX_NESTING = 20
+
+
+class SceneBuilder:
+    """Collects the entries of a scene; every method but `build` returns the builder.
+
+    The keyword arguments are the fields of the models of the same name (SI units), NumPy arrays included.
+    `build` raises SceneError for everything that is wrong.
+    """
+
+    def __init__(self, name: str, **fields: Any) -> None:
+        """``fields``: title, description."""
+        self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
+
+    def parameter(self, name: str, default: float, unit: str = "", description: str = "") -> Self:
+        """Declare a run-time input."""
+        parameters = self._data.setdefault("parameters", {})
+        if name in parameters:
+            raise SceneError(f"parameters.{name}", "is declared twice", "remove one of them")
+        parameters[name] = _plain(
+            {"default": default, "unit": unit, "description": description}, "parameters"
+        )
+        return self
+
+    def gravity(self, x: float | str, y: float | str) -> Self:
+        """Acceleration of gravity [m/s^2] in world axes."""
+        return self._set("gravity", [x, y])
+
+    def ground(self, **fields: Any) -> Self:
+        """Markers on the ground."""
+        return self._add("bodies", "ground", "ground", fields)
+
+    def rigid(self, name: str, **fields: Any) -> Self:
+        """A `RigidBody`."""
+        return self._add("bodies", "rigid", name, fields)
+
+    def beam(self, name: str, **fields: Any) -> Self:
+        """A `BeamBody`."""
+        return self._add("bodies", "beam", name, fields)
+
+    def modal(self, name: str, **fields: Any) -> Self:
+        """A `ModalBody`."""
+        return self._add("bodies", "modal", name, fields)
+
+    def revolute(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `RevoluteJoint`."""
+        return self._pair("joints", "revolute", name, marker_a, marker_b, fields)
+
+    def prismatic(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `PrismaticJoint`."""
+        return self._pair("joints", "prismatic", name, marker_a, marker_b, fields)
+
+    def weld(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `WeldJoint`."""
+        return self._pair("joints", "weld", name, marker_a, marker_b, fields)
+
+    def point_on_line(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `PointOnLineJoint`."""
+        return self._pair("joints", "point_on_line", name, marker_a, marker_b, fields)
+
+    def prescribed_angle(
+        self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
+    ) -> Self:
+        """A `PrescribedAngle`."""
+        return self._pair(
+            "joints", "prescribed_angle", name, marker_a, marker_b, {"motion": motion, **fields}
+        )
+
+    def prescribed_displacement(
+        self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
+    ) -> Self:
+        """A `PrescribedDisplacement`."""
+        return self._pair(
+            "joints", "prescribed_displacement", name, marker_a, marker_b, {"motion": motion, **fields}
+        )
+
+    def force(self, name: str, marker: str, x: float | str, y: float | str, **fields: Any) -> Self:
+        """A `Force` with components x, y [N]."""
+        return self._add("loads", "force", name, {"marker": marker, "components": [x, y], **fields})
+
+    def torque(self, name: str, marker: str, value: float | str, **fields: Any) -> Self:
+        """A `Torque` [N m]."""
+        return self._add("loads", "torque", name, {"marker": marker, "value": value, **fields})
+
+    def spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `SpringDamper`."""
+        return self._pair("loads", "spring_damper", name, marker_a, marker_b, fields)
+
+    def rotational_spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `RotationalSpringDamper`."""
+        return self._pair("loads", "rotational_spring_damper", name, marker_a, marker_b, fields)
+
+    def measure(self, name: str, type: str, marker_b: str, marker_a: str = "ground.origin") -> Self:
+        """A measure of ``type`` angle, distance, x or y from marker_a to marker_b."""
+        return self._pair("measures", type, name, marker_a, marker_b, {})
+
+    def structure(self, **fields: Any) -> Self:
+        """A `Structure`."""
+        return self._set("structure", fields)
+
+    def independent(self, *coordinates: str) -> Self:
+        """Choose the independent coordinates."""
+        return self._merge("partition", {"independent": list(coordinates)})
+
+    def groups(self, **groups: Any) -> Self:
+        """Groups by name, slow to fast, each a list of coordinate names or patterns."""
+        entries = [{"name": name, "coordinates": coordinates} for name, coordinates in groups.items()]
+        return self._merge("partition", {"groups": entries})
+
+    def initial(self, coordinates: dict[str, Any]) -> Self:
+        """Starting coordinates: numbers or {"value": ..., "fixed": ...}."""
+        return self._merge("initial", {"coordinates": coordinates})
+
+    def rates(self, rates: dict[str, Any]) -> Self:
+        """Starting rates: numbers or {"value": ..., "fixed": ...}."""
+        return self._merge("initial", {"rates": rates})
+
+    def simulation(self, **fields: Any) -> Self:
+        """The fields of `Simulation`."""
+        return self._set("simulation", fields)
+
+    def baumgarte(self, alpha: float, beta: float) -> Self:
+        """Stabilisation of the augmented form [1/s]."""
+        return self._set("baumgarte", {"alpha": alpha, "beta": beta})
+
+    def build(self) -> Scene:
+        """The scene; raises SceneError."""
+        return Scene.from_dict(self._data)
+
+    def _set(self, section: str, value: Any) -> Self:
+        self._data[section] = _plain(value, section)
+        return self
+
+    def _merge(self, section: str, value: dict[str, Any]) -> Self:
+        self._data[section] = {**self._data.get(section, {}), **_plain(value, section)}
+        return self
+
+    def _add(self, section: str, type: str, name: str, fields: dict[str, Any]) -> Self:
+        self._data.setdefault(section, []).append(_plain({"type": type, "name": name, **fields}, section))
+        return self
+
+    def _pair(self, section: str, type: str, name: str, a: str, b: str, fields: dict[str, Any]) -> Self:
+        return self._add(section, type, name, {"marker_a": a, "marker_b": b, **fields})
+
+
+def _plain(value: Any, item: str, depth: int = 0) -> Any:
+    """NumPy arrays and scalars, and tuples, as the lists and numbers a TOML file would give."""
+    if depth > MAX_NESTING:
+        raise SceneError(item, "is nested too deeply", "give plain numbers, lists and dictionaries")
+    if isinstance(value, set | frozenset):
+        raise SceneError(item, f"{show(value)} has no order", "give a list instead of a set")
+    if isinstance(value, dict):
+        return {key: _plain(part, item, depth + 1) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(part, item, depth + 1) for part in value]
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return value

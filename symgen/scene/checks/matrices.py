@@ -1,0 +1,138 @@
+"""Matrices: symmetric, positive definite, skew, as mechanics demands; at the parameters' defaults."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import SceneError
+from ..fields import Matrix, Vector
+from ..modal import ModalBody
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+Array = NDArray[np.float64]
+TOLERANCE = 1e-9
+
+
+def matrix_errors(scene: Scene) -> Iterator[SceneError]:
+    """Matrices of modal bodies and of a structure that no mechanical system can have."""
+    if scene.structure is not None:
+        mass = _array(scene, scene.structure.mass)
+        yield from _symmetric("structure.mass", mass) or _definite("structure.mass", mass)
+        yield from _symmetric("structure.stiffness", _array(scene, scene.structure.stiffness))
+    for index, body in enumerate(scene.bodies):
+        if isinstance(body, ModalBody):
+            yield from _modal(scene, body, item_path("bodies", index, body.name))
+
+
+def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
+    mass = _array(scene, body.M_ff)
+    bad_mass = _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
+    yield from bad_mass
+    for key in ("K_ff", "D_ff"):
+        if (given := getattr(body, key)) is not None:
+            value = _array(scene, given)
+            yield from _symmetric(f"{path}.{key}", value) or _semidefinite(f"{path}.{key}", value)
+    cross = _array(scene, body.phi_cross_phi)
+    if _differs(cross, -cross.T):
+        yield SceneError(
+            f"{path}.phi_cross_phi", "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]"
+        )
+    if not bad_mass and not _is_definite(_body_mass_matrix(scene, body), -TOLERANCE):
+        yield SceneError(
+            path,
+            "its mass matrix (mass, first_moment, inertia, phi_integral, ...) is not positive definite",
+            "check the integrals: they must belong to one mass distribution, taken about the frame origin",
+        )
+    named = {f"markers.{name}.foreshortening": marker.foreshortening for name, marker in body.markers.items()}
+    if body.foreshortening is not None:
+        named |= {"foreshortening.H": body.foreshortening.H, "foreshortening.xH": body.foreshortening.xH}
+    for key, given in named.items():
+        if given is not None:
+            yield from _symmetric(f"{path}.{key}", _array(scene, given))
+
+
+def _body_mass_matrix(scene: Scene, body: ModalBody) -> Array:
+    """The (3 + nf) x (3 + nf) mass matrix of Eq. 20 at theta = 0, q_f = 0."""
+    mass, inertia, moment_x, moment_y = _array(scene, (body.mass, body.inertia, *body.first_moment))
+    matrix = np.zeros((3 + body.nf, 3 + body.nf))
+    matrix[:3, :3] = [[mass, 0, -moment_y], [0, mass, moment_x], [-moment_y, moment_x, inertia]]
+    matrix[:2, 3:] = _array(scene, body.phi_integral)
+    matrix[2, 3:] = _array(scene, body.rho_cross_phi)
+    matrix[3:, :3] = matrix[:3, 3:].T
+    matrix[3:, 3:] = _array(scene, body.M_ff)
+    return matrix
+
+
+def _array(scene: Scene, given: Matrix | Vector) -> Array:
+    defaults = scene.parameter_defaults()
+
+    def number(entry: object) -> object:
+        if isinstance(entry, tuple):
+            return [number(part) for part in entry]
+        return (
+            entry if isinstance(entry, float) else scene.expression(str(entry), "matrix").evaluate(defaults)
+        )
+
+    return np.array(number(given), dtype=float)
+
+
+def _differs(a: Array, b: Array) -> bool:
+    largest = max(float(np.abs(a).max(initial=0.0)), 1e-300)
+    return bool(np.abs(a / largest - b / largest).max(initial=0.0) > TOLERANCE)
+
+
+def _symmetric(path: str, value: Array) -> list[SceneError]:
+    if _differs(value, value.T):
+        row, column = np.unravel_index(np.argmax(np.abs(value / 2 - value.T / 2)), value.shape)
+        entries = f"[{row}][{column}] = {value[row, column]!r}, [{column}][{row}] = {value[column, row]!r}"
+        return [SceneError(path, f"is not symmetric ({entries})", "make the matrix symmetric")]
+    return []
+
+
+def _definite(path: str, value: Array) -> list[SceneError]:
+    if _is_definite(value, TOLERANCE):
+        return []
+    return [
+        SceneError(
+            path, "is not positive definite", "check signs and units; every mode needs a positive mass"
+        )
+    ]
+
+
+def _semidefinite(path: str, value: Array) -> list[SceneError]:
+    if _is_definite(value, -TOLERANCE):
+        return []
+    return [
+        SceneError(
+            path, "has a negative eigenvalue", "check signs; the matrix must be positive semi-definite"
+        )
+    ]
+
+
+def _is_definite(value: Array, least: float) -> bool:
+    """Whether all eigenvalues of the matrix, scaled to a unit diagonal, exceed ``least``.
+
+    Scaling makes the answer independent of the units of the coordinates. A zero on the diagonal
+    needs a zero row.
+    """
+    diagonal = value.diagonal().copy()
+    empty = (diagonal == 0) & ~value.any(axis=1)
+    if least >= 0 and empty.any():
+        return False
+    diagonal[empty] = 1.0
+    if (diagonal <= 0).any():
+        return False
+    root = np.sqrt(diagonal)
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = value / root[:, None] / root[None, :]
+    if not np.isfinite(scaled).all() or np.abs(scaled).max(initial=0.0) > 1e6:
+        return False
+    symmetric = (scaled + scaled.T) / 2
+    return bool(np.linalg.eigvalsh(symmetric).min(initial=np.inf) > least)

@@ -1,0 +1,100 @@
+"""Coordinates named in the partition and the initial state, and the step ratios that go with the groups."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from ..errors import SceneError, did_you_mean
+from ..simulation import MAX_STEPS
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+
+def matching(pattern: str, names: Sequence[str]) -> list[str]:
+    """The names that a coordinate name or a pattern with * and ? stands for, in the order of ``names``."""
+    return [name for name in names if fnmatchcase(name, pattern)]
+
+
+def partition_errors(scene: Scene) -> Iterator[SceneError]:
+    """Unknown coordinates, coordinates in two groups, step ratios and steps that do not fit."""
+    names = scene.coordinates()
+    for section in ("coordinates", "rates"):
+        for name in getattr(scene.initial, section):
+            if name not in names:
+                yield _unknown(f"initial.{section}['{name}']", name, names)
+    independent = scene.partition.independent
+    for index, name in enumerate(independent or ()):
+        path = f"partition.independent[{index}]"
+        if name not in names:
+            yield _unknown(path, name, names)
+        elif independent and name in independent[:index]:
+            yield SceneError(path, f"'{name}' is there twice", "remove one of them")
+    if independent is not None and not independent:
+        yield SceneError(
+            "partition.independent", "is empty", "name coordinates, or leave it out to have them chosen"
+        )
+    yield from _groups(scene, names)
+    yield from _steps(scene)
+
+
+def _groups(scene: Scene, names: list[str]) -> Iterator[SceneError]:
+    independent = scene.partition.independent
+    owner: dict[str, str] = {}
+    for index, group in enumerate(scene.partition.groups or ()):
+        path = item_path("partition.groups", index, group.name)
+        if not group.coordinates:
+            yield SceneError(
+                f"{path}.coordinates", "is empty", "name at least one coordinate, or remove the group"
+            )
+        for place, pattern in enumerate(group.coordinates):
+            item = f"{path}.coordinates[{place}]"
+            found = matching(pattern, names)
+            if not found:
+                yield _unknown(item, pattern, names)
+            elif independent is not None and not set(found) & set(independent):
+                yield SceneError(item, f"'{pattern}' is not independent", "add it to partition.independent")
+            for name in found:
+                if name in owner:
+                    where = f"in group '{owner[name]}' already"
+                    yield SceneError(item, f"'{name}' is {where}", "let each coordinate belong to one group")
+                    break
+            owner.update(dict.fromkeys(found, group.name))
+
+
+def _steps(scene: Scene) -> Iterator[SceneError]:
+    simulation, groups = scene.simulation, scene.partition.groups
+    for key in ("t_end", "dt"):
+        if getattr(simulation, key) <= 0:
+            yield SceneError(
+                f"simulation.{key}", f"{getattr(simulation, key)!r} is not positive", "give a time in s"
+            )
+    if simulation.t_end > 0 and simulation.dt > 0:
+        if simulation.dt > simulation.t_end:
+            yield SceneError("simulation.dt", "is longer than the simulation", "give a step below t_end")
+        elif simulation.t_end / MAX_STEPS > simulation.dt:
+            yield SceneError(
+                "simulation.dt", f"needs more than {MAX_STEPS:.0e} steps", "raise dt or lower t_end"
+            )
+    if groups is not None and not groups:
+        yield SceneError("partition.groups", "is empty", "give groups, or leave it out")
+    if groups is None:
+        return  # the derivation chooses the groups and checks m then
+    wanted = max(len(groups) - 1, 0)
+    single = simulation.scheme == "single_rate" and not simulation.m
+    if len(simulation.m) != wanted and not single:
+        yield SceneError(
+            "simulation.m",
+            f"has {len(simulation.m)} step ratios for {len(groups)} groups",
+            f"give {wanted}: one for each group after the first, slow to fast",
+        )
+
+
+def _unknown(path: str, name: str, names: list[str]) -> SceneError:
+    problem = f"there is no coordinate '{name}'"
+    if "*" in name or "?" in name:
+        problem = f"the pattern '{name}' matches no coordinate"
+    return SceneError(path, problem, did_you_mean(name, names))

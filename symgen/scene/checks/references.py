@@ -1,0 +1,64 @@
+"""References: every marker that is named exists, and the two ends of a connection differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..errors import SceneError, did_you_mean
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+_REFERENCES = ("marker", "marker_a", "marker_b", "reaction")
+
+
+def reference_errors(scene: Scene) -> Iterator[SceneError]:
+    """Unknown markers, and connections from something to itself."""
+    known = _known_markers(scene)
+    for section in ("joints", "loads", "measures"):
+        for index, entry in enumerate(getattr(scene, section)):
+            path = item_path(section, index, entry.name)
+            unknown = list(_unknown(path, entry, known))
+            yield from unknown or _pair(section, path, entry)
+
+
+def _known_markers(scene: Scene) -> dict[str, list[str]]:
+    bodies = (scene.ground, *scene.moving_bodies)
+    return {body.name: [*body.implicit_markers(), *body.markers] for body in bodies}
+
+
+def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[SceneError]:
+    for key in _REFERENCES:
+        reference = getattr(entry, key, None)
+        if reference is None:
+            continue
+        body, _, marker = reference.partition(".")
+        if body not in known:
+            yield SceneError(f"{path}.{key}", f"there is no body '{body}'", did_you_mean(body, known))
+        elif marker not in known[body]:
+            remedy = did_you_mean(marker, known[body])
+            yield SceneError(f"{path}.{key}", f"body '{body}' has no marker '{marker}'", remedy)
+
+
+def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
+    if entry.type == "force" or (entry.type == "torque" and entry.reaction is None):
+        if _body(entry.marker) == "ground":
+            yield SceneError(
+                f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body"
+            )
+        return
+    first, second = (
+        (entry.marker, entry.reaction) if entry.type == "torque" else (entry.marker_a, entry.marker_b)
+    )
+    if first == second:
+        yield SceneError(path, f"both ends are the marker '{first}'", "name two different markers")
+    elif _body(first) == _body(second) == "ground":
+        yield SceneError(path, "both markers are on the ground", "name a marker of a moving body")
+    elif section == "joints" and _body(first) == _body(second):
+        yield SceneError(path, f"joins the body '{_body(first)}' to itself", "name markers of two bodies")
+
+
+def _body(reference: str) -> str:
+    return reference.partition(".")[0]

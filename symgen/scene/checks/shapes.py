@@ -1,0 +1,120 @@
+"""Sizes: matrices and vectors of modal bodies and structures, modes and marker positions of beams."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..bodies import BeamBody
+from ..errors import SceneError, show
+from ..modal import ModalBody
+from ..structure import Structure
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+# n elements leave n + this many modes: the nodes that can move, less the rigid motions.
+_MODES_LESS_ELEMENTS = {
+    "lateral": {
+        "pinned-pinned": -1,
+        "clamped-free": 0,
+        "free-free": -1,
+        "clamped-pinned": -1,
+        "clamped-clamped": -1,
+    },
+    "axial": {"fixed-free": 0, "free-free": 0, "fixed-fixed": -1},
+}
+
+
+def shape_errors(scene: Scene) -> Iterator[SceneError]:
+    """Everything whose size does not fit its neighbours."""
+    for index, body in enumerate(scene.bodies):
+        path = item_path("bodies", index, body.name)
+        if isinstance(body, BeamBody):
+            yield from _beam(body, path)
+        elif isinstance(body, ModalBody):
+            yield from _modal(body, path)
+    if scene.structure is not None:
+        yield from _structure(scene.structure)
+
+
+def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
+    if beam.nf == 0:
+        yield SceneError(
+            path, "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body"
+        )
+    if beam.stiffening and beam.lateral is None:
+        yield SceneError(
+            f"{path}.stiffening", "only bending shortens a beam", "give lateral modes, or remove it"
+        )
+    for kind, chosen in (("lateral", beam.lateral), ("axial", beam.axial)):
+        if chosen is None:
+            continue
+        most = beam.elements + _MODES_LESS_ELEMENTS[kind][chosen.ends]
+        if chosen.modes > most:
+            yield SceneError(
+                f"{path}.{kind}.modes",
+                f"{beam.elements} elements with {chosen.ends} ends have {most} modes, not {chosen.modes}",
+                "ask for fewer modes or give more elements",
+            )
+    for name, marker in beam.markers.items():
+        if not 0 <= marker.at <= 1:
+            yield SceneError(
+                f"{path}.markers.{name}.at",
+                f"{marker.at} lies outside the beam",
+                "give a fraction from 0 to 1",
+            )
+
+
+def _modal(body: ModalBody, path: str) -> Iterator[SceneError]:
+    nf = body.nf
+    if nf == 0:
+        yield SceneError(
+            f"{path}.M_ff", "the body has no modes", "give M_ff and K_ff, or describe a rigid body"
+        )
+    for key in ("M_ff", "K_ff", "D_ff", "phi_cross_phi"):
+        yield from _size(f"{path}.{key}", getattr(body, key), nf, nf)
+    yield from _size(f"{path}.phi_integral", body.phi_integral, 2, nf)
+    for key in ("rho_dot_phi", "rho_cross_phi"):
+        yield from _size(f"{path}.{key}", getattr(body, key), nf)
+    if body.foreshortening is not None:
+        yield from _size(f"{path}.foreshortening.H", body.foreshortening.H, nf, nf)
+        yield from _size(f"{path}.foreshortening.xH", body.foreshortening.xH, nf, nf)
+    for name, marker in body.markers.items():
+        for key in ("shape_x", "shape_y", "slope"):
+            yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key), nf)
+        yield from _size(f"{path}.markers.{name}.foreshortening", marker.foreshortening, nf, nf)
+
+
+def _structure(structure: Structure) -> Iterator[SceneError]:
+    names = structure.coordinates
+    if not names:
+        yield SceneError("structure.coordinates", "is empty", "name at least one coordinate")
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            yield SceneError(
+                f"structure.coordinates[{index}]", f"'{name}' is there twice", "rename one of them"
+            )
+    for key in ("mass", "damping", "stiffness"):
+        yield from _size(f"structure.{key}", getattr(structure, key), len(names), len(names))
+    yield from _size("structure.force", structure.force, len(names))
+
+
+def _size(
+    path: str, value: tuple[Any, ...] | None, rows: int, columns: int | None = None
+) -> Iterator[SceneError]:
+    """A vector of ``rows`` entries, or a matrix of ``rows`` x ``columns``; None is no matrix at all."""
+    if value is None:
+        return
+    if len(value) != rows:
+        kind = "rows" if columns is not None else "entries"
+        yield SceneError(path, f"has {show(len(value))} {kind} instead of {rows}", f"give {rows} {kind}")
+        return
+    for index, row in enumerate(value if columns is not None else ()):
+        if len(row) != columns:
+            yield SceneError(
+                f"{path}[{index}]",
+                f"has {len(row)} entries instead of {columns}",
+                f"give {columns} entries a row",
+            )

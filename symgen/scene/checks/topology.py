@@ -1,0 +1,59 @@
+"""How the joints connect the bodies: loose bodies and rings of welds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ..errors import SceneError
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+
+class _Clusters:
+    """Union-find: which names are connected."""
+
+    def __init__(self) -> None:
+        self._parent: dict[str, str] = {}
+
+    def root(self, name: str) -> str:
+        path = []
+        while (parent := self._parent.get(name, name)) != name:
+            path.append(name)
+            name = parent
+        self._parent.update(dict.fromkeys(path, name))
+        return name
+
+    def join(self, a: str, b: str) -> bool:
+        """Connect two names; False if they were connected before."""
+        root_a, root_b = self.root(a), self.root(b)
+        self._parent[root_a] = root_b
+        return root_a != root_b
+
+
+def topology_errors(scene: Scene) -> Iterator[SceneError]:
+    """Bodies that hang on nothing (unless free), and welds that close a ring."""
+    joined, welded, touched = _Clusters(), _Clusters(), set()
+    for index, joint in enumerate(scene.joints):
+        a, b = joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0]
+        joined.join(a, b)
+        touched |= {a, b}
+        if joint.type == "weld" and not welded.join(a, b) and a != b:
+            yield SceneError(
+                item_path("joints", index, joint.name),
+                f"closes a ring of welds: '{a}' and '{b}' are welded together already",
+                "remove one weld of the ring",
+            )
+    free = {joined.root(body.name) for body in scene.moving_bodies if body.free}
+    for index, body in enumerate(scene.bodies):
+        held = joined.root(body.name) == joined.root("ground") or joined.root(body.name) in free
+        if not held and body.name != "ground":
+            problem = "has no connection to the ground" if body.name in touched else "is joined to nothing"
+            yield SceneError(
+                item_path("bodies", index, body.name),
+                problem,
+                "add a joint, or set free = true if that is meant",
+            )
+            free.add(joined.root(body.name))  # one error for each loose group of bodies

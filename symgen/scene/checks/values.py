@@ -1,0 +1,58 @@
+"""Values: every expression parses, is finite at the parameters' defaults, and has the sign it must have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ..errors import SceneError
+from ..expressions import parse_expression
+from ..fields import Bound, Meaning, Scope, quantities
+from ..translate import SECTIONS, item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+
+def value_errors(scene: Scene) -> Iterator[SceneError]:
+    """Expressions that do not parse, have no finite value at t = 0, or a value of the wrong sign."""
+    reader = _Reader(scene)
+    for path, value, meaning in scene_quantities(scene):
+        try:
+            reader.check(path, value, meaning)
+        except SceneError as error:
+            yield error
+
+
+def scene_quantities(scene: Scene) -> Iterator[tuple[str, float | str, Meaning]]:
+    """Every quantity of the scene: (item path, value, meaning)."""
+    for path, value, meaning in quantities(scene, "scene"):
+        yield path.removeprefix("scene."), value, meaning
+    for section in SECTIONS:
+        for index, entry in enumerate(getattr(scene, section)):
+            yield from quantities(entry, item_path(section, index, entry.name))
+
+
+class _Reader:
+    def __init__(self, scene: Scene) -> None:
+        self.defaults = scene.parameter_defaults()
+        measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
+        self.names = {
+            Scope.PARAMETERS: frozenset(self.defaults),
+            Scope.TIME: frozenset((*self.defaults, "t")),
+            Scope.MEASURES: frozenset((*self.defaults, "t", *measured)),
+        }
+
+    def check(self, path: str, value: float | str, meaning: Meaning) -> None:
+        expression = parse_expression(value, self.names[meaning.scope], path)
+        env = {**self.defaults, "t": 0.0}
+        if not expression.names <= env.keys():
+            return  # it uses measures, whose values are not known before the motion is
+        number = expression.evaluate(env)
+        wrong = {Bound.ANY: False, Bound.POSITIVE: number <= 0, Bound.NON_NEGATIVE: number < 0}[meaning.bound]
+        if wrong:
+            shown = f"{number!r}" if not isinstance(value, str) else f"'{value[:60]}' = {number!r}"
+            raise SceneError(
+                path, f"the {meaning.description} {shown} must be {meaning.bound.value}",
+                f"give a value in {meaning.unit} that is {meaning.bound.value}",
+            )  # fmt: skip

@@ -1,0 +1,217 @@
+"""The expression language of scene text: our own parser, which executes nothing.
+
+Python's `ast` reads the text; only the nodes in the tables below pass. Numbers, + - * / **, unary - and +,
+parentheses, ``pi``, ``t`` and declared names, the functions of `expression_values.ARITY`. Comparisons (also
+chained, ``0 <= t < 1``) stand only in the first argument of ``where(condition, a, b)``.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+
+from .errors import SceneError, did_you_mean, show
+from .expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
+from .expression_values import ARITY, casadi_value, float_value
+
+MAX_CHARACTERS = 10_000
+MAX_DEPTH = 100
+RESERVED = frozenset({"t", "pi", *ARITY})
+
+_OPERATORS: dict[type[ast.operator], str] = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
+}  # fmt: skip
+_COMPARISONS: dict[type[ast.cmpop], str] = {
+    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=",
+}  # fmt: skip
+_HINTS = {
+    "^": "write a power with **",
+    "[": "indexing and lists are not part of the language; use declared names",
+    "{": "sets and dictionaries are not part of the language; use declared names",
+    ":": "only arithmetic is allowed; functions cannot be defined here",
+    "%": "the remainder operator is not part of the language",
+    '"': "text inside an expression is not allowed; use declared names",
+    "'": "text inside an expression is not allowed; use declared names",
+}
+
+
+@dataclass(frozen=True)
+class Expression:
+    """A parsed expression. ``names``: the parameters, measures and ``t`` it uses (not ``pi``)."""
+
+    text: str
+    item: str
+    node: Node
+    names: frozenset[str]
+
+    def to_casadi(self, env: Mapping[str, ca.SX]) -> ca.SX:
+        """The expression in CasADi symbols; raises SceneError when ``env`` lacks a name it uses."""
+        missing = sorted(self.names - env.keys())
+        if missing:
+            raise SceneError(
+                self.item, f"no symbol was given for '{missing[0]}'", "declare it as a parameter"
+            )
+        return ca.SX(casadi_value(self.node, env))
+
+    def evaluate(self, env: Mapping[str, float]) -> float:
+        """The expression as a number; raises SceneError when it is not finite or ``env`` lacks a name."""
+        missing = sorted(self.names - env.keys())
+        if missing:
+            raise SceneError(self.item, f"no value was given for '{missing[0]}'", "declare it as a parameter")
+        try:
+            value = float_value(self.node, env)
+        except (ArithmeticError, ValueError) as error:
+            reason = "division by zero" if isinstance(error, ZeroDivisionError) else str(error) or "overflow"
+            raise self._not_finite(reason) from None
+        if not math.isfinite(value):
+            raise self._not_finite(f"the value is {value}")
+        return value
+
+    def _not_finite(self, reason: str) -> SceneError:
+        problem = f"'{_short(self.text)}' has no finite value ({reason})"
+        return SceneError(
+            self.item, problem, "check the expression and the defaults of its parameters (t = 0)"
+        )
+
+
+def parse_expression(text: str | float, names: frozenset[str], item: str) -> Expression:
+    """Parse ``text`` (or a plain number) that may use ``names``; ``t`` only if it is among them.
+
+    Raises SceneError, with ``item`` as its item, for everything outside the language.
+    """
+    if not isinstance(text, str):
+        return Expression(repr(text), item, Constant(_finite(text, item)), frozenset())
+    node = _Reader(names, item).node(_syntax(text, item), 0)
+    return Expression(text, item, node, frozenset(_names(node)))
+
+
+def _syntax(text: str, item: str) -> ast.expr:
+    if len(text) > MAX_CHARACTERS:
+        remedy = f"shorten it to at most {MAX_CHARACTERS}, for instance with parameters"
+        raise SceneError(item, f"the expression has {len(text)} characters", remedy)
+    if not text.strip():
+        raise SceneError(item, "the expression is empty", "give a number or an expression")
+    bad = re.search(r"[^A-Za-z0-9_.+\-*/(),<>=! \t\r\n]", text)
+    if bad:
+        hint = _HINTS.get(bad.group(), "use plain arithmetic, declared names and the listed functions")
+        raise SceneError(item, f"the character {bad.group()!r} is not allowed in '{_short(text)}'", hint)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text.strip(), mode="eval").body
+    except (MemoryError, RecursionError):
+        raise _too_deep(item) from None
+    except (SyntaxError, ValueError) as error:
+        if "too many nested" in str(error):
+            raise _too_deep(item) from None
+        reason = error.msg if isinstance(error, SyntaxError) else str(error)
+        problem = f"'{_short(text)}' is not an expression ({reason})"
+        raise SceneError(item, problem, "check brackets and operators") from None
+
+
+class _Reader:
+    """Turns the syntax tree into ours, refusing every node that is not listed here."""
+
+    def __init__(self, names: frozenset[str], item: str) -> None:
+        self.names = names
+        self.item = item
+
+    def node(self, tree: ast.expr, depth: int) -> Node:
+        if depth > MAX_DEPTH:
+            raise _too_deep(self.item)
+        match tree:
+            case ast.Constant(value=value) if isinstance(value, int | float) and not isinstance(value, bool):
+                return Constant(_finite(value, self.item))
+            case ast.Name(id=name):
+                return self._symbol(name)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return Negative(self.node(operand, depth + 1))
+            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+                return self.node(operand, depth + 1)
+            case ast.BinOp(op=sign) if type(sign) in _OPERATORS:
+                left, right = self.node(tree.left, depth + 1), self.node(tree.right, depth + 1)
+                return Binary(_OPERATORS[type(sign)], left, right)
+            case ast.Call(func=ast.Name(id=function), args=arguments, keywords=keywords):
+                return self._call(function, arguments, bool(keywords), depth)
+            case ast.Compare():
+                raise self._error("a comparison stands outside of where()", "write where(condition, a, b)")
+        kind = type(tree.value if isinstance(tree, ast.Constant) else tree).__name__
+        raise self._error(
+            f"{kind} is not part of the language", "use arithmetic, declared names and functions"
+        )
+
+    def _symbol(self, name: str) -> Node:
+        if name == "pi":
+            return Constant(math.pi)
+        if name in self.names:
+            return Symbol(name)
+        if name == "t":
+            raise self._error("t is not available here", "this quantity must be constant in time")
+        if name in ARITY:
+            raise self._error(f"the function '{name}' is used without arguments", f"write {name}(...)")
+        known = sorted(self.names | {"pi"}) + sorted(ARITY)
+        raise self._error(
+            f"unknown name '{_short(name)}'", f"{did_you_mean(name, known)} Otherwise declare it"
+        )
+
+    def _call(self, function: str, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
+        if function not in ARITY:
+            raise self._error(f"unknown function '{_short(function)}'", did_you_mean(function, sorted(ARITY)))
+        low, high = ARITY[function]
+        if keywords or not low <= len(arguments) <= high:
+            count = str(low) if low == high else f"{low} to {high}"
+            problem = f"{function}() takes {count} plain argument(s)"
+            raise self._error(problem, f"call it with {count}; keywords are not allowed")
+        if function == "where":
+            condition = self._condition(arguments[0], depth + 1)
+            return Where(condition, *(self.node(part, depth + 1) for part in arguments[1:]))
+        return Call(function, tuple(self.node(part, depth + 1) for part in arguments))
+
+    def _condition(self, tree: ast.expr, depth: int) -> Condition:
+        if not isinstance(tree, ast.Compare) or any(type(sign) not in _COMPARISONS for sign in tree.ops):
+            raise self._error("the first argument of where() is not a comparison", "write where(t < 1, a, b)")
+        operands = tuple(self.node(part, depth + 1) for part in (tree.left, *tree.comparators))
+        return Condition(tuple(_COMPARISONS[type(sign)] for sign in tree.ops), operands)
+
+    def _error(self, problem: str, remedy: str) -> SceneError:
+        return SceneError(self.item, problem, remedy)
+
+
+def _names(node: Node | Condition) -> set[str]:
+    match node:
+        case Symbol(name):
+            return {name}
+        case Negative(operand):
+            return _names(operand)
+        case Binary(_, left, right):
+            return _names(left) | _names(right)
+        case Call(_, parts) | Condition(_, parts):
+            return set().union(*(_names(part) for part in parts))
+        case Where(condition, chosen, otherwise):
+            return _names(condition) | _names(chosen) | _names(otherwise)
+    return set()
+
+
+def _finite(value: float, item: str) -> float:
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise SceneError(item, f"the number {show(value)} is not finite", "use numbers below 1e308")
+    return number
+
+
+def _too_deep(item: str) -> SceneError:
+    problem = f"the expression is nested more than {MAX_DEPTH} deep"
+    return SceneError(item, problem, "group long sums with brackets, or move parts into parameters")
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 60 else text[:57] + "..."

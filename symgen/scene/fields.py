@@ -1,0 +1,184 @@
+"""Field types shared by all parts of a scene: names, numbers, quantities, references.
+
+A *quantity* is a number or an expression in the declared parameters. What it measures, its unit, the sign
+it must have and the names its expression may use are declared beside the field with `Meaning`; the checks and
+the JSON Schema read them from there.
+"""
+
+from __future__ import annotations
+
+import keyword
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model_validator
+from pydantic_core import PydanticCustomError
+
+from .errors import did_you_mean, show
+
+NAME_PATTERN = r"^[A-Za-z][A-Za-z0-9_]{0,63}$"
+MAX_TEXT = 10_000
+
+
+def refuse(problem: str, remedy: str, key: str = "") -> PydanticCustomError:
+    """An error that `translate.scene_errors` turns into a `SceneError` without changing its words."""
+    return PydanticCustomError(
+        "scene", "{problem}; {remedy}", {"problem": problem, "remedy": remedy, "key": key}
+    )
+
+
+class Model(BaseModel):
+    """Base of every part of a scene: immutable, and an unknown key is an error with a suggestion."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, data: Any) -> Any:
+        if isinstance(data, dict):
+            for key, value in data.items():
+                if not isinstance(key, str) or key not in cls.model_fields:
+                    name = key if isinstance(key, str) else show(key)
+                    raise refuse(f"unknown key {show(key)}", did_you_mean(key, cls.model_fields), name)
+                if isinstance(value, set | frozenset):
+                    raise refuse(f"{show(value)} has no order", "give a list instead of a set", key)
+        return data
+
+
+class Bound(Enum):
+    """The sign a quantity must have."""
+
+    ANY = "any"
+    POSITIVE = "positive"
+    NON_NEGATIVE = "not negative"
+
+
+class Scope(Enum):
+    """The names an expression may use."""
+
+    PARAMETERS = "parameters"
+    TIME = "parameters and t"
+    MEASURES = "parameters, t, measures and their rates"
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a quantity field stands for: description, SI unit, sign and the names it may use."""
+
+    description: str
+    unit: str = "1"
+    bound: Bound = Bound.ANY
+    scope: Scope = Scope.PARAMETERS
+
+    def __get_pydantic_json_schema__(self, core_schema: Any, handler: Any) -> dict[str, Any]:
+        schema: dict[str, Any] = handler(core_schema)
+        schema.update(description=f"{self.description} [{self.unit}]; expressions may use {self.scope.value}")
+        if self.bound is not Bound.ANY:
+            schema["description"] += f"; {self.bound.value}"
+        return schema
+
+
+def _name(value: object) -> str:
+    if not isinstance(value, str) or not re.fullmatch(NAME_PATTERN, value) or value.endswith("\n"):
+        raise refuse(
+            f"{show(value)} is not a valid name",
+            "use a letter followed by up to 63 letters, digits or underscores",
+        )
+    if keyword.iskeyword(value):
+        raise refuse(f"'{value}' is a reserved word", "choose another name")
+    return value
+
+
+def _number(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise refuse(f"{show(value)} is not a number", "give a number such as 0.15")
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise refuse(f"{show(value)} is not a finite number", "give a finite number below 1e308")
+    return number
+
+
+def _quantity(value: object) -> float | str:
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise refuse(
+            f"{show(value)} is neither a number nor an expression",
+            'give a number such as 0.15 or an expression in quotes such as "density*length"',
+        )
+    return _number(value)
+
+
+def _text(value: str) -> str:
+    if len(value) > MAX_TEXT:
+        raise refuse(
+            f"the text is {len(value)} characters long", f"shorten it to at most {MAX_TEXT} characters"
+        )
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError:
+        raise refuse("the text holds half a character (a lone surrogate)", "remove it") from None
+    return value
+
+
+def _marker_reference(value: object) -> str:
+    parts = value.split(".") if isinstance(value, str) else []
+    if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
+        raise refuse(
+            f"{show(value)} does not name a marker", 'write "body.marker", for instance "crank.origin"'
+        )
+    return str(value)
+
+
+def _coordinate(value: object) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_.*?]{1,140}", value):
+        raise refuse(
+            f"{show(value)} is not a coordinate", 'write "body.coordinate", for instance "crank.theta"'
+        )
+    return value
+
+
+Name = Annotated[
+    str, PlainValidator(_name, json_schema_input_type=Annotated[str, Field(pattern=NAME_PATTERN)])
+]
+Number = Annotated[float, PlainValidator(_number, json_schema_input_type=float)]
+Quantity = Annotated[float | str, PlainValidator(_quantity, json_schema_input_type=float | str)]
+MarkerRef = Annotated[str, PlainValidator(_marker_reference, json_schema_input_type=str)]
+Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
+Text = Annotated[str, Strict(), Field(max_length=MAX_TEXT)]
+Flag = Annotated[bool, Strict()]
+Vector = tuple[Quantity, ...]
+Matrix = tuple[tuple[Quantity, ...], ...]
+
+
+MARKER_ANGLE = Meaning("angle of the marker's x-axis against the body's x-axis, counter-clockwise", "rad")
+
+
+def quantities(model: BaseModel, path: str) -> Iterator[tuple[str, float | str, Meaning]]:
+    """Every quantity in ``model`` and the models inside it: (item path, value, meaning)."""
+    for key, field in type(model).model_fields.items():
+        value = getattr(model, key)
+        meaning = next((entry for entry in field.metadata if isinstance(entry, Meaning)), None)
+        if meaning is not None:
+            yield from ((place, entry, meaning) for place, entry in _entries(value, f"{path}.{key}"))
+        elif isinstance(value, BaseModel):
+            yield from quantities(value, f"{path}.{key}")
+        elif isinstance(value, dict):
+            for name, part in value.items():
+                if isinstance(part, BaseModel):
+                    yield from quantities(part, f"{path}.{key}.{name}")
+
+
+def _entries(value: object, path: str) -> Iterator[tuple[str, float | str]]:
+    if isinstance(value, tuple):
+        for index, entry in enumerate(value):
+            yield from _entries(entry, f"{path}[{index}]")
+    elif isinstance(value, float | str):
+        yield path, value

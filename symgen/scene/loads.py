@@ -1,0 +1,63 @@
+"""Loads: forces, torques and spring-dampers at markers."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from .fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
+
+Stiffness = Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
+Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]
+RotationalStiffness = Annotated[Quantity, Meaning("stiffness", "N m/rad", Bound.NON_NEGATIVE)]
+RotationalDamping = Annotated[Quantity, Meaning("damping", "N m s/rad", Bound.NON_NEGATIVE)]
+FreeLength = Annotated[Quantity, Meaning("length without force", "m", Bound.NON_NEGATIVE)]
+ForceComponents = Annotated[tuple[Quantity, Quantity], Meaning("force, (x, y)", "N", scope=Scope.MEASURES)]
+
+
+class Force(Model):
+    """A force at a marker; components [N] along the world's axes or the body's."""
+
+    type: Literal["force"] = "force"
+    name: Name
+    marker: MarkerRef
+    components: ForceComponents
+    frame: Literal["world", "body"] = "world"
+
+
+class Torque(Model):
+    """A torque [N m] at a marker, counter-clockwise; its opposite acts at ``reaction`` if given."""
+
+    type: Literal["torque"] = "torque"
+    name: Name
+    marker: MarkerRef
+    value: Annotated[Quantity, Meaning("torque", "N m", scope=Scope.MEASURES)]
+    reaction: MarkerRef | None = None
+
+
+class SpringDamper(Model):
+    """A spring and damper along the line between two markers."""
+
+    type: Literal["spring_damper"] = "spring_damper"
+    name: Name
+    marker_a: MarkerRef
+    marker_b: MarkerRef
+    stiffness: Stiffness
+    damping: Damping = 0.0
+    free_length: FreeLength = 0.0
+
+
+class RotationalSpringDamper(Model):
+    """A spring and damper on the angle phi_b - phi_a."""
+
+    type: Literal["rotational_spring_damper"] = "rotational_spring_damper"
+    name: Name
+    marker_a: MarkerRef
+    marker_b: MarkerRef
+    stiffness: RotationalStiffness
+    damping: RotationalDamping = 0.0
+    free_angle: Annotated[Quantity, Meaning("angle without torque", "rad")] = 0.0
+
+
+Load = Annotated[Force | Torque | SpringDamper | RotationalSpringDamper, Field(discriminator="type")]

@@ -1,0 +1,42 @@
+"""Measures: scalars of the motion that load expressions may use, with their rates ``<measure>_dot``."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from .fields import MarkerRef, Model, Name
+
+
+class _Measure(Model):
+    name: Name
+    marker_a: MarkerRef = "ground.origin"
+    marker_b: MarkerRef
+
+
+class AngleMeasure(_Measure):
+    """phi_b - phi_a [rad]."""
+
+    type: Literal["angle"] = "angle"
+
+
+class DistanceMeasure(_Measure):
+    """|r_b - r_a| [m]."""
+
+    type: Literal["distance"] = "distance"
+
+
+class XMeasure(_Measure):
+    """World x-component of r_b - r_a [m]."""
+
+    type: Literal["x"] = "x"
+
+
+class YMeasure(_Measure):
+    """World y-component of r_b - r_a [m]."""
+
+    type: Literal["y"] = "y"
+
+
+Measure = Annotated[AngleMeasure | DistanceMeasure | XMeasure | YMeasure, Field(discriminator="type")]

@@ -1,0 +1,16 @@
+"""Parameters: named run-time inputs of the emitted functions."""
+
+from __future__ import annotations
+
+from .fields import Model, Number, Text
+
+
+class Parameter(Model):
+    """A number that stays an input of the emitted functions.
+
+    ``default`` is in SI units (``unit`` names them for people). Expressions use the parameter by its name.
+    """
+
+    default: Number
+    unit: Text = ""
+    description: Text = ""

@@ -1,0 +1,145 @@
+"""The scene: everything that is there, before any equation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import Field, ValidationError
+
+from . import toml_io
+from .bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
+from .checks import check_scene
+from .checks.partition import matching
+from .errors import SceneError, did_you_mean, raise_all, show
+from .expressions import Expression, parse_expression
+from .fields import Meaning, Model, Name, Quantity, Text
+from .joints import Joint
+from .loads import Load
+from .measures import Measure
+from .modal import ModalBody, ModalMarker
+from .parameters import Parameter
+from .simulation import Baumgarte, Initial, Partition, Simulation
+from .structure import Structure
+from .translate import scene_errors
+
+AnyBody = GroundBody | RigidBody | BeamBody | ModalBody
+AnyMarker = RigidMarker | BeamMarker | ModalMarker
+Body = Annotated[AnyBody, Field(discriminator="type")]
+
+
+class Scene(Model):
+    """A planar mechanism, or a linear structure, with its parameters, initial state and simulation.
+
+    gravity [m/s^2] in world axes. Lists keep their order; system coordinates follow the bodies' order.
+    Raises SceneError when anything in it is wrong.
+    """
+
+    name: Name
+    title: Text = ""
+    description: Text = ""
+    gravity: Annotated[tuple[Quantity, Quantity], Meaning("acceleration of gravity, (x, y)", "m/s^2")] = (
+        0.0,
+        0.0,
+    )
+    parameters: dict[Name, Parameter] = Field(default_factory=dict)
+    bodies: tuple[Body, ...] = ()
+    joints: tuple[Joint, ...] = ()
+    loads: tuple[Load, ...] = ()
+    measures: tuple[Measure, ...] = ()
+    structure: Structure | None = None
+    partition: Partition = Partition()
+    initial: Initial = Initial()
+    simulation: Simulation = Simulation()
+    baumgarte: Baumgarte | None = None
+
+    def __init__(self, /, **data: Any) -> None:
+        try:
+            super().__init__(**data)
+        except ValidationError as error:
+            raise_all(scene_errors(error, data))
+        check_scene(self)
+
+    @classmethod
+    def from_dict(cls, data: Any) -> Scene:
+        """The scene described by a dictionary of plain values; raises SceneError."""
+        if not isinstance(data, dict):
+            raise SceneError(
+                "scene", f"{show(data)} is not a table of entries", "give a dictionary or a TOML file"
+            )
+        wrong = [key for key in data if not isinstance(key, str)]
+        if wrong:
+            raise SceneError("scene", f"the key {show(wrong[0])} is not text", "use the names of the schema")
+        return cls(**data)
+
+    @classmethod
+    def from_toml(cls, path: str | Path) -> Scene:
+        """The scene in a TOML file; raises SceneError, also when the file cannot be read."""
+        return cls.from_dict(toml_io.read(path))
+
+    @classmethod
+    def from_toml_text(cls, text: str) -> Scene:
+        """The scene in a TOML text; raises SceneError."""
+        return cls.from_dict(toml_io.parse(text, "scene"))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values in the schema's order, without entries that equal their default."""
+        return toml_io.plain(self)
+
+    def to_toml(self) -> str:
+        """TOML text from which `from_toml` gives an equal scene; floats are written with repr."""
+        return toml_io.write(self.to_dict())
+
+    @staticmethod
+    def json_schema() -> dict[str, Any]:
+        """The JSON Schema of a scene."""
+        return Scene.model_json_schema()
+
+    @property
+    def ground(self) -> GroundBody:
+        """The ground, also when the scene does not mention it."""
+        return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
+
+    @property
+    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody, ...]:
+        """All bodies but the ground, in the scene's order."""
+        return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
+
+    def body(self, name: str) -> AnyBody:
+        """The body of that name ("ground" included); raises SceneError."""
+        for body in (self.ground, *self.moving_bodies):
+            if body.name == name:
+                return body
+        known = ["ground", *(body.name for body in self.moving_bodies)]
+        raise SceneError("bodies", f"there is no body '{name}'", did_you_mean(name, known))
+
+    def marker(self, reference: str) -> tuple[AnyBody, AnyMarker]:
+        """The body and the marker behind "body.marker", implicit markers included; raises SceneError."""
+        name, _, marker = reference.partition(".")
+        body = self.body(name)
+        markers: dict[str, AnyMarker] = {**body.implicit_markers(), **body.markers}
+        if marker not in markers:
+            raise SceneError(f"body '{name}'", f"it has no marker '{marker}'", did_you_mean(marker, markers))
+        return body, markers[marker]
+
+    def coordinates(self) -> list[str]:
+        """The names of the system coordinates q, in order: x, y, theta, q1 ... q_nf of each body."""
+        if self.structure is not None:
+            return list(self.structure.coordinates)
+        return [
+            f"{body.name}.{part}"
+            for body in self.moving_bodies
+            for part in ("x", "y", "theta", *(f"q{k + 1}" for k in range(body.nf)))
+        ]
+
+    def matching_coordinates(self, pattern: str) -> list[str]:
+        """The coordinates that a name or a pattern with * and ? stands for, in scene order."""
+        return matching(pattern, self.coordinates())
+
+    def parameter_defaults(self) -> dict[str, float]:
+        """Parameter names and their default values, in SI units."""
+        return {name: parameter.default for name, parameter in self.parameters.items()}
+
+    def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
+        """Parse a quantity that may use the parameters and ``extra_names`` ("t"); raises SceneError."""
+        return parse_expression(text, frozenset((*self.parameters, *extra_names)), item)

@@ -1,0 +1,68 @@
+"""Partition into groups, initial state, and how the scene is stepped."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, Strict
+
+from .fields import Coordinate, Flag, Model, Name, Number
+
+MAX_STEPS = 10**9
+
+
+class Group(Model):
+    """Coordinates that share a step size; names, or patterns with * and ? such as ``rod.q*``."""
+
+    name: Name
+    coordinates: tuple[Coordinate, ...]
+
+
+class Partition(Model):
+    """Which coordinates are independent (Eq. 29) and how they are grouped, from slow to fast (Eq. 39, 72)."""
+
+    independent: tuple[Coordinate, ...] | None = None
+    groups: tuple[Group, ...] | None = None
+
+
+class InitialValue(Model):
+    """A starting value; ``fixed`` keeps it as it is when the initial state is made consistent."""
+
+    value: Number
+    fixed: Flag = False
+
+
+def _as_initial_value(value: Any) -> Any:
+    return value if isinstance(value, dict | InitialValue) else {"value": value}
+
+
+InitialEntry = Annotated[
+    InitialValue, BeforeValidator(_as_initial_value, json_schema_input_type=float | InitialValue)
+]
+
+
+class Initial(Model):
+    """Starting values by coordinate name: coordinates [m, rad] and rates [m/s, rad/s]; may be partial.
+
+    A number ``v`` is short for ``{value = v, fixed = false}`` and is stored in that form.
+    """
+
+    coordinates: dict[Coordinate, InitialEntry] = Field(default_factory=dict)
+    rates: dict[Coordinate, InitialEntry] = Field(default_factory=dict)
+
+
+class Baumgarte(Model):
+    """Stabilisation terms of the augmented form: gamma - 2 alpha C_dot - beta^2 C, alpha and beta [1/s]."""
+
+    alpha: Annotated[float, Strict(), Field(ge=0, le=1e12)]
+    beta: Annotated[float, Strict(), Field(ge=0, le=1e12)]
+
+
+class Simulation(Model):
+    """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name."""
+
+    t_end: Number = 1.0
+    dt: Number = 1e-3
+    m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
+    scheme: Name = "printed"
+    save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1

@@ -1,0 +1,132 @@
+"""Scene files: reading TOML, and writing it so that it reads back to an equal scene."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel
+
+from .errors import SceneError
+
+MAX_BYTES = 50_000_000
+_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+
+
+def read(path: str | Path) -> dict[str, Any]:
+    """The contents of a TOML file; raises SceneError when it cannot be read, is not UTF-8 or not TOML."""
+    item = f"file '{path}'"
+    try:
+        with open(path, "rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise SceneError(item, "does not exist", "check the path") from None
+    except (OSError, ValueError, TypeError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise SceneError(item, f"cannot be read ({reason})", "give a readable scene file") from None
+    if len(content) > MAX_BYTES:
+        raise SceneError(item, "is larger than 50 MB", "give a scene file")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SceneError(item, f"is not UTF-8 text (byte {error.start})", "save the file as UTF-8") from None
+    return parse(text, item)
+
+
+def parse(text: str, item: str) -> dict[str, Any]:
+    """The contents of a TOML text; raises SceneError naming ``item``."""
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise SceneError(item, "is nested too deeply", "flatten the lists and tables") from None
+    except (ValueError, TypeError, AttributeError) as error:
+        raise SceneError(item, f"is not valid TOML ({error})", "correct the text at that place") from None
+
+
+def plain(model: BaseModel) -> dict[str, Any]:
+    """``model`` as dictionaries, lists and numbers; entries equal to their default are left out.
+
+    ``type`` and ``name`` come first and always stay, for people and because ``type`` selects the model.
+    """
+    fields = type(model).model_fields
+    ordered: list[str] = [key for key in ("type", "name") if key in fields]
+    ordered += [key for key in fields if key not in ordered]
+    result: dict[str, Any] = {}
+    for key in ordered:
+        value = getattr(model, key)
+        default = fields[key].get_default(call_default_factory=True, validated_data=model.__dict__)
+        if key in ("type", "name") or (value is not None and value != default):
+            result[key] = _plain_value(value)
+    return result
+
+
+def _plain_value(value: Any) -> Any:
+    if isinstance(value, BaseModel):
+        contents = plain(value)
+        return contents["value"] if set(contents) == {"value"} else contents
+    if isinstance(value, tuple):
+        return [_plain_value(part) for part in value]
+    if isinstance(value, dict):
+        return {key: _plain_value(part) for key, part in value.items()}
+    return value
+
+
+def write(data: dict[str, Any]) -> str:
+    """TOML text of plain values: simple entries, then tables, then arrays of tables."""
+    lines = [f"{_key(key)} = {_value(value)}" for key, value in data.items() if not _is_section(value)]
+    for key, value in data.items():
+        if isinstance(value, dict):
+            lines += ["", f"[{_key(key)}]", *_entries(value)]
+    for key, value in data.items():
+        if _is_section(value) and isinstance(value, list):
+            for entry in value:
+                lines += ["", f"[[{_key(key)}]]", *_entries(entry)]
+    return "\n".join(lines) + "\n"
+
+
+def _is_section(value: Any) -> bool:
+    return isinstance(value, dict) or (isinstance(value, list) and bool(value) and isinstance(value[0], dict))
+
+
+def _entries(table: dict[str, Any]) -> list[str]:
+    lines = []
+    for key, value in table.items():
+        if isinstance(value, dict) and key in (
+            "markers",
+            "coordinates",
+            "rates",
+        ):  # an entry a line, dotted keys
+            lines += [f"{key}.{_key(name)} = {_value(part)}" for name, part in value.items()]
+        else:
+            lines.append(f"{_key(key)} = {_value(value)}")
+    return lines
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        return repr(value)
+    if isinstance(value, str):
+        return _string(value)
+    if isinstance(value, dict):
+        inner = ", ".join(f"{_key(key)} = {_value(part)}" for key, part in value.items())
+        return f"{{ {inner} }}" if inner else "{}"
+    parts = [_value(part) for part in value]
+    if value and isinstance(value[0], list | dict):  # a matrix row or a group a line
+        return "[\n" + "".join(f"    {part},\n" for part in parts) + "]"
+    return f"[{', '.join(parts)}]"
+
+
+def _key(key: str) -> str:
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else _string(key)
+
+
+def _string(text: str) -> str:
+    escaped = (
+        _ESCAPES.get(char) or (f"\\u{ord(char):04x}" if ord(char) < 32 or ord(char) == 127 else char)
+        for char in text
+    )
+    return '"' + "".join(escaped) + '"'

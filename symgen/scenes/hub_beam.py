@@ -1,0 +1,19 @@
+"""Torque-driven hub with a flexible beam (case F2, Wu and Haug)."""
+
+from symgen.scene import Scene, SceneBuilder
+
+
+def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> Scene:
+    """A beam clamped to a hub that a torque 10 sin(pi t) turns for 2 s: strong inertia coupling (case F2)."""
+    return (
+        SceneBuilder("hub_beam", title="Hub with a flexible beam (F2)")
+        .parameter("torque", 10.0, "N m", "amplitude of the torque")
+        .rigid("hub", mass=1.0, inertia=hub_inertia)
+        .beam("beam", length=8.0, density=2766.7, area=7.2968e-5, second_moment=8.2189e-9, youngs_modulus=6.8952e10,
+              elements=100, lateral={"ends": "clamped-free", "modes": modes}, stiffening=True)
+        .revolute("pivot", "ground.origin", "hub.origin")
+        .weld("clamp", "hub.origin", "beam.start")
+        .torque("motor", "hub.origin", "where(t < 2, torque * sin(pi * t), 0)")
+        .simulation(t_end=5.0, dt=1e-3, m=[1], scheme="single_rate", save_every=10)
+        .build()
+    )

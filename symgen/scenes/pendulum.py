@@ -1,0 +1,20 @@
+"""Simple pendulum of IFToMM benchmark A01 (case P1)."""
+
+from symgen.scene import Scene, SceneBuilder
+
+
+def pendulum() -> Scene:
+    """A point mass on a massless rod, released horizontally (case P1)."""
+    return (
+        SceneBuilder("pendulum", title="Simple pendulum",
+                     description="1 kg point at 1 m on a massless rod, released at rest at (-1, 0). Period 2.36784194757624 s.")
+        .parameter("length", 1.0, "m", "length of the rod")
+        .gravity(0, -9.81)
+        .rigid("rod", mass=1.0, inertia=0.0, center_of_mass=("length", 0), markers={"tip": {"position": ("length", 0)}})
+        .revolute("hinge", "ground.origin", "rod.origin")
+        .measure("tip_x", "x", marker_b="rod.tip")
+        .measure("tip_y", "y", marker_b="rod.tip")
+        .initial({"rod.theta": 3.141592653589793})
+        .simulation(t_end=10.0, dt=1e-3, scheme="single_rate", save_every=10)
+        .build()
+    )
