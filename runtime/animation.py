@@ -130,7 +130,7 @@ def _stage(solution: Solution, shown: Film) -> tuple[Figure, Axes]:
     half = (high - low) / 2.0 + 0.08 * (extent if extent > 0 else 1.0)
     inner = np.array([5.6, float(np.clip(5.6 * half[1] / half[0], 2.0, 5.6))])  # inches, left for the drawing
     half = inner * (half / inner).max()  # the same scale along x and y
-    outer = inner + (0.85, 1.0)
+    outer = inner + (0.85, 1.1)
     figure = Figure(figsize=(float(outer[0]), float(outer[1])), dpi=100)
     FigureCanvasAgg(figure)
     ax = figure.add_axes((0.7 / outer[0], 0.55 / outer[1], inner[0] / outer[0], inner[1] / outer[1]))
@@ -141,7 +141,10 @@ def _stage(solution: Solution, shown: Film) -> tuple[Figure, Axes]:
     ax.tick_params(labelsize=8)
     ax.grid(True, color="0.92", lw=0.7)
     ax.spines[["top", "right"]].set_visible(False)
-    ax.set_title(solution.model.title or solution.model.name, fontsize=10, loc="left")
+    ax.set_title(solution.model.title or solution.model.name, fontsize=10, loc="left", pad=18)
+    if shown.exaggeration != 1.0 and solution.model.elastic:
+        factor = f"{shown.exaggeration:.0f}" if shown.exaggeration >= 10 else f"{shown.exaggeration:.2g}"
+        ax.text(0.0, 1.02, f"deformation x {factor}", transform=ax.transAxes, fontsize=9, color="0.35")
     fixed = _grounded(solution.model, shown)
     ax.plot(fixed[0], fixed[1], ls="", marker="^", ms=11, mfc="0.8", mec="0.35", zorder=1.5)
     return figure, ax
@@ -174,11 +177,10 @@ def _actors(ax: Axes, model: Model, shown: Film) -> tuple[Callable[[int], None],
         colour += 1
     clock = ax.text(0.99, 1.02, "", transform=ax.transAxes, ha="right", va="bottom", fontsize=9, animated=True)
     decimals = int(np.clip(3 - np.floor(np.log10(max(float(shown.t[-1]), 1e-9))), 0, 9))
-    scale = f"deformation x {shown.exaggeration:.3g}    " if flexible and shown.exaggeration != 1.0 else ""
 
     def move(k: int) -> None:
         for line, source, part in pieces:
             line.set_data(source[k, 0, part], source[k, 1, part])
-        clock.set_text(f"{scale}t = {shown.t[k]:.{decimals}f} s")
+        clock.set_text(f"t = {shown.t[k]:.{decimals}f} s")
 
     return move, [line for line, _, _ in pieces] + [clock]

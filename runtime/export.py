@@ -149,8 +149,9 @@ def _labels(names: list[str]) -> np.ndarray:
 def to_netcdf(solution: Solution, path: str | Path) -> None:
     """NetCDF 4 through h5netcdf. Raises ImportError naming the extra, or OutputError."""
     dataset = to_xarray(solution)
-    if find_spec("h5netcdf") is None:
-        raise ImportError("h5netcdf is not installed; install it with: pip install 'symgen[netcdf]'")
+    for package in ("h5netcdf", "h5py"):  # h5netcdf does not require the library that it writes with
+        if find_spec(package) is None:
+            raise ImportError(f"{package} is not installed; install it with: pip install 'symgen[netcdf]'")
     empty = [name for name, values in dataset.variables.items() if values.size == 0]
     with replacing(path) as temporary:
         dataset.drop_vars(empty).to_netcdf(temporary, engine="h5netcdf")

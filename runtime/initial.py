@@ -2,7 +2,7 @@
 
 What the user fixed or gave stays exactly as long as what was left open can satisfy the constraints. Only if it
 cannot do given values move, as little as possible in the least-squares sense (case F1 violates one by 2e-10).
-Elastic coordinates that were left open count as given zeros.
+Elastic coordinates move last, being small; those left open count as given zeros.
 """
 
 from __future__ import annotations
@@ -53,17 +53,15 @@ def consistent_state(
     guess: where coordinates that were left open start (zero by default).
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
-    q0, open_, free = _start(names, elastic, coordinates, guess)
-    q = _positions(q0, open_, position)
-    if q is None:
-        q = _positions(q0, free, position)
+    q0, stages = _start(names, elastic, coordinates, guess)
+    free = stages[-1]
+    q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
-    v0, open_, free = _start(names, elastic, rates)
+    v0, stages = _start(names, elastic, rates)
+    free = stages[-1]
     C_q, nu = velocity(q)
-    v = _velocities(v0, open_, C_q, nu)
-    if v is None:
-        v = _velocities(v0, free, C_q, nu)
+    v = next((v for mask in stages if (v := _velocities(v0, mask, C_q, nu)) is not None), None)
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
         _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
@@ -75,13 +73,14 @@ def consistent_state(
 
 
 def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
-           guess: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(starting values, which were left open, which may move at all)."""
+           guess: np.ndarray | None = None) -> tuple[np.ndarray, list[np.ndarray]]:
+    """(starting values, what may move: first only what was left open, then given rigid values, then elastic ones)."""
     start = np.zeros(len(names)) if guess is None else guess
     value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
-    open_ = np.array([name not in given.values and k not in elastic for k, name in enumerate(names)], dtype=bool)
+    is_elastic = np.array([k in elastic for k in range(len(names))], dtype=bool)
     free = np.array([name not in given.fixed for name in names], dtype=bool)
-    return value, open_, free
+    is_open = np.array([name not in given.values for name in names], dtype=bool) & ~is_elastic
+    return value, [is_open & free, ~is_elastic & free, free]
 
 
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:

@@ -165,7 +165,9 @@ def _grid(count: int, title: str, columns: int = 2, ratios: Sequence[float] | No
 
 
 def _legend(ax: Axes) -> None:
-    ax.legend(fontsize=8, frameon=False, ncols=2, loc="best")
+    """Above the axes on the right, where it hides no curve."""
+    ax.legend(fontsize=8, frameon=False, ncols=5, loc="lower right", bbox_to_anchor=(1.0, 0.98), borderaxespad=0.0,
+              handlelength=1.4, columnspacing=1.2)
 
 
 def _title(solution: Solution, what: str) -> str:

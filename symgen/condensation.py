@@ -16,6 +16,7 @@ import casadi as ca
 from symgen.elimination import Choice
 from symgen.equations import Equations, matrix_times
 from symgen.rows import Row, add_scaled, add_to
+from symgen.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 
 CRAMER_LIMIT = 3  # larger loop blocks are solved by CasADi's QR, which needs no pivoting either
 
@@ -56,7 +57,7 @@ class Condensed:
             total = constant
             for column, factor in substitution.e.items():
                 if column in values:
-                    total = total + factor * values[column]
+                    total = add(total, mul(factor, values[column]))
             if not total.is_zero():
                 values[substitution.column] = total
         return values
@@ -67,11 +68,8 @@ class Condensed:
         for substitution in reversed(self.substitutions):
             congruence(M, substitution.column, substitution.e)
         independent = self.choice.independent
-        result = ca.SX(len(independent), len(independent))
-        for i, row in enumerate(independent):
-            for j, column in enumerate(independent):
-                result[i, j] = M[row].get(column, ca.SX(0))
-        return ca.densify(result)
+        columns = [M[row].get(column, ZERO) for column in independent for row in independent]
+        return ca.densify(ca.reshape(ca.vertcat(*columns), len(independent), len(independent)))
 
     def generalised_force(self, accelerations: Mapping[int, ca.SX]) -> ca.SX:
         """S^T (Q* - M x'') for the x'' that `accelerations` of some q_i imply: Q_hat when they are all zero.
@@ -81,34 +79,34 @@ class Condensed:
         """
         eq = self.equations
         inertia = matrix_times(eq.M, self.accelerations(accelerations))
-        force = {column: eq.Q_star[column] - inertia.get(column, ca.SX(0)) for column in range(len(eq.names))}
+        force = {column: sub(eq.Q_star[column], inertia.get(column, ZERO)) for column in range(len(eq.names))}
         return self.project(force)
 
     def project(self, force: Row) -> ca.SX:
         """S^T force: a generalised force on q as one on q_i."""
         work = dict(force)
         for substitution in reversed(self.substitutions):
-            value = work.pop(substitution.column, ca.SX(0))
+            value = work.pop(substitution.column, ZERO)
             if not value.is_zero():
                 add_scaled(work, value, substitution.e)
-        return ca.densify(ca.vertcat(*(work.get(column, ca.SX(0)) for column in self.choice.independent)))
+        return ca.densify(ca.vertcat(*(work.get(column, ZERO) for column in self.choice.independent)))
 
 
 def congruence(M: list[Row], d: int, e: Row) -> None:
     """M <- E^T M E for x_d = sum e_j x_j, in place; row and column d vanish."""
     row = M[d]
     M[d] = {}
-    M_dd = row.pop(d, ca.SX(0))
+    M_dd = row.pop(d, ZERO)
     for column in row:
         M[column].pop(d, None)
-    carried = {j: row.get(j, ca.SX(0)) + e_j * M_dd for j, e_j in e.items()}
+    carried = {j: add(row.get(j, ZERO), mul(e_j, M_dd)) for j, e_j in e.items()}
     for i, e_i in e.items():
         for j, value in row.items():
             if j not in e:
-                _add_symmetric(M, i, j, e_i * value)
+                _add_symmetric(M, i, j, mul(e_i, value))
         for j, e_j in e.items():
             if i <= j:
-                _add_symmetric(M, i, j, e_i * carried[j] + e_j * row.get(i, ca.SX(0)))
+                _add_symmetric(M, i, j, add(mul(e_i, carried[j]), mul(e_j, row.get(i, ZERO))))
 
 
 def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
@@ -127,22 +125,23 @@ def condense(equations: Equations, choice: Choice) -> Condensed:
 def _structural(equations: Equations, row: int, column: int) -> Substitution:
     constraint = equations.constraints[row]
     pivot = constraint.C_q[column]
-    e = {c: -value / pivot for c, value in constraint.C_q.items() if c != column}
-    return Substitution(column, e, -constraint.C_t / pivot, constraint.gamma / pivot)
+    e = {c: div(neg(value), pivot) for c, value in constraint.C_q.items() if c != column}
+    return Substitution(column, e, div(neg(constraint.C_t), pivot), div(constraint.gamma, pivot))
 
 
-def reduced_loop_rows(equations: Equations, choice: Choice, structural: list[Substitution]) -> list[tuple[Row, ca.SX, ca.SX]]:
+def reduced_loop_rows(equations: Equations, choice: Choice,
+                      structural: list[Substitution]) -> list[tuple[Row, ca.SX, ca.SX]]:
     """Loop rows of C_q, nu and gamma in the coordinates that are not structurally eliminated."""
     result = []
     for row in choice.loop_rows:
         constraint = equations.constraints[row]
-        entries, nu, gamma = dict(constraint.C_q), -constraint.C_t, constraint.gamma
+        entries, nu, gamma = dict(constraint.C_q), neg(constraint.C_t), constraint.gamma
         for substitution in reversed(structural):
             factor = entries.pop(substitution.column, None)
             if factor is not None:
                 add_scaled(entries, factor, substitution.e)
-                nu = nu - factor * substitution.c_velocity
-                gamma = gamma - factor * substitution.c_acceleration
+                nu = sub(nu, mul(factor, substitution.c_velocity))
+                gamma = sub(gamma, mul(factor, substitution.c_acceleration))
         result.append((entries, nu, gamma))
     return result
 
@@ -152,9 +151,9 @@ def _loop_substitutions(equations: Equations, choice: Choice, structural: list[S
     if not choice.loop_rows:
         return []
     rows = reduced_loop_rows(equations, choice, structural)
-    U = [[entries.get(column, ca.SX(0)) for column in choice.loop_columns] for entries, _, _ in rows]
+    U = [[entries.get(column, ZERO) for column in choice.loop_columns] for entries, _, _ in rows]
     independent = sorted({c for entries, _, _ in rows for c in entries if c not in choice.loop_columns})
-    sides = [[-entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in independent]
+    sides = [[neg(entries.get(column, ZERO)) for entries, _, _ in rows] for column in independent]
     sides += [[nu for _, nu, _ in rows], [gamma for _, _, gamma in rows]]
     solved = solve_small(U, sides)
     substitutions = []
@@ -174,13 +173,11 @@ def solve_small(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> list[list[ca.
         solution = ca.solve(matrix, ca.horzcat(*(ca.vertcat(*side) for side in sides)))
         return [[solution[row, k] + 0 for row in range(n)] for k in range(len(sides))]
     if n == 1:
-        inverse = 1 / U[0][0]
-        return [[side[0] * inverse if not side[0].is_zero() else ca.SX(0)] for side in sides]
+        inverse = div(ONE, U[0][0])
+        return [[mul(side[0], inverse)] for side in sides]
     adjugate = _adjugate(U)
-    determinant = sum((U[0][j] * adjugate[j][0] for j in range(n)), ca.SX(0))
-    inverse = 1 / determinant
-    return [[sum((adjugate[i][j] * side[j] for j in range(n)), ca.SX(0)) * inverse for i in range(n)]
-            for side in sides]
+    inverse = div(ONE, dot(U[0], [adjugate[j][0] for j in range(n)]))
+    return [[mul(dot(adjugate[i], side), inverse) for i in range(n)] for side in sides]
 
 
 def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:

@@ -9,7 +9,6 @@ from symgen.hoisting import Kernel
 from symgen.scene import Scene
 
 
-
 def drawing(equations: Equations, scene: Scene) -> Kernel:
     """xy (2 x points) of all polylines one after another; `outline_sizes` says how many points each has."""
     exaggeration = ca.SX.sym("exaggeration")

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
-from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.outlines import outline_references
+from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.points import marker_shape
 from symgen.bodies.shape_integrals import body_integrals
 from symgen.joints.instance import ConstraintRow, constraint_rows
@@ -19,6 +19,7 @@ from symgen.loads import instance as effects
 from symgen.loads.instance import LoadEffect
 from symgen.parameters import ParameterTable
 from symgen.rows import Row, add_to
+from symgen.scalar import add, dot, mul, total
 from symgen.scene import Scene
 
 
@@ -55,11 +56,8 @@ class Equations:
 
     def kinetic(self) -> ca.SX:
         """1/2 q_dot^T M q_dot."""
-        total = ca.SX(0)
-        for row, entries in enumerate(self.M):
-            product = sum((value * self.q_dot[column] for column, value in entries.items()), ca.SX(0))
-            total = total + self.q_dot[row] * product
-        return total / 2
+        momenta = [total(mul(value, self.q_dot[column]) for column, value in entries.items()) for entries in self.M]
+        return dot(self.q_dot, momenta) / 2
 
 
 def build_equations(scene: Scene, table: ParameterTable) -> Equations:
@@ -93,8 +91,8 @@ class _Structure:
         K = matrix(structure.stiffness, "K", "N/m")
         D = matrix(structure.damping, "D", "N s/m")
         for row in range(len(eq.names)):
-            spring = sum((value * eq.q[column] for column, value in K[row].items()), ca.SX(0))
-            damper = sum((value * eq.q_dot[column] for column, value in D[row].items()), ca.SX(0))
+            spring = total(mul(value, eq.q[column]) for column, value in K[row].items())
+            damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
             load = ca.SX(0)
             if structure.force is not None:
                 load = scene.expression(structure.force[row], f"force[{row}]", ("t",)).to_casadi(env)
@@ -156,7 +154,7 @@ class _Assembly:
 
     def _add_force(self, force: Row) -> None:
         for column, value in force.items():
-            self.equations.Q_star[column] = self.equations.Q_star[column] + value
+            self.equations.Q_star[column] = add(self.equations.Q_star[column], value)
 
     def _add_effect(self, effect: LoadEffect) -> None:
         eq = self.equations
@@ -244,6 +242,6 @@ def matrix_times(rows: list[Row], vector: Mapping[int, ca.SX]) -> Row:
     for row, entries in enumerate(rows):
         for column, value in entries.items():
             if column in vector:
-                add_to(result, row, value * vector[column])
+                add_to(result, row, mul(value, vector[column]))
     return result
 

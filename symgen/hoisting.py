@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.engine.tape import UNUSED, Node, Tape, read_tape
-from symgen.replay import apply
+from runtime.engine.tape import UNUSED, Node, Tape, read_tape, uses
+from symgen.graph import Graph
 
 
 @dataclass(frozen=True)
@@ -29,106 +29,115 @@ class Kernel:
 
 
 def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> tuple[Kernel, dict[str, Kernel]]:
-    """(constants: p -> c, kernels with c instead of p). Inputs no kernel output uses are dropped."""
-    pool = _Constants(p)
-    used = {name: _Replay(kernel, pool, p) for name, kernel in kernels.items()}
-    c = ca.SX.sym("c", len(pool.values))
-    constants = Kernel({"p": p}, {"c": ca.vertcat(*pool.values)})
-    return constants, {name: replay.kernel(c) for name, replay in used.items()}
+    """(constants: p -> c, kernels with c instead of p). Inputs that no output of a kernel uses are dropped."""
+    graph = Graph()
+    inputs: list[ca.SX] = [p]
+    graphed = {name: _Graphed(kernel, graph, inputs, p) for name, kernel in kernels.items()}
+    position: dict[int, int] = {}
+    for kernel in graphed.values():
+        for node in kernel.hoisted():
+            position.setdefault(node, len(position))
+    c = ca.SX.sym("c", len(position))
+    builder = _Builder(graph, inputs, {})
+    constants = Kernel({"p": p}, {"c": ca.vertcat(*(builder.value(node) for node in position))})
+    symbols = dict(zip(position, ca.vertsplit(c) if position else [], strict=True))
+    return constants, {name: kernel.rebuilt(inputs, symbols, c) for name, kernel in graphed.items()}
 
 
-class _Constants:
-    """Values that depend on p only, each once over all kernels."""
+class _Graphed:
+    """One kernel as nodes of the common graph."""
 
-    def __init__(self, p: ca.SX) -> None:
-        self.p = p
-        self.values: list[ca.SX] = []
-        self._position: dict[int, int] = {}
-        self._identity: dict[tuple, int] = {}
-
-    def identity(self, key: tuple) -> int:
-        """A number for a structural key (operation, identities of the arguments); equal keys share it."""
-        return self._identity.setdefault(key, len(self._identity))
-
-    def position(self, key: int, value: ca.SX) -> int:
-        """Index in c of the value with this identity."""
-        if key not in self._position:
-            self._position[key] = len(self.values)
-            self.values.append(value)
-        return self._position[key]
-
-
-class _Replay:
-    """One kernel: finds its maximal parameter-only nodes, then rebuilds it on c."""
-
-    def __init__(self, kernel: Kernel, pool: _Constants, p: ca.SX) -> None:
-        self.source = kernel
+    def __init__(self, kernel: Kernel, graph: Graph, inputs: list[ca.SX], p: ca.SX) -> None:
+        self.graph, self.source = graph, kernel
         names = {**kernel.inputs, "p": p}
         self.tape: Tape = read_tape(Kernel(names, kernel.outputs).function("kernel"))
-        self.p_argument = self.tape.input_names.index("p")
-        self.keys: list[int | None] = []  # identity of nodes of p and numbers only, None for the rest
-        self.numbers: set[int] = set()
-        self.p_values: dict[int, ca.SX] = {}
-        for k, node in enumerate(self.tape.nodes):
-            self._classify(k, node, p, pool)
-        self.hoisted: dict[int, int] = {}
-        for k, node in enumerate(self.tape.nodes):
-            if self.keys[k] is None:
-                for argument in (node.a, node.b):
-                    self._hoist(argument if node.op not in (ca.OP_INPUT, ca.OP_CONST) else UNUSED, pool)
-        for entries in self.tape.outputs:
-            for entry in entries:
-                self._hoist(entry, pool)
+        first = len(inputs)
+        inputs += list(kernel.inputs.values())
+        arguments = {position: 0 if name == "p" else first + list(kernel.inputs).index(name)
+                     for position, name in enumerate(self.tape.input_names)}
+        numbers: list[int] = []
+        for node, count in zip(self.tape.nodes, uses(self.tape), strict=True):
+            numbers.append(self._place(node, numbers, arguments))
+            if count > 1:
+                graph.shared.add(numbers[-1])
+        self.outputs = [[numbers[entry] for entry in entries] for entries in self.tape.outputs]
+        self.live = self._reachable()
 
-    def _classify(self, k: int, node: Node, p: ca.SX, pool: _Constants) -> None:
+    def _place(self, node: Node, numbers: list[int], arguments: dict[int, int]) -> int:
         if node.op == ca.OP_CONST:
-            self.keys.append(pool.identity(("number", node.value)))
-            self.numbers.add(k)
-            self.p_values[k] = ca.SX(node.value)
-        elif node.op == ca.OP_INPUT:
-            of_p = node.a == self.p_argument
-            self.keys.append(pool.identity(("p", node.b)) if of_p else None)
-            if of_p:
-                self.p_values[k] = p[node.b]
-        else:
-            arguments = [node.a] if node.b == UNUSED else [node.a, node.b]
-            keys = [self.keys[a] for a in arguments]
-            if any(key is None for key in keys):
-                self.keys.append(None)
-                return
-            self.keys.append(pool.identity((node.op, *keys)))
-            values = [self.p_values[a] for a in arguments]
-            self.p_values[k] = apply(node, values[0], values[1] if len(values) == 2 else None)
+            return self.graph.constant(node.value)
+        if node.op == ca.OP_INPUT:
+            argument = arguments[node.a]
+            return self.graph.entry(argument, node.b, argument == 0)
+        return self.graph.apply(node.op, numbers[node.a], UNUSED if node.b == UNUSED else numbers[node.b])
 
-    def _hoist(self, k: int, pool: _Constants) -> None:
-        if k == UNUSED or k in self.hoisted:
-            return
-        key = self.keys[k]
-        if key is not None and k not in self.numbers:
-            self.hoisted[k] = pool.position(key, self.p_values[k])
+    def _reachable(self) -> list[int]:
+        """Nodes below the outputs in ascending order, not going below parameter-only ones."""
+        seen: set[int] = set()
+        stack = [entry for entries in self.outputs for entry in entries]
+        while stack:
+            k = stack.pop()
+            if k in seen:
+                continue
+            seen.add(k)
+            node = self.graph.nodes[k]
+            if not self.graph.of_p[k] and node.op != ca.OP_INPUT:
+                stack += [node.a] if node.b == UNUSED else [node.a, node.b]
+        return sorted(seen)
 
-    def kernel(self, c: ca.SX) -> Kernel:
-        """The kernel with c as its last input; unused inputs dropped."""
-        symbols = [self.source.inputs.get(name) for name in self.tape.input_names]
-        values: list[ca.SX | None] = []
-        live: set[int] = set()
-        for k, node in enumerate(self.tape.nodes):
-            if k in self.hoisted:
-                values.append(c[self.hoisted[k]])
-            elif self.keys[k] is not None:
-                values.append(self.p_values[k])
-            elif node.op == ca.OP_INPUT:
-                live.add(node.a)
-                symbol = symbols[node.a]
-                assert symbol is not None
-                values.append(symbol[node.b])
-            else:
-                values.append(apply(node, values[node.a], None if node.b == UNUSED else values[node.b]))
-        inputs = {name: symbol for position, (name, symbol) in enumerate(zip(self.tape.input_names, symbols, strict=True))
-                  if position in live and symbol is not None}
-        if self.hoisted:
-            inputs["c"] = c
+    def hoisted(self) -> list[int]:
+        """Maximal parameter-only nodes of this kernel that are not plain numbers."""
+        return [k for k in self.live if self.graph.of_p[k] and self.graph.nodes[k].op != ca.OP_CONST]
+
+    def rebuilt(self, inputs: list[ca.SX], symbols: dict[int, ca.SX], c: ca.SX) -> Kernel:
+        """The kernel with c as its last input."""
+        builder = _Builder(self.graph, inputs, symbols)
         outputs = {}
-        for name, shape, entries in zip(self.tape.output_names, self.tape.output_shapes, self.tape.outputs, strict=True):
-            outputs[name] = ca.reshape(ca.vertcat(*(values[entry] for entry in entries)), *shape)
-        return Kernel(inputs, outputs)
+        for name, shape, entries in zip(self.tape.output_names, self.tape.output_shapes, self.outputs, strict=True):
+            outputs[name] = ca.reshape(ca.vertcat(*(builder.value(entry) for entry in entries)), *shape)
+        used = {name: symbol for name, symbol in self.source.inputs.items()
+                if any(symbol is inputs[argument] for argument in builder.arguments)}
+        if any(k in symbols for k in self.live):
+            used["c"] = c
+        return Kernel(used, outputs)
+
+
+class _Builder:
+    """SX values of graph nodes; `symbols` replaces some of them."""
+
+    def __init__(self, graph: Graph, inputs: list[ca.SX], symbols: Mapping[int, ca.SX]) -> None:
+        self.graph, self.inputs = graph, inputs
+        self.values: dict[int, ca.SX] = dict(symbols)
+        self.arguments: set[int] = set()
+        self._entries: dict[int, list[ca.SX]] = {}
+
+    def value(self, root: int) -> ca.SX:
+        """SX of a node, building what it needs without recursion."""
+        stack = [root]
+        while stack:
+            k = stack[-1]
+            if k in self.values:
+                stack.pop()
+                continue
+            node = self.graph.nodes[k]
+            if node.op == ca.OP_CONST:
+                self.values[k] = ca.SX(node.value)
+            elif node.op == ca.OP_INPUT:
+                self.values[k] = self._entry(node)
+            else:
+                needed = [node.a] if node.b == UNUSED else [node.a, node.b]
+                missing = [a for a in needed if a not in self.values]
+                if missing:
+                    stack += missing
+                    continue
+                arguments = [self.values[a] for a in needed]
+                combine = ca.SX.unary if node.b == UNUSED else ca.SX.binary
+                self.values[k] = combine(node.op, *arguments)
+            stack.pop()
+        return self.values[root]
+
+    def _entry(self, node: Node) -> ca.SX:
+        self.arguments.add(node.a)
+        if node.a not in self._entries:
+            self._entries[node.a] = ca.vertsplit(self.inputs[node.a])
+        return self._entries[node.a][node.b]

@@ -36,6 +36,7 @@ class ParameterTable:
         self._scene = scene
         self.entries: list[ParameterEntry] = []
         self._symbols: dict[str, ca.SX] = {}
+        self._data: dict[str, ca.SX] = {}
         for name, parameter in scene.parameters.items():
             self._add(ParameterEntry(name, parameter.default, parameter.unit, parameter.description, "declared"))
 
@@ -58,14 +59,15 @@ class ParameterTable:
     def data(self, array: np.ndarray, name: str, unit: str, description: str) -> ca.SX:
         """SX matrix of computed data (a mesh's shape integrals, dimensionless or SI): zeros baked."""
         table = np.atleast_2d(np.asarray(array, dtype=float))
+        known = self._data.get(name)
+        if known is not None:
+            return known
         result = ca.SX(*table.shape)
         for row, column in zip(*np.nonzero(table), strict=True):
             entry = f"{name}[{row},{column}]"
-            symbol = self._symbols.get(entry)
-            if symbol is None:
-                value = float(table[row, column])
-                symbol = self._add(ParameterEntry(entry, value, unit, description, "data"))
-            result[int(row), int(column)] = symbol
+            value = float(table[row, column])
+            result[int(row), int(column)] = self._add(ParameterEntry(entry, value, unit, description, "data"))
+        self._data[name] = result
         return result
 
     def environment(self) -> Mapping[str, ca.SX]:

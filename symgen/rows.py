@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import casadi as ca
 
+from symgen.scalar import add, mul
+
 Row = dict[int, ca.SX]
 
 
@@ -11,15 +13,15 @@ def add_to(row: Row, column: int, value: ca.SX) -> None:
     """row[column] += value, dropping structural zeros."""
     if value.is_zero():
         return
-    row[column] = row[column] + value if column in row else value
+    row[column] = add(row[column], value) if column in row else value
 
 
 def add_scaled(target: Row, factor: ca.SX, source: Row) -> None:
     """target += factor * source."""
     for column, value in source.items():
-        add_to(target, column, factor * value)
+        add_to(target, column, mul(factor, value))
 
 
-def scalars(column: ca.SX) -> list[ca.SX]:
-    """Entries of an SX column as SX scalars."""
-    return [column[row] + 0 for row in range(column.shape[0])]
+def nonzero(row: Row) -> Row:
+    """The row without entries that are zero."""
+    return {column: value for column, value in row.items() if not value.is_zero()}

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
+from symgen.scalar import ONE, div, mul, neg, sub, total
+
 Rules = Mapping[sp.Symbol, sp.Expr]
 
 
@@ -67,35 +69,42 @@ def _convert(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[
 def _sum(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
     plus = [term for term in expression.args if not term.could_extract_minus_sign()]
     minus = [term for term in expression.args if term.could_extract_minus_sign()]
-    total = ca.SX(0)
-    for term in plus:
-        total = total + to_casadi(term, values, memo)
+    result = total(to_casadi(term, values, memo) for term in plus)
     for term in minus:
-        total = total - to_casadi(-term, values, memo)
-    return total
+        result = sub(result, to_casadi(-term, values, memo))
+    return result
 
 
 def _product(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
     if expression.args[0] == -1:
-        return -to_casadi(sp.Mul(*expression.args[1:]), values, memo)
-    total = ca.SX(1)
-    for factor in expression.args:
-        total = total * to_casadi(factor, values, memo)
-    return total
+        return neg(to_casadi(sp.Mul(*expression.args[1:]), values, memo))
+    result = ONE
+    for factor in sorted(expression.args, key=_sharing):
+        result = mul(result, to_casadi(factor, values, memo))
+    return result
+
+
+def _sharing(factor: sp.Expr) -> tuple[int, str]:
+    """Numbers first, then a body's rates, then the rest: 2 theta_dot is one value for all modes of a body."""
+    if factor.is_number:
+        return 0, ""
+    base, _ = factor.as_base_exp()
+    rate = base.is_Symbol and base.name.endswith("_dot")
+    return (1 if rate else 2), str(factor)
 
 
 def _power(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
     base, exponent = expression.as_base_exp()
     if exponent.is_negative:
-        return 1 / to_casadi(sp.Pow(base, -exponent), values, memo)
+        return div(ONE, to_casadi(sp.Pow(base, -exponent), values, memo))
     value = to_casadi(base, values, memo)
     if exponent == sp.Rational(1, 2):
         return ca.sqrt(value)
     if isinstance(exponent, sp.Integer):
-        total = value
+        result = value
         for _ in range(int(exponent) - 1):
-            total = total * value
-        return total
+            result = mul(result, value)
+        return result
     raise TypeError(f"no CasADi form for the power {exponent} in a template")
 
 

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 30 operations."""
+    """c: everything that depends on the parameters p only. 36 operations."""
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
     upper_mass = p[1]
@@ -18,17 +18,21 @@ def constants() -> ca.Function:
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
     lower_tip_x = p[8]
+    w0 = upper_inertia + upper_mass * upper_center_of_mass_x**2
+    w1 = upper_mass * upper_center_of_mass_x
     c = ca.vertcat(
         upper_tip_x,
         lower_mass,
-        upper_inertia + upper_mass * upper_center_of_mass_x**2,
+        w0 + lower_mass * upper_tip_x * upper_tip_x,
         lower_mass * lower_center_of_mass_x,
-        upper_mass * upper_center_of_mass_x,
-        gravity_y,
-        lower_mass * gravity_y,
         lower_inertia + lower_mass * lower_center_of_mass_x**2,
-        upper_mass * gravity_y,
+        gravity_y,
+        w1 * gravity_y,
+        lower_mass * gravity_y,
         upper_mass,
+        w0,
+        w1,
+        upper_mass * gravity_y,
         lower_tip_x,
     )
     c = ca.densify(c)
@@ -37,10 +41,10 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 57 operations."""
+    """M_hat and Q_hat (Eq. 38). 50 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -55,25 +59,25 @@ def condensed() -> ca.Function:
     c7 = c[7]
     w0 = ca.cos(upper_theta)
     w1 = w0 * c0
-    w2 = ca.sin(upper_theta) * c0
-    w3 = ca.cos(lower_theta) * c3
+    w2 = ca.cos(lower_theta) * c3
+    w3 = ca.sin(upper_theta) * c0
     w4 = ca.sin(lower_theta) * c3
-    w5 = w1 * w3 + w2 * w4
+    w5 = w1 * w2 + w3 * w4
     w6 = lower_theta_dot**2
     w7 = upper_theta_dot**2
-    w8 = w2 * w7
+    w8 = w3 * w7
     w9 = w1 * w7
     M_hat = ca.vertcat(
-        c2 + w1 * (w1 * c1) + w2 * (w2 * c1),
+        c2,
         w5,
         w5,
-        c7,
+        c4,
     )
     M_hat = ca.reshape(M_hat, 2, 2)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w0 * c4 * c5 + (w4 * w6 + c6 + c1 * w8) * w1 - (w3 * w6 + c1 * w9) * w2,
-        w3 * c5 - (w4 * w9 - w3 * w8),
+        w0 * c6 + w1 * (w4 * w6 + c7 + w8 * c1) - w3 * (w2 * w6 + w9 * c1),
+        w2 * c5 - (w4 * w9 - w2 * w8),
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
@@ -83,7 +87,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     c0 = c[0]
     q_d_next = ca.vertcat(
@@ -101,7 +105,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 15 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     c0 = c[0]
@@ -109,7 +113,7 @@ def velocities() -> ca.Function:
         0.0,
         0.0,
         -(ca.sin(upper_theta) * c0 * upper_theta_dot),
-        ca.cos(upper_theta) * c0 * upper_theta_dot,
+        upper_theta_dot * (ca.cos(upper_theta) * c0),
     )
     q_d_dot = ca.densify(q_d_dot)
     inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
@@ -121,19 +125,19 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
     c0 = c[0]
-    w0 = ca.cos(upper_theta) * c0
-    w1 = upper_theta_dot**2
+    w0 = upper_theta_dot**2
+    w1 = ca.cos(upper_theta) * c0
     w2 = ca.sin(upper_theta) * c0
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
         -(w0 * w1 + w2 * upper_theta_ddot),
-        w0 * upper_theta_ddot - w2 * w1,
+        w1 * upper_theta_ddot - w0 * w2,
     )
     q_d_ddot = ca.densify(q_d_ddot)
     inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [q_d_ddot]
@@ -144,7 +148,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 60 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -212,44 +216,44 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 76 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
     lower_theta_dot = q_dot[5]
     c1 = c[1]
-    c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    w0 = ca.sin(upper_theta) * c4
+    c10 = c[10]
+    c11 = c[11]
+    w0 = ca.sin(upper_theta) * c10
     w1 = -w0
-    w2 = ca.cos(upper_theta) * c4
+    w2 = ca.cos(upper_theta) * c10
     w3 = ca.sin(lower_theta) * c3
     w4 = -w3
     w5 = ca.cos(lower_theta) * c3
     w6 = upper_theta_dot**2
     w7 = lower_theta_dot**2
     M = ca.vertcat(
-        c9,
+        c8,
         0.0,
         w1,
         0.0,
         0.0,
         0.0,
         0.0,
-        c9,
+        c8,
         w2,
         0.0,
         0.0,
         0.0,
         w1,
         w2,
-        c2,
+        c9,
         0.0,
         0.0,
         0.0,
@@ -270,16 +274,16 @@ def augmented() -> ca.Function:
         0.0,
         w4,
         w5,
-        c7,
+        c4,
     )
     M = ca.reshape(M, 6, 6)
     M = ca.densify(M)
     Q_star = ca.vertcat(
         w2 * w6,
-        w0 * w6 + c8,
+        w0 * w6 + c11,
         w2 * c5,
         w5 * w7,
-        w3 * w7 + c6,
+        c7 + w3 * w7,
         w5 * c5,
     )
     Q_star = ca.densify(Q_star)
@@ -292,7 +296,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -305,21 +309,21 @@ def reactions() -> ca.Function:
     lower_theta_ddot = q_ddot[5]
     c1 = c[1]
     c3 = c[3]
-    c4 = c[4]
-    c6 = c[6]
+    c7 = c[7]
     c8 = c[8]
-    c9 = c[9]
-    w0 = ca.cos(upper_theta) * c4
-    w1 = upper_theta_dot**2
-    w2 = ca.sin(upper_theta) * c4
-    w3 = ca.cos(lower_theta) * c3
-    w4 = lower_theta_dot**2
+    c10 = c[10]
+    c11 = c[11]
+    w0 = upper_theta_dot**2
+    w1 = ca.cos(upper_theta) * c10
+    w2 = ca.sin(upper_theta) * c10
+    w3 = lower_theta_dot**2
+    w4 = ca.cos(lower_theta) * c3
     w5 = ca.sin(lower_theta) * c3
-    w6 = w3 * w4 - (c1 * lower_x_ddot - w5 * lower_theta_ddot)
-    w7 = w5 * w4 + c6 - (c1 * lower_y_ddot + w3 * lower_theta_ddot)
+    w6 = w3 * w4 - (lower_x_ddot * c1 - w5 * lower_theta_ddot)
+    w7 = c7 + w3 * w5 - (lower_y_ddot * c1 + w4 * lower_theta_ddot)
     lam = ca.vertcat(
-        w0 * w1 - (c9 * upper_x_ddot - w2 * upper_theta_ddot) + w6,
-        w2 * w1 + c8 - (c9 * upper_y_ddot + w0 * upper_theta_ddot) + w7,
+        w0 * w1 - (upper_x_ddot * c8 - w2 * upper_theta_ddot) + w6,
+        c11 + w0 * w2 - (upper_y_ddot * c8 + w1 * upper_theta_ddot) + w7,
         w6,
         w7,
     )
@@ -332,7 +336,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 74 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -344,19 +348,19 @@ def energy() -> ca.Function:
     lower_y_dot = q_dot[4]
     lower_theta_dot = q_dot[5]
     c1 = c[1]
-    c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c7 = c[7]
+    c8 = c[8]
     c9 = c[9]
-    w0 = ca.sin(upper_theta) * c4
-    w1 = ca.cos(upper_theta) * c4
-    w2 = upper_x_dot * (c9 * upper_x_dot - w0 * upper_theta_dot) + upper_y_dot * (c9 * upper_y_dot + w1 * upper_theta_dot)
+    c10 = c[10]
+    w0 = ca.sin(upper_theta) * c10
+    w1 = ca.cos(upper_theta) * c10
+    w2 = upper_x_dot * (upper_x_dot * c8 - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * c8 + upper_theta_dot * w1)
     w3 = ca.sin(lower_theta) * c3
-    w4 = w2 + upper_theta_dot * (w1 * upper_y_dot - w0 * upper_x_dot + c2 * upper_theta_dot) + lower_x_dot * (c1 * lower_x_dot - w3 * lower_theta_dot)
+    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c9) + lower_x_dot * (lower_x_dot * c1 - w3 * lower_theta_dot)
     w5 = ca.cos(lower_theta) * c3
-    w6 = w4 + lower_y_dot * (c1 * lower_y_dot + w5 * lower_theta_dot) + lower_theta_dot * (w5 * lower_y_dot - w3 * lower_x_dot + c7 * lower_theta_dot)
+    w6 = w4 + lower_y_dot * (lower_y_dot * c1 + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c4)
     kinetic = ca.vertcat(
         w6 / 2.0,
     )
@@ -366,7 +370,7 @@ def energy() -> ca.Function:
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
-        -(c5 * (c9 * upper_y + w0) + c5 * (c1 * lower_y + w3)),
+        -((w0 + upper_y * c8) * c5 + (w3 + lower_y * c1) * c5),
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
@@ -384,7 +388,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 28 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -392,7 +396,7 @@ def drawing() -> ca.Function:
     lower_y = q[4]
     lower_theta = q[5]
     c0 = c[0]
-    c10 = c[10]
+    c12 = c[12]
     xy = ca.vertcat(
         upper_x,
         upper_y,
@@ -400,8 +404,8 @@ def drawing() -> ca.Function:
         upper_y + ca.sin(upper_theta) * c0,
         lower_x,
         lower_y,
-        lower_x + ca.cos(lower_theta) * c10,
-        lower_y + ca.sin(lower_theta) * c10,
+        lower_x + ca.cos(lower_theta) * c12,
+        lower_y + ca.sin(lower_theta) * c12,
     )
     xy = ca.reshape(xy, 2, 4)
     xy = ca.densify(xy)
@@ -410,10 +414,10 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 65 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 51 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -421,33 +425,28 @@ def dQ_hat_dq_i() -> ca.Function:
     c0 = c[0]
     c1 = c[1]
     c3 = c[3]
-    c4 = c[4]
     c5 = c[5]
     c6 = c[6]
-    w0 = ca.cos(upper_theta)
-    w1 = w0 * c0
-    w2 = upper_theta_dot**2
-    w3 = c0 * w0
-    w4 = w2 * w3
-    w5 = ca.sin(lower_theta)
-    w6 = w5 * c3
-    w7 = lower_theta_dot**2
-    w8 = ca.sin(upper_theta)
-    w9 = w8 * c0
-    w10 = w9 * w2
-    w11 = c0 * w8
-    w12 = ca.cos(lower_theta)
-    w13 = w12 * c3
-    w14 = w1 * w2
-    w15 = w2 * w11
-    w16 = w1 * (c1 * w4) - (w6 * w7 + c6 + c1 * w10) * w11 - c5 * (c4 * w8) - ((w13 * w7 + c1 * w14) * w3 - w9 * (c1 * w15))
-    w17 = c3 * w12
-    w18 = c3 * w5
+    c7 = c[7]
+    w0 = ca.cos(upper_theta) * c0
+    w1 = upper_theta_dot**2
+    w2 = w0 * w1
+    w3 = w2 * c1
+    w4 = ca.sin(upper_theta)
+    w5 = w4 * c0
+    w6 = lower_theta_dot**2
+    w7 = ca.sin(lower_theta) * c3
+    w8 = w6 * w7
+    w9 = w1 * w5
+    w10 = w9 * c1
+    w11 = ca.cos(lower_theta) * c3
+    w12 = w6 * w11
+    w13 = w7 * w9 + w2 * w11
     dQ_hat_dq_i = ca.vertcat(
-        w16,
-        w6 * w15 + w13 * w4,
-        w1 * (w7 * w17) + w9 * (w7 * w18),
-        -(c5 * w18 + (w14 * w17 + w10 * w18)),
+        w0 * w3 - w5 * (c7 + w8 + w10) - w4 * c6 - (w0 * (w3 + w12) - w5 * w10),
+        w13,
+        w0 * w12 + w8 * w5,
+        -(w13 + w7 * c5),
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -459,7 +458,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 38 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -476,8 +475,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w6 = ca.cos(lower_theta) * c3
     w7 = 2 * lower_theta_dot
     dQ_hat_dq_i_dot = ca.vertcat(
-        w0 * (c1 * w3) - w1 * (c1 * w4),
-        -(w5 * w4 - w6 * w3),
+        w0 * (w3 * c1) - w1 * (w4 * c1),
+        -(w4 * w5 - w3 * w6),
         w0 * (w5 * w7) - w1 * (w6 * w7),
         0.0,
     )
@@ -488,10 +487,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 53 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 41 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 11)
+    c = ca.SX.sym("c", 13)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_ddot = q_i_ddot[0]
@@ -499,28 +498,23 @@ def dMa_dq_i() -> ca.Function:
     c0 = c[0]
     c1 = c[1]
     c3 = c[3]
-    w0 = ca.sin(upper_theta)
-    w1 = w0 * c0
-    w2 = ca.cos(upper_theta)
-    w3 = c0 * w2
-    w4 = upper_theta_ddot * w3
-    w5 = w1 * upper_theta_ddot
-    w6 = ca.sin(lower_theta)
-    w7 = w6 * c3
-    w8 = w2 * c0
-    w9 = c0 * w0
-    w10 = upper_theta_ddot * w9
-    w11 = w8 * upper_theta_ddot
-    w12 = ca.cos(lower_theta)
-    w13 = w12 * c3
-    w14 = w1 * (c1 * w4) + (c1 * w5 + w7 * lower_theta_ddot) * w3 - (w8 * (c1 * w10) + (c1 * w11 + w13 * lower_theta_ddot) * w9)
-    w15 = c3 * w12
-    w16 = c3 * w6
+    w0 = ca.sin(upper_theta) * c0
+    w1 = ca.cos(upper_theta) * c0
+    w2 = upper_theta_ddot * w1
+    w3 = w2 * c1
+    w4 = w0 * upper_theta_ddot
+    w5 = w4 * c1
+    w6 = ca.sin(lower_theta) * c3
+    w7 = w6 * lower_theta_ddot
+    w8 = ca.cos(lower_theta) * c3
+    w9 = lower_theta_ddot * w8
+    w10 = w2 * w6
+    w11 = w4 * w8
     dMa_dq_i = ca.vertcat(
-        w14,
-        w7 * w4 - w13 * w10,
-        w1 * (lower_theta_ddot * w15) - w8 * (lower_theta_ddot * w16),
-        w5 * w15 - w11 * w16,
+        w0 * w3 + w1 * (w5 + w7) - (w1 * w5 + w0 * (w3 + w9)),
+        w10 - w11,
+        w0 * w9 - w1 * w7,
+        w11 - w10,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 2, 2)
     dMa_dq_i = ca.densify(dMa_dq_i)

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 19 operations."""
+    """c: everything that depends on the parameters p only. 20 operations."""
     p = ca.SX.sym("p", 6)
     gravity_y = p[0]
     bob_mass = p[1]
@@ -15,15 +15,16 @@ def constants() -> ca.Function:
     spring_stiffness = p[3]
     spring_damping = p[4]
     spring_free_length = p[5]
+    w0 = bob_mass * gravity_y
     c = ca.vertcat(
-        spring_stiffness,
-        spring_free_length,
-        spring_damping,
-        bob_mass * gravity_y,
         bob_mass,
         bob_inertia,
+        spring_free_length,
+        spring_stiffness,
+        spring_damping,
+        w0,
         0.5 * spring_stiffness,
-        gravity_y,
+        -w0,
         2 * spring_damping,
     )
     c = ca.densify(c)
@@ -32,7 +33,7 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 47 operations."""
+    """M_hat and Q_hat (Eq. 38). 46 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -47,24 +48,24 @@ def condensed() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - c1 / ca.sqrt(w0)
-    w2 = bob_x_dot * bob_x + bob_y_dot * bob_y
+    w1 = 1.0 - c2 / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
     M_hat = ca.vertcat(
-        c4,
+        c0,
         0.0,
         0.0,
         0.0,
-        c4,
+        c0,
         0.0,
         0.0,
         0.0,
-        c5,
+        c1,
     )
     M_hat = ca.reshape(M_hat, 3, 3)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        -(bob_x * c0 * w1 + c2 * bob_x / w0 * w2),
-        c3 - (bob_y * c0 * w1 + c2 * bob_y / w0 * w2),
+        -(bob_x * w1 * c3 + bob_x * w2 / w0),
+        c5 - (bob_y * w1 * c3 + bob_y * w2 / w0),
         0.0,
     )
     Q_hat = ca.densify(Q_hat)
@@ -73,7 +74,7 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 47 operations."""
+    """M and Q* of the augmented form (Eq. 28). 46 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -88,24 +89,24 @@ def augmented() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - c1 / ca.sqrt(w0)
-    w2 = bob_x_dot * bob_x + bob_y_dot * bob_y
+    w1 = 1.0 - c2 / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
     M = ca.vertcat(
-        c4,
+        c0,
         0.0,
         0.0,
         0.0,
-        c4,
+        c0,
         0.0,
         0.0,
         0.0,
-        c5,
+        c1,
     )
     M = ca.reshape(M, 3, 3)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        -(bob_x * c0 * w1 + c2 * bob_x / w0 * w2),
-        c3 - (bob_y * c0 * w1 + c2 * bob_y / w0 * w2),
+        -(bob_x * w1 * c3 + bob_x * w2 / w0),
+        c5 - (bob_y * w1 * c3 + bob_y * w2 / w0),
         0.0,
     )
     Q_star = ca.densify(Q_star)
@@ -114,7 +115,7 @@ def augmented() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 53 operations."""
+    """Energies in J and powers in W. 51 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -123,28 +124,28 @@ def energy() -> ca.Function:
     bob_x_dot = q_dot[0]
     bob_y_dot = q_dot[1]
     bob_theta_dot = q_dot[2]
+    c0 = c[0]
     c1 = c[1]
     c2 = c[2]
     c4 = c[4]
-    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
-    w0 = bob_x_dot * (c4 * bob_x_dot) + bob_y_dot * (c4 * bob_y_dot) + bob_theta_dot * (c5 * bob_theta_dot)
+    w0 = bob_x_dot * (bob_x_dot * c0) + bob_y_dot * (bob_y_dot * c0) + bob_theta_dot * (bob_theta_dot * c1)
     w1 = bob_x**2
     w2 = bob_y**2
     w3 = w1 + w2
-    w4 = c2 * bob_x_dot**2 * w1 / w3 + c2 * bob_y_dot**2 * w2 / w3 + c8 * bob_x_dot * bob_y_dot * bob_x * bob_y / w3
+    w4 = w1 * (bob_x_dot**2 * c4) / w3 + w2 * (bob_y_dot**2 * c4) / w3 + bob_y * (bob_x * (bob_y_dot * (bob_x_dot * c8))) / w3
     kinetic = ca.vertcat(
         w0 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        c6 * (ca.sqrt(w3) - c1)**2,
+        (ca.sqrt(w3) - c2)**2 * c6,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
-        -(c7 * (c4 * bob_y)),
+        bob_y * c7,
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
@@ -192,7 +193,7 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 76 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 79 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -200,32 +201,29 @@ def dQ_hat_dq_i() -> ca.Function:
     bob_y = q_i[1]
     bob_x_dot = q_i_dot[0]
     bob_y_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
     c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
     w0 = bob_x**2 + bob_y**2
     w1 = ca.sqrt(w0)
-    w2 = c1 / w1
-    w3 = (1.0 - w2) * c0
-    w4 = bob_x * c0
-    w5 = w2 / w1
-    w6 = w5 * (bob_x / w1)
-    w7 = bob_x_dot * bob_x + bob_y_dot * bob_y
-    w8 = c2 / w0
-    w9 = c2 * bob_x / w0
-    w10 = w9 / w0
-    w11 = 2 * bob_x
-    w12 = bob_y * c0
-    w13 = c2 * bob_y / w0
-    w14 = w13 / w0
-    w15 = w5 * (bob_y / w1)
-    w16 = 2 * bob_y
+    w2 = c2 / w1
+    w3 = w2 / w1
+    w4 = w3 * (bob_x / w1)
+    w5 = 1.0 - w2
+    w6 = bob_x_dot * c4
+    w7 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    w8 = bob_x * w7 / w0 / w0
+    w9 = 2 * bob_x
+    w10 = bob_y * w7 / w0 / w0
+    w11 = w3 * (bob_y / w1)
+    w12 = bob_y_dot * c4
+    w13 = 2 * bob_y
     dQ_hat_dq_i = ca.vertcat(
-        -(w3 + w4 * w6 + (w7 * (w8 - w10 * w11) + w9 * bob_x_dot)),
-        -(w12 * w6 + (w13 * bob_x_dot - w7 * (w14 * w11))),
+        -((bob_x * w4 + w5) * c3 + ((bob_x * w6 + w7) / w0 - w8 * w9)),
+        -(bob_y * w4 * c3 + (bob_y * w6 / w0 - w9 * w10)),
         0.0,
-        -(w4 * w15 + (w9 * bob_y_dot - w7 * (w10 * w16))),
-        -(w3 + w12 * w15 + (w7 * (w8 - w14 * w16) + w13 * bob_y_dot)),
+        -(bob_x * w11 * c3 + (bob_x * w12 / w0 - w8 * w13)),
+        -((w5 + bob_y * w11) * c3 + ((w7 + bob_y * w12) / w0 - w10 * w13)),
         0.0,
         0.0,
         0.0,
@@ -238,21 +236,21 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 28 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 30 operations."""
     q_i = ca.SX.sym("q_i", 3)
     c = ca.SX.sym("c", 9)
     bob_x = q_i[0]
     bob_y = q_i[1]
-    c2 = c[2]
-    w0 = bob_x**2 + bob_y**2
-    w1 = c2 * bob_x / w0
-    w2 = c2 * bob_y / w0
+    c4 = c[4]
+    w0 = bob_x * c4
+    w1 = bob_x**2 + bob_y**2
+    w2 = bob_y * c4
     dQ_hat_dq_i_dot = ca.vertcat(
-        -(w1 * bob_x),
-        -(w2 * bob_x),
+        -(bob_x * w0 / w1),
+        -(w0 * bob_y / w1),
         0.0,
-        -(w1 * bob_y),
-        -(w2 * bob_y),
+        -(bob_x * w2 / w1),
+        -(bob_y * w2 / w1),
         0.0,
         0.0,
         0.0,

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 92 operations."""
+    """c: everything that depends on the parameters p only. 102 operations."""
     p = ca.SX.sym("p", 37)
     omega = p[0]
     crank_mass = p[1]
@@ -47,26 +47,26 @@ def constants() -> ca.Function:
     rod_end_x = p[35]
     rod_end_shape_0_3 = p[36]
     c = ca.vertcat(
+        rod_M_ff_0_0,
         rod_end_shape_0_3,
         rod_end_x,
+        rod_rho_cross_phi_0_0,
         rod_phi_cross_phi_0_2,
         rod_phi_cross_phi_0_3,
-        rod_rho_cross_phi_0_0,
-        rod_phi_cross_phi_1_3,
+        rod_M_ff_1_1,
         rod_rho_cross_phi_1_0,
-        rod_phi_cross_phi_2_0,
+        rod_phi_cross_phi_1_3,
+        rod_M_ff_2_2,
         rod_M_ff_2_3,
-        slider_mass,
+        rod_phi_cross_phi_2_0,
         rod_M_ff_3_3,
+        slider_mass,
         rod_phi_cross_phi_3_0,
         rod_phi_cross_phi_3_1,
-        rod_M_ff_0_0,
-        rod_M_ff_1_1,
-        rod_M_ff_2_2,
-        rod_rho_dot_phi_2_0,
-        rod_M_ff_3_2,
-        rod_rho_dot_phi_3_0,
         rod_inertia,
+        rod_rho_dot_phi_2_0,
+        rod_rho_dot_phi_3_0,
+        rod_M_ff_3_2,
         rod_K_ff_0_0,
         rod_phi_integral_1_0,
         crank_tip_x,
@@ -79,18 +79,23 @@ def constants() -> ca.Function:
         rod_phi_integral_0_3,
         rod_first_moment_x,
         omega,
+        crank_tip_x * omega,
+        -rod_end_shape_0_3,
         -omega,
-        crank_mass * crank_center_of_mass_x,
         crank_mass,
+        crank_mass * crank_center_of_mass_x,
         crank_inertia + crank_mass * crank_center_of_mass_x**2,
         rod_mass,
+        -rod_phi_integral_1_0,
+        -rod_phi_cross_phi_2_0,
         slider_inertia,
-        2 * rod_phi_cross_phi_2_0,
-        2 * rod_phi_cross_phi_3_0,
-        2 * rod_phi_cross_phi_3_1,
-        2 * rod_phi_cross_phi_0_2,
-        2 * rod_phi_cross_phi_0_3,
+        -slider_inertia,
+        2 * rod_rho_dot_phi_2_0,
+        2 * rod_rho_dot_phi_3_0,
+        rod_K_ff_2_3 + rod_K_ff_3_2,
         2 * rod_phi_cross_phi_1_3,
+        2 * rod_phi_cross_phi_2_0,
+        -rod_phi_cross_phi_0_2,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -98,12 +103,12 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 243 operations."""
+    """M_hat and Q_hat (Eq. 38). 238 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -149,64 +154,65 @@ def condensed() -> ca.Function:
     c30 = c[30]
     w0 = ca.sin(rod_theta)
     w1 = ca.cos(rod_theta)
-    w2 = c1 + c0 * rod_q4
+    w2 = c2 + rod_q4 * c1
     w3 = w1 * w2
-    w4 = w0 * c0 / w3
-    w5 = c4 - (c2 * rod_q3 + c3 * rod_q4)
+    w4 = w0 * c1 / w3
+    w5 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w6 = -(w4 * w5)
-    w7 = c6 - c5 * rod_q4
+    w7 = c7 - rod_q4 * c8
     w8 = -(w4 * w7)
-    w9 = c7 * rod_q1
-    w10 = c8 + w4 * w9
-    w11 = w1 * c0
-    w12 = w11 * c9
-    w13 = c11 * rod_q1 + c12 * rod_q2
+    w9 = rod_q1 * c11
+    w10 = c10 + w4 * w9
+    w11 = w1 * c1
+    w12 = w11 * c13
+    w13 = rod_q1 * c14 + rod_q2 * c15
     w14 = w0 * w2
-    w15 = w13 + w14 * w12
-    w16 = c13 * rod_q1
-    w17 = c14 * rod_q2
-    w18 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w19 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w20 = c19 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c16 + w18) + rod_q4 * (c18 + w19))
+    w15 = w13 + w12 * w14
+    w16 = rod_q1 * c0
+    w17 = rod_q2 * c6
+    w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w19 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w20 = c16 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c17 + w18) + rod_q4 * (c18 + w19))
     w21 = rod_theta_dot**2
-    w22 = crank_theta_dot**2
-    w23 = ca.cos(crank_theta) * c22 * w22
-    w24 = ca.sin(crank_theta) * c22 * w22
-    w25 = c0 * rod_q4_dot
-    w26 = (2 * (w1 * w25) * rod_theta_dot - w14 * w21 - w24) / w3
-    w27 = w16 * w21 + 2 * (c2 * rod_q3_dot + c3 * rod_q4_dot) * rod_theta_dot - c20 * rod_q1 - (w0 * c21 * w23 - w1 * c21 * w24 - w5 * w26)
-    w28 = w18 * w21 + 2 * (c7 * rod_q1_dot) * rod_theta_dot - (c24 * rod_q3 + c25 * rod_q4) - (w9 * w26 - (w1 * c26 * w23 + w0 * c26 * w24))
-    w29 = w19 * w21 + 2 * (c11 * rod_q1_dot + c12 * rod_q2_dot) * rod_theta_dot - (c27 * rod_q3 + c28 * rod_q4)
-    w30 = c9 * (w14 * w26 - (w3 * w21 + 2 * (w0 * w25) * rod_theta_dot + w23))
-    w31 = -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot) * rod_theta_dot
-    w32 = c30 + (c26 * rod_q3 + c29 * rod_q4)
-    w33 = c21 * rod_q1
-    w34 = w29 - (w13 * w26 - (w1 * c29 * w23 + w0 * c29 * w24)) - w30 * w11 - (w31 - ((w0 * w32 + w1 * w33) * w23 - (w1 * w32 - w0 * w33) * w24 - w20 * w26) + w30 * w14) * w4
+    w22 = 2 * rod_theta_dot
+    w23 = crank_theta_dot**2
+    w24 = w23 * (ca.cos(crank_theta) * c22)
+    w25 = w23 * (ca.sin(crank_theta) * c22)
+    w26 = rod_q4_dot * c1
+    w27 = (w22 * (w1 * w26) - w14 * w21 - w25) / w3
+    w28 = w16 * w21 + w22 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c20 - (w0 * c21 * w24 - w1 * c21 * w25 - w5 * w27)
+    w29 = w18 * w21 + w22 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25) - (w9 * w27 - (w24 * (w1 * c26) + w25 * (w0 * c26)))
+    w30 = w19 * w21 + w22 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28) - (w13 * w27 - (w24 * (w1 * c29) + w25 * (w0 * c29)))
+    w31 = (w14 * w27 - (w24 + (w3 * w21 + w22 * (w0 * w26)))) * c13
+    w32 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w33 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w34 = rod_q1 * c21
+    w35 = w30 - w11 * w31 - w4 * (w32 - (w24 * (w0 * w33 + w1 * w34) - w25 * (w1 * w33 - w0 * w34) - w20 * w27) + w14 * w31)
     M_hat = ca.vertcat(
-        c13,
+        c0,
         0.0,
         0.0,
         w6,
         0.0,
-        c14,
+        c6,
         0.0,
         w8,
         0.0,
         0.0,
-        c15,
+        c9,
         w10,
         w6,
         w8,
         w10,
-        c10 + w11 * w12 + (w4 * (w15 + w4 * (w20 + w14 * (w14 * c9))) + w4 * w15),
+        c12 + w11 * w12 + (w4 * (w15 + w4 * (w20 + w14 * (w14 * c13))) + w4 * w15),
     )
     M_hat = ca.reshape(M_hat, 4, 4)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w27,
-        w17 * w21 + 2 * (c5 * rod_q4_dot) * rod_theta_dot - c23 * rod_q2 + w7 * w26,
         w28,
-        w34,
+        w17 * w21 + w22 * (rod_q4_dot * c8) - rod_q2 * c23 + w7 * w27,
+        w29,
+        w35,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
@@ -218,19 +224,19 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
-    c0 = c[0]
     c1 = c[1]
+    c2 = c[2]
     c22 = c[22]
     c31 = c[31]
-    w0 = c31 * t
+    w0 = t * c31
     w1 = ca.cos(w0) * c22
     w2 = ca.sin(w0) * c22
-    w3 = c1 + c0 * rod_q4
+    w3 = c2 + rod_q4 * c1
     w4 = w2 + ca.sin(rod_theta) * w3
-    w5 = rod_theta - w4 / (ca.cos(rod_theta) * w3)
+    w5 = rod_theta - w4 / (w3 * ca.cos(rod_theta))
     q_d_next = ca.vertcat(
         0.0,
         0.0,
@@ -238,7 +244,7 @@ def closure() -> ca.Function:
         w1,
         w2,
         w5,
-        w1 + ca.cos(w5) * w3,
+        w1 + w3 * ca.cos(w5),
         0.0,
         0.0,
     )
@@ -252,26 +258,26 @@ def closure() -> ca.Function:
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 42 operations."""
+    """q_d_dot (Eq. 36). 40 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
     rod_q4_dot = q_i_dot[3]
-    c0 = c[0]
     c1 = c[1]
-    c22 = c[22]
+    c2 = c[2]
     c31 = c[31]
-    w0 = ca.sin(crank_theta) * c22 * c31
-    w1 = ca.cos(crank_theta) * c22 * c31
+    c32 = c[32]
+    w0 = ca.sin(crank_theta) * c32
+    w1 = ca.cos(crank_theta) * c32
     w2 = ca.cos(rod_theta)
-    w3 = c1 + c0 * rod_q4
+    w3 = c2 + rod_q4 * c1
     w4 = w2 * w3
     w5 = ca.sin(rod_theta)
-    w6 = w1 / w4 + w5 * c0 / w4 * rod_q4_dot
+    w6 = w1 / w4 + w5 * c1 / w4 * rod_q4_dot
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
@@ -279,7 +285,7 @@ def velocities() -> ca.Function:
         -w0,
         w1,
         -w6,
-        w5 * w3 * w6 - w0 + w2 * c0 * rod_q4_dot,
+        w6 * (w3 * w5) - w0 + rod_q4_dot * (w2 * c1),
         0.0,
         0.0,
     )
@@ -289,13 +295,13 @@ def velocities() -> ca.Function:
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 60 operations."""
+    """q_d_ddot (Eq. 35). 59 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -303,28 +309,29 @@ def accelerations() -> ca.Function:
     crank_theta_dot = q_d_dot[2]
     rod_theta_dot = q_d_dot[5]
     rod_q4_ddot = q_i_ddot[3]
-    c0 = c[0]
     c1 = c[1]
+    c2 = c[2]
     c22 = c[22]
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c22 * w0
-    w2 = ca.sin(crank_theta) * c22 * w0
-    w3 = ca.cos(rod_theta)
-    w4 = c0 * rod_q4_dot
-    w5 = ca.sin(rod_theta)
-    w6 = c1 + c0 * rod_q4
-    w7 = w5 * w6
-    w8 = rod_theta_dot**2
-    w9 = w3 * w6
-    w10 = (2 * (w3 * w4) * rod_theta_dot - w7 * w8 - w2) / w9 + w5 * c0 / w9 * rod_q4_ddot
+    w1 = w0 * (ca.cos(crank_theta) * c22)
+    w2 = w0 * (ca.sin(crank_theta) * c22)
+    w3 = 2 * rod_theta_dot
+    w4 = ca.cos(rod_theta)
+    w5 = rod_q4_dot * c1
+    w6 = rod_theta_dot**2
+    w7 = ca.sin(rod_theta)
+    w8 = c2 + rod_q4 * c1
+    w9 = w7 * w8
+    w10 = w4 * w8
+    w11 = (w3 * (w4 * w5) - w6 * w9 - w2) / w10 + w7 * c1 / w10 * rod_q4_ddot
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
         0.0,
         -w1,
         -w2,
-        -w10,
-        w7 * w10 - (w9 * w8 + 2 * (w5 * w4) * rod_theta_dot + w1) + w3 * c0 * rod_q4_ddot,
+        -w11,
+        w9 * w11 - (w1 + (w6 * w10 + w3 * (w5 * w7))) + rod_q4_ddot * (w4 * c1),
         0.0,
         0.0,
     )
@@ -334,11 +341,11 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 210 operations."""
+    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 208 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -352,21 +359,23 @@ def constraints() -> ca.Function:
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
     rod_q4_dot = q_dot[9]
-    c0 = c[0]
     c1 = c[1]
+    c2 = c[2]
     c22 = c[22]
     c31 = c[31]
-    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
     w0 = ca.cos(crank_theta) * c22
     w1 = ca.sin(crank_theta) * c22
     w2 = ca.cos(rod_theta)
-    w3 = c1 + c0 * rod_q4
+    w3 = c2 + rod_q4 * c1
     w4 = w2 * w3
     w5 = ca.sin(rod_theta)
-    w6 = w5 * w3
+    w6 = w3 * w5
     w7 = crank_theta_dot**2
     w8 = rod_theta_dot**2
-    w9 = c0 * rod_q4_dot
+    w9 = 2 * rod_theta_dot
+    w10 = rod_q4_dot * c1
     C = ca.vertcat(
         crank_x,
         crank_y,
@@ -376,7 +385,7 @@ def constraints() -> ca.Function:
         slider_theta,
         slider_x - (rod_x + w4),
         slider_y - (rod_y + w6),
-        crank_theta - c31 * t,
+        crank_theta - t * c31,
     )
     C = ca.densify(C)
     C_q = ca.vertcat(
@@ -467,8 +476,8 @@ def constraints() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        -(w2 * c0),
-        -(w5 * c0),
+        w2 * c33,
+        w5 * c33,
         0.0,
         0.0,
         0.0,
@@ -509,7 +518,7 @@ def constraints() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c32,
+        c34,
     )
     C_t = ca.densify(C_t)
     gamma = ca.vertcat(
@@ -519,8 +528,8 @@ def constraints() -> ca.Function:
         -(w1 * w7),
         0.0,
         0.0,
-        -(w4 * w8 + 2 * (w5 * w9) * rod_theta_dot),
-        2 * (w2 * w9) * rod_theta_dot - w6 * w8,
+        -(w4 * w8 + w9 * (w5 * w10)),
+        w9 * (w2 * w10) - w6 * w8,
         0.0,
     )
     gamma = ca.densify(gamma)
@@ -529,10 +538,10 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 354 operations."""
+    """M and Q* of the augmented form (Eq. 28). 349 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -545,7 +554,7 @@ def augmented() -> ca.Function:
     rod_q2_dot = q_dot[7]
     rod_q3_dot = q_dot[8]
     rod_q4_dot = q_dot[9]
-    c2 = c[2]
+    c0 = c[0]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
@@ -573,72 +582,73 @@ def augmented() -> ca.Function:
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
-    c33 = c[33]
-    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.sin(crank_theta) * c33
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    w0 = ca.sin(crank_theta) * c36
     w1 = -w0
-    w2 = ca.cos(crank_theta) * c33
+    w2 = ca.cos(crank_theta) * c36
     w3 = ca.sin(rod_theta)
-    w4 = c30 + (c26 * rod_q3 + c29 * rod_q4)
+    w4 = c30 + (rod_q3 * c26 + rod_q4 * c29)
     w5 = ca.cos(rod_theta)
-    w6 = c21 * rod_q1
+    w6 = rod_q1 * c21
     w7 = w3 * w4 + w5 * w6
     w8 = -w7
-    w9 = -(w3 * c21)
+    w9 = w3 * c39
     w10 = w5 * c26
     w11 = w5 * c29
-    w12 = w5 * w4 - w3 * w6
+    w12 = w4 * w5 - w3 * w6
     w13 = w5 * c21
     w14 = w3 * c26
     w15 = w3 * c29
-    w16 = c13 * rod_q1
-    w17 = c14 * rod_q2
-    w18 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w19 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w20 = c4 - (c2 * rod_q3 + c3 * rod_q4)
-    w21 = c6 - c5 * rod_q4
-    w22 = -(c7 * rod_q1)
-    w23 = -(c11 * rod_q1 + c12 * rod_q2)
+    w16 = rod_q1 * c0
+    w17 = rod_q2 * c6
+    w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w19 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w20 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w21 = c7 - rod_q4 * c8
+    w22 = rod_q1 * c40
+    w23 = -(rod_q1 * c14 + rod_q2 * c15)
     w24 = crank_theta_dot**2
     w25 = rod_theta_dot**2
-    w26 = c26 * rod_q3_dot + c29 * rod_q4_dot
-    w27 = c21 * rod_q1_dot
-    w28 = -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot) * rod_theta_dot
-    w29 = w19 * w25 + 2 * (c11 * rod_q1_dot + c12 * rod_q2_dot) * rod_theta_dot - (c27 * rod_q3 + c28 * rod_q4)
+    w26 = 2 * rod_theta_dot
+    w27 = rod_q3_dot * c26 + rod_q4_dot * c29
+    w28 = rod_q1_dot * c21
+    w29 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     M = ca.vertcat(
-        c34,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c34,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
         c35,
         0.0,
+        w1,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c35,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w1,
+        w2,
+        c37,
         0.0,
         0.0,
         0.0,
@@ -651,7 +661,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c36,
+        0.0,
+        c38,
         0.0,
         w8,
         w9,
@@ -665,7 +676,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c36,
+        c38,
         w12,
         w13,
         0.0,
@@ -679,7 +690,7 @@ def augmented() -> ca.Function:
         0.0,
         w8,
         w12,
-        c19 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c16 + w18) + rod_q4 * (c18 + w19)),
+        c16 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c17 + w18) + rod_q4 * (c18 + w19)),
         w20,
         w21,
         w22,
@@ -693,6 +704,62 @@ def augmented() -> ca.Function:
         w9,
         w13,
         w20,
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w21,
+        0.0,
+        c6,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w10,
+        w14,
+        w22,
+        0.0,
+        0.0,
+        c9,
+        c10,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w11,
+        w15,
+        w23,
+        0.0,
+        0.0,
+        c10,
+        c12,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         c13,
         0.0,
         0.0,
@@ -705,37 +772,9 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w21,
-        0.0,
-        c14,
         0.0,
         0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w10,
-        w14,
-        w22,
-        0.0,
-        0.0,
-        c15,
-        c8,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w11,
-        w15,
-        w23,
-        0.0,
-        0.0,
-        c8,
-        c10,
+        c13,
         0.0,
         0.0,
         0.0,
@@ -749,35 +788,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c37,
+        c41,
     )
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
@@ -785,13 +796,13 @@ def augmented() -> ca.Function:
         w2 * w24,
         w0 * w24,
         0.0,
-        w12 * w25 + 2 * (w3 * w26 + w5 * w27) * rod_theta_dot,
-        w7 * w25 - 2 * (w5 * w26 - w3 * w27) * rod_theta_dot,
-        w28,
-        w16 * w25 + 2 * (c2 * rod_q3_dot + c3 * rod_q4_dot) * rod_theta_dot - c20 * rod_q1,
-        w17 * w25 + 2 * (c5 * rod_q4_dot) * rod_theta_dot - c23 * rod_q2,
-        w18 * w25 + 2 * (c7 * rod_q1_dot) * rod_theta_dot - (c24 * rod_q3 + c25 * rod_q4),
+        w12 * w25 + w26 * (w3 * w27 + w5 * w28),
+        w7 * w25 - w26 * (w5 * w27 - w3 * w28),
         w29,
+        w16 * w25 + w26 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c20,
+        w17 * w25 + w26 * (rod_q4_dot * c8) - rod_q2 * c23,
+        w18 * w25 + w26 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25),
+        w19 * w25 + w26 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28),
         0.0,
         0.0,
         0.0,
@@ -802,11 +813,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 220 operations."""
+    """Lagrange multipliers lam (Eq. 37). 218 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -857,51 +868,52 @@ def reactions() -> ca.Function:
     c26 = c[26]
     c29 = c[29]
     c30 = c[30]
-    c33 = c[33]
-    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.cos(crank_theta)
-    w1 = w0 * c33
-    w2 = crank_theta_dot**2
+    c38 = c[38]
+    c42 = c[42]
+    w0 = crank_theta_dot**2
+    w1 = ca.cos(crank_theta)
+    w2 = w1 * c36
     w3 = ca.sin(crank_theta)
-    w4 = w3 * c33
-    w5 = ca.cos(rod_theta)
-    w6 = c30 + (c26 * rod_q3 + c29 * rod_q4)
-    w7 = ca.sin(rod_theta)
-    w8 = c21 * rod_q1
-    w9 = w5 * w6 - w7 * w8
-    w10 = rod_theta_dot**2
-    w11 = c26 * rod_q3_dot + c29 * rod_q4_dot
-    w12 = c21 * rod_q1_dot
-    w13 = w7 * w6 + w5 * w8
-    w14 = c36 * rod_x_ddot - w13 * rod_theta_ddot - w7 * c21 * rod_q1_ddot + w5 * c26 * rod_q3_ddot + w5 * c29 * rod_q4_ddot
-    w15 = c9 * slider_x_ddot
-    w16 = w9 * w10 + 2 * (w7 * w11 + w5 * w12) * rod_theta_dot - w14 - w15
-    w17 = c36 * rod_y_ddot + w9 * rod_theta_ddot + w5 * c21 * rod_q1_ddot + w7 * c26 * rod_q3_ddot + w7 * c29 * rod_q4_ddot
-    w18 = c13 * rod_q1
-    w19 = c14 * rod_q2
-    w20 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w21 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w22 = -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot) * rod_theta_dot
-    w23 = (c19 + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * (c16 + w20) + rod_q4 * (c18 + w21))) * rod_theta_ddot
-    w24 = w9 * rod_y_ddot - w13 * rod_x_ddot + w23 + (c4 - (c2 * rod_q3 + c3 * rod_q4)) * rod_q1_ddot + (c6 - c5 * rod_q4) * rod_q2_ddot
-    w25 = c1 + c0 * rod_q4
-    w26 = w22 - (w24 - c7 * rod_q1 * rod_q3_ddot - (c11 * rod_q1 + c12 * rod_q2) * rod_q4_ddot) + w7 * w25 * w15
-    w27 = w26 / (w5 * w25)
-    w28 = w13 * w10 - 2 * (w5 * w11 - w7 * w12) * rod_theta_dot - w17 - w27
-    w29 = w0 * c22 * w28 - (w1 * crank_y_ddot - w4 * crank_x_ddot + c35 * crank_theta_ddot) - w3 * c22 * w16
+    w4 = w3 * c36
+    w5 = rod_theta_dot**2
+    w6 = ca.cos(rod_theta)
+    w7 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w8 = ca.sin(rod_theta)
+    w9 = rod_q1 * c21
+    w10 = w6 * w7 - w8 * w9
+    w11 = 2 * rod_theta_dot
+    w12 = rod_q3_dot * c26 + rod_q4_dot * c29
+    w13 = rod_q1_dot * c21
+    w14 = w7 * w8 + w6 * w9
+    w15 = rod_x_ddot * c38 - w14 * rod_theta_ddot - w8 * c21 * rod_q1_ddot + w6 * c26 * rod_q3_ddot + w6 * c29 * rod_q4_ddot
+    w16 = slider_x_ddot * c13
+    w17 = w5 * w10 + w11 * (w8 * w12 + w6 * w13) - w15 - w16
+    w18 = rod_y_ddot * c38 + w10 * rod_theta_ddot + rod_q1_ddot * (w6 * c21) + rod_q3_ddot * (w8 * c26) + rod_q4_ddot * (w8 * c29)
+    w19 = rod_q1 * c0
+    w20 = rod_q2 * c6
+    w21 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w22 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w23 = -2.0 * rod_theta_dot * (rod_q1_dot * w19 + w20 * rod_q2_dot + rod_q3_dot * w21 + rod_q4_dot * w22)
+    w24 = rod_theta_ddot * (c16 + (rod_q1 * w19 + rod_q2 * w20 + rod_q3 * (c17 + w21) + rod_q4 * (c18 + w22)))
+    w25 = w10 * rod_y_ddot - rod_x_ddot * w14 + w24 + rod_q1_ddot * (c3 - (rod_q3 * c4 + rod_q4 * c5)) + (c7 - rod_q4 * c8) * rod_q2_ddot
+    w26 = c2 + rod_q4 * c1
+    w27 = w23 - (w25 - rod_q3_ddot * (rod_q1 * c11) - rod_q4_ddot * (rod_q1 * c14 + rod_q2 * c15)) + w16 * (w8 * w26)
+    w28 = w27 / (w6 * w26)
+    w29 = w5 * w14 - w11 * (w6 * w12 - w8 * w13) - w18 - w28
+    w30 = w29 * (w1 * c22) - (w2 * crank_y_ddot - crank_x_ddot * w4 + crank_theta_ddot * c37) - w17 * (w3 * c22)
     lam = ca.vertcat(
-        w1 * w2 - (c34 * crank_x_ddot - w4 * crank_theta_ddot) + w16,
-        w4 * w2 - (c34 * crank_y_ddot + w1 * crank_theta_ddot) + w28,
-        w16,
-        w28,
-        w27 - c9 * slider_y_ddot,
-        -(c37 * slider_theta_ddot),
-        -w15,
-        -w27,
+        w0 * w2 - (crank_x_ddot * c35 - w4 * crank_theta_ddot) + w17,
+        w0 * w4 - (crank_y_ddot * c35 + w2 * crank_theta_ddot) + w29,
+        w17,
         w29,
+        w28 - slider_y_ddot * c13,
+        slider_theta_ddot * c42,
+        -w16,
+        -w28,
+        w30,
     )
     lam = ca.densify(lam)
     inputs, outputs = [q, q_dot, q_ddot, c], [lam]
@@ -909,10 +921,10 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 229 operations."""
+    """Energies in J and powers in W. 223 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -932,7 +944,7 @@ def energy() -> ca.Function:
     slider_x_dot = q_dot[10]
     slider_y_dot = q_dot[11]
     slider_theta_dot = q_dot[12]
-    c2 = c[2]
+    c0 = c[0]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
@@ -947,60 +959,58 @@ def energy() -> ca.Function:
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
     c19 = c[19]
     c20 = c[20]
     c21 = c[21]
     c23 = c[23]
     c24 = c[24]
-    c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
-    c33 = c[33]
-    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.sin(crank_theta) * c33
-    w1 = ca.cos(crank_theta) * c33
-    w2 = crank_x_dot * (c34 * crank_x_dot - w0 * crank_theta_dot) + crank_y_dot * (c34 * crank_y_dot + w1 * crank_theta_dot)
+    c38 = c[38]
+    c41 = c[41]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    w0 = ca.sin(crank_theta) * c36
+    w1 = ca.cos(crank_theta) * c36
+    w2 = crank_x_dot * (crank_x_dot * c35 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c35 + crank_theta_dot * w1)
     w3 = ca.sin(rod_theta)
-    w4 = c30 + (c26 * rod_q3 + c29 * rod_q4)
+    w4 = c30 + (rod_q3 * c26 + rod_q4 * c29)
     w5 = ca.cos(rod_theta)
-    w6 = c21 * rod_q1
+    w6 = rod_q1 * c21
     w7 = w3 * w4 + w5 * w6
     w8 = w3 * c21
     w9 = w5 * c26
     w10 = w5 * c29
-    w11 = rod_x_dot * (c36 * rod_x_dot - w7 * rod_theta_dot - w8 * rod_q1_dot + w9 * rod_q3_dot + w10 * rod_q4_dot)
-    w12 = w5 * w4 - w3 * w6
+    w11 = rod_x_dot * (rod_x_dot * c38 - w7 * rod_theta_dot - w8 * rod_q1_dot + w9 * rod_q3_dot + w10 * rod_q4_dot)
+    w12 = w4 * w5 - w3 * w6
     w13 = w5 * c21
     w14 = w3 * c26
     w15 = w3 * c29
-    w16 = rod_y_dot * (c36 * rod_y_dot + w12 * rod_theta_dot + w13 * rod_q1_dot + w14 * rod_q3_dot + w15 * rod_q4_dot)
-    w17 = rod_q1 * (c13 * rod_q1) + rod_q2 * (c14 * rod_q2) + rod_q3 * (c16 + (c16 + (c15 * rod_q3 + c8 * rod_q4)))
-    w18 = w12 * rod_y_dot - w7 * rod_x_dot + (c19 + (w17 + rod_q4 * (c18 + (c18 + (c17 * rod_q3 + c10 * rod_q4))))) * rod_theta_dot
-    w19 = c4 - (c2 * rod_q3 + c3 * rod_q4)
-    w20 = c6 - c5 * rod_q4
-    w21 = c7 * rod_q1
-    w22 = c11 * rod_q1 + c12 * rod_q2
-    w23 = rod_theta_dot * (w18 + w19 * rod_q1_dot + w20 * rod_q2_dot - w21 * rod_q3_dot - w22 * rod_q4_dot)
-    w24 = w2 + crank_theta_dot * (w1 * crank_y_dot - w0 * crank_x_dot + c35 * crank_theta_dot) + w11 + w16 + w23
-    w25 = w24 + rod_q1_dot * (w13 * rod_y_dot - w8 * rod_x_dot + w19 * rod_theta_dot + c13 * rod_q1_dot) + rod_q2_dot * (w20 * rod_theta_dot + c14 * rod_q2_dot)
-    w26 = rod_q3_dot * (w9 * rod_x_dot + w14 * rod_y_dot - w21 * rod_theta_dot + c15 * rod_q3_dot + c8 * rod_q4_dot)
-    w27 = rod_q4_dot * (c8 * rod_q3_dot + w10 * rod_x_dot + w15 * rod_y_dot - w22 * rod_theta_dot + c10 * rod_q4_dot)
-    w28 = w25 + w26 + w27 + slider_x_dot * (c9 * slider_x_dot) + slider_y_dot * (c9 * slider_y_dot) + slider_theta_dot * (c37 * slider_theta_dot)
-    w29 = rod_q1 * c20 * rod_q1 + rod_q2 * c23 * rod_q2 + rod_q3 * c24 * rod_q3 + rod_q4 * c27 * rod_q3 + rod_q3 * c25 * rod_q4
+    w16 = rod_y_dot * (rod_y_dot * c38 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
+    w17 = rod_q1 * (rod_q1 * c0) + rod_q2 * (rod_q2 * c6) + rod_q3 * (rod_q4 * c10 + (rod_q3 * c9 + c43)) + rod_q4 * (rod_q4 * c12 + (rod_q3 * c19 + c44))
+    w18 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w19 = c7 - rod_q4 * c8
+    w20 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c16 + w17) + rod_q1_dot * w18 + w19 * rod_q2_dot
+    w21 = rod_q1 * c11
+    w22 = rod_q1 * c14 + rod_q2 * c15
+    w23 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c37) + w11 + w16 + rod_theta_dot * (w20 - rod_q3_dot * w21 - rod_q4_dot * w22)
+    w24 = w23 + rod_q1_dot * (rod_y_dot * w13 - rod_x_dot * w8 + rod_theta_dot * w18 + rod_q1_dot * c0) + rod_q2_dot * (rod_theta_dot * w19 + rod_q2_dot * c6)
+    w25 = rod_q3_dot * (rod_x_dot * w9 + rod_y_dot * w14 - rod_theta_dot * w21 + rod_q3_dot * c9 + rod_q4_dot * c10)
+    w26 = rod_q4_dot * (rod_q3_dot * c10 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c12)
+    w27 = w24 + w25 + w26 + slider_x_dot * (slider_x_dot * c13) + slider_y_dot * (slider_y_dot * c13) + slider_theta_dot * (slider_theta_dot * c41)
+    w28 = rod_q3 * (rod_q3 * c24) + (rod_q2 * (rod_q2 * c23) + (rod_q1 * (rod_q1 * c20) + rod_q3 * rod_q4 * c45))
     kinetic = ca.vertcat(
-        w28 / 2.0,
+        w27 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        (w29 + rod_q4 * c28 * rod_q4) / 2.0,
+        (w28 + rod_q4 * (rod_q4 * c28)) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -1023,7 +1033,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 38 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1033,10 +1043,10 @@ def drawing() -> ca.Function:
     rod_q4 = q[9]
     slider_x = q[10]
     slider_y = q[11]
-    c0 = c[0]
     c1 = c[1]
+    c2 = c[2]
     c22 = c[22]
-    w0 = c1 + c0 * (rod_q4 * exaggeration)
+    w0 = c2 + rod_q4 * exaggeration * c1
     xy = ca.vertcat(
         crank_x,
         crank_y,
@@ -1045,7 +1055,7 @@ def drawing() -> ca.Function:
         rod_x,
         rod_y,
         rod_x + ca.cos(rod_theta) * w0,
-        rod_y + ca.sin(rod_theta) * w0,
+        rod_y + w0 * ca.sin(rod_theta),
         slider_x,
         slider_y,
     )
@@ -1056,12 +1066,12 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 409 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 369 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1106,81 +1116,94 @@ def dQ_hat_dq_i() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
+    c40 = c[40]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
     w0 = rod_theta_dot**2
-    w1 = ca.cos(rod_theta)
-    w2 = c0 * rod_q4_dot
-    w3 = 2 * (w1 * w2)
-    w4 = ca.sin(rod_theta)
-    w5 = c1 + c0 * rod_q4
-    w6 = w4 * w5
-    w7 = crank_theta_dot**2
-    w8 = ca.sin(crank_theta) * c22 * w7
-    w9 = w3 * rod_theta_dot - w6 * w0 - w8
-    w10 = w1 * w5
-    w11 = w9 / w10
-    w12 = w4 * c0
-    w13 = w12 / w10
-    w14 = ca.cos(crank_theta) * c22
-    w15 = w14 * w7
-    w16 = c13 * rod_q1
-    w17 = rod_theta_dot * (-2.0 * (rod_q1_dot * c13)) - (w15 * (w1 * c21) + w8 * (w4 * c21) - w11 * (2 * w16))
-    w18 = c14 * rod_q2
-    w19 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w20 = c16 + w19
-    w21 = rod_theta_dot * (-2.0 * (rod_q3_dot * c15 + rod_q4_dot * c17)) - (w15 * (w4 * c26) - w8 * (w1 * c26) - w11 * (w20 + rod_q3 * c15 + rod_q4 * c17))
-    w22 = c4 - (c2 * rod_q3 + c3 * rod_q4)
-    w23 = w5 * w1
-    w24 = w11 / w10
-    w25 = w5 * w4
-    w26 = (rod_theta_dot * (2 * -(w2 * w4)) - w0 * w23) / w10 + w24 * w25
-    w27 = w1 * c0
-    w28 = w0 * w12 / w10 + w24 * w27
-    w29 = 2 * rod_theta_dot
-    w30 = (w3 - w6 * w29) / w10
-    w31 = w14 * c31 / w10 / w10
-    w32 = w13 / w10
-    w33 = w32 * w27
-    w34 = c0 * w1 / w10 + w32 * w25
-    w35 = w31 * w27 + rod_q4_dot * w33 + (w31 * w25 + rod_q4_dot * w34) * w13
-    w36 = (w15 * (c21 * w1) + w8 * (c21 * w4) - w22 * w26) * w13 - (w11 * c3 + w22 * w28) + (w16 * w29 + 2 * (c2 * rod_q3_dot + c3 * rod_q4_dot) + w22 * w30) * w35
-    w37 = c6 - c5 * rod_q4
-    w38 = c7 * rod_q1
-    w39 = w0 * c8 - c25 + w38 * w28 + (w38 * w26 - (w8 * (c26 * w1) - w15 * (c26 * w4))) * w13 + (w19 * w29 + 2 * (c7 * rod_q1_dot) - w38 * w30) * w35
-    w40 = c11 * rod_q1 + c12 * rod_q2
-    w41 = c9 * (w11 * w12 - w6 * w28 - w0 * w27)
-    w42 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w43 = c18 + w42
-    w44 = c19 + (rod_q1 * w16 + rod_q2 * w18 + rod_q3 * w20 + rod_q4 * w43)
-    w45 = rod_theta_dot * (-2.0 * (rod_q3_dot * c8 + rod_q4_dot * c10)) - (w15 * (w4 * c29) - w8 * (w1 * c29) - (w11 * (rod_q3 * c8 + (w43 + rod_q4 * c10)) - w44 * w28))
-    w46 = 2 * (w4 * w2)
-    w47 = c9 * (w6 * w11 - (w10 * w0 + w46 * rod_theta_dot + w15))
-    w48 = -2.0 * (w16 * rod_q1_dot + w18 * rod_q2_dot + w19 * rod_q3_dot + w42 * rod_q4_dot)
-    w49 = c30 + (c26 * rod_q3 + c29 * rod_q4)
-    w50 = c21 * rod_q1
-    w51 = w48 * rod_theta_dot - ((w4 * w49 + w1 * w50) * w15 - (w1 * w49 - w4 * w50) * w8 - w44 * w11) + w47 * w6
-    w52 = c9 * (w9 + w6 * w26 - (rod_theta_dot * (2 * (w2 * w1)) - w0 * w25))
-    w53 = w13 * (w6 * w52 + w47 * w23 - (w15 * (w49 * w1 - w50 * w4) + w8 * (w49 * w4 + w50 * w1) - w44 * w26))
-    w54 = w40 * w26 - (w8 * (c29 * w1) - w15 * (c29 * w4)) + (w27 * w52 - w47 * (c0 * w4)) + (w53 + w51 * w34)
-    w55 = w0 * c10 - c28 + w40 * w28 - w27 * w41 - (w13 * (w45 + (w6 * w41 + w47 * w12)) - w51 * w33) + w54 * w13
-    w56 = c9 * (w6 * w30 - (w10 * w29 + w46))
-    w57 = w42 * w29 + 2 * (c11 * rod_q1_dot + c12 * rod_q2_dot) - w40 * w30 - w27 * w56 - w13 * (w48 + w44 * w30 + w6 * w56)
+    w1 = 2 * rod_theta_dot
+    w2 = ca.cos(rod_theta)
+    w3 = rod_q4_dot * c1
+    w4 = w2 * w3
+    w5 = ca.sin(rod_theta)
+    w6 = c2 + rod_q4 * c1
+    w7 = w5 * w6
+    w8 = w1 * w4 - w0 * w7
+    w9 = crank_theta_dot**2
+    w10 = w9 * (ca.sin(crank_theta) * c22)
+    w11 = w8 - w10
+    w12 = w2 * w6
+    w13 = w11 / w12
+    w14 = w5 * c1
+    w15 = w14 / w12
+    w16 = -2.0 * rod_theta_dot
+    w17 = ca.cos(crank_theta) * c22
+    w18 = w9 * w17
+    w19 = w18 * (w2 * c21) + w10 * (w5 * c21)
+    w20 = rod_q1 * c0
+    w21 = rod_q2 * c6
+    w22 = w18 * (w5 * c26)
+    w23 = w10 * (w2 * c26)
+    w24 = rod_q3 * c9
+    w25 = c17 + (w24 + rod_q4 * c10)
+    w26 = c17 + w25
+    w27 = w15 * (w16 * (rod_q3_dot * c9 + rod_q4_dot * c19) - (w22 - w23 - w13 * (w24 + w26 + rod_q4 * c19)))
+    w28 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w29 = w13 / w12
+    w30 = w3 * w5
+    w31 = w1 * w30 + w0 * w12
+    w32 = w7 * w29 - w31 / w12
+    w33 = w2 * c1
+    w34 = w0 * w14 / w12 + w29 * w33
+    w35 = (2 * w4 - w1 * w7) / w12
+    w36 = w17 * c31 / w12 / w12
+    w37 = w15 / w12
+    w38 = w33 * w37
+    w39 = w33 / w12 + w7 * w37
+    w40 = w33 * w36 + rod_q4_dot * w38 + w15 * (w7 * w36 + rod_q4_dot * w39)
+    w41 = w15 * (w19 - w28 * w32) - (w13 * c5 + w28 * w34) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w28 * w35) * w40
+    w42 = c7 - rod_q4 * c8
+    w43 = rod_q1 * c11
+    w44 = w0 * c10 - c25 + w34 * w43 + w15 * (w32 * w43 - (w23 - w22)) + w40 * (w1 * w25 + rod_q1_dot * c47 - w35 * w43)
+    w45 = rod_q1 * c14 + rod_q2 * c15
+    w46 = (w13 * w14 - w7 * w34 - w0 * w33) * c13
+    w47 = w18 * (w5 * c29)
+    w48 = w10 * (w2 * c29)
+    w49 = rod_q4 * c12
+    w50 = c18 + (rod_q3 * c19 + w49)
+    w51 = c18 + w50
+    w52 = c16 + (rod_q1 * w20 + rod_q2 * w21 + rod_q3 * w26 + rod_q4 * w51)
+    w53 = w16 * (rod_q3_dot * c10 + rod_q4_dot * c12) - (w47 - w48 - (w13 * (rod_q3 * c10 + (w49 + w51)) - w34 * w52))
+    w54 = (w7 * w13 - (w18 + w31)) * c13
+    w55 = w14 * w54
+    w56 = rod_q1_dot * w20 + rod_q2_dot * w21 + rod_q3_dot * w25 + rod_q4_dot * w50
+    w57 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w58 = rod_q1 * c21
+    w59 = w5 * w57 + w2 * w58
+    w60 = w2 * w57 - w5 * w58
+    w61 = w16 * w56 - (w18 * w59 - w10 * w60 - w13 * w52) + w7 * w54
+    w62 = (w11 + w7 * w32 - w8) * c13
+    w63 = w32 * w45 - (w48 - w47) + (w33 * w62 - w55) + (w15 * (w7 * w62 + w12 * w54 - (w18 * w60 + w10 * w59 - w32 * w52)) + w39 * w61)
+    w64 = w0 * c12 - c28 + w34 * w45 - w33 * w46 - (w15 * (w53 + (w7 * w46 + w55)) - w38 * w61) + w15 * w63
+    w65 = (w7 * w35 - (w1 * w12 + 2 * w30)) * c13
+    w66 = w1 * w50 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w35 * w45 - w33 * w65 - w15 * (-2.0 * w56 + w35 * w52 + w7 * w65)
     dQ_hat_dq_i = ca.vertcat(
-        w0 * c13 - c20,
+        w0 * c0 - c20,
         0.0,
-        -(w11 * c7),
-        -(w11 * c11 + w13 * w17),
+        w13 * c40,
+        -(w13 * c14 + w15 * (w16 * (rod_q1_dot * c0) - (w19 - w13 * (2 * w20)))),
         0.0,
-        w0 * c14 - c23,
+        w0 * c6 - c23,
         0.0,
-        -(w11 * c12 + w13 * (rod_theta_dot * (-2.0 * (rod_q2_dot * c14)) + w11 * (2 * w18))),
-        -(w11 * c2),
+        -(w13 * c15 + w15 * (w16 * (rod_q2_dot * c6) + w13 * (2 * w21))),
+        w13 * c48,
         0.0,
-        w0 * c15 - c24,
-        w0 * c17 - c27 - w13 * w21,
-        w36,
-        (w18 * w29 + 2 * (c5 * rod_q4_dot) + w37 * w30) * w35 - (w11 * c5 + w37 * w28 + w37 * w26 * w13),
-        w39,
-        w55 + w57 * w35,
+        w0 * c9 - c24,
+        w0 * c19 - c27 - w27,
+        w41,
+        w40 * (w1 * w21 + rod_q4_dot * c46 + w35 * w42) - (w13 * c8 + w34 * w42 + w15 * (w32 * w42)),
+        w44,
+        w64 + w40 * w66,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1189,12 +1212,12 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 203 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 192 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1225,54 +1248,50 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    w0 = ca.sin(rod_theta)
-    w1 = w0 * c0
-    w2 = ca.cos(rod_theta)
-    w3 = c1 + c0 * rod_q4
-    w4 = w2 * w3
-    w5 = w1 / w4
-    w6 = c13 * rod_q1
-    w7 = c14 * rod_q2
-    w8 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w9 = c4 - (c2 * rod_q3 + c3 * rod_q4)
-    w10 = w2 * c0
-    w11 = rod_theta_dot * (2 * w10) / w4
-    w12 = 2 * rod_theta_dot
-    w13 = c0 * rod_q4_dot
-    w14 = w0 * w3
-    w15 = (2 * (w2 * w13) - w14 * w12) / w4
-    w16 = rod_theta_dot * c42 + w9 * w11 - (w6 * w12 + 2 * (c2 * rod_q3_dot + c3 * rod_q4_dot) + w9 * w15) * w5
-    w17 = c6 - c5 * rod_q4
-    w18 = c7 * rod_q1
-    w19 = c11 * rod_q1 + c12 * rod_q2
-    w20 = c9 * (w14 * w11 - rod_theta_dot * (2 * w1))
-    w21 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w22 = c19 + (rod_q1 * w6 + rod_q2 * w7 + rod_q3 * (c16 + w8) + rod_q4 * (c18 + w21))
-    w23 = c9 * (w14 * w15 - (w4 * w12 + 2 * (w0 * w13)))
-    w24 = -2.0 * (w6 * rod_q1_dot + w7 * rod_q2_dot + w8 * rod_q3_dot + w21 * rod_q4_dot) + w22 * w15 + w14 * w23
-    w25 = w19 * w11 + w10 * w20 + w5 * (rod_theta_dot * (-2.0 * w21) + w22 * w11 + w14 * w20) + (w21 * w12 + 2 * (c11 * rod_q1_dot + c12 * rod_q2_dot) - w19 * w15 - w10 * w23 - w5 * w24) * w5
+    c46 = c[46]
+    c47 = c[47]
+    w0 = 2 * rod_theta_dot
+    w1 = ca.sin(rod_theta)
+    w2 = w1 * c1
+    w3 = ca.cos(rod_theta)
+    w4 = c2 + rod_q4 * c1
+    w5 = w3 * w4
+    w6 = w2 / w5
+    w7 = -2.0 * rod_theta_dot
+    w8 = rod_q1 * c0
+    w9 = rod_q2 * c6
+    w10 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w11 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w12 = w3 * c1
+    w13 = w0 * w12 / w5
+    w14 = rod_q4_dot * c1
+    w15 = w1 * w4
+    w16 = (2 * (w3 * w14) - w0 * w15) / w5
+    w17 = c7 - rod_q4 * c8
+    w18 = rod_q1 * c11
+    w19 = rod_q1 * c14 + rod_q2 * c15
+    w20 = (w13 * w15 - w0 * w2) * c13
+    w21 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w22 = c16 + (rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (c17 + w10) + rod_q4 * (c18 + w21))
+    w23 = (w15 * w16 - (w0 * w5 + 2 * (w1 * w14))) * c13
+    w24 = -2.0 * (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w21) + w16 * w22 + w15 * w23
+    w25 = w13 * w19 + w12 * w20 + w6 * (w7 * w21 + w13 * w22 + w15 * w20) + w6 * (w0 * w21 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w16 * w19 - w12 * w23 - w6 * w24)
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
         0.0,
-        rod_theta_dot * c38,
-        rod_theta_dot * c39 - w5 * (rod_theta_dot * (-2.0 * w6)),
+        w0 * c11,
+        w0 * c14 - w6 * (w7 * w8),
         0.0,
         0.0,
         0.0,
-        rod_theta_dot * c40 - w5 * (rod_theta_dot * (-2.0 * w7)),
-        rod_theta_dot * c41,
+        w0 * c15 - w6 * (w7 * w9),
+        w0 * c4,
         0.0,
         0.0,
-        -(w5 * (rod_theta_dot * (-2.0 * w8))),
-        w16,
-        rod_theta_dot * c43 + w17 * w11 - (w7 * w12 + 2 * (c5 * rod_q4_dot) + w17 * w15) * w5,
-        -(w18 * w11 + (w8 * w12 + 2 * (c7 * rod_q1_dot) - w18 * w15) * w5),
+        -(w6 * (w7 * w10)),
+        w0 * c5 + w11 * w13 - w6 * (w0 * w8 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w11 * w16),
+        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c46 + w16 * w17),
+        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c47 - w16 * w18)),
         -w25,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
@@ -1282,11 +1301,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 203 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 194 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1313,57 +1332,58 @@ def dMa_dq_i() -> ca.Function:
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
     c19 = c[19]
+    c43 = c[43]
+    c44 = c[44]
     w0 = ca.sin(rod_theta)
-    w1 = w0 * c0
+    w1 = w0 * c1
     w2 = ca.cos(rod_theta)
-    w3 = c1 + c0 * rod_q4
+    w3 = c2 + rod_q4 * c1
     w4 = w2 * w3
     w5 = w1 / w4
     w6 = w5 * rod_q4_ddot
-    w7 = c13 * rod_q1
-    w8 = c14 * rod_q2
-    w9 = c16 + (c16 + (c15 * rod_q3 + c8 * rod_q4))
-    w10 = c4 - (c2 * rod_q3 + c3 * rod_q4)
-    w11 = w5 / w4
-    w12 = w2 * c0
-    w13 = w11 * w12
-    w14 = rod_q4_ddot * w13
-    w15 = c0 * w2 / w4 + w11 * (w3 * w0)
-    w16 = rod_q4_ddot * w15
-    w17 = c6 - c5 * rod_q4
-    w18 = c7 * rod_q1
-    w19 = w0 * w3
-    w20 = c9 * (w6 * w1 - w19 * w14)
-    w21 = c11 * rod_q1 + c12 * rod_q2
-    w22 = c18 + (c18 + (c17 * rod_q3 + c10 * rod_q4))
-    w23 = c19 + (rod_q1 * w7 + rod_q2 * w8 + rod_q3 * w9 + rod_q4 * w22)
-    w24 = c9 * (w19 * w6 + w12 * rod_q4_ddot)
-    w25 = rod_q1_ddot * c3 + (w6 * (rod_q3 * c8 + (w22 + rod_q4 * c10)) - w23 * w14) + rod_q2_ddot * c5 + (w19 * w20 + w24 * w1)
-    w26 = w10 * rod_q1_ddot - w23 * w6 + w17 * rod_q2_ddot - w18 * rod_q3_ddot - w21 * rod_q4_ddot - w24 * w19
-    w27 = w3 * w2
-    w28 = c0 * w0
-    w29 = c9 * (w6 * w27 + w19 * w16 - rod_q4_ddot * w28)
-    w30 = (w21 * w16 + (w12 * w29 - w24 * w28) - (w26 * w15 - w5 * (w23 * w16 + (w19 * w29 + w24 * w27)))) * w5
+    w7 = rod_q1 * c0
+    w8 = rod_q2 * c6
+    w9 = rod_q3 * c9
+    w10 = rod_q4 * c10 + (c43 + w9)
+    w11 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w12 = w5 / w4
+    w13 = w2 * c1
+    w14 = w12 * w13
+    w15 = rod_q4_ddot * w14
+    w16 = w0 * w3
+    w17 = w13 / w4 + w12 * w16
+    w18 = rod_q4_ddot * w17
+    w19 = c7 - rod_q4 * c8
+    w20 = rod_q1 * c11
+    w21 = (w1 * w6 - w15 * w16) * c13
+    w22 = rod_q1 * c14 + rod_q2 * c15
+    w23 = rod_q4 * c12
+    w24 = w23 + (c44 + rod_q3 * c19)
+    w25 = c16 + (rod_q1 * w7 + rod_q2 * w8 + rod_q3 * w10 + rod_q4 * w24)
+    w26 = (w6 * w16 + rod_q4_ddot * w13) * c13
+    w27 = w1 * w26
+    w28 = rod_q1_ddot * c5 + (w6 * (rod_q3 * c10 + (w23 + w24)) - w15 * w25) + rod_q2_ddot * c8 + (w16 * w21 + w27)
+    w29 = rod_q1_ddot * w11 - w6 * w25 + w19 * rod_q2_ddot - rod_q3_ddot * w20 - rod_q4_ddot * w22 - w16 * w26
+    w30 = (w4 * w6 + w16 * w18 - w1 * rod_q4_ddot) * c13
+    w31 = w13 * w21 - w15 * w22 + (w5 * w28 + w14 * w29) - w5 * (w18 * w22 + (w13 * w30 - w27) - (w17 * w29 - w5 * (w18 * w25 + (w16 * w30 + w4 * w26))))
     dMa_dq_i = ca.vertcat(
         0.0,
         0.0,
-        w6 * c7,
-        w6 * c11 + w5 * (w6 * (2 * w7) + rod_q3_ddot * c7 + rod_q4_ddot * c11),
+        w6 * c11,
+        w6 * c14 + w5 * (w6 * (2 * w7) + rod_q3_ddot * c11 + rod_q4_ddot * c14),
         0.0,
         0.0,
         0.0,
-        w6 * c12 + w5 * (w6 * (2 * w8) + rod_q4_ddot * c12),
-        w6 * c2,
+        w6 * c15 + w5 * (w6 * (2 * w8) + rod_q4_ddot * c15),
+        w6 * c4,
         0.0,
         0.0,
-        w5 * (rod_q1_ddot * c2 + w6 * (w9 + rod_q3 * c15 + rod_q4 * c17)),
-        w6 * c3 + w10 * w14 + w10 * w16 * w5,
-        w6 * c5 + w17 * w14 + w17 * w16 * w5,
-        -(w18 * w14 + w18 * w16 * w5),
-        w12 * w20 - w21 * w14 + (w5 * w25 + w26 * w13) - w30,
+        w5 * (rod_q1_ddot * c4 + w6 * (w9 + w10 + rod_q4 * c19)),
+        w6 * c5 + w11 * w15 + w5 * (w11 * w18),
+        w6 * c8 + w15 * w19 + w5 * (w18 * w19),
+        -(w15 * w20 + w5 * (w18 * w20)),
+        w31,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 4, 4)
     dMa_dq_i = ca.densify(dMa_dq_i)
@@ -1372,13 +1392,13 @@ def dMa_dq_i() -> ca.Function:
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 202 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 199 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 44)
+    c = ca.SX.sym("c", 49)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1424,46 +1444,46 @@ def substep_2() -> ca.Function:
     c30 = c[30]
     w0 = ca.sin(rod_theta)
     w1 = ca.cos(rod_theta)
-    w2 = c1 + c0 * rod_q4
+    w2 = c2 + rod_q4 * c1
     w3 = w1 * w2
-    w4 = w0 * c0 / w3
-    w5 = c7 * rod_q1
-    w6 = c8 + w4 * w5
-    w7 = w1 * c0
-    w8 = w7 * c9
-    w9 = c11 * rod_q1 + c12 * rod_q2
+    w4 = w0 * c1 / w3
+    w5 = rod_q1 * c11
+    w6 = c10 + w4 * w5
+    w7 = w1 * c1
+    w8 = w7 * c13
+    w9 = rod_q1 * c14 + rod_q2 * c15
     w10 = w0 * w2
-    w11 = w9 + w10 * w8
-    w12 = c13 * rod_q1
-    w13 = c14 * rod_q2
-    w14 = c16 + (c15 * rod_q3 + c8 * rod_q4)
-    w15 = c18 + (c17 * rod_q3 + c10 * rod_q4)
-    w16 = c19 + (rod_q1 * w12 + rod_q2 * w13 + rod_q3 * (c16 + w14) + rod_q4 * (c18 + w15))
+    w11 = w9 + w8 * w10
+    w12 = rod_q1 * c0
+    w13 = rod_q2 * c6
+    w14 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w15 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w16 = c16 + (rod_q1 * w12 + rod_q2 * w13 + rod_q3 * (c17 + w14) + rod_q4 * (c18 + w15))
     w17 = rod_theta_dot**2
-    w18 = c0 * rod_q4_dot
-    w19 = crank_theta_dot**2
-    w20 = ca.sin(crank_theta) * c22 * w19
-    w21 = (2 * (w1 * w18) * rod_theta_dot - w10 * w17 - w20) / w3
-    w22 = ca.cos(crank_theta) * c22 * w19
-    w23 = w14 * w17 + 2 * (c7 * rod_q1_dot) * rod_theta_dot - (c24 * rod_q3 + c25 * rod_q4) - (w5 * w21 - (w1 * c26 * w22 + w0 * c26 * w20))
-    w24 = w15 * w17 + 2 * (c11 * rod_q1_dot + c12 * rod_q2_dot) * rod_theta_dot - (c27 * rod_q3 + c28 * rod_q4)
-    w25 = c9 * (w10 * w21 - (w3 * w17 + 2 * (w0 * w18) * rod_theta_dot + w22))
-    w26 = -2.0 * (w12 * rod_q1_dot + w13 * rod_q2_dot + w14 * rod_q3_dot + w15 * rod_q4_dot) * rod_theta_dot
-    w27 = c30 + (c26 * rod_q3 + c29 * rod_q4)
-    w28 = c21 * rod_q1
-    w29 = (w0 * w27 + w1 * w28) * w22 - (w1 * w27 - w0 * w28) * w20 - w16 * w21 + (c4 - (c2 * rod_q3 + c3 * rod_q4)) * rod_q1_ddot
-    w30 = w24 - (w9 * w21 - (w1 * c29 * w22 + w0 * c29 * w20)) - w25 * w7 - (w26 - (w29 + (c6 - c5 * rod_q4) * rod_q2_ddot) + w25 * w10) * w4
+    w18 = 2 * rod_theta_dot
+    w19 = rod_q4_dot * c1
+    w20 = crank_theta_dot**2
+    w21 = w20 * (ca.sin(crank_theta) * c22)
+    w22 = (w18 * (w1 * w19) - w10 * w17 - w21) / w3
+    w23 = w20 * (ca.cos(crank_theta) * c22)
+    w24 = w14 * w17 + w18 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25) - (w5 * w22 - (w1 * c26 * w23 + w21 * (w0 * c26)))
+    w25 = w15 * w17 + w18 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28) - (w9 * w22 - (w23 * (w1 * c29) + w21 * (w0 * c29)))
+    w26 = (w10 * w22 - (w23 + (w3 * w17 + w18 * (w0 * w19)))) * c13
+    w27 = -2.0 * rod_theta_dot * (w12 * rod_q1_dot + w13 * rod_q2_dot + w14 * rod_q3_dot + w15 * rod_q4_dot)
+    w28 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w29 = rod_q1 * c21
+    w30 = w23 * (w0 * w28 + w1 * w29) - w21 * (w1 * w28 - w0 * w29) - w16 * w22 + (c3 - (rod_q3 * c4 + rod_q4 * c5)) * rod_q1_ddot
     M_hat_SS = ca.vertcat(
-        c15,
+        c9,
         w6,
         w6,
-        c10 + w7 * w8 + (w4 * (w11 + w4 * (w16 + w10 * (w10 * c9))) + w4 * w11),
+        c12 + w7 * w8 + (w4 * (w11 + w4 * (w16 + w10 * (w10 * c13))) + w4 * w11),
     )
     M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
     M_hat_SS = ca.densify(M_hat_SS)
     rhs_S = ca.vertcat(
-        w23,
-        w30,
+        w24,
+        w25 - w7 * w26 - w4 * (w27 - (w30 + (c7 - rod_q4 * c8) * rod_q2_ddot) + w10 * w26),
     )
     rhs_S = ca.densify(rhs_S)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 696 operations."""
+    """c: everything that depends on the parameters p only. 710 operations."""
     p = ca.SX.sym("p", 295)
     torque = p[0]
     hub_mass = p[1]
@@ -260,35 +260,46 @@ def constants() -> ca.Function:
     w1 = w0 * beam_length
     w2 = w1 * beam100_clamped_free3_mass_0_0
     w3 = w1 * beam100_clamped_free3_xH_0_0
-    w4 = w1 * beam100_clamped_free3_mass_1_1
-    w5 = w1 * beam100_clamped_free3_xH_1_1
-    w6 = w1 * beam100_clamped_free3_mass_2_2
-    w7 = w1 * beam100_clamped_free3_xH_2_2
-    w8 = beam_length**2
-    w9 = beam_youngs_modulus * beam_second_moment / (beam_length * w8)
-    w10 = w1 * beam_length
+    w4 = w1 * beam100_clamped_free3_xH_0_1
+    w5 = w1 * beam100_clamped_free3_xH_0_2
+    w6 = w1 * beam100_clamped_free3_mass_1_1
+    w7 = w1 * beam100_clamped_free3_xH_1_0
+    w8 = w1 * beam100_clamped_free3_xH_1_1
+    w9 = w1 * beam100_clamped_free3_xH_1_2
+    w10 = w1 * beam100_clamped_free3_mass_2_2
+    w11 = w1 * beam100_clamped_free3_xH_2_0
+    w12 = w1 * beam100_clamped_free3_xH_2_1
+    w13 = w1 * beam100_clamped_free3_xH_2_2
+    w14 = beam_length**2
+    w15 = w1 * w14 * beam100_clamped_free3_i0_0_0
+    w16 = w1 * beam_length
+    w17 = beam_youngs_modulus * beam_second_moment / (beam_length * w14)
     c = ca.vertcat(
         w2,
         w3,
-        w1 * beam100_clamped_free3_xH_0_1,
-        w1 * beam100_clamped_free3_xH_0_2,
         w4,
-        w1 * beam100_clamped_free3_xH_1_0,
         w5,
-        w1 * beam100_clamped_free3_xH_1_2,
         w6,
-        w1 * beam100_clamped_free3_xH_2_0,
-        w1 * beam100_clamped_free3_xH_2_1,
         w7,
-        w1 * w8 * beam100_clamped_free3_i0_0_0,
-        hub_inertia,
+        w8,
+        w9,
+        w10,
+        w11,
+        w12,
+        w13,
+        hub_inertia + w15,
+        w16 * beam100_clamped_free3_xi_phi_y_0_0,
+        w16 * beam100_clamped_free3_xi_phi_y_1_0,
+        w16 * beam100_clamped_free3_xi_phi_y_2_0,
         torque,
-        w9 * beam100_clamped_free3_kappa_lateral_0_0,
-        w9 * beam100_clamped_free3_kappa_lateral_1_1,
-        w9 * beam100_clamped_free3_kappa_lateral_2_2,
-        w10 * beam100_clamped_free3_xi_phi_y_0_0,
-        w10 * beam100_clamped_free3_xi_phi_y_1_0,
-        w10 * beam100_clamped_free3_xi_phi_y_2_0,
+        w17 * beam100_clamped_free3_kappa_lateral_0_0,
+        w17 * beam100_clamped_free3_kappa_lateral_1_1,
+        w17 * beam100_clamped_free3_kappa_lateral_2_2,
+        hub_inertia,
+        w1,
+        w15,
+        hub_mass,
+        w16 * beam100_clamped_free3_s1_0_0,
         w0 * beam100_clamped_free3_H_0_0,
         w0 * beam100_clamped_free3_H_0_1,
         w0 * beam100_clamped_free3_H_0_2,
@@ -298,12 +309,11 @@ def constants() -> ca.Function:
         w0 * beam100_clamped_free3_H_2_0,
         w0 * beam100_clamped_free3_H_2_1,
         w0 * beam100_clamped_free3_H_2_2,
-        w10 * beam100_clamped_free3_s1_0_0,
         w1 * beam100_clamped_free3_phi_y_0_0,
         w1 * beam100_clamped_free3_phi_y_1_0,
         w1 * beam100_clamped_free3_phi_y_2_0,
-        hub_mass,
-        w1,
+        beam_length,
+        beam_length * beam100_clamped_free3_0_0625_at_0_0,
         beam100_clamped_free3_0_0625_H_0_0 / beam_length,
         beam100_clamped_free3_0_0625_H_0_1 / beam_length,
         beam100_clamped_free3_0_0625_H_0_2 / beam_length,
@@ -313,10 +323,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_0625_H_2_0 / beam_length,
         beam100_clamped_free3_0_0625_H_2_1 / beam_length,
         beam100_clamped_free3_0_0625_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_0625_at_0_0,
         beam100_clamped_free3_0_0625_shape_1_0,
         beam100_clamped_free3_0_0625_shape_1_1,
         beam100_clamped_free3_0_0625_shape_1_2,
+        beam_length * beam100_clamped_free3_0_125_at_0_0,
         beam100_clamped_free3_0_125_H_0_0 / beam_length,
         beam100_clamped_free3_0_125_H_0_1 / beam_length,
         beam100_clamped_free3_0_125_H_0_2 / beam_length,
@@ -326,10 +336,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_125_H_2_0 / beam_length,
         beam100_clamped_free3_0_125_H_2_1 / beam_length,
         beam100_clamped_free3_0_125_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_125_at_0_0,
         beam100_clamped_free3_0_125_shape_1_0,
         beam100_clamped_free3_0_125_shape_1_1,
         beam100_clamped_free3_0_125_shape_1_2,
+        beam_length * beam100_clamped_free3_0_1875_at_0_0,
         beam100_clamped_free3_0_1875_H_0_0 / beam_length,
         beam100_clamped_free3_0_1875_H_0_1 / beam_length,
         beam100_clamped_free3_0_1875_H_0_2 / beam_length,
@@ -339,10 +349,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_1875_H_2_0 / beam_length,
         beam100_clamped_free3_0_1875_H_2_1 / beam_length,
         beam100_clamped_free3_0_1875_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_1875_at_0_0,
         beam100_clamped_free3_0_1875_shape_1_0,
         beam100_clamped_free3_0_1875_shape_1_1,
         beam100_clamped_free3_0_1875_shape_1_2,
+        beam_length * beam100_clamped_free3_0_25_at_0_0,
         beam100_clamped_free3_0_25_H_0_0 / beam_length,
         beam100_clamped_free3_0_25_H_0_1 / beam_length,
         beam100_clamped_free3_0_25_H_0_2 / beam_length,
@@ -352,10 +362,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_25_H_2_0 / beam_length,
         beam100_clamped_free3_0_25_H_2_1 / beam_length,
         beam100_clamped_free3_0_25_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_25_at_0_0,
         beam100_clamped_free3_0_25_shape_1_0,
         beam100_clamped_free3_0_25_shape_1_1,
         beam100_clamped_free3_0_25_shape_1_2,
+        beam_length * beam100_clamped_free3_0_3125_at_0_0,
         beam100_clamped_free3_0_3125_H_0_0 / beam_length,
         beam100_clamped_free3_0_3125_H_0_1 / beam_length,
         beam100_clamped_free3_0_3125_H_0_2 / beam_length,
@@ -365,10 +375,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_3125_H_2_0 / beam_length,
         beam100_clamped_free3_0_3125_H_2_1 / beam_length,
         beam100_clamped_free3_0_3125_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_3125_at_0_0,
         beam100_clamped_free3_0_3125_shape_1_0,
         beam100_clamped_free3_0_3125_shape_1_1,
         beam100_clamped_free3_0_3125_shape_1_2,
+        beam_length * beam100_clamped_free3_0_375_at_0_0,
         beam100_clamped_free3_0_375_H_0_0 / beam_length,
         beam100_clamped_free3_0_375_H_0_1 / beam_length,
         beam100_clamped_free3_0_375_H_0_2 / beam_length,
@@ -378,10 +388,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_375_H_2_0 / beam_length,
         beam100_clamped_free3_0_375_H_2_1 / beam_length,
         beam100_clamped_free3_0_375_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_375_at_0_0,
         beam100_clamped_free3_0_375_shape_1_0,
         beam100_clamped_free3_0_375_shape_1_1,
         beam100_clamped_free3_0_375_shape_1_2,
+        beam_length * beam100_clamped_free3_0_4375_at_0_0,
         beam100_clamped_free3_0_4375_H_0_0 / beam_length,
         beam100_clamped_free3_0_4375_H_0_1 / beam_length,
         beam100_clamped_free3_0_4375_H_0_2 / beam_length,
@@ -391,10 +401,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_4375_H_2_0 / beam_length,
         beam100_clamped_free3_0_4375_H_2_1 / beam_length,
         beam100_clamped_free3_0_4375_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_4375_at_0_0,
         beam100_clamped_free3_0_4375_shape_1_0,
         beam100_clamped_free3_0_4375_shape_1_1,
         beam100_clamped_free3_0_4375_shape_1_2,
+        beam_length * beam100_clamped_free3_0_5_at_0_0,
         beam100_clamped_free3_0_5_H_0_0 / beam_length,
         beam100_clamped_free3_0_5_H_0_1 / beam_length,
         beam100_clamped_free3_0_5_H_0_2 / beam_length,
@@ -404,10 +414,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_5_H_2_0 / beam_length,
         beam100_clamped_free3_0_5_H_2_1 / beam_length,
         beam100_clamped_free3_0_5_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_5_at_0_0,
         beam100_clamped_free3_0_5_shape_1_0,
         beam100_clamped_free3_0_5_shape_1_1,
         beam100_clamped_free3_0_5_shape_1_2,
+        beam_length * beam100_clamped_free3_0_5625_at_0_0,
         beam100_clamped_free3_0_5625_H_0_0 / beam_length,
         beam100_clamped_free3_0_5625_H_0_1 / beam_length,
         beam100_clamped_free3_0_5625_H_0_2 / beam_length,
@@ -417,10 +427,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_5625_H_2_0 / beam_length,
         beam100_clamped_free3_0_5625_H_2_1 / beam_length,
         beam100_clamped_free3_0_5625_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_5625_at_0_0,
         beam100_clamped_free3_0_5625_shape_1_0,
         beam100_clamped_free3_0_5625_shape_1_1,
         beam100_clamped_free3_0_5625_shape_1_2,
+        beam_length * beam100_clamped_free3_0_625_at_0_0,
         beam100_clamped_free3_0_625_H_0_0 / beam_length,
         beam100_clamped_free3_0_625_H_0_1 / beam_length,
         beam100_clamped_free3_0_625_H_0_2 / beam_length,
@@ -430,10 +440,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_625_H_2_0 / beam_length,
         beam100_clamped_free3_0_625_H_2_1 / beam_length,
         beam100_clamped_free3_0_625_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_625_at_0_0,
         beam100_clamped_free3_0_625_shape_1_0,
         beam100_clamped_free3_0_625_shape_1_1,
         beam100_clamped_free3_0_625_shape_1_2,
+        beam_length * beam100_clamped_free3_0_6875_at_0_0,
         beam100_clamped_free3_0_6875_H_0_0 / beam_length,
         beam100_clamped_free3_0_6875_H_0_1 / beam_length,
         beam100_clamped_free3_0_6875_H_0_2 / beam_length,
@@ -443,10 +453,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_6875_H_2_0 / beam_length,
         beam100_clamped_free3_0_6875_H_2_1 / beam_length,
         beam100_clamped_free3_0_6875_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_6875_at_0_0,
         beam100_clamped_free3_0_6875_shape_1_0,
         beam100_clamped_free3_0_6875_shape_1_1,
         beam100_clamped_free3_0_6875_shape_1_2,
+        beam_length * beam100_clamped_free3_0_75_at_0_0,
         beam100_clamped_free3_0_75_H_0_0 / beam_length,
         beam100_clamped_free3_0_75_H_0_1 / beam_length,
         beam100_clamped_free3_0_75_H_0_2 / beam_length,
@@ -456,10 +466,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_75_H_2_0 / beam_length,
         beam100_clamped_free3_0_75_H_2_1 / beam_length,
         beam100_clamped_free3_0_75_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_75_at_0_0,
         beam100_clamped_free3_0_75_shape_1_0,
         beam100_clamped_free3_0_75_shape_1_1,
         beam100_clamped_free3_0_75_shape_1_2,
+        beam_length * beam100_clamped_free3_0_8125_at_0_0,
         beam100_clamped_free3_0_8125_H_0_0 / beam_length,
         beam100_clamped_free3_0_8125_H_0_1 / beam_length,
         beam100_clamped_free3_0_8125_H_0_2 / beam_length,
@@ -469,10 +479,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_8125_H_2_0 / beam_length,
         beam100_clamped_free3_0_8125_H_2_1 / beam_length,
         beam100_clamped_free3_0_8125_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_8125_at_0_0,
         beam100_clamped_free3_0_8125_shape_1_0,
         beam100_clamped_free3_0_8125_shape_1_1,
         beam100_clamped_free3_0_8125_shape_1_2,
+        beam_length * beam100_clamped_free3_0_875_at_0_0,
         beam100_clamped_free3_0_875_H_0_0 / beam_length,
         beam100_clamped_free3_0_875_H_0_1 / beam_length,
         beam100_clamped_free3_0_875_H_0_2 / beam_length,
@@ -482,10 +492,10 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_875_H_2_0 / beam_length,
         beam100_clamped_free3_0_875_H_2_1 / beam_length,
         beam100_clamped_free3_0_875_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_875_at_0_0,
         beam100_clamped_free3_0_875_shape_1_0,
         beam100_clamped_free3_0_875_shape_1_1,
         beam100_clamped_free3_0_875_shape_1_2,
+        beam_length * beam100_clamped_free3_0_9375_at_0_0,
         beam100_clamped_free3_0_9375_H_0_0 / beam_length,
         beam100_clamped_free3_0_9375_H_0_1 / beam_length,
         beam100_clamped_free3_0_9375_H_0_2 / beam_length,
@@ -495,7 +505,6 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_9375_H_2_0 / beam_length,
         beam100_clamped_free3_0_9375_H_2_1 / beam_length,
         beam100_clamped_free3_0_9375_H_2_2 / beam_length,
-        beam_length * beam100_clamped_free3_0_9375_at_0_0,
         beam100_clamped_free3_0_9375_shape_1_0,
         beam100_clamped_free3_0_9375_shape_1_1,
         beam100_clamped_free3_0_9375_shape_1_2,
@@ -508,13 +517,18 @@ def constants() -> ca.Function:
         beam100_clamped_free3_1_0_H_2_0 / beam_length,
         beam100_clamped_free3_1_0_H_2_1 / beam_length,
         beam100_clamped_free3_1_0_H_2_2 / beam_length,
-        beam_length,
         beam100_clamped_free3_1_0_shape_1_0,
         beam100_clamped_free3_1_0_shape_1_1,
         beam100_clamped_free3_1_0_shape_1_2,
         w2 - w3,
-        w4 - w5,
-        w6 - w7,
+        -w7,
+        -w11,
+        w6 - w8,
+        -w4,
+        -w12,
+        w10 - w13,
+        -w5,
+        -w9,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -522,12 +536,12 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 104 operations."""
+    """M_hat and Q_hat (Eq. 38). 102 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -555,26 +569,25 @@ def condensed() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
-    w0 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
-    w1 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
-    w2 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
-    w3 = ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t), 0) + -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) * beam_theta_dot
+    w0 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w2 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w3 = ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0) + -2.0 * beam_theta_dot * (w2 * beam_q1_dot + w1 * beam_q2_dot + w0 * beam_q3_dot)
     w4 = beam_theta_dot**2
     M_hat = ca.vertcat(
-        c13 + (c12 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2)),
-        c18,
-        c19,
-        c20,
-        c18,
+        beam_q3 * w0 + (beam_q2 * w1 + (beam_q1 * w2 + c12)),
+        c13,
+        c14,
+        c15,
+        c13,
         c0,
         0.0,
         0.0,
-        c19,
+        c14,
         0.0,
         c4,
         0.0,
-        c20,
+        c15,
         0.0,
         0.0,
         c8,
@@ -583,9 +596,9 @@ def condensed() -> ca.Function:
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
         w3,
-        w0 * w4 - c15 * beam_q1,
-        w1 * w4 - c16 * beam_q2,
-        w2 * w4 - c17 * beam_q3,
+        w2 * w4 - beam_q1 * c17,
+        w1 * w4 - beam_q2 * c18,
+        w0 * w4 - beam_q3 * c19,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat, Q_hat]
@@ -727,11 +740,11 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 294 operations."""
+    """M and Q* of the augmented form (Eq. 28). 293 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -752,7 +765,6 @@ def augmented() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
@@ -776,32 +788,34 @@ def augmented() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
+    c36 = c[36]
     w0 = ca.sin(beam_theta)
-    w1 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
-    w2 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
-    w3 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
-    w4 = c30 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) / 2.0
+    w1 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
+    w2 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
+    w3 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
+    w4 = c24 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3)
     w5 = ca.cos(beam_theta)
-    w6 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
+    w6 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w7 = w0 * w4 + w5 * w6
     w8 = -w7
-    w9 = -(w5 * w1 + w0 * c31)
-    w10 = -(w5 * w2 + w0 * c32)
-    w11 = -(w5 * w3 + w0 * c33)
-    w12 = w5 * w4 - w0 * w6
-    w13 = w5 * c31 - w0 * w1
-    w14 = w5 * c32 - w0 * w2
-    w15 = w5 * c33 - w0 * w3
-    w16 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
-    w17 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
-    w18 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w9 = -(w1 * w5 + w0 * c34)
+    w10 = -(w2 * w5 + w0 * c35)
+    w11 = -(w3 * w5 + w0 * c36)
+    w12 = w4 * w5 - w0 * w6
+    w13 = w5 * c34 - w0 * w1
+    w14 = w5 * c35 - w0 * w2
+    w15 = w5 * c36 - w0 * w3
+    w16 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w17 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w18 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w19 = beam_theta_dot**2
-    w20 = c31 * beam_q1_dot + c32 * beam_q2_dot + c33 * beam_q3_dot
-    w21 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
-    w22 = beam_q1_dot * (c21 * beam_q1_dot + c22 * beam_q2_dot + c23 * beam_q3_dot) + beam_q2_dot * (c24 * beam_q1_dot + c25 * beam_q2_dot + c26 * beam_q3_dot)
-    w23 = w22 + beam_q3_dot * (c27 * beam_q1_dot + c28 * beam_q2_dot + c29 * beam_q3_dot)
+    w20 = 2 * beam_theta_dot
+    w21 = beam_q1_dot * c34 + beam_q2_dot * c35 + beam_q3_dot * c36
+    w22 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
+    w23 = beam_q1_dot * (beam_q1_dot * c25 + beam_q2_dot * c26 + beam_q3_dot * c27) + beam_q2_dot * (beam_q1_dot * c28 + beam_q2_dot * c29 + beam_q3_dot * c30)
+    w24 = w23 + beam_q3_dot * (beam_q1_dot * c31 + beam_q2_dot * c32 + beam_q3_dot * c33)
     M = ca.vertcat(
-        c34,
+        c23,
         0.0,
         0.0,
         0.0,
@@ -811,7 +825,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c34,
+        c23,
         0.0,
         0.0,
         0.0,
@@ -821,7 +835,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c13,
+        c20,
         0.0,
         0.0,
         0.0,
@@ -831,7 +845,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c35,
+        c21,
         0.0,
         w8,
         w9,
@@ -841,7 +855,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c35,
+        c21,
         w12,
         w13,
         w14,
@@ -851,16 +865,16 @@ def augmented() -> ca.Function:
         0.0,
         w8,
         w12,
-        c12 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18),
-        c18,
-        c19,
-        c20,
+        c22 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18),
+        c13,
+        c14,
+        c15,
         0.0,
         0.0,
         0.0,
         w9,
         w13,
-        c18,
+        c13,
         c0,
         0.0,
         0.0,
@@ -869,7 +883,7 @@ def augmented() -> ca.Function:
         0.0,
         w10,
         w14,
-        c19,
+        c14,
         0.0,
         c4,
         0.0,
@@ -878,7 +892,7 @@ def augmented() -> ca.Function:
         0.0,
         w11,
         w15,
-        c20,
+        c15,
         0.0,
         0.0,
         c8,
@@ -888,13 +902,13 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t), 0),
-        w12 * w19 + 2 * (w5 * w20 - w0 * w21) * beam_theta_dot + w5 * w23,
-        w7 * w19 + w0 * w23 - 2 * -(w5 * w21 + w0 * w20) * beam_theta_dot,
-        -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot) * beam_theta_dot,
-        w16 * w19 - c15 * beam_q1,
-        w17 * w19 - c16 * beam_q2,
-        w18 * w19 - c17 * beam_q3,
+        ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0),
+        w12 * w19 + w20 * (w5 * w21 - w0 * w22) + w5 * w24,
+        w7 * w19 + w0 * w24 + w20 * (w5 * w22 + w0 * w21),
+        -2.0 * beam_theta_dot * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot),
+        w16 * w19 - beam_q1 * c17,
+        w17 * w19 - beam_q2 * c18,
+        w18 * w19 - beam_q3 * c19,
     )
     Q_star = ca.densify(Q_star)
     inputs, outputs = [q, q_dot, t, c], [M, Q_star]
@@ -902,11 +916,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 227 operations."""
+    """Lagrange multipliers lam (Eq. 37). 225 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -935,10 +949,9 @@ def reactions() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
@@ -954,35 +967,37 @@ def reactions() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    w0 = ca.cos(beam_theta)
-    w1 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
-    w2 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
-    w3 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
-    w4 = c30 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) / 2.0
-    w5 = ca.sin(beam_theta)
-    w6 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
-    w7 = w0 * w4 - w5 * w6
-    w8 = beam_theta_dot**2
-    w9 = c31 * beam_q1_dot + c32 * beam_q2_dot + c33 * beam_q3_dot
-    w10 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
-    w11 = beam_q1_dot * (c21 * beam_q1_dot + c22 * beam_q2_dot + c23 * beam_q3_dot) + beam_q2_dot * (c24 * beam_q1_dot + c25 * beam_q2_dot + c26 * beam_q3_dot)
-    w12 = w11 + beam_q3_dot * (c27 * beam_q1_dot + c28 * beam_q2_dot + c29 * beam_q3_dot)
-    w13 = w5 * w4 + w0 * w6
-    w14 = c35 * beam_x_ddot - w13 * beam_theta_ddot - (w0 * w1 + w5 * c31) * beam_q1_ddot - (w0 * w2 + w5 * c32) * beam_q2_ddot
-    w15 = w7 * w8 + 2 * (w0 * w9 - w5 * w10) * beam_theta_dot + w0 * w12 - (w14 - (w0 * w3 + w5 * c33) * beam_q3_ddot)
-    w16 = c35 * beam_y_ddot + w7 * beam_theta_ddot + (w0 * c31 - w5 * w1) * beam_q1_ddot + (w0 * c32 - w5 * w2) * beam_q2_ddot
-    w17 = w13 * w8 + w5 * w12 - 2 * -(w0 * w10 + w5 * w9) * beam_theta_dot - (w16 + (w0 * c33 - w5 * w3) * beam_q3_ddot)
-    w18 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
-    w19 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
-    w20 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
-    w21 = w7 * beam_y_ddot - w13 * beam_x_ddot + (c12 + (beam_q1 * w18 + beam_q2 * w19 + beam_q3 * w20)) * beam_theta_ddot
-    w22 = -2.0 * (w18 * beam_q1_dot + w19 * beam_q2_dot + w20 * beam_q3_dot) * beam_theta_dot - (w21 + c18 * beam_q1_ddot + c19 * beam_q2_ddot + c20 * beam_q3_ddot)
+    c36 = c[36]
+    w0 = beam_theta_dot**2
+    w1 = ca.cos(beam_theta)
+    w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
+    w3 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
+    w4 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
+    w5 = c24 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4)
+    w6 = ca.sin(beam_theta)
+    w7 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
+    w8 = w1 * w5 - w6 * w7
+    w9 = 2 * beam_theta_dot
+    w10 = beam_q1_dot * c34 + beam_q2_dot * c35 + beam_q3_dot * c36
+    w11 = w2 * beam_q1_dot + w3 * beam_q2_dot + w4 * beam_q3_dot
+    w12 = beam_q1_dot * (beam_q1_dot * c25 + beam_q2_dot * c26 + beam_q3_dot * c27) + beam_q2_dot * (beam_q1_dot * c28 + beam_q2_dot * c29 + beam_q3_dot * c30)
+    w13 = w12 + beam_q3_dot * (beam_q1_dot * c31 + beam_q2_dot * c32 + beam_q3_dot * c33)
+    w14 = w5 * w6 + w1 * w7
+    w15 = beam_x_ddot * c21 - w14 * beam_theta_ddot - (w1 * w2 + w6 * c34) * beam_q1_ddot - (w1 * w3 + w6 * c35) * beam_q2_ddot
+    w16 = w0 * w8 + w9 * (w1 * w10 - w6 * w11) + w1 * w13 - (w15 - (w1 * w4 + w6 * c36) * beam_q3_ddot)
+    w17 = beam_y_ddot * c21 + w8 * beam_theta_ddot + beam_q1_ddot * (w1 * c34 - w2 * w6) + beam_q2_ddot * (w1 * c35 - w3 * w6)
+    w18 = w0 * w14 + w6 * w13 + w9 * (w1 * w11 + w6 * w10) - (w17 + beam_q3_ddot * (w1 * c36 - w4 * w6))
+    w19 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w20 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w21 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w22 = w8 * beam_y_ddot - beam_x_ddot * w14 + beam_theta_ddot * (c22 + (beam_q1 * w19 + beam_q2 * w20 + beam_q3 * w21))
+    w23 = -2.0 * beam_theta_dot * (beam_q1_dot * w19 + beam_q2_dot * w20 + beam_q3_dot * w21) - (w22 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
     lam = ca.vertcat(
-        w15 - c34 * hub_x_ddot,
-        w17 - c34 * hub_y_ddot,
-        w15,
-        w17,
-        w22,
+        w16 - hub_x_ddot * c23,
+        w18 - hub_y_ddot * c23,
+        w16,
+        w18,
+        w23,
     )
     lam = ca.densify(lam)
     inputs, outputs = [q, q_dot, q_ddot, c], [lam]
@@ -990,11 +1005,11 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 224 operations."""
+    """Energies in J and powers in W. 225 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -1020,7 +1035,6 @@ def energy() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
@@ -1044,36 +1058,37 @@ def energy() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    w0 = hub_x_dot * (c34 * hub_x_dot) + hub_y_dot * (c34 * hub_y_dot) + hub_theta_dot * (c13 * hub_theta_dot)
+    c36 = c[36]
+    w0 = hub_x_dot * (hub_x_dot * c23) + hub_y_dot * (hub_y_dot * c23) + hub_theta_dot * (hub_theta_dot * c20)
     w1 = ca.sin(beam_theta)
-    w2 = c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3
-    w3 = c24 * beam_q1 + c25 * beam_q2 + c26 * beam_q3
-    w4 = c27 * beam_q1 + c28 * beam_q2 + c29 * beam_q3
-    w5 = c30 - (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4) / 2.0
+    w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
+    w3 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
+    w4 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
+    w5 = c24 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4)
     w6 = ca.cos(beam_theta)
-    w7 = c31 * beam_q1 + c32 * beam_q2 + c33 * beam_q3
+    w7 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w8 = w1 * w5 + w6 * w7
-    w9 = w6 * w2 + w1 * c31
-    w10 = w6 * w3 + w1 * c32
-    w11 = w6 * w4 + w1 * c33
-    w12 = c35 * beam_x_dot - w8 * beam_theta_dot - w9 * beam_q1_dot - w10 * beam_q2_dot - w11 * beam_q3_dot
-    w13 = w6 * w5 - w1 * w7
-    w14 = w6 * c31 - w1 * w2
-    w15 = w6 * c32 - w1 * w3
-    w16 = w6 * c33 - w1 * w4
-    w17 = c35 * beam_y_dot + w13 * beam_theta_dot + w14 * beam_q1_dot + w15 * beam_q2_dot + w16 * beam_q3_dot
-    w18 = beam_q1 * (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) + beam_q2 * (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3))
-    w19 = (c12 + (w18 + beam_q3 * (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)))) * beam_theta_dot
-    w20 = w13 * beam_y_dot - w8 * beam_x_dot + w19 + c18 * beam_q1_dot + c19 * beam_q2_dot + c20 * beam_q3_dot
-    w21 = w0 + beam_x_dot * w12 + beam_y_dot * w17 + beam_theta_dot * w20 + beam_q1_dot * (w14 * beam_y_dot - w9 * beam_x_dot + c18 * beam_theta_dot + c0 * beam_q1_dot)
-    w22 = w21 + beam_q2_dot * (w15 * beam_y_dot - w10 * beam_x_dot + c19 * beam_theta_dot + c4 * beam_q2_dot)
-    w23 = w22 + beam_q3_dot * (w16 * beam_y_dot - w11 * beam_x_dot + c20 * beam_theta_dot + c8 * beam_q3_dot)
+    w9 = w2 * w6 + w1 * c34
+    w10 = w3 * w6 + w1 * c35
+    w11 = w4 * w6 + w1 * c36
+    w12 = beam_x_dot * c21 - w8 * beam_theta_dot - w9 * beam_q1_dot - w10 * beam_q2_dot - w11 * beam_q3_dot
+    w13 = w5 * w6 - w1 * w7
+    w14 = w6 * c34 - w1 * w2
+    w15 = w6 * c35 - w1 * w3
+    w16 = w6 * c36 - w1 * w4
+    w17 = beam_y_dot * c21 + beam_theta_dot * w13 + beam_q1_dot * w14 + beam_q2_dot * w15 + beam_q3_dot * w16
+    w18 = beam_q1 * (beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)) + beam_q2 * (beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7))
+    w19 = beam_theta_dot * (c22 + (w18 + beam_q3 * (beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11))))
+    w20 = beam_y_dot * w13 - beam_x_dot * w8 + w19 + beam_q1_dot * c13 + beam_q2_dot * c14 + beam_q3_dot * c15
+    w21 = w0 + beam_x_dot * w12 + beam_y_dot * w17 + beam_theta_dot * w20 + beam_q1_dot * (beam_y_dot * w14 - beam_x_dot * w9 + beam_theta_dot * c13 + beam_q1_dot * c0)
+    w22 = w21 + beam_q2_dot * (beam_y_dot * w15 - beam_x_dot * w10 + beam_theta_dot * c14 + beam_q2_dot * c4)
+    w23 = w22 + beam_q3_dot * (beam_y_dot * w16 - beam_x_dot * w11 + beam_theta_dot * c15 + beam_q3_dot * c8)
     kinetic = ca.vertcat(
         w23 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        (beam_q1 * c15 * beam_q1 + beam_q2 * c16 * beam_q2 + beam_q3 * c17 * beam_q3) / 2.0,
+        (beam_q1 * (beam_q1 * c17) + beam_q2 * (beam_q2 * c18) + beam_q3 * (beam_q3 * c19)) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -1085,7 +1100,7 @@ def energy() -> ca.Function:
     )
     power_dissipated = ca.densify(power_dissipated)
     power_applied = ca.vertcat(
-        ca.if_else(t < 2.0, c14 * ca.sin(3.141592653589793 * t) * hub_theta_dot, 0),
+        ca.if_else(t < 2.0, hub_theta_dot * (ca.sin(3.141592653589793 * t) * c16), 0),
     )
     power_applied = ca.densify(power_applied)
     inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
@@ -1096,7 +1111,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 819 operations."""
     q = ca.SX.sym("q", 9)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     hub_x = q[0]
     hub_y = q[1]
     beam_x = q[3]
@@ -1105,7 +1120,6 @@ def drawing() -> ca.Function:
     beam_q1 = q[6]
     beam_q2 = q[7]
     beam_q3 = q[8]
-    c36 = c[36]
     c37 = c[37]
     c38 = c[38]
     c39 = c[39]
@@ -1313,66 +1327,67 @@ def drawing() -> ca.Function:
     c241 = c[241]
     c242 = c[242]
     c243 = c[243]
+    c244 = c[244]
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * exaggeration
-    w2 = beam_q2 * exaggeration
-    w3 = beam_q3 * exaggeration
-    w4 = w1 * (c36 * w1 + c37 * w2 + c38 * w3) + w2 * (c39 * w1 + c40 * w2 + c41 * w3) + w3 * (c42 * w1 + c43 * w2 + c44 * w3)
-    w5 = c45 - w4 / 2.0
+    w2 = exaggeration * beam_q2
+    w3 = exaggeration * beam_q3
+    w4 = w1 * (w1 * c39 + w2 * c40 + w3 * c41) + w2 * (w1 * c42 + w2 * c43 + w3 * c44) + w3 * (w1 * c45 + w2 * c46 + w3 * c47)
+    w5 = c38 - 0.5 * w4
     w6 = ca.sin(beam_theta)
-    w7 = c46 * w1 + c47 * w2 + c48 * w3
-    w8 = w1 * (c49 * w1 + c50 * w2 + c51 * w3) + w2 * (c52 * w1 + c53 * w2 + c54 * w3) + w3 * (c55 * w1 + c56 * w2 + c57 * w3)
-    w9 = c58 - w8 / 2.0
-    w10 = c59 * w1 + c60 * w2 + c61 * w3
-    w11 = w1 * (c62 * w1 + c63 * w2 + c64 * w3) + w2 * (c65 * w1 + c66 * w2 + c67 * w3) + w3 * (c68 * w1 + c69 * w2 + c70 * w3)
-    w12 = c71 - w11 / 2.0
-    w13 = c72 * w1 + c73 * w2 + c74 * w3
-    w14 = w1 * (c75 * w1 + c76 * w2 + c77 * w3) + w2 * (c78 * w1 + c79 * w2 + c80 * w3) + w3 * (c81 * w1 + c82 * w2 + c83 * w3)
-    w15 = c84 - w14 / 2.0
-    w16 = c85 * w1 + c86 * w2 + c87 * w3
-    w17 = w1 * (c88 * w1 + c89 * w2 + c90 * w3) + w2 * (c91 * w1 + c92 * w2 + c93 * w3) + w3 * (c94 * w1 + c95 * w2 + c96 * w3)
-    w18 = c97 - w17 / 2.0
-    w19 = c98 * w1 + c99 * w2 + c100 * w3
-    w20 = w1 * (c101 * w1 + c102 * w2 + c103 * w3) + w2 * (c104 * w1 + c105 * w2 + c106 * w3) + w3 * (c107 * w1 + c108 * w2 + c109 * w3)
-    w21 = c110 - w20 / 2.0
-    w22 = c111 * w1 + c112 * w2 + c113 * w3
-    w23 = w1 * (c114 * w1 + c115 * w2 + c116 * w3) + w2 * (c117 * w1 + c118 * w2 + c119 * w3) + w3 * (c120 * w1 + c121 * w2 + c122 * w3)
-    w24 = c123 - w23 / 2.0
-    w25 = c124 * w1 + c125 * w2 + c126 * w3
-    w26 = w1 * (c127 * w1 + c128 * w2 + c129 * w3) + w2 * (c130 * w1 + c131 * w2 + c132 * w3) + w3 * (c133 * w1 + c134 * w2 + c135 * w3)
-    w27 = c136 - w26 / 2.0
-    w28 = c137 * w1 + c138 * w2 + c139 * w3
-    w29 = w1 * (c140 * w1 + c141 * w2 + c142 * w3) + w2 * (c143 * w1 + c144 * w2 + c145 * w3) + w3 * (c146 * w1 + c147 * w2 + c148 * w3)
-    w30 = c149 - w29 / 2.0
-    w31 = c150 * w1 + c151 * w2 + c152 * w3
-    w32 = w1 * (c153 * w1 + c154 * w2 + c155 * w3) + w2 * (c156 * w1 + c157 * w2 + c158 * w3) + w3 * (c159 * w1 + c160 * w2 + c161 * w3)
-    w33 = c162 - w32 / 2.0
-    w34 = c163 * w1 + c164 * w2 + c165 * w3
-    w35 = w1 * (c166 * w1 + c167 * w2 + c168 * w3) + w2 * (c169 * w1 + c170 * w2 + c171 * w3) + w3 * (c172 * w1 + c173 * w2 + c174 * w3)
-    w36 = c175 - w35 / 2.0
-    w37 = c176 * w1 + c177 * w2 + c178 * w3
-    w38 = w1 * (c179 * w1 + c180 * w2 + c181 * w3) + w2 * (c182 * w1 + c183 * w2 + c184 * w3) + w3 * (c185 * w1 + c186 * w2 + c187 * w3)
-    w39 = c188 - w38 / 2.0
-    w40 = c189 * w1 + c190 * w2 + c191 * w3
-    w41 = w1 * (c192 * w1 + c193 * w2 + c194 * w3) + w2 * (c195 * w1 + c196 * w2 + c197 * w3) + w3 * (c198 * w1 + c199 * w2 + c200 * w3)
-    w42 = c201 - w41 / 2.0
-    w43 = c202 * w1 + c203 * w2 + c204 * w3
-    w44 = w1 * (c205 * w1 + c206 * w2 + c207 * w3) + w2 * (c208 * w1 + c209 * w2 + c210 * w3) + w3 * (c211 * w1 + c212 * w2 + c213 * w3)
-    w45 = c214 - w44 / 2.0
-    w46 = c215 * w1 + c216 * w2 + c217 * w3
-    w47 = w1 * (c218 * w1 + c219 * w2 + c220 * w3) + w2 * (c221 * w1 + c222 * w2 + c223 * w3) + w3 * (c224 * w1 + c225 * w2 + c226 * w3)
-    w48 = c227 - w47 / 2.0
-    w49 = c228 * w1 + c229 * w2 + c230 * w3
-    w50 = w1 * (c231 * w1 + c232 * w2 + c233 * w3) + w2 * (c234 * w1 + c235 * w2 + c236 * w3) + w3 * (c237 * w1 + c238 * w2 + c239 * w3)
-    w51 = c240 - w50 / 2.0
-    w52 = c241 * w1 + c242 * w2 + c243 * w3
+    w7 = w1 * c48 + w2 * c49 + w3 * c50
+    w8 = w1 * (w1 * c52 + w2 * c53 + w3 * c54) + w2 * (w1 * c55 + w2 * c56 + w3 * c57) + w3 * (w1 * c58 + w2 * c59 + w3 * c60)
+    w9 = c51 - 0.5 * w8
+    w10 = w1 * c61 + w2 * c62 + w3 * c63
+    w11 = w1 * (w1 * c65 + w2 * c66 + w3 * c67) + w2 * (w1 * c68 + w2 * c69 + w3 * c70) + w3 * (w1 * c71 + w2 * c72 + w3 * c73)
+    w12 = c64 - 0.5 * w11
+    w13 = w1 * c74 + w2 * c75 + w3 * c76
+    w14 = w1 * (w1 * c78 + w2 * c79 + w3 * c80) + w2 * (w1 * c81 + w2 * c82 + w3 * c83) + w3 * (w1 * c84 + w2 * c85 + w3 * c86)
+    w15 = c77 - 0.5 * w14
+    w16 = w1 * c87 + w2 * c88 + w3 * c89
+    w17 = w1 * (w1 * c91 + w2 * c92 + w3 * c93) + w2 * (w1 * c94 + w2 * c95 + w3 * c96) + w3 * (w1 * c97 + w2 * c98 + w3 * c99)
+    w18 = c90 - 0.5 * w17
+    w19 = w1 * c100 + w2 * c101 + w3 * c102
+    w20 = w1 * (w1 * c104 + w2 * c105 + w3 * c106) + w2 * (w1 * c107 + w2 * c108 + w3 * c109) + w3 * (w1 * c110 + w2 * c111 + w3 * c112)
+    w21 = c103 - 0.5 * w20
+    w22 = w1 * c113 + w2 * c114 + w3 * c115
+    w23 = w1 * (w1 * c117 + w2 * c118 + w3 * c119) + w2 * (w1 * c120 + w2 * c121 + w3 * c122) + w3 * (w1 * c123 + w2 * c124 + w3 * c125)
+    w24 = c116 - 0.5 * w23
+    w25 = w1 * c126 + w2 * c127 + w3 * c128
+    w26 = w1 * (w1 * c130 + w2 * c131 + w3 * c132) + w2 * (w1 * c133 + w2 * c134 + w3 * c135) + w3 * (w1 * c136 + w2 * c137 + w3 * c138)
+    w27 = c129 - 0.5 * w26
+    w28 = w1 * c139 + w2 * c140 + w3 * c141
+    w29 = w1 * (w1 * c143 + w2 * c144 + w3 * c145) + w2 * (w1 * c146 + w2 * c147 + w3 * c148) + w3 * (w1 * c149 + w2 * c150 + w3 * c151)
+    w30 = c142 - 0.5 * w29
+    w31 = w1 * c152 + w2 * c153 + w3 * c154
+    w32 = w1 * (w1 * c156 + w2 * c157 + w3 * c158) + w2 * (w1 * c159 + w2 * c160 + w3 * c161) + w3 * (w1 * c162 + w2 * c163 + w3 * c164)
+    w33 = c155 - 0.5 * w32
+    w34 = w1 * c165 + w2 * c166 + w3 * c167
+    w35 = w1 * (w1 * c169 + w2 * c170 + w3 * c171) + w2 * (w1 * c172 + w2 * c173 + w3 * c174) + w3 * (w1 * c175 + w2 * c176 + w3 * c177)
+    w36 = c168 - 0.5 * w35
+    w37 = w1 * c178 + w2 * c179 + w3 * c180
+    w38 = w1 * (w1 * c182 + w2 * c183 + w3 * c184) + w2 * (w1 * c185 + w2 * c186 + w3 * c187) + w3 * (w1 * c188 + w2 * c189 + w3 * c190)
+    w39 = c181 - 0.5 * w38
+    w40 = w1 * c191 + w2 * c192 + w3 * c193
+    w41 = w1 * (w1 * c195 + w2 * c196 + w3 * c197) + w2 * (w1 * c198 + w2 * c199 + w3 * c200) + w3 * (w1 * c201 + w2 * c202 + w3 * c203)
+    w42 = c194 - 0.5 * w41
+    w43 = w1 * c204 + w2 * c205 + w3 * c206
+    w44 = w1 * (w1 * c208 + w2 * c209 + w3 * c210) + w2 * (w1 * c211 + w2 * c212 + w3 * c213) + w3 * (w1 * c214 + w2 * c215 + w3 * c216)
+    w45 = c207 - 0.5 * w44
+    w46 = w1 * c217 + w2 * c218 + w3 * c219
+    w47 = w1 * (w1 * c221 + w2 * c222 + w3 * c223) + w2 * (w1 * c224 + w2 * c225 + w3 * c226) + w3 * (w1 * c227 + w2 * c228 + w3 * c229)
+    w48 = c220 - 0.5 * w47
+    w49 = w1 * c230 + w2 * c231 + w3 * c232
+    w50 = w1 * (w1 * c233 + w2 * c234 + w3 * c235) + w2 * (w1 * c236 + w2 * c237 + w3 * c238) + w3 * (w1 * c239 + w2 * c240 + w3 * c241)
+    w51 = c37 - 0.5 * w50
+    w52 = w1 * c242 + w2 * c243 + w3 * c244
     xy = ca.vertcat(
         hub_x,
         hub_y,
         beam_x,
         beam_y,
         beam_x + (w0 * w5 - w6 * w7),
-        beam_y + (w6 * w5 + w0 * w7),
+        beam_y + (w5 * w6 + w0 * w7),
         beam_x + (w0 * w9 - w6 * w10),
         beam_y + (w6 * w9 + w0 * w10),
         beam_x + (w0 * w12 - w6 * w13),
@@ -1411,10 +1426,10 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 74 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 72 operations."""
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_q1_dot = q_i_dot[1]
     beam_q2_dot = q_i_dot[2]
     beam_q3_dot = q_i_dot[3]
@@ -1425,30 +1440,37 @@ def dQ_hat_dq_i() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c10 = c[10]
-    c15 = c[15]
-    c16 = c[16]
     c17 = c[17]
-    c244 = c[244]
+    c18 = c[18]
+    c19 = c[19]
     c245 = c[245]
     c246 = c[246]
-    w0 = beam_theta_dot**2
+    c247 = c[247]
+    c248 = c[248]
+    c249 = c[249]
+    c250 = c[250]
+    c251 = c[251]
+    c252 = c[252]
+    c253 = c[253]
+    w0 = -2.0 * beam_theta_dot
+    w1 = beam_theta_dot**2
     dQ_hat_dq_i = ca.vertcat(
         0.0,
         0.0,
         0.0,
         0.0,
-        beam_theta_dot * (-2.0 * (beam_q1_dot * c244 - beam_q2_dot * c5 - beam_q3_dot * c9)),
-        w0 * c244 - c15,
-        -(w0 * c5),
-        -(w0 * c9),
-        beam_theta_dot * (-2.0 * (beam_q2_dot * c245 - beam_q1_dot * c2 - beam_q3_dot * c10)),
-        -(w0 * c2),
-        w0 * c245 - c16,
-        -(w0 * c10),
-        beam_theta_dot * (-2.0 * (beam_q3_dot * c246 - (beam_q1_dot * c3 + beam_q2_dot * c7))),
-        -(w0 * c3),
-        -(w0 * c7),
-        w0 * c246 - c17,
+        w0 * (beam_q1_dot * c245 - beam_q2_dot * c5 - beam_q3_dot * c9),
+        w1 * c245 - c17,
+        w1 * c246,
+        w1 * c247,
+        w0 * (beam_q2_dot * c248 - beam_q1_dot * c2 - beam_q3_dot * c10),
+        w1 * c249,
+        w1 * c248 - c18,
+        w1 * c250,
+        w0 * (beam_q3_dot * c251 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
+        w1 * c252,
+        w1 * c253,
+        w1 * c251 - c19,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1461,7 +1483,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1481,9 +1503,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    w0 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)
-    w1 = c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)
-    w2 = c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)
+    w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w3 = 2 * beam_theta_dot
     w4 = -2.0 * beam_theta_dot
     dQ_hat_dq_i_dot = ca.vertcat(
@@ -1514,7 +1536,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 84 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1533,24 +1555,24 @@ def dMa_dq_i() -> ca.Function:
     c11 = c[11]
     w0 = beam_q3 * hub_theta_ddot
     w1 = beam_q2 * hub_theta_ddot
-    w2 = (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) * hub_theta_ddot - (c9 * w0 + c5 * w1)
+    w2 = (beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)) * hub_theta_ddot - (w0 * c9 + w1 * c5)
     w3 = beam_q1 * hub_theta_ddot
-    w4 = (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)) * hub_theta_ddot - c10 * w0 - c6 * w1
-    w5 = (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)) * hub_theta_ddot - c11 * w0 + c8 * w0
+    w4 = hub_theta_ddot * (beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)) - w0 * c10 - w1 * c6
+    w5 = hub_theta_ddot * (beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)) - w0 * c11 + w0 * c8
     dMa_dq_i = ca.vertcat(
         0.0,
         0.0,
         0.0,
         0.0,
-        w2 - c1 * w3 + c0 * w3,
+        w2 - w3 * c1 + w3 * c0,
         0.0,
         0.0,
         0.0,
-        w4 + c4 * w1 - c2 * w3,
+        w4 + w1 * c4 - w3 * c2,
         0.0,
         0.0,
         0.0,
-        w5 - c7 * w1 - c3 * w3,
+        w5 - w1 * c7 - w3 * c3,
         0.0,
         0.0,
         0.0,
@@ -1566,7 +1588,7 @@ def substep_2() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 254)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1584,16 +1606,16 @@ def substep_2() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
     w0 = beam_theta_dot**2
-    w1 = (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3)) * w0 - c15 * beam_q1 - c18 * hub_theta_ddot
-    w2 = (c4 * beam_q2 - (c5 * beam_q1 + c6 * beam_q2 + c7 * beam_q3)) * w0 - c16 * beam_q2 - c19 * hub_theta_ddot
-    w3 = (c8 * beam_q3 - (c9 * beam_q1 + c10 * beam_q2 + c11 * beam_q3)) * w0 - c17 * beam_q3 - c20 * hub_theta_ddot
+    w1 = w0 * (beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)) - beam_q1 * c17 - hub_theta_ddot * c13
+    w2 = w0 * (beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)) - beam_q2 * c18 - hub_theta_ddot * c14
+    w3 = w0 * (beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)) - beam_q3 * c19 - hub_theta_ddot * c15
     M_hat_SS = ca.vertcat(
         c0,
         0.0,

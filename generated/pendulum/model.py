@@ -7,18 +7,23 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 13 operations."""
+    """c: everything that depends on the parameters p only. 19 operations."""
     p = ca.SX.sym("p", 3)
     length = p[0]
     gravity_y = p[1]
     rod_mass = p[2]
+    w0 = rod_mass * length
+    w1 = w0 * gravity_y
     c = ca.vertcat(
-        rod_mass * length,
-        gravity_y,
         rod_mass * length**2,
-        rod_mass * gravity_y,
+        w1,
         rod_mass,
+        w0,
+        gravity_y,
+        rod_mass * gravity_y,
+        -gravity_y,
         length,
+        -w1,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -26,19 +31,18 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 9 operations."""
+    """M_hat and Q_hat (Eq. 38). 7 operations."""
     q_i = ca.SX.sym("q_i", 1)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_theta = q_i[0]
     c0 = c[0]
     c1 = c[1]
-    c2 = c[2]
     M_hat = ca.vertcat(
-        c2,
+        c0,
     )
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        ca.cos(rod_theta) * c0 * c1,
+        ca.cos(rod_theta) * c1,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, c], [M_hat, Q_hat]
@@ -116,35 +120,35 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 30 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_theta = q[2]
     rod_theta_dot = q_dot[2]
     c0 = c[0]
-    c1 = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
-    w0 = ca.sin(rod_theta) * c0
+    c5 = c[5]
+    w0 = ca.sin(rod_theta) * c3
     w1 = -w0
-    w2 = ca.cos(rod_theta) * c0
+    w2 = ca.cos(rod_theta) * c3
     w3 = rod_theta_dot**2
     M = ca.vertcat(
-        c4,
-        0.0,
-        w1,
-        0.0,
-        c4,
-        w2,
-        w1,
-        w2,
         c2,
+        0.0,
+        w1,
+        0.0,
+        c2,
+        w2,
+        w1,
+        w2,
+        c0,
     )
     M = ca.reshape(M, 3, 3)
     M = ca.densify(M)
     Q_star = ca.vertcat(
         w2 * w3,
-        w0 * w3 + c3,
-        w2 * c1,
+        w0 * w3 + c5,
+        w2 * c4,
     )
     Q_star = ca.densify(Q_star)
     inputs, outputs = [q, q_dot, c], [M, Q_star]
@@ -156,21 +160,21 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     q_ddot = ca.SX.sym("q_ddot", 3)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_theta = q[2]
     rod_theta_dot = q_dot[2]
     rod_x_ddot = q_ddot[0]
     rod_y_ddot = q_ddot[1]
     rod_theta_ddot = q_ddot[2]
-    c0 = c[0]
+    c2 = c[2]
     c3 = c[3]
-    c4 = c[4]
-    w0 = ca.cos(rod_theta) * c0
-    w1 = rod_theta_dot**2
-    w2 = ca.sin(rod_theta) * c0
+    c5 = c[5]
+    w0 = rod_theta_dot**2
+    w1 = ca.cos(rod_theta) * c3
+    w2 = ca.sin(rod_theta) * c3
     lam = ca.vertcat(
-        w0 * w1 - (c4 * rod_x_ddot - w2 * rod_theta_ddot),
-        w2 * w1 + c3 - (c4 * rod_y_ddot + w0 * rod_theta_ddot),
+        w0 * w1 - (rod_x_ddot * c2 - w2 * rod_theta_ddot),
+        c5 + w0 * w2 - (rod_y_ddot * c2 + w1 * rod_theta_ddot),
     )
     lam = ca.densify(lam)
     inputs, outputs = [q, q_dot, q_ddot, c], [lam]
@@ -178,24 +182,24 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 41 operations."""
+    """Energies in J and powers in W. 40 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_y = q[1]
     rod_theta = q[2]
     rod_x_dot = q_dot[0]
     rod_y_dot = q_dot[1]
     rod_theta_dot = q_dot[2]
     c0 = c[0]
-    c1 = c[1]
     c2 = c[2]
-    c4 = c[4]
-    w0 = ca.sin(rod_theta) * c0
-    w1 = ca.cos(rod_theta) * c0
-    w2 = rod_x_dot * (c4 * rod_x_dot - w0 * rod_theta_dot) + rod_y_dot * (c4 * rod_y_dot + w1 * rod_theta_dot)
+    c3 = c[3]
+    c6 = c[6]
+    w0 = ca.sin(rod_theta) * c3
+    w1 = ca.cos(rod_theta) * c3
+    w2 = rod_x_dot * (rod_x_dot * c2 - w0 * rod_theta_dot) + rod_y_dot * (rod_y_dot * c2 + rod_theta_dot * w1)
     kinetic = ca.vertcat(
-        (w2 + rod_theta_dot * (w1 * rod_y_dot - w0 * rod_x_dot + c2 * rod_theta_dot)) / 2.0,
+        (w2 + rod_theta_dot * (rod_y_dot * w1 - rod_x_dot * w0 + rod_theta_dot * c0)) / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
@@ -203,7 +207,7 @@ def energy() -> ca.Function:
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
-        -(c1 * (c4 * rod_y + w0)),
+        (w0 + rod_y * c2) * c6,
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
@@ -222,21 +226,21 @@ def measures() -> ca.Function:
     """The scene's measures and their rates. 23 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
     rod_x_dot = q_dot[0]
     rod_y_dot = q_dot[1]
     rod_theta_dot = q_dot[2]
-    c5 = c[5]
+    c7 = c[7]
     w0 = ca.cos(rod_theta)
     w1 = ca.sin(rod_theta)
     measures = ca.vertcat(
-        rod_x + w0 * c5,
-        rod_x_dot - c5 * (w1 * rod_theta_dot),
-        rod_y + w1 * c5,
-        rod_y_dot + c5 * (w0 * rod_theta_dot),
+        rod_x + w0 * c7,
+        rod_x_dot - w1 * rod_theta_dot * c7,
+        rod_y + w1 * c7,
+        rod_y_dot + w0 * rod_theta_dot * c7,
     )
     measures = ca.densify(measures)
     inputs, outputs = [q, q_dot, c], [measures]
@@ -246,16 +250,16 @@ def measures() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 14 operations."""
     q = ca.SX.sym("q", 3)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
-    c5 = c[5]
+    c7 = c[7]
     xy = ca.vertcat(
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * c5,
-        rod_y + ca.sin(rod_theta) * c5,
+        rod_x + ca.cos(rod_theta) * c7,
+        rod_y + ca.sin(rod_theta) * c7,
     )
     xy = ca.reshape(xy, 2, 2)
     xy = ca.densify(xy)
@@ -264,14 +268,13 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 8 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 5 operations."""
     q_i = ca.SX.sym("q_i", 1)
-    c = ca.SX.sym("c", 6)
+    c = ca.SX.sym("c", 9)
     rod_theta = q_i[0]
-    c0 = c[0]
-    c1 = c[1]
+    c8 = c[8]
     dQ_hat_dq_i = ca.vertcat(
-        -(c1 * (c0 * ca.sin(rod_theta))),
+        ca.sin(rod_theta) * c8,
     )
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
     inputs, outputs = [q_i, c], [dQ_hat_dq_i]

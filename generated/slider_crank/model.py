@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 38 operations."""
+    """c: everything that depends on the parameters p only. 42 operations."""
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -20,22 +20,25 @@ def constants() -> ca.Function:
     slider_inertia = p[8]
     crank_tip_x = p[9]
     rod_tip_x = p[10]
+    w0 = crank_mass * crank_center_of_mass_x
     c = ca.vertcat(
+        crank_inertia + crank_mass * crank_center_of_mass_x**2,
         crank_tip_x,
         rod_mass,
-        crank_inertia + crank_mass * crank_center_of_mass_x**2,
+        slider_mass,
         rod_mass + slider_mass,
         rod_tip_x,
         rod_mass * rod_center_of_mass_x,
-        slider_mass,
         rod_inertia + rod_mass * rod_center_of_mass_x**2,
-        crank_mass * crank_center_of_mass_x,
         gravity_y,
+        w0 * gravity_y,
         rod_mass * gravity_y,
-        crank_mass * gravity_y,
         crank_mass,
+        w0,
         slider_inertia,
+        crank_mass * gravity_y,
         slider_mass * gravity_y,
+        -slider_inertia,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -43,12 +46,12 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 88 operations."""
+    """M_hat and Q_hat (Eq. 38). 87 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -65,30 +68,30 @@ def condensed() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     w0 = ca.cos(crank_theta)
-    w1 = w0 * c0
-    w2 = ca.sin(crank_theta) * c0
+    w1 = w0 * c1
+    w2 = ca.sin(crank_theta) * c1
     w3 = ca.cos(rod_theta)
-    w4 = w3 * c4
+    w4 = w3 * c5
     w5 = w1 / w4
-    w6 = w3 * c5
+    w6 = w3 * c6
     w7 = ca.sin(rod_theta)
-    w8 = w7 * c5
-    w9 = w7 * c4
-    w10 = w9 * c6
+    w8 = w7 * c6
+    w9 = w7 * c5
+    w10 = w9 * c3
     w11 = w1 * w6 + w2 * (w8 + w10)
     w12 = rod_theta_dot**2
     w13 = crank_theta_dot**2
     w14 = w2 * w13
     w15 = (w9 * w12 + w14) / w4
     w16 = w1 * w13
-    w17 = c6 * (w4 * w12 + w16 + w9 * w15)
-    w18 = w0 * c8 * c9 + (w8 * w12 + c10 - (w6 * w15 - c1 * w14)) * w1 - (w6 * w12 + (c1 * w16 + w8 * w15) + w17) * w2
+    w17 = (w16 + w4 * w12 + w9 * w15) * c3
+    w18 = w0 * c9 + w1 * (w8 * w12 + c10 - (w6 * w15 - w14 * c2)) - w2 * (w6 * w12 + (w16 * c2 + w8 * w15) + w17)
     M_hat = ca.vertcat(
-        c2 + w1 * (w1 * c1) + w2 * (w2 * c3) - (w5 * (w11 - w5 * (c7 + w9 * w10)) + w5 * w11),
+        c0 + w1 * (w1 * c2) + w2 * (w2 * c4) - (w5 * (w11 - w5 * (c7 + w9 * w10)) + w5 * w11),
     )
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w18 - (w6 * c9 - (w8 * w16 - w6 * w14 + c7 * w15) - w17 * w9) * w5,
+        w18 - w5 * (w6 * c8 - (w8 * w16 - w6 * w14 + w15 * c7) - w9 * w17),
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
@@ -99,22 +102,22 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
-    c0 = c[0]
-    c4 = c[4]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
-    w2 = w1 + ca.sin(rod_theta) * c4
-    w3 = rod_theta - w2 / (ca.cos(rod_theta) * c4)
+    c1 = c[1]
+    c5 = c[5]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = w1 + ca.sin(rod_theta) * c5
+    w3 = rod_theta - w2 / (ca.cos(rod_theta) * c5)
     q_d_next = ca.vertcat(
         0.0,
         0.0,
         w0,
         w1,
         w3,
-        w0 + ca.cos(w3) * c4,
+        w0 + ca.cos(w3) * c5,
         0.0,
         0.0,
     )
@@ -132,22 +135,22 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
-    c0 = c[0]
-    c4 = c[4]
-    w0 = ca.sin(crank_theta) * c0 * crank_theta_dot
-    w1 = ca.cos(crank_theta) * c0
-    w2 = w1 / (ca.cos(rod_theta) * c4) * crank_theta_dot
+    c1 = c[1]
+    c5 = c[5]
+    w0 = ca.sin(crank_theta) * c1 * crank_theta_dot
+    w1 = ca.cos(crank_theta) * c1
+    w2 = crank_theta_dot * (w1 / (ca.cos(rod_theta) * c5))
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
         -w0,
-        w1 * crank_theta_dot,
+        crank_theta_dot * w1,
         -w2,
-        ca.sin(rod_theta) * c4 * w2 - w0,
+        w2 * (ca.sin(rod_theta) * c5) - w0,
         0.0,
         0.0,
     )
@@ -163,30 +166,30 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c4 = c[4]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = crank_theta_dot**2
-    w2 = ca.sin(crank_theta) * c0
+    c1 = c[1]
+    c5 = c[5]
+    w0 = crank_theta_dot**2
+    w1 = ca.cos(crank_theta) * c1
+    w2 = ca.sin(crank_theta) * c1
     w3 = w0 * w1 + w2 * crank_theta_ddot
-    w4 = w2 * w1
-    w5 = ca.sin(rod_theta) * c4
-    w6 = rod_theta_dot**2
-    w7 = ca.cos(rod_theta) * c4
-    w8 = (w5 * w6 + w4) / w7 - w0 / w7 * crank_theta_ddot
+    w4 = w0 * w2
+    w5 = rod_theta_dot**2
+    w6 = ca.sin(rod_theta) * c5
+    w7 = ca.cos(rod_theta) * c5
+    w8 = (w4 + w5 * w6) / w7 - crank_theta_ddot * (w1 / w7)
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
         -w3,
-        w0 * crank_theta_ddot - w4,
+        w1 * crank_theta_ddot - w4,
         w8,
-        -(w7 * w6 + w3 + w5 * w8),
+        -(w3 + w5 * w7 + w6 * w8),
         0.0,
         0.0,
     )
@@ -199,7 +202,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 140 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -211,12 +214,12 @@ def constraints() -> ca.Function:
     slider_theta = q[8]
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
-    c0 = c[0]
-    c4 = c[4]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
-    w2 = ca.cos(rod_theta) * c4
-    w3 = ca.sin(rod_theta) * c4
+    c1 = c[1]
+    c5 = c[5]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = ca.cos(rod_theta) * c5
+    w3 = ca.sin(rod_theta) * c5
     w4 = crank_theta_dot**2
     w5 = rod_theta_dot**2
     C = ca.vertcat(
@@ -336,33 +339,33 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 127 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
-    c1 = c[1]
+    c0 = c[0]
     c2 = c[2]
-    c5 = c[5]
+    c3 = c[3]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
-    c9 = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    w0 = ca.sin(crank_theta) * c8
+    c15 = c[15]
+    w0 = ca.sin(crank_theta) * c12
     w1 = -w0
-    w2 = ca.cos(crank_theta) * c8
-    w3 = ca.sin(rod_theta) * c5
+    w2 = ca.cos(crank_theta) * c12
+    w3 = ca.sin(rod_theta) * c6
     w4 = -w3
-    w5 = ca.cos(rod_theta) * c5
+    w5 = ca.cos(rod_theta) * c6
     w6 = crank_theta_dot**2
     w7 = rod_theta_dot**2
     M = ca.vertcat(
-        c12,
+        c11,
         0.0,
         w1,
         0.0,
@@ -372,7 +375,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c12,
+        c11,
         w2,
         0.0,
         0.0,
@@ -382,17 +385,17 @@ def augmented() -> ca.Function:
         0.0,
         w1,
         w2,
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         c2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
         0.0,
         w4,
         0.0,
@@ -402,7 +405,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c1,
+        c2,
         w5,
         0.0,
         0.0,
@@ -422,7 +425,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c6,
+        c3,
         0.0,
         0.0,
         0.0,
@@ -432,7 +435,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c6,
+        c3,
         0.0,
         0.0,
         0.0,
@@ -448,13 +451,13 @@ def augmented() -> ca.Function:
     M = ca.densify(M)
     Q_star = ca.vertcat(
         w2 * w6,
-        w0 * w6 + c11,
-        w2 * c9,
+        w0 * w6 + c14,
+        w2 * c8,
         w5 * w7,
-        w3 * w7 + c10,
-        w5 * c9,
+        c10 + w3 * w7,
+        w5 * c8,
         0.0,
-        c14,
+        c15,
         0.0,
     )
     Q_star = ca.densify(Q_star)
@@ -463,11 +466,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 89 operations."""
+    """Lagrange multipliers lam (Eq. 37). 88 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -481,37 +484,37 @@ def reactions() -> ca.Function:
     slider_x_ddot = q_ddot[6]
     slider_y_ddot = q_ddot[7]
     slider_theta_ddot = q_ddot[8]
-    c1 = c[1]
-    c4 = c[4]
+    c2 = c[2]
+    c3 = c[3]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
-    c9 = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
-    c13 = c[13]
     c14 = c[14]
-    w0 = ca.cos(crank_theta) * c8
-    w1 = crank_theta_dot**2
-    w2 = ca.sin(crank_theta) * c8
-    w3 = ca.cos(rod_theta)
-    w4 = w3 * c5
-    w5 = rod_theta_dot**2
+    c15 = c[15]
+    c16 = c[16]
+    w0 = crank_theta_dot**2
+    w1 = ca.cos(crank_theta) * c12
+    w2 = ca.sin(crank_theta) * c12
+    w3 = rod_theta_dot**2
+    w4 = ca.cos(rod_theta)
+    w5 = w4 * c6
     w6 = ca.sin(rod_theta)
-    w7 = w6 * c5
-    w8 = c6 * slider_x_ddot
-    w9 = w4 * w5 - (c1 * rod_x_ddot - w7 * rod_theta_ddot) - w8
-    w10 = (w4 * c9 - (w4 * rod_y_ddot - w7 * rod_x_ddot + c7 * rod_theta_ddot) + w6 * c4 * w8) / (w3 * c4)
-    w11 = w7 * w5 + c10 - (c1 * rod_y_ddot + w4 * rod_theta_ddot) - w10
+    w7 = w6 * c6
+    w8 = slider_x_ddot * c3
+    w9 = w3 * w5 - (rod_x_ddot * c2 - w7 * rod_theta_ddot) - w8
+    w10 = (w5 * c8 - (w5 * rod_y_ddot - rod_x_ddot * w7 + rod_theta_ddot * c7) + w8 * (w6 * c5)) / (w4 * c5)
+    w11 = c10 + w3 * w7 - (rod_y_ddot * c2 + w5 * rod_theta_ddot) - w10
     lam = ca.vertcat(
-        w0 * w1 - (c12 * crank_x_ddot - w2 * crank_theta_ddot) + w9,
-        w2 * w1 + c11 - (c12 * crank_y_ddot + w0 * crank_theta_ddot) + w11,
+        w0 * w1 - (crank_x_ddot * c11 - w2 * crank_theta_ddot) + w9,
+        c14 + w0 * w2 - (crank_y_ddot * c11 + w1 * crank_theta_ddot) + w11,
         w9,
         w11,
-        c14 - c6 * slider_y_ddot + w10,
-        -(c13 * slider_theta_ddot),
+        w10 + (c15 - slider_y_ddot * c3),
+        slider_theta_ddot * c16,
         -w8,
         -w10,
     )
@@ -524,7 +527,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 92 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -539,23 +542,24 @@ def energy() -> ca.Function:
     slider_x_dot = q_dot[6]
     slider_y_dot = q_dot[7]
     slider_theta_dot = q_dot[8]
-    c1 = c[1]
+    c0 = c[0]
     c2 = c[2]
-    c5 = c[5]
+    c3 = c[3]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
-    c9 = c[9]
+    c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    w0 = ca.sin(crank_theta) * c8
-    w1 = ca.cos(crank_theta) * c8
-    w2 = crank_x_dot * (c12 * crank_x_dot - w0 * crank_theta_dot) + crank_y_dot * (c12 * crank_y_dot + w1 * crank_theta_dot)
-    w3 = ca.sin(rod_theta) * c5
-    w4 = w2 + crank_theta_dot * (w1 * crank_y_dot - w0 * crank_x_dot + c2 * crank_theta_dot) + rod_x_dot * (c1 * rod_x_dot - w3 * rod_theta_dot)
-    w5 = ca.cos(rod_theta) * c5
-    w6 = w4 + rod_y_dot * (c1 * rod_y_dot + w5 * rod_theta_dot) + rod_theta_dot * (w5 * rod_y_dot - w3 * rod_x_dot + c7 * rod_theta_dot)
-    w7 = w6 + slider_x_dot * (c6 * slider_x_dot) + slider_y_dot * (c6 * slider_y_dot) + slider_theta_dot * (c13 * slider_theta_dot)
+    c15 = c[15]
+    w0 = ca.sin(crank_theta) * c12
+    w1 = ca.cos(crank_theta) * c12
+    w2 = crank_x_dot * (crank_x_dot * c11 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c11 + crank_theta_dot * w1)
+    w3 = ca.sin(rod_theta) * c6
+    w4 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c0) + rod_x_dot * (rod_x_dot * c2 - w3 * rod_theta_dot)
+    w5 = ca.cos(rod_theta) * c6
+    w6 = w4 + rod_y_dot * (rod_y_dot * c2 + rod_theta_dot * w5) + rod_theta_dot * (rod_y_dot * w5 - rod_x_dot * w3 + rod_theta_dot * c7)
+    w7 = w6 + slider_x_dot * (slider_x_dot * c3) + slider_y_dot * (slider_y_dot * c3) + slider_theta_dot * (slider_theta_dot * c13)
     kinetic = ca.vertcat(
         w7 / 2.0,
     )
@@ -565,7 +569,7 @@ def energy() -> ca.Function:
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
-        -(c9 * (c12 * crank_y + w0) + c9 * (c1 * rod_y + w3) + c9 * (c6 * slider_y)),
+        -((w0 + crank_y * c11) * c8 + (w3 + rod_y * c2) * c8 + slider_y * c15),
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
@@ -583,7 +587,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 32 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -592,17 +596,17 @@ def drawing() -> ca.Function:
     rod_theta = q[5]
     slider_x = q[6]
     slider_y = q[7]
-    c0 = c[0]
-    c4 = c[4]
+    c1 = c[1]
+    c5 = c[5]
     xy = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c0,
-        crank_y + ca.sin(crank_theta) * c0,
+        crank_x + ca.cos(crank_theta) * c1,
+        crank_y + ca.sin(crank_theta) * c1,
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * c4,
-        rod_y + ca.sin(rod_theta) * c4,
+        rod_x + ca.cos(rod_theta) * c5,
+        rod_y + ca.sin(rod_theta) * c5,
         slider_x,
         slider_y,
     )
@@ -613,65 +617,65 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 168 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 149 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
-    c0 = c[0]
     c1 = c[1]
-    c4 = c[4]
+    c2 = c[2]
+    c3 = c[3]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    w0 = ca.cos(crank_theta)
-    w1 = w0 * c0
-    w2 = ca.cos(rod_theta)
-    w3 = w2 * c4
-    w4 = w1 / w3
-    w5 = crank_theta_dot**2
-    w6 = c0 * w0
-    w7 = w5 * w6
-    w8 = w7 / w3
-    w9 = ca.sin(rod_theta)
-    w10 = w9 * c5
-    w11 = ca.sin(crank_theta)
-    w12 = c0 * w11
-    w13 = w5 * w12
-    w14 = w2 * c5
-    w15 = w9 * c4
-    w16 = c6 * (w15 * w8 - w13)
-    w17 = w1 * w5
-    w18 = w11 * c0
-    w19 = w18 * w5
-    w20 = rod_theta_dot**2
-    w21 = w15 * w20 + w19
-    w22 = w21 / w3
-    w23 = c6 * (w3 * w20 + w17 + w15 * w22)
-    w24 = w14 * c9 - (w10 * w17 - w14 * w19 + c7 * w22) - w23 * w15
-    w25 = w12 / w3
-    w26 = c9 * (c8 * w11) + (w1 * (w14 * w8 - c1 * w7) + (w10 * w20 + c10 - (w14 * w22 - c1 * w19)) * w12) + (w18 * (w10 * w8 - c1 * w13 + w16) + (w14 * w20 + (c1 * w17 + w10 * w22) + w23) * w6)
-    w27 = c5 * w2
-    w28 = c4 * w9
-    w29 = w20 + w22 / w3 * w28
-    w30 = c5 * w9
-    w31 = c6 * (w21 + w15 * w29 - w20 * w28)
-    w32 = w4 / w3 * w28
-    w33 = w1 * (w20 * w27 - (w14 * w29 - w22 * w30)) - w18 * (w22 * w27 + w10 * w29 - w20 * w30 + w31) - (w24 * w32 - w4 * (c9 * w30 + (w17 * w27 + w19 * w30 + c7 * w29) + (w15 * w31 + w23 * (c4 * w2))))
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.cos(rod_theta)
+    w2 = w1 * c5
+    w3 = w0 / w2
+    w4 = crank_theta_dot**2
+    w5 = w0 * w4
+    w6 = w5 / w2
+    w7 = ca.sin(rod_theta)
+    w8 = w7 * c6
+    w9 = ca.sin(crank_theta)
+    w10 = w9 * c1
+    w11 = w4 * w10
+    w12 = w1 * c6
+    w13 = w8 * w11 + w5 * w12
+    w14 = w7 * c5
+    w15 = (w6 * w14 - w11) * c3
+    w16 = rod_theta_dot**2
+    w17 = w14 * w16
+    w18 = w11 + w17
+    w19 = w18 / w2
+    w20 = (w5 + w2 * w16 + w14 * w19) * c3
+    w21 = w12 * c8 - (w5 * w8 - w11 * w12 + w19 * c7) - w14 * w20
+    w22 = w10 / w2
+    w23 = w5 * c2
+    w24 = w8 * w16
+    w25 = w12 * w19
+    w26 = w11 * c2
+    w27 = w12 * w16
+    w28 = w8 * w19
+    w29 = w9 * c9 + (w0 * (w6 * w12 - w23) + w10 * (c10 + w24 - (w25 - w26))) + (w10 * (w15 + (w6 * w8 - w26)) + w0 * (w20 + (w27 + (w23 + w28))))
+    w30 = w16 + w14 * (w19 / w2)
+    w31 = (w18 + w14 * w30 - w17) * c3
+    w32 = w14 * (w3 / w2)
+    w33 = w0 * (w27 - (w12 * w30 - w28)) - w10 * (w25 + w8 * w30 - w24 + w31) - (w21 * w32 - w3 * (w8 * c8 + (w13 + w30 * c7) + (w14 * w31 + w2 * w20)))
     w34 = 2 * rod_theta_dot
-    w35 = w15 * w34 / w3
-    w36 = c6 * (w3 * w34 + w15 * w35)
-    w37 = (w1 * (w10 * w34 - w14 * w35) - w18 * (w14 * w34 + w10 * w35 + w36) + w4 * (c7 * w35 + w15 * w36)) * (crank_theta_dot * w25 + crank_theta_dot * w32 * w4)
+    w35 = w14 * w34 / w2
+    w36 = (w2 * w34 + w14 * w35) * c3
+    w37 = (w0 * (w8 * w34 - w12 * w35) - w10 * (w12 * w34 + w8 * w35 + w36) + w3 * (w35 * c7 + w14 * w36)) * (crank_theta_dot * w22 + w3 * (crank_theta_dot * w32))
     dQ_hat_dq_i = ca.vertcat(
-        w4 * (c7 * w8 - (w10 * w13 + w14 * w7) + w15 * w16) + w24 * w25 - w26 - w33 * w4 + w37,
+        w3 * (w6 * c7 - w13 + w14 * w15) + w21 * w22 - w29 - w3 * w33 + w37,
     )
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
     inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
@@ -684,36 +688,36 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
-    c0 = c[0]
     c1 = c[1]
-    c4 = c[4]
+    c2 = c[2]
+    c3 = c[3]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.cos(crank_theta) * c0
+    w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
-    w2 = w1 * c4
+    w2 = w1 * c5
     w3 = w0 / w2
     w4 = ca.sin(rod_theta)
-    w5 = w4 * c5
+    w5 = w4 * c6
     w6 = 2 * crank_theta_dot
     w7 = w0 * w6
-    w8 = w1 * c5
-    w9 = ca.sin(crank_theta) * c0
-    w10 = w9 * w6
+    w8 = w1 * c6
+    w9 = ca.sin(crank_theta) * c1
+    w10 = w6 * w9
     w11 = w10 / w2
-    w12 = w4 * c4
-    w13 = c6 * (w7 + w12 * w11)
-    w14 = w3 * (w5 * w7 - w8 * w10 + c7 * w11 + w12 * w13) - (w0 * (w8 * w11 - c1 * w10) + w9 * (c1 * w7 + w5 * w11 + w13))
+    w12 = w4 * c5
+    w13 = (w7 + w11 * w12) * c3
+    w14 = w3 * (w5 * w7 - w8 * w10 + w11 * c7 + w12 * w13) - (w0 * (w8 * w11 - w10 * c2) + w9 * (w13 + (w7 * c2 + w5 * w11)))
     w15 = 2 * rod_theta_dot
     w16 = w12 * w15 / w2
-    w17 = c6 * (w2 * w15 + w12 * w16)
-    w18 = (w0 * (w5 * w15 - w8 * w16) - w9 * (w8 * w15 + w5 * w16 + w17) + w3 * (c7 * w16 + w12 * w17)) * w3
+    w17 = (w2 * w15 + w12 * w16) * c3
+    w18 = w3 * (w0 * (w5 * w15 - w8 * w16) - w9 * (w8 * w15 + w5 * w16 + w17) + w3 * (w16 * c7 + w12 * w17))
     dQ_hat_dq_i_dot = ca.vertcat(
         w14 - w18,
     )
@@ -723,53 +727,50 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 111 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 97 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 15)
+    c = ca.SX.sym("c", 17)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
     c1 = c[1]
-    c4 = c[4]
+    c2 = c[2]
+    c3 = c[3]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.cos(crank_theta)
-    w1 = w0 * c0
-    w2 = ca.cos(rod_theta)
-    w3 = w2 * c5
-    w4 = ca.sin(crank_theta)
-    w5 = c0 * w4
-    w6 = w2 * c4
-    w7 = w5 / w6
-    w8 = crank_theta_ddot * w7
-    w9 = crank_theta_ddot * w5
-    w10 = w1 * crank_theta_ddot
-    w11 = w1 / w6
-    w12 = w11 * crank_theta_ddot
-    w13 = ca.sin(rod_theta)
-    w14 = w13 * c5
-    w15 = w4 * c0
-    w16 = w15 * crank_theta_ddot
-    w17 = w13 * c4
-    w18 = c6 * (w17 * w12 - w16)
-    w19 = c0 * w0
-    w20 = crank_theta_ddot * w19
-    w21 = c6 * (w17 * w8 + w20)
-    w22 = w1 * (w3 * w8 - c1 * w9) - (c1 * w10 - w3 * w12) * w5 - ((w14 * w12 - c1 * w16 + w18) * w19 - w15 * (w14 * w8 + c1 * w20 + w21))
-    w23 = w14 * w16 + w3 * w10 - c7 * w12 - w18 * w17
-    w24 = w11 / w6 * (c4 * w13)
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.cos(rod_theta)
+    w2 = w1 * c6
+    w3 = ca.sin(crank_theta) * c1
+    w4 = w1 * c5
+    w5 = w3 / w4
+    w6 = crank_theta_ddot * w5
+    w7 = crank_theta_ddot * w3
+    w8 = w7 * c2
+    w9 = w0 * crank_theta_ddot
+    w10 = w9 * c2
+    w11 = w0 / w4
+    w12 = crank_theta_ddot * w11
+    w13 = w2 * w12
+    w14 = ca.sin(rod_theta)
+    w15 = w14 * c6
+    w16 = w12 * w15
+    w17 = w14 * c5
+    w18 = (w12 * w17 - w7) * c3
+    w19 = (w9 + w6 * w17) * c3
+    w20 = w9 * w15
+    w21 = w2 * w7
+    w22 = w7 * w15 + w2 * w9 - w12 * c7 - w17 * w18
+    w23 = w0 * (w2 * w6 - w8) - w3 * (w10 - w13) - (w0 * (w16 - w8 + w18) - w3 * (w10 + w6 * w15 + w19)) - (w11 * (w20 - w21 + w6 * c7 + w17 * w19) - w5 * w22)
+    w24 = w17 * (w11 / w4)
     w25 = crank_theta_ddot * w24
-    w26 = c5 * w13
-    w27 = c5 * w2
-    w28 = c4 * w2
-    w29 = c6 * (w12 * w28 + w17 * w25)
-    w30 = w1 * (w3 * w25 - w12 * w26) + w15 * (w12 * w27 + w14 * w25 + w29) + (w11 * (w16 * w27 - w10 * w26 - c7 * w25 - (w17 * w29 + w18 * w28)) + w23 * w24)
+    w26 = (w4 * w12 + w17 * w25) * c3
+    w27 = w0 * (w2 * w25 - w16) + w3 * (w13 + w15 * w25 + w26) + (w11 * (w21 - w20 - w25 * c7 - (w17 * w26 + w4 * w18)) + w22 * w24)
     dMa_dq_i = ca.vertcat(
-        w22 - (w11 * (w14 * w20 - w3 * w9 + c7 * w8 + w17 * w21) - w23 * w7) + w30 * w11,
+        w23 + w11 * w27,
     )
     dMa_dq_i = ca.densify(dMa_dq_i)
     inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]

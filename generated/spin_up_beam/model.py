@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 1661 operations."""
+    """c: everything that depends on the parameters p only. 1705 operations."""
     p = ca.SX.sym("p", 654)
     omega = p[0]
     ramp = p[1]
@@ -586,65 +586,90 @@ def constants() -> ca.Function:
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = w1 * beam60_clamped_free5_mass_0_0
-    w3 = w1 * beam60_clamped_free5_xH_0_0
-    w4 = beam_length**2
-    w5 = beam_youngs_modulus * beam_second_moment / (beam_length * w4)
-    w6 = w1 * beam_length
-    w7 = w1 * beam60_clamped_free5_mass_1_1
-    w8 = w1 * beam60_clamped_free5_xH_1_1
-    w9 = w1 * beam60_clamped_free5_mass_2_2
-    w10 = w1 * beam60_clamped_free5_xH_2_2
-    w11 = w1 * beam60_clamped_free5_mass_3_3
-    w12 = w1 * beam60_clamped_free5_xH_3_3
-    w13 = w1 * beam60_clamped_free5_mass_4_4
-    w14 = w1 * beam60_clamped_free5_xH_4_4
+    w3 = w1 * beam60_clamped_free5_mass_1_1
+    w4 = w1 * beam60_clamped_free5_mass_2_2
+    w5 = w1 * beam60_clamped_free5_mass_3_3
+    w6 = w1 * beam60_clamped_free5_mass_4_4
+    w7 = w1 * beam60_clamped_free5_xH_0_0
+    w8 = w1 * beam60_clamped_free5_xH_0_1
+    w9 = w1 * beam60_clamped_free5_xH_0_2
+    w10 = w1 * beam60_clamped_free5_xH_0_3
+    w11 = w1 * beam60_clamped_free5_xH_0_4
+    w12 = beam_length**2
+    w13 = beam_youngs_modulus * beam_second_moment / (beam_length * w12)
+    w14 = w1 * beam_length
+    w15 = 6.283185307179586 / ramp
+    w16 = (ramp / 6.283185307179586)**2
+    w17 = w1 * beam60_clamped_free5_xH_1_0
+    w18 = w1 * beam60_clamped_free5_xH_1_1
+    w19 = w1 * beam60_clamped_free5_xH_1_2
+    w20 = w1 * beam60_clamped_free5_xH_1_3
+    w21 = w1 * beam60_clamped_free5_xH_1_4
+    w22 = w1 * beam60_clamped_free5_xH_2_0
+    w23 = w1 * beam60_clamped_free5_xH_2_1
+    w24 = w1 * beam60_clamped_free5_xH_2_2
+    w25 = w1 * beam60_clamped_free5_xH_2_3
+    w26 = w1 * beam60_clamped_free5_xH_2_4
+    w27 = w1 * beam60_clamped_free5_xH_3_0
+    w28 = w1 * beam60_clamped_free5_xH_3_1
+    w29 = w1 * beam60_clamped_free5_xH_3_2
+    w30 = w1 * beam60_clamped_free5_xH_3_3
+    w31 = w1 * beam60_clamped_free5_xH_3_4
+    w32 = w1 * beam60_clamped_free5_xH_4_0
+    w33 = w1 * beam60_clamped_free5_xH_4_1
+    w34 = w1 * beam60_clamped_free5_xH_4_2
+    w35 = w1 * beam60_clamped_free5_xH_4_3
+    w36 = w1 * beam60_clamped_free5_xH_4_4
     c = ca.vertcat(
         w2,
         w3,
-        w1 * beam60_clamped_free5_xH_0_1,
-        w1 * beam60_clamped_free5_xH_0_2,
-        w1 * beam60_clamped_free5_xH_0_3,
-        w1 * beam60_clamped_free5_xH_0_4,
-        w5 * beam60_clamped_free5_kappa_lateral_0_0,
-        ramp,
-        6.283185307179586 / ramp,
-        (ramp / 6.283185307179586)**2,
-        omega / ramp,
-        w6 * beam60_clamped_free5_xi_phi_y_0_0,
+        w4,
+        w5,
+        w6,
         w7,
-        w1 * beam60_clamped_free5_xH_1_0,
         w8,
-        w1 * beam60_clamped_free5_xH_1_2,
-        w1 * beam60_clamped_free5_xH_1_3,
-        w1 * beam60_clamped_free5_xH_1_4,
-        w5 * beam60_clamped_free5_kappa_lateral_1_1,
-        w6 * beam60_clamped_free5_xi_phi_y_1_0,
         w9,
-        w1 * beam60_clamped_free5_xH_2_0,
-        w1 * beam60_clamped_free5_xH_2_1,
         w10,
-        w1 * beam60_clamped_free5_xH_2_3,
-        w1 * beam60_clamped_free5_xH_2_4,
-        w5 * beam60_clamped_free5_kappa_lateral_2_2,
-        w6 * beam60_clamped_free5_xi_phi_y_2_0,
         w11,
-        w1 * beam60_clamped_free5_xH_3_0,
-        w1 * beam60_clamped_free5_xH_3_1,
-        w1 * beam60_clamped_free5_xH_3_2,
-        w12,
-        w1 * beam60_clamped_free5_xH_3_4,
-        w5 * beam60_clamped_free5_kappa_lateral_3_3,
-        w6 * beam60_clamped_free5_xi_phi_y_3_0,
-        w13,
-        w1 * beam60_clamped_free5_xH_4_0,
-        w1 * beam60_clamped_free5_xH_4_1,
-        w1 * beam60_clamped_free5_xH_4_2,
-        w1 * beam60_clamped_free5_xH_4_3,
-        w14,
-        w5 * beam60_clamped_free5_kappa_lateral_4_4,
-        w6 * beam60_clamped_free5_xi_phi_y_4_0,
-        ramp / 2.0,
+        w13 * beam60_clamped_free5_kappa_lateral_0_0,
+        ramp,
+        w14 * beam60_clamped_free5_xi_phi_y_0_0,
+        omega / ramp,
+        w15**2 * w16,
+        w17,
+        w18,
+        w19,
+        w20,
+        w21,
+        w13 * beam60_clamped_free5_kappa_lateral_1_1,
+        w14 * beam60_clamped_free5_xi_phi_y_1_0,
+        w22,
+        w23,
+        w24,
+        w25,
+        w26,
+        w13 * beam60_clamped_free5_kappa_lateral_2_2,
+        w14 * beam60_clamped_free5_xi_phi_y_2_0,
+        w27,
+        w28,
+        w29,
+        w30,
+        w31,
+        w13 * beam60_clamped_free5_kappa_lateral_3_3,
+        w14 * beam60_clamped_free5_xi_phi_y_3_0,
+        w32,
+        w33,
+        w34,
+        w35,
+        w36,
+        w13 * beam60_clamped_free5_kappa_lateral_4_4,
+        w14 * beam60_clamped_free5_xi_phi_y_4_0,
         omega,
+        w16,
+        ramp / 2.0,
+        w15 * w16,
+        w1,
+        w14 * beam60_clamped_free5_s1_0_0,
         w0 * beam60_clamped_free5_H_0_0,
         w0 * beam60_clamped_free5_H_0_1,
         w0 * beam60_clamped_free5_H_0_2,
@@ -670,14 +695,13 @@ def constants() -> ca.Function:
         w0 * beam60_clamped_free5_H_4_2,
         w0 * beam60_clamped_free5_H_4_3,
         w0 * beam60_clamped_free5_H_4_4,
-        w6 * beam60_clamped_free5_s1_0_0,
         w1 * beam60_clamped_free5_phi_y_0_0,
         w1 * beam60_clamped_free5_phi_y_1_0,
         w1 * beam60_clamped_free5_phi_y_2_0,
         w1 * beam60_clamped_free5_phi_y_3_0,
         w1 * beam60_clamped_free5_phi_y_4_0,
-        w1 * w4 * beam60_clamped_free5_i0_0_0,
-        w1,
+        w1 * w12 * beam60_clamped_free5_i0_0_0,
+        beam_length,
         beam60_clamped_free5_1_0_H_0_0 / beam_length,
         beam60_clamped_free5_1_0_H_0_1 / beam_length,
         beam60_clamped_free5_1_0_H_0_2 / beam_length,
@@ -703,12 +727,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_1_0_H_4_2 / beam_length,
         beam60_clamped_free5_1_0_H_4_3 / beam_length,
         beam60_clamped_free5_1_0_H_4_4 / beam_length,
-        beam_length,
         beam60_clamped_free5_1_0_shape_1_0,
         beam60_clamped_free5_1_0_shape_1_1,
         beam60_clamped_free5_1_0_shape_1_2,
         beam60_clamped_free5_1_0_shape_1_3,
         beam60_clamped_free5_1_0_shape_1_4,
+        beam_length * beam60_clamped_free5_0_0625_at_0_0,
         beam60_clamped_free5_0_0625_H_0_0 / beam_length,
         beam60_clamped_free5_0_0625_H_0_1 / beam_length,
         beam60_clamped_free5_0_0625_H_0_2 / beam_length,
@@ -734,12 +758,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_0625_H_4_2 / beam_length,
         beam60_clamped_free5_0_0625_H_4_3 / beam_length,
         beam60_clamped_free5_0_0625_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_0625_at_0_0,
         beam60_clamped_free5_0_0625_shape_1_0,
         beam60_clamped_free5_0_0625_shape_1_1,
         beam60_clamped_free5_0_0625_shape_1_2,
         beam60_clamped_free5_0_0625_shape_1_3,
         beam60_clamped_free5_0_0625_shape_1_4,
+        beam_length * beam60_clamped_free5_0_125_at_0_0,
         beam60_clamped_free5_0_125_H_0_0 / beam_length,
         beam60_clamped_free5_0_125_H_0_1 / beam_length,
         beam60_clamped_free5_0_125_H_0_2 / beam_length,
@@ -765,12 +789,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_125_H_4_2 / beam_length,
         beam60_clamped_free5_0_125_H_4_3 / beam_length,
         beam60_clamped_free5_0_125_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_125_at_0_0,
         beam60_clamped_free5_0_125_shape_1_0,
         beam60_clamped_free5_0_125_shape_1_1,
         beam60_clamped_free5_0_125_shape_1_2,
         beam60_clamped_free5_0_125_shape_1_3,
         beam60_clamped_free5_0_125_shape_1_4,
+        beam_length * beam60_clamped_free5_0_1875_at_0_0,
         beam60_clamped_free5_0_1875_H_0_0 / beam_length,
         beam60_clamped_free5_0_1875_H_0_1 / beam_length,
         beam60_clamped_free5_0_1875_H_0_2 / beam_length,
@@ -796,12 +820,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_1875_H_4_2 / beam_length,
         beam60_clamped_free5_0_1875_H_4_3 / beam_length,
         beam60_clamped_free5_0_1875_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_1875_at_0_0,
         beam60_clamped_free5_0_1875_shape_1_0,
         beam60_clamped_free5_0_1875_shape_1_1,
         beam60_clamped_free5_0_1875_shape_1_2,
         beam60_clamped_free5_0_1875_shape_1_3,
         beam60_clamped_free5_0_1875_shape_1_4,
+        beam_length * beam60_clamped_free5_0_25_at_0_0,
         beam60_clamped_free5_0_25_H_0_0 / beam_length,
         beam60_clamped_free5_0_25_H_0_1 / beam_length,
         beam60_clamped_free5_0_25_H_0_2 / beam_length,
@@ -827,12 +851,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_25_H_4_2 / beam_length,
         beam60_clamped_free5_0_25_H_4_3 / beam_length,
         beam60_clamped_free5_0_25_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_25_at_0_0,
         beam60_clamped_free5_0_25_shape_1_0,
         beam60_clamped_free5_0_25_shape_1_1,
         beam60_clamped_free5_0_25_shape_1_2,
         beam60_clamped_free5_0_25_shape_1_3,
         beam60_clamped_free5_0_25_shape_1_4,
+        beam_length * beam60_clamped_free5_0_3125_at_0_0,
         beam60_clamped_free5_0_3125_H_0_0 / beam_length,
         beam60_clamped_free5_0_3125_H_0_1 / beam_length,
         beam60_clamped_free5_0_3125_H_0_2 / beam_length,
@@ -858,12 +882,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_3125_H_4_2 / beam_length,
         beam60_clamped_free5_0_3125_H_4_3 / beam_length,
         beam60_clamped_free5_0_3125_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_3125_at_0_0,
         beam60_clamped_free5_0_3125_shape_1_0,
         beam60_clamped_free5_0_3125_shape_1_1,
         beam60_clamped_free5_0_3125_shape_1_2,
         beam60_clamped_free5_0_3125_shape_1_3,
         beam60_clamped_free5_0_3125_shape_1_4,
+        beam_length * beam60_clamped_free5_0_375_at_0_0,
         beam60_clamped_free5_0_375_H_0_0 / beam_length,
         beam60_clamped_free5_0_375_H_0_1 / beam_length,
         beam60_clamped_free5_0_375_H_0_2 / beam_length,
@@ -889,12 +913,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_375_H_4_2 / beam_length,
         beam60_clamped_free5_0_375_H_4_3 / beam_length,
         beam60_clamped_free5_0_375_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_375_at_0_0,
         beam60_clamped_free5_0_375_shape_1_0,
         beam60_clamped_free5_0_375_shape_1_1,
         beam60_clamped_free5_0_375_shape_1_2,
         beam60_clamped_free5_0_375_shape_1_3,
         beam60_clamped_free5_0_375_shape_1_4,
+        beam_length * beam60_clamped_free5_0_4375_at_0_0,
         beam60_clamped_free5_0_4375_H_0_0 / beam_length,
         beam60_clamped_free5_0_4375_H_0_1 / beam_length,
         beam60_clamped_free5_0_4375_H_0_2 / beam_length,
@@ -920,12 +944,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_4375_H_4_2 / beam_length,
         beam60_clamped_free5_0_4375_H_4_3 / beam_length,
         beam60_clamped_free5_0_4375_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_4375_at_0_0,
         beam60_clamped_free5_0_4375_shape_1_0,
         beam60_clamped_free5_0_4375_shape_1_1,
         beam60_clamped_free5_0_4375_shape_1_2,
         beam60_clamped_free5_0_4375_shape_1_3,
         beam60_clamped_free5_0_4375_shape_1_4,
+        beam_length * beam60_clamped_free5_0_5_at_0_0,
         beam60_clamped_free5_0_5_H_0_0 / beam_length,
         beam60_clamped_free5_0_5_H_0_1 / beam_length,
         beam60_clamped_free5_0_5_H_0_2 / beam_length,
@@ -951,12 +975,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_5_H_4_2 / beam_length,
         beam60_clamped_free5_0_5_H_4_3 / beam_length,
         beam60_clamped_free5_0_5_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_5_at_0_0,
         beam60_clamped_free5_0_5_shape_1_0,
         beam60_clamped_free5_0_5_shape_1_1,
         beam60_clamped_free5_0_5_shape_1_2,
         beam60_clamped_free5_0_5_shape_1_3,
         beam60_clamped_free5_0_5_shape_1_4,
+        beam_length * beam60_clamped_free5_0_5625_at_0_0,
         beam60_clamped_free5_0_5625_H_0_0 / beam_length,
         beam60_clamped_free5_0_5625_H_0_1 / beam_length,
         beam60_clamped_free5_0_5625_H_0_2 / beam_length,
@@ -982,12 +1006,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_5625_H_4_2 / beam_length,
         beam60_clamped_free5_0_5625_H_4_3 / beam_length,
         beam60_clamped_free5_0_5625_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_5625_at_0_0,
         beam60_clamped_free5_0_5625_shape_1_0,
         beam60_clamped_free5_0_5625_shape_1_1,
         beam60_clamped_free5_0_5625_shape_1_2,
         beam60_clamped_free5_0_5625_shape_1_3,
         beam60_clamped_free5_0_5625_shape_1_4,
+        beam_length * beam60_clamped_free5_0_625_at_0_0,
         beam60_clamped_free5_0_625_H_0_0 / beam_length,
         beam60_clamped_free5_0_625_H_0_1 / beam_length,
         beam60_clamped_free5_0_625_H_0_2 / beam_length,
@@ -1013,12 +1037,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_625_H_4_2 / beam_length,
         beam60_clamped_free5_0_625_H_4_3 / beam_length,
         beam60_clamped_free5_0_625_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_625_at_0_0,
         beam60_clamped_free5_0_625_shape_1_0,
         beam60_clamped_free5_0_625_shape_1_1,
         beam60_clamped_free5_0_625_shape_1_2,
         beam60_clamped_free5_0_625_shape_1_3,
         beam60_clamped_free5_0_625_shape_1_4,
+        beam_length * beam60_clamped_free5_0_6875_at_0_0,
         beam60_clamped_free5_0_6875_H_0_0 / beam_length,
         beam60_clamped_free5_0_6875_H_0_1 / beam_length,
         beam60_clamped_free5_0_6875_H_0_2 / beam_length,
@@ -1044,12 +1068,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_6875_H_4_2 / beam_length,
         beam60_clamped_free5_0_6875_H_4_3 / beam_length,
         beam60_clamped_free5_0_6875_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_6875_at_0_0,
         beam60_clamped_free5_0_6875_shape_1_0,
         beam60_clamped_free5_0_6875_shape_1_1,
         beam60_clamped_free5_0_6875_shape_1_2,
         beam60_clamped_free5_0_6875_shape_1_3,
         beam60_clamped_free5_0_6875_shape_1_4,
+        beam_length * beam60_clamped_free5_0_75_at_0_0,
         beam60_clamped_free5_0_75_H_0_0 / beam_length,
         beam60_clamped_free5_0_75_H_0_1 / beam_length,
         beam60_clamped_free5_0_75_H_0_2 / beam_length,
@@ -1075,12 +1099,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_75_H_4_2 / beam_length,
         beam60_clamped_free5_0_75_H_4_3 / beam_length,
         beam60_clamped_free5_0_75_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_75_at_0_0,
         beam60_clamped_free5_0_75_shape_1_0,
         beam60_clamped_free5_0_75_shape_1_1,
         beam60_clamped_free5_0_75_shape_1_2,
         beam60_clamped_free5_0_75_shape_1_3,
         beam60_clamped_free5_0_75_shape_1_4,
+        beam_length * beam60_clamped_free5_0_8125_at_0_0,
         beam60_clamped_free5_0_8125_H_0_0 / beam_length,
         beam60_clamped_free5_0_8125_H_0_1 / beam_length,
         beam60_clamped_free5_0_8125_H_0_2 / beam_length,
@@ -1106,12 +1130,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_8125_H_4_2 / beam_length,
         beam60_clamped_free5_0_8125_H_4_3 / beam_length,
         beam60_clamped_free5_0_8125_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_8125_at_0_0,
         beam60_clamped_free5_0_8125_shape_1_0,
         beam60_clamped_free5_0_8125_shape_1_1,
         beam60_clamped_free5_0_8125_shape_1_2,
         beam60_clamped_free5_0_8125_shape_1_3,
         beam60_clamped_free5_0_8125_shape_1_4,
+        beam_length * beam60_clamped_free5_0_875_at_0_0,
         beam60_clamped_free5_0_875_H_0_0 / beam_length,
         beam60_clamped_free5_0_875_H_0_1 / beam_length,
         beam60_clamped_free5_0_875_H_0_2 / beam_length,
@@ -1137,12 +1161,12 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_875_H_4_2 / beam_length,
         beam60_clamped_free5_0_875_H_4_3 / beam_length,
         beam60_clamped_free5_0_875_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_875_at_0_0,
         beam60_clamped_free5_0_875_shape_1_0,
         beam60_clamped_free5_0_875_shape_1_1,
         beam60_clamped_free5_0_875_shape_1_2,
         beam60_clamped_free5_0_875_shape_1_3,
         beam60_clamped_free5_0_875_shape_1_4,
+        beam_length * beam60_clamped_free5_0_9375_at_0_0,
         beam60_clamped_free5_0_9375_H_0_0 / beam_length,
         beam60_clamped_free5_0_9375_H_0_1 / beam_length,
         beam60_clamped_free5_0_9375_H_0_2 / beam_length,
@@ -1168,17 +1192,36 @@ def constants() -> ca.Function:
         beam60_clamped_free5_0_9375_H_4_2 / beam_length,
         beam60_clamped_free5_0_9375_H_4_3 / beam_length,
         beam60_clamped_free5_0_9375_H_4_4 / beam_length,
-        beam_length * beam60_clamped_free5_0_9375_at_0_0,
         beam60_clamped_free5_0_9375_shape_1_0,
         beam60_clamped_free5_0_9375_shape_1_1,
         beam60_clamped_free5_0_9375_shape_1_2,
         beam60_clamped_free5_0_9375_shape_1_3,
         beam60_clamped_free5_0_9375_shape_1_4,
-        w2 - w3,
-        w7 - w8,
-        w9 - w10,
-        w11 - w12,
-        w13 - w14,
+        w2 - w7,
+        -w17,
+        -w22,
+        -w27,
+        -w32,
+        -w8,
+        w3 - w18,
+        -w23,
+        -w28,
+        -w33,
+        -w9,
+        -w19,
+        w4 - w24,
+        -w29,
+        -w34,
+        -w10,
+        -w20,
+        -w25,
+        w5 - w30,
+        -w35,
+        -w11,
+        -w21,
+        -w26,
+        -w31,
+        w6 - w36,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -1186,11 +1229,11 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 179 operations."""
+    """M_hat and Q_hat (Eq. 38). 176 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_q1 = q_i[0]
     beam_q2 = q_i[1]
     beam_q3 = q_i[2]
@@ -1240,15 +1283,14 @@ def condensed() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
     w0 = beam_theta_dot**2
-    w1 = (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3 + c4 * beam_q4 + c5 * beam_q5)) * w0 - c6 * beam_q1
-    w2 = t < c7
-    w3 = c10 * (1.0 - c9 * (c8 * (ca.cos(6.283185307179586 * t / c7) * c8)))
-    w4 = (c12 * beam_q2 - (c13 * beam_q1 + c14 * beam_q2 + c15 * beam_q3 + c16 * beam_q4 + c17 * beam_q5)) * w0
-    w5 = (c20 * beam_q3 - (c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3 + c24 * beam_q4 + c25 * beam_q5)) * w0
-    w6 = (c28 * beam_q4 - (c29 * beam_q1 + c30 * beam_q2 + c31 * beam_q3 + c32 * beam_q4 + c33 * beam_q5)) * w0
-    w7 = (c36 * beam_q5 - (c37 * beam_q1 + c38 * beam_q2 + c39 * beam_q3 + c40 * beam_q4 + c41 * beam_q5)) * w0
+    w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
+    w2 = t < c11
+    w3 = (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13
+    w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
+    w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
+    w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
+    w7 = w0 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
     M_hat = ca.vertcat(
         c0,
         0.0,
@@ -1256,34 +1298,34 @@ def condensed() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c12,
+        c1,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        c20,
+        c2,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        c28,
+        c3,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        c36,
+        c4,
     )
     M_hat = ca.reshape(M_hat, 5, 5)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w1 - ca.if_else(w2, c11 * w3, 0),
-        w4 - c18 * beam_q2 - ca.if_else(w2, c19 * w3, 0),
-        w5 - c26 * beam_q3 - ca.if_else(w2, c27 * w3, 0),
-        w6 - c34 * beam_q4 - ca.if_else(w2, c35 * w3, 0),
-        w7 - c42 * beam_q5 - ca.if_else(w2, c43 * w3, 0),
+        w1 - ca.if_else(w2, w3 * c12, 0),
+        w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0),
+        w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0),
+        w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0),
+        w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0),
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_d_dot, t, c], [M_hat, Q_hat]
@@ -1293,14 +1335,14 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 580)
-    c7 = c[7]
-    c9 = c[9]
-    c10 = c[10]
+    c = ca.SX.sym("c", 601)
+    c11 = c[11]
+    c13 = c[13]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
-    w0 = t < c7
-    w1 = ca.if_else(w0, c10 * (t**2 / 2.0 + c9 * (ca.cos(6.283185307179586 * t / c7) - 1.0)), 0) + ca.if_else(ca.logic_not(w0), c45 * (t - c44), 0)
+    w0 = t < c11
+    w1 = ca.if_else(w0, (t**2 / 2.0 + (ca.cos(6.283185307179586 * t / c11) - 1.0) * c44) * c13, 0) + ca.if_else(ca.logic_not(w0), (t - c45) * c43, 0)
     q_d_next = ca.vertcat(
         0.0,
         0.0,
@@ -1312,16 +1354,15 @@ def closure() -> ca.Function:
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 23 operations."""
+    """q_d_dot (Eq. 36). 21 operations."""
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 580)
-    c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
-    c10 = c[10]
-    c45 = c[45]
-    w0 = t < c7
-    w1 = ca.if_else(w0, c10 * (t - c9 * (ca.sin(6.283185307179586 * t / c7) * c8)), 0) + ca.if_else(ca.logic_not(w0), c45, 0)
+    c = ca.SX.sym("c", 601)
+    c11 = c[11]
+    c13 = c[13]
+    c43 = c[43]
+    c46 = c[46]
+    w0 = t < c11
+    w1 = ca.if_else(w0, (t - ca.sin(6.283185307179586 * t / c11) * c46) * c13, 0) + ca.if_else(ca.logic_not(w0), c43, 0)
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
@@ -1333,17 +1374,16 @@ def velocities() -> ca.Function:
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 21 operations."""
+    """q_d_ddot (Eq. 35). 18 operations."""
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 580)
-    c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
-    c10 = c[10]
+    c = ca.SX.sym("c", 601)
+    c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(t < c7, c10 * (1.0 - c9 * (c8 * (ca.cos(6.283185307179586 * t / c7) * c8))), 0),
+        ca.if_else(t < c11, (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13, 0),
     )
     q_d_ddot = ca.densify(q_d_ddot)
     inputs, outputs = [t, c], [q_d_ddot]
@@ -1351,24 +1391,25 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 79 operations."""
+    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 77 operations."""
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
-    c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
-    c10 = c[10]
+    c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
-    w0 = t < c7
-    w1 = 6.283185307179586 * t / c7
+    c46 = c[46]
+    w0 = t < c11
+    w1 = 6.283185307179586 * t / c11
     w2 = ca.cos(w1)
     w3 = ca.logic_not(w0)
-    w4 = beam_theta - (ca.if_else(w0, c10 * (t**2 / 2.0 + c9 * (w2 - 1.0)), 0) + ca.if_else(w3, c45 * (t - c44), 0))
+    w4 = beam_theta - (ca.if_else(w0, (t**2 / 2.0 + (w2 - 1.0) * c44) * c13, 0) + ca.if_else(w3, (t - c45) * c43, 0))
     C = ca.vertcat(
         beam_x,
         beam_y,
@@ -1406,13 +1447,13 @@ def constraints() -> ca.Function:
     C_t = ca.vertcat(
         0.0,
         0.0,
-        -(ca.if_else(w0, c10 * (t - c9 * (ca.sin(w1) * c8)), 0) + ca.if_else(w3, c45, 0)),
+        -(ca.if_else(w0, (t - ca.sin(w1) * c46) * c13, 0) + ca.if_else(w3, c43, 0)),
     )
     C_t = ca.densify(C_t)
     gamma = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(w0, c10 * (1.0 - c9 * (c8 * (w2 * c8))), 0),
+        ca.if_else(w0, (1.0 - w2 * c14) * c13, 0),
     )
     gamma = ca.densify(gamma)
     inputs, outputs = [q, t, c], [C, C_q, C_t, gamma]
@@ -1420,10 +1461,10 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 452 operations."""
+    """M and Q* of the augmented form (Eq. 28). 450 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -1443,10 +1484,11 @@ def augmented() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
-    c11 = c[11]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
@@ -1475,8 +1517,6 @@ def augmented() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
-    c46 = c[46]
     c47 = c[47]
     c48 = c[48]
     c49 = c[49]
@@ -1509,45 +1549,47 @@ def augmented() -> ca.Function:
     c76 = c[76]
     c77 = c[77]
     c78 = c[78]
+    c79 = c[79]
     w0 = ca.sin(beam_theta)
-    w1 = c46 * beam_q1 + c47 * beam_q2 + c48 * beam_q3 + c49 * beam_q4 + c50 * beam_q5
-    w2 = c51 * beam_q1 + c52 * beam_q2 + c53 * beam_q3 + c54 * beam_q4 + c55 * beam_q5
-    w3 = c56 * beam_q1 + c57 * beam_q2 + c58 * beam_q3 + c59 * beam_q4 + c60 * beam_q5
-    w4 = c61 * beam_q1 + c62 * beam_q2 + c63 * beam_q3 + c64 * beam_q4 + c65 * beam_q5
-    w5 = c66 * beam_q1 + c67 * beam_q2 + c68 * beam_q3 + c69 * beam_q4 + c70 * beam_q5
-    w6 = c71 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) / 2.0
+    w1 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
+    w2 = beam_q1 * c54 + beam_q2 * c55 + beam_q3 * c56 + beam_q4 * c57 + beam_q5 * c58
+    w3 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
+    w4 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
+    w5 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
+    w6 = c48 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
     w7 = ca.cos(beam_theta)
-    w8 = c72 * beam_q1 + c73 * beam_q2 + c74 * beam_q3 + c75 * beam_q4 + c76 * beam_q5
+    w8 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w9 = w0 * w6 + w7 * w8
     w10 = -w9
-    w11 = -(w7 * w1 + w0 * c72)
-    w12 = -(w7 * w2 + w0 * c73)
-    w13 = -(w7 * w3 + w0 * c74)
-    w14 = -(w7 * w4 + w0 * c75)
-    w15 = -(w7 * w5 + w0 * c76)
-    w16 = w7 * w6 - w0 * w8
-    w17 = w7 * c72 - w0 * w1
-    w18 = w7 * c73 - w0 * w2
-    w19 = w7 * c74 - w0 * w3
-    w20 = w7 * c75 - w0 * w4
-    w21 = w7 * c76 - w0 * w5
-    w22 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3 + c4 * beam_q4 + c5 * beam_q5)
-    w23 = c12 * beam_q2 - (c13 * beam_q1 + c14 * beam_q2 + c15 * beam_q3 + c16 * beam_q4 + c17 * beam_q5)
-    w24 = c20 * beam_q3 - (c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3 + c24 * beam_q4 + c25 * beam_q5)
-    w25 = c28 * beam_q4 - (c29 * beam_q1 + c30 * beam_q2 + c31 * beam_q3 + c32 * beam_q4 + c33 * beam_q5)
-    w26 = c36 * beam_q5 - (c37 * beam_q1 + c38 * beam_q2 + c39 * beam_q3 + c40 * beam_q4 + c41 * beam_q5)
+    w11 = -(w1 * w7 + w0 * c74)
+    w12 = -(w2 * w7 + w0 * c75)
+    w13 = -(w3 * w7 + w0 * c76)
+    w14 = -(w4 * w7 + w0 * c77)
+    w15 = -(w5 * w7 + w0 * c78)
+    w16 = w6 * w7 - w0 * w8
+    w17 = w7 * c74 - w0 * w1
+    w18 = w7 * c75 - w0 * w2
+    w19 = w7 * c76 - w0 * w3
+    w20 = w7 * c77 - w0 * w4
+    w21 = w7 * c78 - w0 * w5
+    w22 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
+    w23 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
+    w24 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
+    w25 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
+    w26 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
     w27 = beam_theta_dot**2
-    w28 = c72 * beam_q1_dot + c73 * beam_q2_dot + c74 * beam_q3_dot + c75 * beam_q4_dot + c76 * beam_q5_dot
-    w29 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot + w4 * beam_q4_dot + w5 * beam_q5_dot
-    w30 = c46 * beam_q1_dot + c47 * beam_q2_dot + c48 * beam_q3_dot + c49 * beam_q4_dot + c50 * beam_q5_dot
-    w31 = c51 * beam_q1_dot + c52 * beam_q2_dot + c53 * beam_q3_dot + c54 * beam_q4_dot + c55 * beam_q5_dot
-    w32 = c56 * beam_q1_dot + c57 * beam_q2_dot + c58 * beam_q3_dot + c59 * beam_q4_dot + c60 * beam_q5_dot
-    w33 = c61 * beam_q1_dot + c62 * beam_q2_dot + c63 * beam_q3_dot + c64 * beam_q4_dot + c65 * beam_q5_dot
-    w34 = c66 * beam_q1_dot + c67 * beam_q2_dot + c68 * beam_q3_dot + c69 * beam_q4_dot + c70 * beam_q5_dot
-    w35 = beam_q1_dot * w30 + beam_q2_dot * w31 + beam_q3_dot * w32 + beam_q4_dot * w33 + beam_q5_dot * w34
-    w36 = w22 * beam_q1_dot + w23 * beam_q2_dot + w24 * beam_q3_dot + w25 * beam_q4_dot + w26 * beam_q5_dot
+    w28 = 2 * beam_theta_dot
+    w29 = beam_q1_dot * c74 + beam_q2_dot * c75 + beam_q3_dot * c76 + beam_q4_dot * c77 + beam_q5_dot * c78
+    w30 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot + w4 * beam_q4_dot + w5 * beam_q5_dot
+    w31 = beam_q1_dot * c49 + beam_q2_dot * c50 + beam_q3_dot * c51 + beam_q4_dot * c52 + beam_q5_dot * c53
+    w32 = beam_q1_dot * c54 + beam_q2_dot * c55 + beam_q3_dot * c56 + beam_q4_dot * c57 + beam_q5_dot * c58
+    w33 = beam_q1_dot * c59 + beam_q2_dot * c60 + beam_q3_dot * c61 + beam_q4_dot * c62 + beam_q5_dot * c63
+    w34 = beam_q1_dot * c64 + beam_q2_dot * c65 + beam_q3_dot * c66 + beam_q4_dot * c67 + beam_q5_dot * c68
+    w35 = beam_q1_dot * c69 + beam_q2_dot * c70 + beam_q3_dot * c71 + beam_q4_dot * c72 + beam_q5_dot * c73
+    w36 = beam_q1_dot * w31 + beam_q2_dot * w32 + beam_q3_dot * w33 + beam_q4_dot * w34 + beam_q5_dot * w35
+    w37 = w22 * beam_q1_dot + w23 * beam_q2_dot + w24 * beam_q3_dot + w25 * beam_q4_dot + w26 * beam_q5_dot
     M = ca.vertcat(
-        c78,
+        c47,
         0.0,
         w10,
         w11,
@@ -1556,7 +1598,7 @@ def augmented() -> ca.Function:
         w14,
         w15,
         0.0,
-        c78,
+        c47,
         w16,
         w17,
         w18,
@@ -1565,15 +1607,15 @@ def augmented() -> ca.Function:
         w21,
         w10,
         w16,
-        c77 + (beam_q1 * w22 + beam_q2 * w23 + beam_q3 * w24 + beam_q4 * w25 + beam_q5 * w26),
-        c11,
-        c19,
-        c27,
+        c79 + (beam_q1 * w22 + beam_q2 * w23 + beam_q3 * w24 + beam_q4 * w25 + beam_q5 * w26),
+        c12,
+        c21,
+        c28,
         c35,
-        c43,
+        c42,
         w11,
         w17,
-        c11,
+        c12,
         c0,
         0.0,
         0.0,
@@ -1581,18 +1623,18 @@ def augmented() -> ca.Function:
         0.0,
         w12,
         w18,
-        c19,
+        c21,
         0.0,
-        c12,
+        c1,
         0.0,
         0.0,
         0.0,
         w13,
         w19,
-        c27,
+        c28,
         0.0,
         0.0,
-        c20,
+        c2,
         0.0,
         0.0,
         w14,
@@ -1601,28 +1643,28 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c28,
+        c3,
         0.0,
         w15,
         w21,
-        c43,
+        c42,
         0.0,
         0.0,
         0.0,
         0.0,
-        c36,
+        c4,
     )
     M = ca.reshape(M, 8, 8)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w16 * w27 + 2 * (w7 * w28 - w0 * w29) * beam_theta_dot + w7 * w35,
-        w9 * w27 + w0 * w35 - 2 * -(w7 * w29 + w0 * w28) * beam_theta_dot,
-        -2.0 * w36 * beam_theta_dot,
-        w22 * w27 - c6 * beam_q1,
-        w23 * w27 - c18 * beam_q2,
-        w24 * w27 - c26 * beam_q3,
-        w25 * w27 - c34 * beam_q4,
-        w26 * w27 - c42 * beam_q5,
+        w16 * w27 + w28 * (w7 * w29 - w0 * w30) + w7 * w36,
+        w9 * w27 + w0 * w36 + w28 * (w7 * w30 + w0 * w29),
+        -2.0 * beam_theta_dot * w37,
+        w22 * w27 - beam_q1 * c10,
+        w23 * w27 - beam_q2 * c20,
+        w24 * w27 - beam_q3 * c27,
+        w25 * w27 - beam_q4 * c34,
+        w26 * w27 - beam_q5 * c41,
     )
     Q_star = ca.densify(Q_star)
     inputs, outputs = [q, q_dot, c], [M, Q_star]
@@ -1630,11 +1672,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 408 operations."""
+    """Lagrange multipliers lam (Eq. 37). 406 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     q_ddot = ca.SX.sym("q_ddot", 8)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -1661,21 +1703,22 @@ def reactions() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c11 = c[11]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
+    c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
-    c27 = c[27]
+    c26 = c[26]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
@@ -1688,9 +1731,7 @@ def reactions() -> ca.Function:
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
-    c41 = c[41]
-    c43 = c[43]
-    c46 = c[46]
+    c42 = c[42]
     c47 = c[47]
     c48 = c[48]
     c49 = c[49]
@@ -1723,42 +1764,44 @@ def reactions() -> ca.Function:
     c76 = c[76]
     c77 = c[77]
     c78 = c[78]
-    w0 = ca.cos(beam_theta)
-    w1 = c46 * beam_q1 + c47 * beam_q2 + c48 * beam_q3 + c49 * beam_q4 + c50 * beam_q5
-    w2 = c51 * beam_q1 + c52 * beam_q2 + c53 * beam_q3 + c54 * beam_q4 + c55 * beam_q5
-    w3 = c56 * beam_q1 + c57 * beam_q2 + c58 * beam_q3 + c59 * beam_q4 + c60 * beam_q5
-    w4 = c61 * beam_q1 + c62 * beam_q2 + c63 * beam_q3 + c64 * beam_q4 + c65 * beam_q5
-    w5 = c66 * beam_q1 + c67 * beam_q2 + c68 * beam_q3 + c69 * beam_q4 + c70 * beam_q5
-    w6 = c71 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) / 2.0
-    w7 = ca.sin(beam_theta)
-    w8 = c72 * beam_q1 + c73 * beam_q2 + c74 * beam_q3 + c75 * beam_q4 + c76 * beam_q5
-    w9 = w0 * w6 - w7 * w8
-    w10 = beam_theta_dot**2
-    w11 = c72 * beam_q1_dot + c73 * beam_q2_dot + c74 * beam_q3_dot + c75 * beam_q4_dot + c76 * beam_q5_dot
-    w12 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot + w4 * beam_q4_dot + w5 * beam_q5_dot
-    w13 = c46 * beam_q1_dot + c47 * beam_q2_dot + c48 * beam_q3_dot + c49 * beam_q4_dot + c50 * beam_q5_dot
-    w14 = c51 * beam_q1_dot + c52 * beam_q2_dot + c53 * beam_q3_dot + c54 * beam_q4_dot + c55 * beam_q5_dot
-    w15 = c56 * beam_q1_dot + c57 * beam_q2_dot + c58 * beam_q3_dot + c59 * beam_q4_dot + c60 * beam_q5_dot
-    w16 = c61 * beam_q1_dot + c62 * beam_q2_dot + c63 * beam_q3_dot + c64 * beam_q4_dot + c65 * beam_q5_dot
-    w17 = c66 * beam_q1_dot + c67 * beam_q2_dot + c68 * beam_q3_dot + c69 * beam_q4_dot + c70 * beam_q5_dot
-    w18 = beam_q1_dot * w13 + beam_q2_dot * w14 + beam_q3_dot * w15 + beam_q4_dot * w16 + beam_q5_dot * w17
-    w19 = w7 * w6 + w0 * w8
-    w20 = c78 * beam_x_ddot - w19 * beam_theta_ddot - (w0 * w1 + w7 * c72) * beam_q1_ddot - (w0 * w2 + w7 * c73) * beam_q2_ddot
-    w21 = w20 - (w0 * w3 + w7 * c74) * beam_q3_ddot - (w0 * w4 + w7 * c75) * beam_q4_ddot - (w0 * w5 + w7 * c76) * beam_q5_ddot
-    w22 = c78 * beam_y_ddot + w9 * beam_theta_ddot + (w0 * c72 - w7 * w1) * beam_q1_ddot + (w0 * c73 - w7 * w2) * beam_q2_ddot
-    w23 = w22 + (w0 * c74 - w7 * w3) * beam_q3_ddot + (w0 * c75 - w7 * w4) * beam_q4_ddot + (w0 * c76 - w7 * w5) * beam_q5_ddot
-    w24 = c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3 + c4 * beam_q4 + c5 * beam_q5)
-    w25 = c12 * beam_q2 - (c13 * beam_q1 + c14 * beam_q2 + c15 * beam_q3 + c16 * beam_q4 + c17 * beam_q5)
-    w26 = c20 * beam_q3 - (c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3 + c24 * beam_q4 + c25 * beam_q5)
-    w27 = c28 * beam_q4 - (c29 * beam_q1 + c30 * beam_q2 + c31 * beam_q3 + c32 * beam_q4 + c33 * beam_q5)
-    w28 = c36 * beam_q5 - (c37 * beam_q1 + c38 * beam_q2 + c39 * beam_q3 + c40 * beam_q4 + c41 * beam_q5)
-    w29 = w24 * beam_q1_dot + w25 * beam_q2_dot + w26 * beam_q3_dot + w27 * beam_q4_dot + w28 * beam_q5_dot
-    w30 = (c77 + (beam_q1 * w24 + beam_q2 * w25 + beam_q3 * w26 + beam_q4 * w27 + beam_q5 * w28)) * beam_theta_ddot
-    w31 = w9 * beam_y_ddot - w19 * beam_x_ddot + w30 + c11 * beam_q1_ddot + c19 * beam_q2_ddot + c27 * beam_q3_ddot
+    c79 = c[79]
+    w0 = beam_theta_dot**2
+    w1 = ca.cos(beam_theta)
+    w2 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
+    w3 = beam_q1 * c54 + beam_q2 * c55 + beam_q3 * c56 + beam_q4 * c57 + beam_q5 * c58
+    w4 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
+    w5 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
+    w6 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
+    w7 = c48 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4 + beam_q4 * w5 + beam_q5 * w6)
+    w8 = ca.sin(beam_theta)
+    w9 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
+    w10 = w1 * w7 - w8 * w9
+    w11 = 2 * beam_theta_dot
+    w12 = beam_q1_dot * c74 + beam_q2_dot * c75 + beam_q3_dot * c76 + beam_q4_dot * c77 + beam_q5_dot * c78
+    w13 = w2 * beam_q1_dot + w3 * beam_q2_dot + w4 * beam_q3_dot + w5 * beam_q4_dot + w6 * beam_q5_dot
+    w14 = beam_q1_dot * c49 + beam_q2_dot * c50 + beam_q3_dot * c51 + beam_q4_dot * c52 + beam_q5_dot * c53
+    w15 = beam_q1_dot * c54 + beam_q2_dot * c55 + beam_q3_dot * c56 + beam_q4_dot * c57 + beam_q5_dot * c58
+    w16 = beam_q1_dot * c59 + beam_q2_dot * c60 + beam_q3_dot * c61 + beam_q4_dot * c62 + beam_q5_dot * c63
+    w17 = beam_q1_dot * c64 + beam_q2_dot * c65 + beam_q3_dot * c66 + beam_q4_dot * c67 + beam_q5_dot * c68
+    w18 = beam_q1_dot * c69 + beam_q2_dot * c70 + beam_q3_dot * c71 + beam_q4_dot * c72 + beam_q5_dot * c73
+    w19 = beam_q1_dot * w14 + beam_q2_dot * w15 + beam_q3_dot * w16 + beam_q4_dot * w17 + beam_q5_dot * w18
+    w20 = w7 * w8 + w1 * w9
+    w21 = beam_x_ddot * c47 - w20 * beam_theta_ddot - (w1 * w2 + w8 * c74) * beam_q1_ddot - (w1 * w3 + w8 * c75) * beam_q2_ddot
+    w22 = w21 - (w1 * w4 + w8 * c76) * beam_q3_ddot - (w1 * w5 + w8 * c77) * beam_q4_ddot - (w1 * w6 + w8 * c78) * beam_q5_ddot
+    w23 = beam_y_ddot * c47 + w10 * beam_theta_ddot + beam_q1_ddot * (w1 * c74 - w2 * w8) + beam_q2_ddot * (w1 * c75 - w3 * w8)
+    w24 = w23 + beam_q3_ddot * (w1 * c76 - w4 * w8) + beam_q4_ddot * (w1 * c77 - w5 * w8) + beam_q5_ddot * (w1 * c78 - w6 * w8)
+    w25 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
+    w26 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
+    w27 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
+    w28 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
+    w29 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
+    w30 = beam_q1_dot * w25 + beam_q2_dot * w26 + beam_q3_dot * w27 + beam_q4_dot * w28 + beam_q5_dot * w29
+    w31 = beam_theta_ddot * (c79 + (beam_q1 * w25 + beam_q2 * w26 + beam_q3 * w27 + beam_q4 * w28 + beam_q5 * w29))
+    w32 = w10 * beam_y_ddot - beam_x_ddot * w20 + w31 + beam_q1_ddot * c12 + beam_q2_ddot * c21 + beam_q3_ddot * c28
     lam = ca.vertcat(
-        w9 * w10 + 2 * (w0 * w11 - w7 * w12) * beam_theta_dot + w0 * w18 - w21,
-        w19 * w10 + w7 * w18 - 2 * -(w0 * w12 + w7 * w11) * beam_theta_dot - w23,
-        -2.0 * w29 * beam_theta_dot - (w31 + c35 * beam_q4_ddot + c43 * beam_q5_ddot),
+        w0 * w10 + w11 * (w1 * w12 - w8 * w13) + w1 * w19 - w22,
+        w0 * w20 + w8 * w19 + w11 * (w1 * w13 + w8 * w12) - w24,
+        -2.0 * beam_theta_dot * w30 - (w32 + beam_q4_ddot * c35 + beam_q5_ddot * c42),
     )
     lam = ca.densify(lam)
     inputs, outputs = [q, q_dot, q_ddot, c], [lam]
@@ -1766,10 +1809,10 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 369 operations."""
+    """Energies in J and powers in W. 370 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_theta = q[2]
     beam_q1 = q[3]
     beam_q2 = q[4]
@@ -1791,10 +1834,11 @@ def energy() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
-    c11 = c[11]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
     c12 = c[12]
-    c13 = c[13]
-    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
@@ -1823,8 +1867,6 @@ def energy() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
-    c46 = c[46]
     c47 = c[47]
     c48 = c[48]
     c49 = c[49]
@@ -1857,49 +1899,50 @@ def energy() -> ca.Function:
     c76 = c[76]
     c77 = c[77]
     c78 = c[78]
+    c79 = c[79]
     w0 = ca.sin(beam_theta)
-    w1 = c46 * beam_q1 + c47 * beam_q2 + c48 * beam_q3 + c49 * beam_q4 + c50 * beam_q5
-    w2 = c51 * beam_q1 + c52 * beam_q2 + c53 * beam_q3 + c54 * beam_q4 + c55 * beam_q5
-    w3 = c56 * beam_q1 + c57 * beam_q2 + c58 * beam_q3 + c59 * beam_q4 + c60 * beam_q5
-    w4 = c61 * beam_q1 + c62 * beam_q2 + c63 * beam_q3 + c64 * beam_q4 + c65 * beam_q5
-    w5 = c66 * beam_q1 + c67 * beam_q2 + c68 * beam_q3 + c69 * beam_q4 + c70 * beam_q5
-    w6 = c71 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) / 2.0
+    w1 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
+    w2 = beam_q1 * c54 + beam_q2 * c55 + beam_q3 * c56 + beam_q4 * c57 + beam_q5 * c58
+    w3 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
+    w4 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
+    w5 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
+    w6 = c48 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
     w7 = ca.cos(beam_theta)
-    w8 = c72 * beam_q1 + c73 * beam_q2 + c74 * beam_q3 + c75 * beam_q4 + c76 * beam_q5
+    w8 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w9 = w0 * w6 + w7 * w8
-    w10 = w7 * w1 + w0 * c72
-    w11 = w7 * w2 + w0 * c73
-    w12 = w7 * w3 + w0 * c74
-    w13 = c78 * beam_x_dot - w9 * beam_theta_dot - w10 * beam_q1_dot - w11 * beam_q2_dot - w12 * beam_q3_dot
-    w14 = w7 * w4 + w0 * c75
-    w15 = w7 * w5 + w0 * c76
-    w16 = w7 * w6 - w0 * w8
-    w17 = w7 * c72 - w0 * w1
-    w18 = w7 * c73 - w0 * w2
-    w19 = w7 * c74 - w0 * w3
-    w20 = c78 * beam_y_dot + w16 * beam_theta_dot + w17 * beam_q1_dot + w18 * beam_q2_dot + w19 * beam_q3_dot
-    w21 = w7 * c75 - w0 * w4
-    w22 = w7 * c76 - w0 * w5
-    w23 = beam_x_dot * (w13 - w14 * beam_q4_dot - w15 * beam_q5_dot) + beam_y_dot * (w20 + w21 * beam_q4_dot + w22 * beam_q5_dot)
-    w24 = beam_q1 * (c0 * beam_q1 - (c1 * beam_q1 + c2 * beam_q2 + c3 * beam_q3 + c4 * beam_q4 + c5 * beam_q5))
-    w25 = beam_q2 * (c12 * beam_q2 - (c13 * beam_q1 + c14 * beam_q2 + c15 * beam_q3 + c16 * beam_q4 + c17 * beam_q5))
-    w26 = beam_q3 * (c20 * beam_q3 - (c21 * beam_q1 + c22 * beam_q2 + c23 * beam_q3 + c24 * beam_q4 + c25 * beam_q5))
-    w27 = beam_q4 * (c28 * beam_q4 - (c29 * beam_q1 + c30 * beam_q2 + c31 * beam_q3 + c32 * beam_q4 + c33 * beam_q5))
-    w28 = beam_q5 * (c36 * beam_q5 - (c37 * beam_q1 + c38 * beam_q2 + c39 * beam_q3 + c40 * beam_q4 + c41 * beam_q5))
-    w29 = w16 * beam_y_dot - w9 * beam_x_dot + (c77 + (w24 + w25 + w26 + w27 + w28)) * beam_theta_dot + c11 * beam_q1_dot
-    w30 = beam_theta_dot * (w29 + c19 * beam_q2_dot + c27 * beam_q3_dot + c35 * beam_q4_dot + c43 * beam_q5_dot)
-    w31 = w23 + w30 + beam_q1_dot * (w17 * beam_y_dot - w10 * beam_x_dot + c11 * beam_theta_dot + c0 * beam_q1_dot)
-    w32 = w31 + beam_q2_dot * (w18 * beam_y_dot - w11 * beam_x_dot + c19 * beam_theta_dot + c12 * beam_q2_dot)
-    w33 = w32 + beam_q3_dot * (w19 * beam_y_dot - w12 * beam_x_dot + c27 * beam_theta_dot + c20 * beam_q3_dot)
-    w34 = w33 + beam_q4_dot * (w21 * beam_y_dot - w14 * beam_x_dot + c35 * beam_theta_dot + c28 * beam_q4_dot)
-    w35 = w34 + beam_q5_dot * (w22 * beam_y_dot - w15 * beam_x_dot + c43 * beam_theta_dot + c36 * beam_q5_dot)
-    w36 = beam_q1 * c6 * beam_q1 + beam_q2 * c18 * beam_q2 + beam_q3 * c26 * beam_q3 + beam_q4 * c34 * beam_q4
+    w10 = w1 * w7 + w0 * c74
+    w11 = w2 * w7 + w0 * c75
+    w12 = w3 * w7 + w0 * c76
+    w13 = beam_x_dot * c47 - w9 * beam_theta_dot - w10 * beam_q1_dot - w11 * beam_q2_dot - w12 * beam_q3_dot
+    w14 = w4 * w7 + w0 * c77
+    w15 = w5 * w7 + w0 * c78
+    w16 = w6 * w7 - w0 * w8
+    w17 = w7 * c74 - w0 * w1
+    w18 = w7 * c75 - w0 * w2
+    w19 = w7 * c76 - w0 * w3
+    w20 = beam_y_dot * c47 + beam_theta_dot * w16 + beam_q1_dot * w17 + beam_q2_dot * w18 + beam_q3_dot * w19
+    w21 = w7 * c77 - w0 * w4
+    w22 = w7 * c78 - w0 * w5
+    w23 = beam_x_dot * (w13 - w14 * beam_q4_dot - w15 * beam_q5_dot) + beam_y_dot * (w20 + beam_q4_dot * w21 + beam_q5_dot * w22)
+    w24 = beam_q1 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9))
+    w25 = beam_q2 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
+    w26 = beam_q3 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
+    w27 = beam_q4 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
+    w28 = beam_q5 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
+    w29 = beam_y_dot * w16 - beam_x_dot * w9 + beam_theta_dot * (c79 + (w24 + w25 + w26 + w27 + w28)) + beam_q1_dot * c12
+    w30 = beam_theta_dot * (w29 + beam_q2_dot * c21 + beam_q3_dot * c28 + beam_q4_dot * c35 + beam_q5_dot * c42)
+    w31 = w23 + w30 + beam_q1_dot * (beam_y_dot * w17 - beam_x_dot * w10 + beam_theta_dot * c12 + beam_q1_dot * c0)
+    w32 = w31 + beam_q2_dot * (beam_y_dot * w18 - beam_x_dot * w11 + beam_theta_dot * c21 + beam_q2_dot * c1)
+    w33 = w32 + beam_q3_dot * (beam_y_dot * w19 - beam_x_dot * w12 + beam_theta_dot * c28 + beam_q3_dot * c2)
+    w34 = w33 + beam_q4_dot * (beam_y_dot * w21 - beam_x_dot * w14 + beam_theta_dot * c35 + beam_q4_dot * c3)
+    w35 = w34 + beam_q5_dot * (beam_y_dot * w22 - beam_x_dot * w15 + beam_theta_dot * c42 + beam_q5_dot * c4)
+    w36 = beam_q1 * (beam_q1 * c10) + beam_q2 * (beam_q2 * c20) + beam_q3 * (beam_q3 * c27) + beam_q4 * (beam_q4 * c34)
     kinetic = ca.vertcat(
         w35 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        (w36 + beam_q5 * c42 * beam_q5) / 2.0,
+        (w36 + beam_q5 * (beam_q5 * c41)) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -1919,10 +1962,10 @@ def energy() -> ca.Function:
 
 
 def measures() -> ca.Function:
-    """The scene's measures and their rates. 220 operations."""
+    """The scene's measures and their rates. 219 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -1939,7 +1982,6 @@ def measures() -> ca.Function:
     beam_q3_dot = q_dot[5]
     beam_q4_dot = q_dot[6]
     beam_q5_dot = q_dot[7]
-    c79 = c[79]
     c80 = c[80]
     c81 = c[81]
     c82 = c[82]
@@ -1970,29 +2012,30 @@ def measures() -> ca.Function:
     c107 = c[107]
     c108 = c[108]
     c109 = c[109]
+    c110 = c[110]
     w0 = ca.cos(beam_theta)
-    w1 = c79 * beam_q1 + c80 * beam_q2 + c81 * beam_q3 + c82 * beam_q4 + c83 * beam_q5
-    w2 = c84 * beam_q1 + c85 * beam_q2 + c86 * beam_q3 + c87 * beam_q4 + c88 * beam_q5
-    w3 = c89 * beam_q1 + c90 * beam_q2 + c91 * beam_q3 + c92 * beam_q4 + c93 * beam_q5
-    w4 = c94 * beam_q1 + c95 * beam_q2 + c96 * beam_q3 + c97 * beam_q4 + c98 * beam_q5
-    w5 = c99 * beam_q1 + c100 * beam_q2 + c101 * beam_q3 + c102 * beam_q4 + c103 * beam_q5
-    w6 = c104 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) / 2.0
+    w1 = beam_q1 * c81 + beam_q2 * c82 + beam_q3 * c83 + beam_q4 * c84 + beam_q5 * c85
+    w2 = beam_q1 * c86 + beam_q2 * c87 + beam_q3 * c88 + beam_q4 * c89 + beam_q5 * c90
+    w3 = beam_q1 * c91 + beam_q2 * c92 + beam_q3 * c93 + beam_q4 * c94 + beam_q5 * c95
+    w4 = beam_q1 * c96 + beam_q2 * c97 + beam_q3 * c98 + beam_q4 * c99 + beam_q5 * c100
+    w5 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
+    w6 = c80 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
     w7 = ca.sin(beam_theta)
-    w8 = c105 * beam_q1 + c106 * beam_q2 + c107 * beam_q3 + c108 * beam_q4 + c109 * beam_q5
+    w8 = beam_q1 * c106 + beam_q2 * c107 + beam_q3 * c108 + beam_q4 * c109 + beam_q5 * c110
     w9 = w7 * beam_theta_dot
-    w10 = c79 * beam_q1_dot + c80 * beam_q2_dot + c81 * beam_q3_dot + c82 * beam_q4_dot + c83 * beam_q5_dot
-    w11 = c84 * beam_q1_dot + c85 * beam_q2_dot + c86 * beam_q3_dot + c87 * beam_q4_dot + c88 * beam_q5_dot
-    w12 = c89 * beam_q1_dot + c90 * beam_q2_dot + c91 * beam_q3_dot + c92 * beam_q4_dot + c93 * beam_q5_dot
+    w10 = beam_q1_dot * c81 + beam_q2_dot * c82 + beam_q3_dot * c83 + beam_q4_dot * c84 + beam_q5_dot * c85
+    w11 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
+    w12 = beam_q1_dot * c91 + beam_q2_dot * c92 + beam_q3_dot * c93 + beam_q4_dot * c94 + beam_q5_dot * c95
     w13 = w1 * beam_q1_dot + beam_q1 * w10 + (w2 * beam_q2_dot + beam_q2 * w11) + (w3 * beam_q3_dot + beam_q3 * w12)
-    w14 = c94 * beam_q1_dot + c95 * beam_q2_dot + c96 * beam_q3_dot + c97 * beam_q4_dot + c98 * beam_q5_dot
-    w15 = c99 * beam_q1_dot + c100 * beam_q2_dot + c101 * beam_q3_dot + c102 * beam_q4_dot + c103 * beam_q5_dot
+    w14 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
+    w15 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
     w16 = 0.5 * (w13 + (w4 * beam_q4_dot + beam_q4 * w14) + (w5 * beam_q5_dot + beam_q5 * w15))
     w17 = w0 * beam_theta_dot
-    w18 = c105 * beam_q1_dot + c106 * beam_q2_dot + c107 * beam_q3_dot + c108 * beam_q4_dot + c109 * beam_q5_dot
+    w18 = beam_q1_dot * c106 + beam_q2_dot * c107 + beam_q3_dot * c108 + beam_q4_dot * c109 + beam_q5_dot * c110
     measures = ca.vertcat(
         beam_x + (w0 * w6 - w7 * w8),
         beam_x_dot - (w6 * w9 + w0 * w16 + (w8 * w17 + w7 * w18)),
-        beam_y + (w7 * w6 + w0 * w8),
+        beam_y + (w6 * w7 + w0 * w8),
         beam_y_dot + (w6 * w17 - w7 * w16 + (w0 * w18 - w8 * w9)),
     )
     measures = ca.densify(measures)
@@ -2004,7 +2047,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 1715 operations."""
     q = ca.SX.sym("q", 8)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
@@ -2013,7 +2056,6 @@ def drawing() -> ca.Function:
     beam_q3 = q[5]
     beam_q4 = q[6]
     beam_q5 = q[7]
-    c79 = c[79]
     c80 = c[80]
     c81 = c[81]
     c82 = c[82]
@@ -2509,82 +2551,83 @@ def drawing() -> ca.Function:
     c572 = c[572]
     c573 = c[573]
     c574 = c[574]
+    c575 = c[575]
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * exaggeration
-    w2 = beam_q2 * exaggeration
-    w3 = beam_q3 * exaggeration
-    w4 = beam_q4 * exaggeration
-    w5 = beam_q5 * exaggeration
-    w6 = w1 * (c110 * w1 + c111 * w2 + c112 * w3 + c113 * w4 + c114 * w5) + w2 * (c115 * w1 + c116 * w2 + c117 * w3 + c118 * w4 + c119 * w5)
-    w7 = w6 + w3 * (c120 * w1 + c121 * w2 + c122 * w3 + c123 * w4 + c124 * w5) + w4 * (c125 * w1 + c126 * w2 + c127 * w3 + c128 * w4 + c129 * w5)
-    w8 = c135 - (w7 + w5 * (c130 * w1 + c131 * w2 + c132 * w3 + c133 * w4 + c134 * w5)) / 2.0
+    w2 = exaggeration * beam_q2
+    w3 = exaggeration * beam_q3
+    w4 = exaggeration * beam_q4
+    w5 = exaggeration * beam_q5
+    w6 = w1 * (w1 * c112 + w2 * c113 + w3 * c114 + w4 * c115 + w5 * c116) + w2 * (w1 * c117 + w2 * c118 + w3 * c119 + w4 * c120 + w5 * c121)
+    w7 = w6 + w3 * (w1 * c122 + w2 * c123 + w3 * c124 + w4 * c125 + w5 * c126) + w4 * (w1 * c127 + w2 * c128 + w3 * c129 + w4 * c130 + w5 * c131)
+    w8 = c111 - 0.5 * (w7 + w5 * (w1 * c132 + w2 * c133 + w3 * c134 + w4 * c135 + w5 * c136))
     w9 = ca.sin(beam_theta)
-    w10 = c136 * w1 + c137 * w2 + c138 * w3 + c139 * w4 + c140 * w5
-    w11 = w1 * (c141 * w1 + c142 * w2 + c143 * w3 + c144 * w4 + c145 * w5) + w2 * (c146 * w1 + c147 * w2 + c148 * w3 + c149 * w4 + c150 * w5)
-    w12 = w11 + w3 * (c151 * w1 + c152 * w2 + c153 * w3 + c154 * w4 + c155 * w5) + w4 * (c156 * w1 + c157 * w2 + c158 * w3 + c159 * w4 + c160 * w5)
-    w13 = c166 - (w12 + w5 * (c161 * w1 + c162 * w2 + c163 * w3 + c164 * w4 + c165 * w5)) / 2.0
-    w14 = c167 * w1 + c168 * w2 + c169 * w3 + c170 * w4 + c171 * w5
-    w15 = w1 * (c172 * w1 + c173 * w2 + c174 * w3 + c175 * w4 + c176 * w5) + w2 * (c177 * w1 + c178 * w2 + c179 * w3 + c180 * w4 + c181 * w5)
-    w16 = w15 + w3 * (c182 * w1 + c183 * w2 + c184 * w3 + c185 * w4 + c186 * w5) + w4 * (c187 * w1 + c188 * w2 + c189 * w3 + c190 * w4 + c191 * w5)
-    w17 = c197 - (w16 + w5 * (c192 * w1 + c193 * w2 + c194 * w3 + c195 * w4 + c196 * w5)) / 2.0
-    w18 = c198 * w1 + c199 * w2 + c200 * w3 + c201 * w4 + c202 * w5
-    w19 = w1 * (c203 * w1 + c204 * w2 + c205 * w3 + c206 * w4 + c207 * w5) + w2 * (c208 * w1 + c209 * w2 + c210 * w3 + c211 * w4 + c212 * w5)
-    w20 = w19 + w3 * (c213 * w1 + c214 * w2 + c215 * w3 + c216 * w4 + c217 * w5) + w4 * (c218 * w1 + c219 * w2 + c220 * w3 + c221 * w4 + c222 * w5)
-    w21 = c228 - (w20 + w5 * (c223 * w1 + c224 * w2 + c225 * w3 + c226 * w4 + c227 * w5)) / 2.0
-    w22 = c229 * w1 + c230 * w2 + c231 * w3 + c232 * w4 + c233 * w5
-    w23 = w1 * (c234 * w1 + c235 * w2 + c236 * w3 + c237 * w4 + c238 * w5) + w2 * (c239 * w1 + c240 * w2 + c241 * w3 + c242 * w4 + c243 * w5)
-    w24 = w23 + w3 * (c244 * w1 + c245 * w2 + c246 * w3 + c247 * w4 + c248 * w5) + w4 * (c249 * w1 + c250 * w2 + c251 * w3 + c252 * w4 + c253 * w5)
-    w25 = c259 - (w24 + w5 * (c254 * w1 + c255 * w2 + c256 * w3 + c257 * w4 + c258 * w5)) / 2.0
-    w26 = c260 * w1 + c261 * w2 + c262 * w3 + c263 * w4 + c264 * w5
-    w27 = w1 * (c265 * w1 + c266 * w2 + c267 * w3 + c268 * w4 + c269 * w5) + w2 * (c270 * w1 + c271 * w2 + c272 * w3 + c273 * w4 + c274 * w5)
-    w28 = w27 + w3 * (c275 * w1 + c276 * w2 + c277 * w3 + c278 * w4 + c279 * w5) + w4 * (c280 * w1 + c281 * w2 + c282 * w3 + c283 * w4 + c284 * w5)
-    w29 = c290 - (w28 + w5 * (c285 * w1 + c286 * w2 + c287 * w3 + c288 * w4 + c289 * w5)) / 2.0
-    w30 = c291 * w1 + c292 * w2 + c293 * w3 + c294 * w4 + c295 * w5
-    w31 = w1 * (c296 * w1 + c297 * w2 + c298 * w3 + c299 * w4 + c300 * w5) + w2 * (c301 * w1 + c302 * w2 + c303 * w3 + c304 * w4 + c305 * w5)
-    w32 = w31 + w3 * (c306 * w1 + c307 * w2 + c308 * w3 + c309 * w4 + c310 * w5) + w4 * (c311 * w1 + c312 * w2 + c313 * w3 + c314 * w4 + c315 * w5)
-    w33 = c321 - (w32 + w5 * (c316 * w1 + c317 * w2 + c318 * w3 + c319 * w4 + c320 * w5)) / 2.0
-    w34 = c322 * w1 + c323 * w2 + c324 * w3 + c325 * w4 + c326 * w5
-    w35 = w1 * (c327 * w1 + c328 * w2 + c329 * w3 + c330 * w4 + c331 * w5) + w2 * (c332 * w1 + c333 * w2 + c334 * w3 + c335 * w4 + c336 * w5)
-    w36 = w35 + w3 * (c337 * w1 + c338 * w2 + c339 * w3 + c340 * w4 + c341 * w5) + w4 * (c342 * w1 + c343 * w2 + c344 * w3 + c345 * w4 + c346 * w5)
-    w37 = c352 - (w36 + w5 * (c347 * w1 + c348 * w2 + c349 * w3 + c350 * w4 + c351 * w5)) / 2.0
-    w38 = c353 * w1 + c354 * w2 + c355 * w3 + c356 * w4 + c357 * w5
-    w39 = w1 * (c358 * w1 + c359 * w2 + c360 * w3 + c361 * w4 + c362 * w5) + w2 * (c363 * w1 + c364 * w2 + c365 * w3 + c366 * w4 + c367 * w5)
-    w40 = w39 + w3 * (c368 * w1 + c369 * w2 + c370 * w3 + c371 * w4 + c372 * w5) + w4 * (c373 * w1 + c374 * w2 + c375 * w3 + c376 * w4 + c377 * w5)
-    w41 = c383 - (w40 + w5 * (c378 * w1 + c379 * w2 + c380 * w3 + c381 * w4 + c382 * w5)) / 2.0
-    w42 = c384 * w1 + c385 * w2 + c386 * w3 + c387 * w4 + c388 * w5
-    w43 = w1 * (c389 * w1 + c390 * w2 + c391 * w3 + c392 * w4 + c393 * w5) + w2 * (c394 * w1 + c395 * w2 + c396 * w3 + c397 * w4 + c398 * w5)
-    w44 = w43 + w3 * (c399 * w1 + c400 * w2 + c401 * w3 + c402 * w4 + c403 * w5) + w4 * (c404 * w1 + c405 * w2 + c406 * w3 + c407 * w4 + c408 * w5)
-    w45 = c414 - (w44 + w5 * (c409 * w1 + c410 * w2 + c411 * w3 + c412 * w4 + c413 * w5)) / 2.0
-    w46 = c415 * w1 + c416 * w2 + c417 * w3 + c418 * w4 + c419 * w5
-    w47 = w1 * (c420 * w1 + c421 * w2 + c422 * w3 + c423 * w4 + c424 * w5) + w2 * (c425 * w1 + c426 * w2 + c427 * w3 + c428 * w4 + c429 * w5)
-    w48 = w47 + w3 * (c430 * w1 + c431 * w2 + c432 * w3 + c433 * w4 + c434 * w5) + w4 * (c435 * w1 + c436 * w2 + c437 * w3 + c438 * w4 + c439 * w5)
-    w49 = c445 - (w48 + w5 * (c440 * w1 + c441 * w2 + c442 * w3 + c443 * w4 + c444 * w5)) / 2.0
-    w50 = c446 * w1 + c447 * w2 + c448 * w3 + c449 * w4 + c450 * w5
-    w51 = w1 * (c451 * w1 + c452 * w2 + c453 * w3 + c454 * w4 + c455 * w5) + w2 * (c456 * w1 + c457 * w2 + c458 * w3 + c459 * w4 + c460 * w5)
-    w52 = w51 + w3 * (c461 * w1 + c462 * w2 + c463 * w3 + c464 * w4 + c465 * w5) + w4 * (c466 * w1 + c467 * w2 + c468 * w3 + c469 * w4 + c470 * w5)
-    w53 = c476 - (w52 + w5 * (c471 * w1 + c472 * w2 + c473 * w3 + c474 * w4 + c475 * w5)) / 2.0
-    w54 = c477 * w1 + c478 * w2 + c479 * w3 + c480 * w4 + c481 * w5
-    w55 = w1 * (c482 * w1 + c483 * w2 + c484 * w3 + c485 * w4 + c486 * w5) + w2 * (c487 * w1 + c488 * w2 + c489 * w3 + c490 * w4 + c491 * w5)
-    w56 = w55 + w3 * (c492 * w1 + c493 * w2 + c494 * w3 + c495 * w4 + c496 * w5) + w4 * (c497 * w1 + c498 * w2 + c499 * w3 + c500 * w4 + c501 * w5)
-    w57 = c507 - (w56 + w5 * (c502 * w1 + c503 * w2 + c504 * w3 + c505 * w4 + c506 * w5)) / 2.0
-    w58 = c508 * w1 + c509 * w2 + c510 * w3 + c511 * w4 + c512 * w5
-    w59 = w1 * (c513 * w1 + c514 * w2 + c515 * w3 + c516 * w4 + c517 * w5) + w2 * (c518 * w1 + c519 * w2 + c520 * w3 + c521 * w4 + c522 * w5)
-    w60 = w59 + w3 * (c523 * w1 + c524 * w2 + c525 * w3 + c526 * w4 + c527 * w5) + w4 * (c528 * w1 + c529 * w2 + c530 * w3 + c531 * w4 + c532 * w5)
-    w61 = c538 - (w60 + w5 * (c533 * w1 + c534 * w2 + c535 * w3 + c536 * w4 + c537 * w5)) / 2.0
-    w62 = c539 * w1 + c540 * w2 + c541 * w3 + c542 * w4 + c543 * w5
-    w63 = w1 * (c544 * w1 + c545 * w2 + c546 * w3 + c547 * w4 + c548 * w5) + w2 * (c549 * w1 + c550 * w2 + c551 * w3 + c552 * w4 + c553 * w5)
-    w64 = w63 + w3 * (c554 * w1 + c555 * w2 + c556 * w3 + c557 * w4 + c558 * w5) + w4 * (c559 * w1 + c560 * w2 + c561 * w3 + c562 * w4 + c563 * w5)
-    w65 = c569 - (w64 + w5 * (c564 * w1 + c565 * w2 + c566 * w3 + c567 * w4 + c568 * w5)) / 2.0
-    w66 = c570 * w1 + c571 * w2 + c572 * w3 + c573 * w4 + c574 * w5
-    w67 = w1 * (c79 * w1 + c80 * w2 + c81 * w3 + c82 * w4 + c83 * w5) + w2 * (c84 * w1 + c85 * w2 + c86 * w3 + c87 * w4 + c88 * w5)
-    w68 = w67 + w3 * (c89 * w1 + c90 * w2 + c91 * w3 + c92 * w4 + c93 * w5) + w4 * (c94 * w1 + c95 * w2 + c96 * w3 + c97 * w4 + c98 * w5)
-    w69 = c104 - (w68 + w5 * (c99 * w1 + c100 * w2 + c101 * w3 + c102 * w4 + c103 * w5)) / 2.0
-    w70 = c105 * w1 + c106 * w2 + c107 * w3 + c108 * w4 + c109 * w5
+    w10 = w1 * c137 + w2 * c138 + w3 * c139 + w4 * c140 + w5 * c141
+    w11 = w1 * (w1 * c143 + w2 * c144 + w3 * c145 + w4 * c146 + w5 * c147) + w2 * (w1 * c148 + w2 * c149 + w3 * c150 + w4 * c151 + w5 * c152)
+    w12 = w11 + w3 * (w1 * c153 + w2 * c154 + w3 * c155 + w4 * c156 + w5 * c157) + w4 * (w1 * c158 + w2 * c159 + w3 * c160 + w4 * c161 + w5 * c162)
+    w13 = c142 - 0.5 * (w12 + w5 * (w1 * c163 + w2 * c164 + w3 * c165 + w4 * c166 + w5 * c167))
+    w14 = w1 * c168 + w2 * c169 + w3 * c170 + w4 * c171 + w5 * c172
+    w15 = w1 * (w1 * c174 + w2 * c175 + w3 * c176 + w4 * c177 + w5 * c178) + w2 * (w1 * c179 + w2 * c180 + w3 * c181 + w4 * c182 + w5 * c183)
+    w16 = w15 + w3 * (w1 * c184 + w2 * c185 + w3 * c186 + w4 * c187 + w5 * c188) + w4 * (w1 * c189 + w2 * c190 + w3 * c191 + w4 * c192 + w5 * c193)
+    w17 = c173 - 0.5 * (w16 + w5 * (w1 * c194 + w2 * c195 + w3 * c196 + w4 * c197 + w5 * c198))
+    w18 = w1 * c199 + w2 * c200 + w3 * c201 + w4 * c202 + w5 * c203
+    w19 = w1 * (w1 * c205 + w2 * c206 + w3 * c207 + w4 * c208 + w5 * c209) + w2 * (w1 * c210 + w2 * c211 + w3 * c212 + w4 * c213 + w5 * c214)
+    w20 = w19 + w3 * (w1 * c215 + w2 * c216 + w3 * c217 + w4 * c218 + w5 * c219) + w4 * (w1 * c220 + w2 * c221 + w3 * c222 + w4 * c223 + w5 * c224)
+    w21 = c204 - 0.5 * (w20 + w5 * (w1 * c225 + w2 * c226 + w3 * c227 + w4 * c228 + w5 * c229))
+    w22 = w1 * c230 + w2 * c231 + w3 * c232 + w4 * c233 + w5 * c234
+    w23 = w1 * (w1 * c236 + w2 * c237 + w3 * c238 + w4 * c239 + w5 * c240) + w2 * (w1 * c241 + w2 * c242 + w3 * c243 + w4 * c244 + w5 * c245)
+    w24 = w23 + w3 * (w1 * c246 + w2 * c247 + w3 * c248 + w4 * c249 + w5 * c250) + w4 * (w1 * c251 + w2 * c252 + w3 * c253 + w4 * c254 + w5 * c255)
+    w25 = c235 - 0.5 * (w24 + w5 * (w1 * c256 + w2 * c257 + w3 * c258 + w4 * c259 + w5 * c260))
+    w26 = w1 * c261 + w2 * c262 + w3 * c263 + w4 * c264 + w5 * c265
+    w27 = w1 * (w1 * c267 + w2 * c268 + w3 * c269 + w4 * c270 + w5 * c271) + w2 * (w1 * c272 + w2 * c273 + w3 * c274 + w4 * c275 + w5 * c276)
+    w28 = w27 + w3 * (w1 * c277 + w2 * c278 + w3 * c279 + w4 * c280 + w5 * c281) + w4 * (w1 * c282 + w2 * c283 + w3 * c284 + w4 * c285 + w5 * c286)
+    w29 = c266 - 0.5 * (w28 + w5 * (w1 * c287 + w2 * c288 + w3 * c289 + w4 * c290 + w5 * c291))
+    w30 = w1 * c292 + w2 * c293 + w3 * c294 + w4 * c295 + w5 * c296
+    w31 = w1 * (w1 * c298 + w2 * c299 + w3 * c300 + w4 * c301 + w5 * c302) + w2 * (w1 * c303 + w2 * c304 + w3 * c305 + w4 * c306 + w5 * c307)
+    w32 = w31 + w3 * (w1 * c308 + w2 * c309 + w3 * c310 + w4 * c311 + w5 * c312) + w4 * (w1 * c313 + w2 * c314 + w3 * c315 + w4 * c316 + w5 * c317)
+    w33 = c297 - 0.5 * (w32 + w5 * (w1 * c318 + w2 * c319 + w3 * c320 + w4 * c321 + w5 * c322))
+    w34 = w1 * c323 + w2 * c324 + w3 * c325 + w4 * c326 + w5 * c327
+    w35 = w1 * (w1 * c329 + w2 * c330 + w3 * c331 + w4 * c332 + w5 * c333) + w2 * (w1 * c334 + w2 * c335 + w3 * c336 + w4 * c337 + w5 * c338)
+    w36 = w35 + w3 * (w1 * c339 + w2 * c340 + w3 * c341 + w4 * c342 + w5 * c343) + w4 * (w1 * c344 + w2 * c345 + w3 * c346 + w4 * c347 + w5 * c348)
+    w37 = c328 - 0.5 * (w36 + w5 * (w1 * c349 + w2 * c350 + w3 * c351 + w4 * c352 + w5 * c353))
+    w38 = w1 * c354 + w2 * c355 + w3 * c356 + w4 * c357 + w5 * c358
+    w39 = w1 * (w1 * c360 + w2 * c361 + w3 * c362 + w4 * c363 + w5 * c364) + w2 * (w1 * c365 + w2 * c366 + w3 * c367 + w4 * c368 + w5 * c369)
+    w40 = w39 + w3 * (w1 * c370 + w2 * c371 + w3 * c372 + w4 * c373 + w5 * c374) + w4 * (w1 * c375 + w2 * c376 + w3 * c377 + w4 * c378 + w5 * c379)
+    w41 = c359 - 0.5 * (w40 + w5 * (w1 * c380 + w2 * c381 + w3 * c382 + w4 * c383 + w5 * c384))
+    w42 = w1 * c385 + w2 * c386 + w3 * c387 + w4 * c388 + w5 * c389
+    w43 = w1 * (w1 * c391 + w2 * c392 + w3 * c393 + w4 * c394 + w5 * c395) + w2 * (w1 * c396 + w2 * c397 + w3 * c398 + w4 * c399 + w5 * c400)
+    w44 = w43 + w3 * (w1 * c401 + w2 * c402 + w3 * c403 + w4 * c404 + w5 * c405) + w4 * (w1 * c406 + w2 * c407 + w3 * c408 + w4 * c409 + w5 * c410)
+    w45 = c390 - 0.5 * (w44 + w5 * (w1 * c411 + w2 * c412 + w3 * c413 + w4 * c414 + w5 * c415))
+    w46 = w1 * c416 + w2 * c417 + w3 * c418 + w4 * c419 + w5 * c420
+    w47 = w1 * (w1 * c422 + w2 * c423 + w3 * c424 + w4 * c425 + w5 * c426) + w2 * (w1 * c427 + w2 * c428 + w3 * c429 + w4 * c430 + w5 * c431)
+    w48 = w47 + w3 * (w1 * c432 + w2 * c433 + w3 * c434 + w4 * c435 + w5 * c436) + w4 * (w1 * c437 + w2 * c438 + w3 * c439 + w4 * c440 + w5 * c441)
+    w49 = c421 - 0.5 * (w48 + w5 * (w1 * c442 + w2 * c443 + w3 * c444 + w4 * c445 + w5 * c446))
+    w50 = w1 * c447 + w2 * c448 + w3 * c449 + w4 * c450 + w5 * c451
+    w51 = w1 * (w1 * c453 + w2 * c454 + w3 * c455 + w4 * c456 + w5 * c457) + w2 * (w1 * c458 + w2 * c459 + w3 * c460 + w4 * c461 + w5 * c462)
+    w52 = w51 + w3 * (w1 * c463 + w2 * c464 + w3 * c465 + w4 * c466 + w5 * c467) + w4 * (w1 * c468 + w2 * c469 + w3 * c470 + w4 * c471 + w5 * c472)
+    w53 = c452 - 0.5 * (w52 + w5 * (w1 * c473 + w2 * c474 + w3 * c475 + w4 * c476 + w5 * c477))
+    w54 = w1 * c478 + w2 * c479 + w3 * c480 + w4 * c481 + w5 * c482
+    w55 = w1 * (w1 * c484 + w2 * c485 + w3 * c486 + w4 * c487 + w5 * c488) + w2 * (w1 * c489 + w2 * c490 + w3 * c491 + w4 * c492 + w5 * c493)
+    w56 = w55 + w3 * (w1 * c494 + w2 * c495 + w3 * c496 + w4 * c497 + w5 * c498) + w4 * (w1 * c499 + w2 * c500 + w3 * c501 + w4 * c502 + w5 * c503)
+    w57 = c483 - 0.5 * (w56 + w5 * (w1 * c504 + w2 * c505 + w3 * c506 + w4 * c507 + w5 * c508))
+    w58 = w1 * c509 + w2 * c510 + w3 * c511 + w4 * c512 + w5 * c513
+    w59 = w1 * (w1 * c515 + w2 * c516 + w3 * c517 + w4 * c518 + w5 * c519) + w2 * (w1 * c520 + w2 * c521 + w3 * c522 + w4 * c523 + w5 * c524)
+    w60 = w59 + w3 * (w1 * c525 + w2 * c526 + w3 * c527 + w4 * c528 + w5 * c529) + w4 * (w1 * c530 + w2 * c531 + w3 * c532 + w4 * c533 + w5 * c534)
+    w61 = c514 - 0.5 * (w60 + w5 * (w1 * c535 + w2 * c536 + w3 * c537 + w4 * c538 + w5 * c539))
+    w62 = w1 * c540 + w2 * c541 + w3 * c542 + w4 * c543 + w5 * c544
+    w63 = w1 * (w1 * c546 + w2 * c547 + w3 * c548 + w4 * c549 + w5 * c550) + w2 * (w1 * c551 + w2 * c552 + w3 * c553 + w4 * c554 + w5 * c555)
+    w64 = w63 + w3 * (w1 * c556 + w2 * c557 + w3 * c558 + w4 * c559 + w5 * c560) + w4 * (w1 * c561 + w2 * c562 + w3 * c563 + w4 * c564 + w5 * c565)
+    w65 = c545 - 0.5 * (w64 + w5 * (w1 * c566 + w2 * c567 + w3 * c568 + w4 * c569 + w5 * c570))
+    w66 = w1 * c571 + w2 * c572 + w3 * c573 + w4 * c574 + w5 * c575
+    w67 = w1 * (w1 * c81 + w2 * c82 + w3 * c83 + w4 * c84 + w5 * c85) + w2 * (w1 * c86 + w2 * c87 + w3 * c88 + w4 * c89 + w5 * c90)
+    w68 = w67 + w3 * (w1 * c91 + w2 * c92 + w3 * c93 + w4 * c94 + w5 * c95) + w4 * (w1 * c96 + w2 * c97 + w3 * c98 + w4 * c99 + w5 * c100)
+    w69 = c80 - 0.5 * (w68 + w5 * (w1 * c101 + w2 * c102 + w3 * c103 + w4 * c104 + w5 * c105))
+    w70 = w1 * c106 + w2 * c107 + w3 * c108 + w4 * c109 + w5 * c110
     xy = ca.vertcat(
         beam_x,
         beam_y,
         beam_x + (w0 * w8 - w9 * w10),
-        beam_y + (w9 * w8 + w0 * w10),
+        beam_y + (w8 * w9 + w0 * w10),
         beam_x + (w0 * w13 - w9 * w14),
         beam_y + (w9 * w13 + w0 * w14),
         beam_x + (w0 * w17 - w9 * w18),
@@ -2623,67 +2666,67 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 107 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 87 operations."""
     q_d_dot = ca.SX.sym("q_d_dot", 3)
-    c = ca.SX.sym("c", 580)
+    c = ca.SX.sym("c", 601)
     beam_theta_dot = q_d_dot[2]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
-    c13 = c[13]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c21 = c[21]
-    c22 = c[22]
-    c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    c29 = c[29]
-    c30 = c[30]
-    c31 = c[31]
-    c33 = c[33]
+    c10 = c[10]
+    c20 = c[20]
+    c27 = c[27]
     c34 = c[34]
-    c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c42 = c[42]
-    c575 = c[575]
+    c41 = c[41]
     c576 = c[576]
     c577 = c[577]
     c578 = c[578]
     c579 = c[579]
+    c580 = c[580]
+    c581 = c[581]
+    c582 = c[582]
+    c583 = c[583]
+    c584 = c[584]
+    c585 = c[585]
+    c586 = c[586]
+    c587 = c[587]
+    c588 = c[588]
+    c589 = c[589]
+    c590 = c[590]
+    c591 = c[591]
+    c592 = c[592]
+    c593 = c[593]
+    c594 = c[594]
+    c595 = c[595]
+    c596 = c[596]
+    c597 = c[597]
+    c598 = c[598]
+    c599 = c[599]
+    c600 = c[600]
     w0 = beam_theta_dot**2
     dQ_hat_dq_i = ca.vertcat(
-        w0 * c575 - c6,
-        -(w0 * c13),
-        -(w0 * c21),
-        -(w0 * c29),
-        -(w0 * c37),
-        -(w0 * c2),
-        w0 * c576 - c18,
-        -(w0 * c22),
-        -(w0 * c30),
-        -(w0 * c38),
-        -(w0 * c3),
-        -(w0 * c15),
-        w0 * c577 - c26,
-        -(w0 * c31),
-        -(w0 * c39),
-        -(w0 * c4),
-        -(w0 * c16),
-        -(w0 * c24),
-        w0 * c578 - c34,
-        -(w0 * c40),
-        -(w0 * c5),
-        -(w0 * c17),
-        -(w0 * c25),
-        -(w0 * c33),
-        w0 * c579 - c42,
+        w0 * c576 - c10,
+        w0 * c577,
+        w0 * c578,
+        w0 * c579,
+        w0 * c580,
+        w0 * c581,
+        w0 * c582 - c20,
+        w0 * c583,
+        w0 * c584,
+        w0 * c585,
+        w0 * c586,
+        w0 * c587,
+        w0 * c588 - c27,
+        w0 * c589,
+        w0 * c590,
+        w0 * c591,
+        w0 * c592,
+        w0 * c593,
+        w0 * c594 - c34,
+        w0 * c595,
+        w0 * c596,
+        w0 * c597,
+        w0 * c598,
+        w0 * c599,
+        w0 * c600 - c41,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)

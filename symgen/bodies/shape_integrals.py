@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import casadi as ca
 import numpy as np
 
 from symgen.modes import axial_modes, beam_integrals, lateral_modes
-from symgen.modes.integrals import BeamIntegrals
+from symgen.modes.integrals import BeamIntegrals, BeamPoint
 from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
 
@@ -92,10 +93,21 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
 
 
 def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
-    """Dimensionless integrals of a beam's mesh and modes (numbers)."""
-    lateral = lateral_modes(body.elements, body.lateral.ends, body.lateral.modes) if body.lateral else None
-    axial = axial_modes(body.elements, body.axial.ends, body.axial.modes) if body.axial else None
-    return beam_integrals(lateral, axial)
+    """Dimensionless integrals of a beam's mesh and modes (numbers); equal meshes are computed once."""
+    lateral = (body.lateral.ends, body.lateral.modes) if body.lateral else None
+    axial = (body.axial.ends, body.axial.modes) if body.axial else None
+    return _mesh_integrals(body.elements, lateral, axial)
+
+
+@lru_cache(maxsize=64)
+def _mesh_integrals(elements: int, lateral: tuple[str, int] | None, axial: tuple[str, int] | None) -> BeamIntegrals:
+    return beam_integrals(lateral_modes(elements, *lateral) if lateral else None,
+                          axial_modes(elements, *axial) if axial else None)
+
+
+@lru_cache(maxsize=4096)
+def _mesh_point(data: BeamIntegrals, at: float) -> BeamPoint:
+    return data.point(at)
 
 
 def mesh_key(body: BeamBody) -> str:
@@ -152,7 +164,7 @@ def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterT
     """Shapes of a beam at the fraction `at` of its length."""
     key = f"{mesh_key(body)}@{at!r}"
     length = table.quantity(body.length, f"{body.name}.length", "m", "length")
-    point = data.point(at)
+    point = _mesh_point(data, at)
     on = 1.0 if body.stiffening else 0.0
     rows = np.vstack([point.shape_x, point.shape_y])
     fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")

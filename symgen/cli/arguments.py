@@ -8,7 +8,6 @@ from collections.abc import Callable
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any, NoReturn
 
-
 SCENE: dict[str, Any] = {"metavar": "SCENE", "help": "built-in name, .toml file, or generated folder"}
 
 

@@ -48,7 +48,8 @@ def _bodies(derived: Derived) -> str:
     if not bodies:
         n = len(derived.system.equations.names)
         return f"## Structure\n\nM x'' + D x' + K x = F(t) with {n} coordinates (Eqs. 3-14)."
-    lines = ["## Bodies", "", "Every body: mass blocks and Q_v of Eq. (20) in the floating frame (R_o, theta, q_f).", "",
+    lines = ["## Bodies", "",
+             "Every body: mass blocks and Q_v of Eq. (20) in the floating frame (R_o, theta, q_f).", "",
              "| body | kind | what it has |", "|---|---|---|"]
     for body in bodies:
         if isinstance(body, RigidBody):

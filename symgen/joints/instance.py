@@ -20,7 +20,8 @@ from symgen.joints import (
     weld,
 )
 from symgen.joints.planar_template import JointType
-from symgen.rows import Row, add_scaled
+from symgen.rows import Row, add_scaled, nonzero
+from symgen.scalar import mul, neg, sub
 
 JOINT_TYPES: dict[str, Callable[[], JointType]] = {
     "revolute": revolute.template,
@@ -51,13 +52,12 @@ def constraint_rows(name: str, kind: str, a: MarkerMotion, b: MarkerMotion, moti
     rows = []
     for k, label in enumerate(joint.labels):
         C_q: Row = {}
-        gamma = -output[f"drift_{k}"]
+        gamma = neg(output[f"drift_{k}"])
         for slot, jacobian, bias in _slots(a, b):
             factor = output[f"C_{k}_{slot}"]
             add_scaled(C_q, factor, jacobian)
-            gamma = gamma - factor * bias
-        C_q = {column: value for column, value in C_q.items() if not value.is_zero()}
-        rows.append(ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], C_q, output[f"C_t_{k}"], gamma))
+            gamma = sub(gamma, mul(factor, bias))
+        rows.append(ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma))
     return rows
 
 

@@ -7,7 +7,7 @@ def elastic_pendulum() -> Scene:
     """A body hung on a stiff spring: a slow swing and a fast stretch without joints."""
     return (
         SceneBuilder("elastic_pendulum", title="Elastic pendulum",
-                     description="A body hangs on a spring from the ground: slow swinging, fast stretching, no joint at all.")
+                     description="A body on a spring: slow swinging, fast stretching, no joint at all.")
         .gravity(0, -9.81)
         .rigid("bob", mass=1.0, inertia=0.01, free=True)
         .spring_damper("spring", "ground.origin", "bob.origin", stiffness=1000.0, damping=0.5, free_length=1.0)

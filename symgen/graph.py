@@ -1,0 +1,197 @@
+"""Expressions of the kernels as one graph with shared nodes, simplified as it is built.
+
+Three rules CasADi does not know, all about parameters (p) and rotations:
+
+    (x k1) k2 -> x (k1 k2)              parameters gather and can be hoisted out of the kernel as one constant
+    k1 X + k2 X -> (k1 + k2) X          like terms
+    k X cos^2 + k X sin^2 -> k X        a rotated arm keeps its length
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import casadi as ca
+
+from runtime.engine.tape import BINARY, UNUSED, Node
+
+MAX_FACTORS, MAX_TERMS = 8, 12
+Monomial = tuple[int, tuple[int, ...]]  # (node of the parameter factor, sorted other factors)
+
+
+class Graph:
+    """Nodes by number. of_p[k] tells whether node k depends on parameters and numbers only.
+
+    shared holds nodes with several uses: taking those apart would compute them twice.
+    """
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self.of_p: list[bool] = []
+        self.shared: set[int] = set()
+        self._number: dict[Node, int] = {}
+        self.one = self.constant(1.0)
+
+    def _add(self, node: Node, of_p: bool) -> int:
+        known = self._number.get(node)
+        if known is None:
+            known = self._number[node] = len(self.nodes)
+            self.nodes.append(node)
+            self.of_p.append(of_p)
+        return known
+
+    def constant(self, value: float) -> int:
+        """Node of a number."""
+        return self._add(Node(ca.OP_CONST, UNUSED, UNUSED, value), True)
+
+    def entry(self, argument: int, position: int, of_p: bool) -> int:
+        """Node of an input entry."""
+        return self._add(Node(ca.OP_INPUT, argument, position, 0.0), of_p)
+
+    def apply(self, op: int, a: int, b: int = UNUSED) -> int:
+        """Node of op(a[, b]), simplified."""
+        if op == ca.OP_SQ:
+            op, b = ca.OP_MUL, a
+        if op == ca.OP_MUL:
+            return self._mul(a, b)
+        if op == ca.OP_ADD:
+            return self._add_terms(a, b)
+        if op == ca.OP_NEG:
+            return self._neg(a)
+        if op == ca.OP_TWICE:
+            return self._mul(a, self.constant(2.0)) if self._ends_in_p(a) else self._plain(op, a, UNUSED)
+        return self._plain(op, a, b)
+
+    def _plain(self, op: int, a: int, b: int) -> int:
+        of_p = self.of_p[a] and (b == UNUSED or self.of_p[b])
+        return self._add(Node(op, a, b if op in BINARY else UNUSED, 0.0), of_p)
+
+    def _ends_in_p(self, k: int) -> bool:
+        """Is k a product with a parameter factor, used only here?"""
+        node = self.nodes[k]
+        return node.op == ca.OP_MUL and not self.of_p[k] and self.of_p[node.b] and k not in self.shared
+
+    def _mul(self, a: int, b: int) -> int:
+        if self.of_p[a] and not self.of_p[b]:
+            a, b = b, a
+        if a == self.one:
+            return b
+        if b == self.one:
+            return a
+        if self.of_p[b] and not self.of_p[a]:
+            node = self.nodes[a]
+            if self._ends_in_p(a):
+                return self._mul(node.a, self._mul(node.b, b))
+            if node.op == ca.OP_NEG and a not in self.shared:
+                return self._mul(node.a, self._neg(b))
+        elif a == b:
+            return self._plain(ca.OP_SQ, a, UNUSED)
+        elif a > b:
+            a, b = (a, b) if self.of_p[b] else (b, a)
+        return self._plain(ca.OP_MUL, a, b)
+
+    def _neg(self, a: int) -> int:
+        node = self.nodes[a]
+        if node.op == ca.OP_NEG:
+            return node.a
+        if node.op == ca.OP_CONST:
+            return self.constant(-node.value)
+        if self._ends_in_p(a):
+            return self._mul(node.a, self._neg(node.b))
+        return self._plain(ca.OP_NEG, a, UNUSED)
+
+    # ---- sums ------------------------------------------------------------------------------------------------
+
+    def _add_terms(self, a: int, b: int) -> int:
+        if self.of_p[a] != self.of_p[b] or not self.of_p[a]:
+            terms = self._terms(a) + self._terms(b)
+            if len(terms) <= MAX_TERMS:
+                merged = self._merge(terms)
+                if len(merged) < len(terms):
+                    return self._sum(merged)
+        return self._plain(ca.OP_ADD, min(a, b), max(a, b))
+
+    def _terms(self, k: int) -> list[int]:
+        node = self.nodes[k]
+        if node.op == ca.OP_ADD and not self.of_p[k] and k not in self.shared:
+            return self._terms(node.a) + self._terms(node.b)
+        return [k]
+
+    def _sum(self, terms: Sequence[int]) -> int:
+        result = terms[0]
+        for term in terms[1:]:
+            result = self._add_terms(result, term)
+        return result
+
+    def _merge(self, terms: list[int]) -> list[int]:
+        """One pass over all pairs; a pair that combines becomes one term."""
+        terms = list(terms)
+        for i in range(len(terms)):
+            for j in range(i + 1, len(terms)):
+                combined = self._combine(terms[i], terms[j])
+                if combined is not None:
+                    rest = [term for k, term in enumerate(terms) if k not in (i, j)]
+                    return self._merge([combined, *rest])
+        return terms
+
+    def _combine(self, a: int, b: int) -> int | None:
+        if self.of_p[a] and self.of_p[b]:
+            return self._plain(ca.OP_ADD, min(a, b), max(a, b))
+        first, second = self._monomial(a), self._monomial(b)
+        if first is None or second is None:
+            return None
+        if first[1] == second[1] and not {a, b} & self.shared:
+            k = self._plain(ca.OP_ADD, min(first[0], second[0]), max(first[0], second[0]))
+            return self._product(k, first[1])
+        if first[0] == second[0]:
+            rest = self._pythagoras(first[1], second[1]) or self._pythagoras(second[1], first[1])
+            if rest is not None:
+                return self._product(first[0], rest)
+        return None
+
+    def _pythagoras(self, u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...] | None:
+        """Common factors X if u = X cos^2 and v = X sin^2 of one angle (as a non-empty marker: X or (one,))."""
+        for factor in set(u):
+            node = self.nodes[factor]
+            if node.op == ca.OP_COS and u.count(factor) >= 2:
+                sine = self._number.get(Node(ca.OP_SIN, node.a, UNUSED, 0.0))
+                if sine is not None and _without(u, factor) == _without(v, sine) and v.count(sine) >= 2:
+                    return _without(u, factor) or (self.one,)
+        return None
+
+    def _monomial(self, k: int) -> Monomial | None:
+        """k as parameter factor times a product; None if it has too many factors or is a parameter itself."""
+        coefficient, factors, stack = self.one, [], [k]
+        while stack:
+            current = stack.pop()
+            node = self.nodes[current]
+            if self.of_p[current]:
+                coefficient = self._mul(coefficient, current)
+            elif node.op == ca.OP_MUL:
+                stack += [node.a, node.b]
+            elif node.op == ca.OP_SQ:
+                stack += [node.a, node.a]
+            elif node.op == ca.OP_TWICE:
+                coefficient, stack = self._mul(coefficient, self.constant(2.0)), [*stack, node.a]
+            elif node.op == ca.OP_NEG:
+                coefficient, stack = self._neg(coefficient), [*stack, node.a]
+            else:
+                factors.append(current)
+            if len(factors) + len(stack) > MAX_FACTORS:
+                return None
+        return (coefficient, tuple(sorted(factors))) if factors else None
+
+    def _product(self, coefficient: int, factors: Sequence[int]) -> int:
+        result = factors[0]
+        for factor in factors[1:]:
+            result = self._mul(result, factor)
+        return self._mul(result, coefficient)
+
+
+def _without(factors: tuple[int, ...], factor: int) -> tuple[int, ...]:
+    """factors with two occurrences of `factor` removed."""
+    left = list(factors)
+    for _ in range(2):
+        if factor in left:
+            left.remove(factor)
+    return tuple(left)

@@ -1,0 +1,171 @@
+"""Laws of the derived equations, on every built-in scene at random consistent states.
+
+Condensed equals augmented (28)-(38), multipliers (37), M_hat symmetric positive definite, energy and power, Jacobians
+against automatic differentiation of the composed function and against central differences.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import casadi as ca
+import numpy as np
+import pytest
+from model_values import (
+    Array,
+    State,
+    augmented_solution,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    random_states,
+    relative_error,
+)
+
+from runtime.model import Model
+from symgen.scenes import SCENES
+
+Load = Callable[[str], Model]
+STATES = 4
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_condensed_equals_augmented(built_in: Load, name: str) -> None:
+    model = built_in(name)
+    for state in random_states(model, STATES):
+        expected, lam = augmented_solution(model, state)
+        q_ddot = condensed_accelerations(model, state)
+        assert relative_error(q_ddot, expected) < 1e-10
+        if model.constraints:
+            reactions = evaluate(model, "reactions", **state.values(), q_ddot=q_ddot)["lam"]
+            assert relative_error(reactions, lam) < 1e-9
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_accelerations_satisfy_the_constraints(built_in: Load, name: str) -> None:
+    """C = 0, C_q q_dot = -C_t, C_q q_ddot = gamma, and gamma is the second time derivative (central difference)."""
+    model = built_in(name)
+    if not model.constraints:
+        return
+    for state in random_states(model, STATES, seed=2):
+        result = evaluate(model, "constraints", **state.values())
+        C_q = result["C_q"].reshape(len(model.constraints), -1)
+        a = condensed_accelerations(model, state)
+        assert np.max(np.abs(result["C"])) < 1e-13 * max(1.0, np.max(np.abs(state.q)))
+        assert np.max(np.abs(C_q @ state.q_dot + result["C_t"])) < 1e-12 * max(1.0, np.max(np.abs(state.q_dot)))
+        assert np.max(np.abs(C_q @ a - result["gamma"])) < 1e-11 * max(1.0, np.max(np.abs(a)))
+        h = 1e-4 / max(1.0, np.max(np.abs(state.q_dot)))
+        along = [evaluate(model, "constraints", q=state.q + s * state.q_dot, q_dot=state.q_dot, t=state.t + s)["C"]
+                 for s in (-h, 0.0, h)]
+        second = (along[0] - 2 * along[1] + along[2]) / h**2  # = -gamma: C_qq and C_tt terms without q_ddot
+        assert np.max(np.abs(second + result["gamma"])) < 1e-4 * max(1.0, np.max(np.abs(result["gamma"])))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_mass_matrix_is_symmetric_positive_definite(built_in: Load, name: str) -> None:
+    model = built_in(name)
+    for state in random_states(model, STATES, seed=3):
+        M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(len(model.q_i), -1)
+        assert relative_error(M, M.T) < 1e-13
+        scale = np.sqrt(np.diag(M))
+        assert np.min(np.linalg.eigvalsh(M / np.outer(scale, scale))) > 0
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_kinetic_energy_is_half_v_M_v(built_in: Load, name: str) -> None:
+    """In all coordinates, and in q_i where no motion is prescribed."""
+    model = built_in(name)
+    n = len(model.coordinates)
+    for state in random_states(model, STATES, seed=4):
+        kinetic = float(evaluate(model, "energy", **state.values())["kinetic"][0])
+        M = evaluate(model, "augmented", **state.values())["M"].reshape(n, n)
+        assert kinetic == pytest.approx(0.5 * state.q_dot @ M @ state.q_dot, rel=1e-12)
+        driven = model.constraints and np.any(evaluate(model, "constraints", **state.values())["C_t"])
+        if not driven:
+            M_hat = evaluate(model, "condensed", **state.values())["M_hat"].reshape(len(model.q_i), -1)
+            assert kinetic == pytest.approx(0.5 * state.q_i_dot @ M_hat @ state.q_i_dot, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_power_balance_along_the_vector_field(built_in: Load, name: str) -> None:
+    """d(kinetic + elastic + potential)/dt = applied + driven - dissipated, driven = lam.C_t."""
+    model = built_in(name)
+    energy = model.function("energy")
+    q, q_dot, t = (ca.SX.sym(key, size) for key, size in
+                   (("q", len(model.coordinates)), ("q_dot", len(model.coordinates)), ("t", 1)))
+    p = ca.SX.sym("p", len(model.parameters))
+    given = {"q": q, "q_dot": q_dot, "t": t, "p": p}
+    result = energy.call({key: given[key] for key in energy.name_in()})
+    total = result["kinetic"] + result["elastic"] + result["potential"]
+    gradient = ca.Function("gradient", [q, q_dot, t, p], [ca.jacobian(total, ca.vertcat(q, q_dot, t))])
+    for state in random_states(model, STATES, seed=5):
+        a = condensed_accelerations(model, state)
+        along = np.asarray(gradient(state.q, state.q_dot, state.t, model.parameter_vector())).ravel()
+        parts = along * np.concatenate([state.q_dot, a, [1.0]])
+        power = evaluate(model, "energy", **state.values())
+        driven = 0.0
+        if model.constraints:
+            lam = evaluate(model, "reactions", **state.values(), q_ddot=a)["lam"]
+            driven = float(lam @ evaluate(model, "constraints", **state.values())["C_t"])
+        given_power = float(power["power_applied"][0]) + driven - float(power["power_dissipated"][0])
+        assert float(power["power_dissipated"][0]) >= 0
+        assert abs(np.sum(parts) - given_power) < 1e-11 * np.sum(np.abs(parts)) + 1e-13
+
+
+def composed(model: Model) -> ca.Function:
+    """(q_i, q_i_dot, a, q_d guess, t) -> Q_hat, M_hat a through the closure and the velocities."""
+    n = len(model.q_i)
+    q_i, v, a = ca.SX.sym("q_i", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
+    guess, t = ca.SX.sym("guess", len(model.q_d)), ca.SX.sym("t")
+    values = {"q_i": q_i, "q_i_dot": v, "t": t, "p": model.parameter_vector(), "q_d": guess}
+
+    def call(name: str, output: str) -> ca.SX:
+        function = model.function(name)
+        return function.call({key: values[key] for key in function.name_in()})[output]
+
+    if model.q_d:
+        # at a closed position one Newton step has the exact derivative of q_d = f(q_i, t)
+        values["q_d"] = call("closure", "q_d_next")
+        values["q_d_dot"] = call("velocities", "q_d_dot")
+    Q_hat, inertia = call("condensed", "Q_hat"), ca.mtimes(call("condensed", "M_hat"), a)
+    outputs = [ca.jacobian(Q_hat, q_i), ca.jacobian(Q_hat, v), ca.jacobian(inertia, q_i)]
+    return ca.Function("composed", [q_i, v, a, guess, t], outputs)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_jacobians_equal_automatic_differentiation(built_in: Load, name: str) -> None:
+    model = built_in(name)
+    function = composed(model)
+    a = np.random.default_rng(8).uniform(-1, 1, len(model.q_i))
+    for state in random_states(model, 2, seed=6):
+        expected = function(state.q_i, state.q_i_dot, a, state.q_d, state.t)
+        for key, value in zip(("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"), expected, strict=True):
+            reference = np.asarray(value)
+            if not model.has(key):
+                assert not reference.any()
+                continue
+            emitted = evaluate(model, key, **state.values(), q_i_ddot=a)[key].reshape(reference.shape)
+            assert np.max(np.abs(emitted - reference)) <= 1e-11 * max(np.max(np.abs(reference)), 1e-12), key
+
+
+def force_at(model: Model, state: State, q_i: Array, v: Array) -> Array:
+    moved = make_state(model, q_i, v, state.t, guess=state.q)
+    return evaluate(model, "condensed", **moved.values())["Q_hat"]
+
+
+@pytest.mark.parametrize("name", ["four_bar", "flexible_slider_crank", "flexible_slider_crank_torque", "hub_beam"])
+def test_jacobians_equal_central_differences(built_in: Load, name: str) -> None:
+    """Plain differences with the loop closed anew at every point: nothing but the condensed kernel is trusted."""
+    model = built_in(name)
+    state = random_states(model, 1, seed=7)[0]
+    for key in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot"):
+        emitted = evaluate(model, key, **state.values())[key].reshape(len(model.q_i), -1)
+        for j, unit in enumerate(np.eye(len(model.q_i))):
+            h = 1e-6
+            step = (h * unit, 0 * unit) if key == "dQ_hat_dq_i" else (0 * unit, h * unit)
+            ahead = force_at(model, state, state.q_i + step[0], state.q_i_dot + step[1])
+            behind = force_at(model, state, state.q_i - step[0], state.q_i_dot - step[1])
+            noise = 1e-15 * np.max(np.abs(ahead)) / h
+            difference = (ahead - behind) / (2 * h)
+            np.testing.assert_allclose(emitted[:, j], difference, rtol=1e-5,
+                                       atol=1e-6 * np.max(np.abs(emitted[:, j])) + 100 * noise)

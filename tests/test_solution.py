@@ -1,0 +1,188 @@
+"""Solution: access by name, interpolation, energy balance, and files that read back exactly."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from runtime.export import table
+from runtime.files import OutputError, replacing, write_text
+from runtime.model import Group, Model, ModelError, Parameter
+from runtime.report import as_json, as_markdown, run_report, write_report
+from runtime.solution import Solution
+from runtime.status import Status
+
+
+def rod_model() -> Model:
+    """A rod on a hinge with one elastic coordinate; its outline bends by q1 at the tip."""
+
+    def drawing() -> ca.Function:
+        q, exaggeration, c = ca.SX.sym("q", 4), ca.SX.sym("exaggeration"), ca.SX.sym("c", 1)
+        points = []
+        for part in np.linspace(0.0, 1.0, 5):
+            x, y = c[0] * part, exaggeration * q[3] * part**2
+            points.append(q[:2] + ca.vertcat(ca.cos(q[2]) * x - ca.sin(q[2]) * y, ca.sin(q[2]) * x + ca.cos(q[2]) * y))
+        xy = ca.densify(ca.horzcat(*points, ca.SX([0.0, 0.0])))
+        return ca.Function("drawing", [q, exaggeration, c], [xy], ["q", "exaggeration", "c"], ["xy"])
+
+    def constants() -> ca.Function:
+        p = ca.SX.sym("p", 2)
+        return ca.Function("constants", [p], [p[:1]], ["p"], ["c"])
+
+    return Model(
+        name="rod_on_hinge", title="Rod on a hinge", coordinates=["rod.x", "rod.y", "rod.theta", "rod.q1"],
+        elastic=["rod.q1"], q_i=["rod.q1", "rod.theta"], q_d=["rod.x", "rod.y"], loop_unknowns=[],
+        groups=[Group("slow", [1]), Group("fast", [0])], constraints=["hinge.x", "hinge.y"],
+        measures=["tip", "tip_dot"], outlines=[("rod", 5), ("ground", 1)],
+        parameters=[Parameter("length", "m", "of the rod", "declared", 2.0),
+                    Parameter("rod.data.1", "", "", "data", 3.0)],
+        initial_q=np.zeros(4), initial_q_dot=np.zeros(4), builders={"drawing": drawing, "constants": constants},
+        simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "save_every": 1},
+        operations={"condensed": 55})
+
+
+def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
+    """theta = sin t, q1 = 0.01 cos 3t: functions whose derivatives and energies are known."""
+    t = np.linspace(0.0, 2.0, samples)
+    zero = np.zeros_like(t)
+    q = np.stack([zero, zero, np.sin(t), 0.01 * np.cos(3 * t)], axis=1)
+    q_dot = np.stack([zero, zero, np.cos(t), -0.03 * np.sin(3 * t)], axis=1)
+    q_ddot = np.stack([zero, zero, -np.sin(t), -0.09 * np.cos(3 * t)], axis=1)
+    kinetic = 5.0 + t**3  # fed by the drive at 3 t^2 + 2 W, of which damping takes 2 W
+    energy = {"kinetic": kinetic, "elastic": zero + 1.0, "potential": zero - 2.0, "power_dissipated": zero + 2.0,
+              "power_applied": zero, "power_driven": 3.0 * t**2 + 2.0}
+    return Solution(
+        model=rod_model(), scheme="printed", dt=0.01, m=[10], parameters=np.array([2.0, 3.0]), t=t, q_i=q[:, [3, 2]],
+        q=q, q_dot=q_dot, q_ddot=q_ddot, lam=np.stack([t, -t], axis=1), energy=energy,
+        constraint_error=np.full_like(t, 1e-15), measures=np.stack([2.0 * t, zero + 2.0], axis=1),
+        stats={"steps": 200, "engine": "interpreted", "wall_seconds": np.float64(0.5)},
+        status=status or Status("completed", 2.0))
+
+
+def test_access_by_name() -> None:
+    solution = rod_solution()
+    assert np.array_equal(solution["rod.theta"], solution.q[:, 2])
+    assert np.array_equal(solution["tip"], solution.measures[:, 0])
+    assert np.array_equal(solution.rate("rod.q1"), solution.q_dot[:, 3])
+    assert np.array_equal(solution.acceleration("rod.q1"), solution.q_ddot[:, 3])
+    assert np.array_equal(solution.multiplier("hinge.y"), solution.lam[:, 1])
+
+
+@pytest.mark.parametrize("access", [lambda s: s["rod.q2"], lambda s: s.rate("tip"), lambda s: s.multiplier("x"),
+                                    lambda s: s.interpolate(0.5, "nothing")])
+def test_unknown_names_list_the_known_ones(access) -> None:
+    with pytest.raises(ModelError, match="rod_on_hinge has no .*; it has"):
+        access(rod_solution())
+
+
+def test_energy_balance_is_fourth_order_in_the_sampling() -> None:
+    solution = rod_solution()
+    assert np.allclose(solution.total_energy, 4.0 + solution.t**3)
+    assert np.abs(solution.energy_balance()).max() < 1e-12  # power is quadratic: the rule is exact
+    errors = []
+    for samples in (41, 81):
+        solution = rod_solution(samples)
+        solution.energy["kinetic"] = np.exp(solution.t)
+        solution.energy["power_driven"] = np.exp(solution.t) + 2.0
+        errors.append(np.abs(solution.energy_balance()).max())
+    assert errors[0] < 1e-5 and errors[0] / errors[1] > 12.0
+
+
+def test_energy_balance_of_one_and_two_samples() -> None:
+    assert rod_solution(1).energy_balance() == pytest.approx([0.0])
+    assert rod_solution(2).energy_balance().shape == (2,)
+
+
+def test_interpolation_is_cubic_hermite() -> None:
+    solution = rod_solution()
+    times = np.linspace(0.0, 2.0, 333)
+    assert np.abs(solution.interpolate(times)[:, 2] - np.sin(times)).max() < 2e-8
+    assert np.abs(solution.interpolate(times, "rod.q1") - 0.01 * np.cos(3 * times)).max() < 2e-8
+    assert np.abs(solution.interpolate(times, "q_dot")[:, 2] - np.cos(times)).max() < 2e-8
+    assert solution.interpolate(0.123, "q_i").shape == (2,)
+    assert solution.interpolate(0.125, "tip") == pytest.approx(0.25)
+    assert solution.interpolate(2.0, "kinetic") == pytest.approx(13.0)
+    assert np.array_equal(solution.interpolate(solution.t, "q"), solution.q)
+    for outside in (-1e-9, 2.1, np.nan):
+        with pytest.raises(ValueError, match="outside"):
+            solution.interpolate(outside)
+
+
+def test_npz_round_trip_without_pickle(tmp_path) -> None:
+    solution = rod_solution(status=Status("diverged", 1.5, "rod.q1", "cause", "advice"))
+    solution.save(tmp_path / "sub" / "run.npz")
+    with np.load(tmp_path / "sub" / "run.npz", allow_pickle=False) as data:
+        assert all(data[key].dtype != object for key in data)
+    assert [path.name for path in (tmp_path / "sub").iterdir()] == ["run.npz"]
+    for model in (None, solution.model):
+        back = Solution.load(tmp_path / "sub" / "run.npz", model)
+        for key in ("t", "q", "q_i", "q_dot", "q_ddot", "lam", "measures", "constraint_error", "parameters"):
+            assert np.array_equal(getattr(back, key), getattr(solution, key))
+        assert back.status == solution.status and back.m == [10] and back.energy.keys() == solution.energy.keys()
+        assert back.model.groups == solution.model.groups and back.stats["wall_seconds"] == 0.5
+
+
+def test_loading_refuses_what_is_not_a_solution(tmp_path) -> None:
+    (tmp_path / "text.npz").write_text("no")
+    np.savez(tmp_path / "other.npz", a=np.arange(3))
+    np.savez(tmp_path / "pickled.npz", header=np.array([{}], dtype=object))
+    for name in ("text.npz", "other.npz", "pickled.npz", "missing.npz"):
+        with pytest.raises(ModelError, match="is not a saved solution"):
+            Solution.load(tmp_path / name)
+    rod_solution().save(tmp_path / "run.npz")
+    other = rod_model()
+    other.coordinates[3] = "rod.q9"
+    with pytest.raises(ModelError, match="belongs to model rod_on_hinge"):
+        Solution.load(tmp_path / "run.npz", other)
+
+
+def test_csv_reads_back_exactly(tmp_path) -> None:
+    solution = rod_solution()
+    solution.to_csv(tmp_path / "run.csv")
+    names = (tmp_path / "run.csv").read_text().partition("\n")[0].split(",")
+    values = np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=1)
+    for name, column in table(solution).items():
+        assert np.array_equal(values[:, names.index(name)], column)
+
+
+def test_xarray_and_netcdf(tmp_path) -> None:
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("h5netcdf")
+    pytest.importorskip("h5py")
+    solution = rod_solution()
+    solution.to_netcdf(tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
+        assert np.array_equal(data["q"].sel(coordinate="rod.theta"), solution["rod.theta"])
+        assert data["t"].attrs["units"] == "s" and data.attrs["scheme"] == "printed"
+
+
+def test_missing_xarray_names_the_extra(monkeypatch, tmp_path) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "xarray", None)
+    with pytest.raises(ImportError, match=r"symgen\[netcdf\]"):
+        rod_solution().to_netcdf(tmp_path / "run.nc")
+
+
+def test_writing_is_all_or_nothing(tmp_path) -> None:
+    write_text(tmp_path / "a.txt", "old")
+    with pytest.raises(RuntimeError), replacing(tmp_path / "a.txt") as temporary:
+        temporary.write_text("half")
+        raise RuntimeError
+    assert (tmp_path / "a.txt").read_text() == "old" and len(list(tmp_path.iterdir())) == 1
+    with pytest.raises(OutputError, match="cannot be written"):
+        rod_solution().save(tmp_path / "a.txt" / "run.npz")
+
+
+def test_report(tmp_path) -> None:
+    solution = rod_solution(status=Status("not_finite", 1.5, "rod.q1", "a | b", "smaller dt"))
+    solution.stats["ratio"] = float("nan")
+    report = run_report(solution)
+    assert report["scheme"]["step_of_each_group"] == pytest.approx([0.01, 0.001])
+    assert report["status"]["coordinate"] == "rod.q1" and not report["status"]["ok"]
+    assert list(report["parameters"]) == ["length"]
+    assert report["final_state"]["rod.theta"] == {"value": np.sin(2.0), "rate": np.cos(2.0), "unit": "rad"}
+    assert report["energy"]["largest_balance_error"] < 1e-12
+    assert '"ratio": null' in as_json(report)
+    assert "a \\| b" in as_markdown(report, "Run")
+    for path in write_report(report, tmp_path, "Run"):
+        assert path.stat().st_size > 500
