@@ -93,6 +93,13 @@ class Model:
         return ca.Function(name, [*inputs.values(), p], [outputs[key] for key in kernel.name_out()],
                            [*names, "p"], kernel.name_out())
 
+    def structurally_zero(self, name: str, output: str) -> bool:
+        """Is an output of a kernel zero whatever its arguments are?"""
+        kernel = self.kernel(name)
+        arguments = [ca.SX.sym(argument, *kernel.size_in(argument)) for argument in kernel.name_in()]
+        values = kernel.call(arguments)
+        return bool(ca.SX(values[kernel.name_out().index(output)]).is_zero())
+
     @cached_property
     def independent_columns(self) -> np.ndarray:
         """Columns of q_i in q."""

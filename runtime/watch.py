@@ -1,35 +1,39 @@
-"""What is checked between native calls: finiteness, growth, closure and sweeps. A failure gets a named status."""
+"""What is checked between native calls: finiteness, growth, energy, closure, sweeps. A failure gets a named status."""
 
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg
 
+from runtime.coupled_frequencies import fastest_frequency
 from runtime.model import Model
+from runtime.observe import evaluate, join
 from runtime.schemes.central_difference import CentralDifference
-from runtime.status import Status
+from runtime.status import Status, StatusName
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step [m, rad]; quadratic convergence leaves its square
+ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
 class Watch:
-    """Looks at z after each native call; `after` returns a Status to stop with, or None."""
+    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on."""
 
     def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
         self.model, self.scheme, self.c = model, scheme, c
         self._good: np.ndarray | None = None
         self._scale = 1.0
+        self._energy = _EnergyCheck(model, scheme, c)
 
     def first(self, z: np.ndarray) -> Status | None:
         """Check the start and remember its scale."""
-        x = z[self.scheme.layout.slice("x")]
-        d = z[self.scheme.layout.slice("d")]
         if not np.all(np.isfinite(z)):
             return Status("not_finite", float(z[0]), None, "the accelerations at the start are not finite",
                           "M_hat may be singular: check masses, inertias and the initial position.")
+        layout = self.scheme.layout
+        x, d = z[layout.slice("x")], z[layout.slice("d")]
         self._scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
         self._good = z.copy()
+        self._energy.grows(z)
         return None
 
     def after(self, z: np.ndarray) -> Status | None:
@@ -55,9 +59,12 @@ class Watch:
         if z[layout.slice("failures")][0] > 0:
             limit = self.scheme.options.max_iterations
             return self._stop("iteration_failed", None, f"the sweep (52)-(57) did not converge in {limit} iterations")
+        if self._energy.grows(z):
+            return self._stop("diverged", int(np.abs(d / self.scheme.step_sizes).argmax()),
+                              "energy grows although nothing feeds the mechanism")
         return None
 
-    def _stop(self, name, k: int | None, cause: str) -> Status:  # type: ignore[no-untyped-def]
+    def _stop(self, name: StatusName, k: int | None, cause: str) -> Status:
         assert self._good is not None
         layout, grid = self.scheme.layout, self.scheme.grid
         time = float(self._good[0] + self._good[layout.slice("n")][0] * grid.dt_L)
@@ -67,32 +74,54 @@ class Watch:
     def _advice(self, name: str) -> str:
         if name == "iteration_failed":
             return "Use common_update = direct, a larger eps, or a smaller step."
-        frequency = self._fastest_frequency()
+        assert self._good is not None
+        observed = self.scheme.observe()(z=self._good, c=self.c)
+        frequency = fastest_frequency(self.model, observed, self.c)
         h = self.scheme.grid.h[-1]
-        if frequency is None or frequency == 0:
+        if not frequency:
             return "Reduce the step."
         limit = 2 / frequency
-        text = f"The fastest coupled frequency at the last good state is {frequency:.4g} rad/s: central difference " \
-               f"needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s."
-        if h < limit:
-            text += " The sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): reduce m or dt, " \
-                    "add damping, or use single_rate."
-        return text
+        text = (f"The fastest coupled frequency at the last good state is {frequency:.4g} rad/s: central difference "
+                f"needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s.")
+        if h > limit:
+            return text
+        if len(self.scheme.grid.groups) > 1:
+            return text + (" So the sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): "
+                           "reduce m or dt, add damping, or use single_rate.")
+        return text + (" So the growth may be physical: a spinning beam without geometric stiffening diverges, "
+                       "for instance.")
 
-    def _fastest_frequency(self) -> float | None:
-        """Square root of the largest generalised eigenvalue of -dQ_hat/dq_i against M_hat at the last good state."""
-        if self._good is None or not self.model.has("dQ_hat_dq_i"):
-            return None
-        observed = self.scheme.observe()(z=self._good, c=self.c)
-        values = {name: observed[name] for name in ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")}
-        values["c"] = self.c
 
-        def call(name: str, output: str) -> np.ndarray:
-            kernel = self.model.kernel(name)
-            return np.asarray(kernel(**{key: values[key] for key in kernel.name_in()})[output])
+class _EnergyCheck:
+    """Energy of a mechanism that no load and no prescribed motion feeds can only stay or fall."""
 
-        M_hat, stiffness = call("condensed", "M_hat"), -call("dQ_hat_dq_i", "dQ_hat_dq_i")
-        if not (np.all(np.isfinite(M_hat)) and np.all(np.isfinite(stiffness))):
-            return None
-        eigenvalues = scipy.linalg.eigvals(stiffness, M_hat)
-        return float(np.sqrt(np.abs(eigenvalues).max(initial=0.0)))
+    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
+        self.model, self.c = model, c
+        needed = ("energy", "constraints") if model.constraints else ("energy",)
+        active = all(model.has(name) for name in needed) and _is_closed(model)
+        self._observe = scheme.observe() if active else None
+        self._start: float | None = None
+        self._largest = 0.0
+
+    def grows(self, z: np.ndarray) -> bool:
+        """Has spurious energy reached ENERGY_LIMIT of the largest kinetic and elastic energy seen?"""
+        if self._observe is None:
+            return False
+        seen = {name: value.T for name, value in
+                ((name, np.asarray(value)) for name, value in self._observe(z=z, c=self.c).items())}
+        values = {"q": join(self.model, seen["q_i"], seen["q_d"]),
+                  "q_dot": join(self.model, seen["q_i_dot"], seen["q_d_dot"]), "t": seen["t"]}
+        energy = {name: float(value[0, 0]) for name, value in
+                  evaluate(self.model.kernel("energy"), values, self.c).items()}
+        moving = energy["kinetic"] + energy["elastic"]
+        total = moving + energy["potential"]
+        self._largest = max(self._largest, moving)
+        if self._start is None:
+            self._start = total
+        return total - self._start > ENERGY_LIMIT * self._largest
+
+
+def _is_closed(model: Model) -> bool:
+    """Do neither loads nor prescribed motions do work on the mechanism?"""
+    outputs = [("energy", "power_applied")] + ([("constraints", "C_t")] if model.constraints else [])
+    return all(model.structurally_zero(function, output) for function, output in outputs)

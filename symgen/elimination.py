@@ -34,7 +34,7 @@ class Choice:
 
 def structural_pivots(equations: Equations, scene: Scene) -> tuple[list[tuple[int, int]], list[int]]:
     """((row, column) pairs in the order in which they can be evaluated, rows left for loops)."""
-    distance = _distances(scene)
+    distance = body_distances(scene)
     column_distance = {c: distance.get(body, 0) for body, columns in equations.body_columns.items() for c in columns}
     keep = _user_independent(equations, scene)
     joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
@@ -85,7 +85,7 @@ def _body(reference: str) -> str:
     return reference.split(".")[0]
 
 
-def _distances(scene: Scene) -> dict[str, int]:
+def body_distances(scene: Scene) -> dict[str, int]:
     """Number of joints between each body and the ground (bodies that float come last)."""
     neighbours: dict[str, list[str]] = {}
     for joint in scene.joints:

@@ -15,6 +15,7 @@ from symgen.condensation import Condensed, reduced_loop_rows, solve_small
 from symgen.drawing import drawing
 from symgen.elimination import constraint_jacobian
 from symgen.equations import matrix_times
+from symgen.forward_dynamics import is_tree, tree_accelerations
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
 from symgen.rows import Row
@@ -70,6 +71,8 @@ def build_kernels(
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
+    if is_tree(system):
+        builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
     for level in range(1, len(groups)):
         builders[f"substep_{level + 1}"] = lambda level=level: _substep(system, arguments, groups, level)
     chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
@@ -91,6 +94,13 @@ def _condensed(system: Condensed, a: Arguments) -> Kernel:
     """M_hat and Q_hat (Eq. 38)."""
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
     return Kernel(inputs, {"M_hat": system.M_hat(), "Q_hat": system.generalised_force({})})
+
+
+def _forward_dynamics(system: Condensed, scene: Scene, a: Arguments) -> Kernel:
+    """q_i_ddot of a tree by topology-ordered elimination, O(N)."""
+    found = tree_accelerations(system, scene)
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(found[c] for c in system.choice.independent)))})
 
 
 def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:

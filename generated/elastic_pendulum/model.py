@@ -281,6 +281,33 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
+def forward_dynamics() -> ca.Function:
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 38 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q_i[0]
+    bob_y = q_i[1]
+    bob_x_dot = q_i_dot[0]
+    bob_y_dot = q_i_dot[1]
+    c0 = c[0]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    w0 = bob_x**2 + bob_y**2
+    w1 = 1.0 - c2 / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    q_i_ddot = ca.vertcat(
+        -((bob_x * w1 * c3 + bob_x * w2 / w0) / c0),
+        (c5 - (bob_y * w1 * c3 + bob_y * w2 / w0)) / c0,
+        0.0,
+    )
+    q_i_ddot = ca.densify(q_i_ddot)
+    inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -291,4 +318,5 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "forward_dynamics": forward_dynamics,
 }

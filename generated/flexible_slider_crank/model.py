@@ -7,8 +7,8 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 102 operations."""
-    p = ca.SX.sym("p", 37)
+    """c: everything that depends on the parameters p only. 170 operations."""
+    p = ca.SX.sym("p", 71)
     omega = p[0]
     crank_mass = p[1]
     crank_inertia = p[2]
@@ -46,6 +46,40 @@ def constants() -> ca.Function:
     crank_tip_x = p[34]
     rod_end_x = p[35]
     rod_end_shape_0_3 = p[36]
+    rod_at1_x = p[37]
+    rod_at1_shape_0_2 = p[38]
+    rod_at1_shape_0_3 = p[39]
+    rod_at1_shape_1_0 = p[40]
+    rod_at1_shape_1_1 = p[41]
+    rod_at2_x = p[42]
+    rod_at2_shape_0_2 = p[43]
+    rod_at2_shape_0_3 = p[44]
+    rod_at2_shape_1_0 = p[45]
+    rod_at2_shape_1_1 = p[46]
+    rod_at3_x = p[47]
+    rod_at3_shape_0_2 = p[48]
+    rod_at3_shape_0_3 = p[49]
+    rod_at3_shape_1_0 = p[50]
+    rod_at3_shape_1_1 = p[51]
+    rod_at4_x = p[52]
+    rod_at4_shape_0_2 = p[53]
+    rod_at4_shape_1_0 = p[54]
+    rod_at4_shape_1_1 = p[55]
+    rod_at5_x = p[56]
+    rod_at5_shape_0_2 = p[57]
+    rod_at5_shape_0_3 = p[58]
+    rod_at5_shape_1_0 = p[59]
+    rod_at5_shape_1_1 = p[60]
+    rod_at6_x = p[61]
+    rod_at6_shape_0_2 = p[62]
+    rod_at6_shape_0_3 = p[63]
+    rod_at6_shape_1_0 = p[64]
+    rod_at6_shape_1_1 = p[65]
+    rod_at7_x = p[66]
+    rod_at7_shape_0_2 = p[67]
+    rod_at7_shape_0_3 = p[68]
+    rod_at7_shape_1_0 = p[69]
+    rod_at7_shape_1_1 = p[70]
     c = ca.vertcat(
         rod_M_ff_0_0,
         rod_end_shape_0_3,
@@ -93,6 +127,40 @@ def constants() -> ca.Function:
         2 * rod_rho_dot_phi_2_0,
         2 * rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_3_2,
+        rod_at1_x,
+        rod_at1_shape_0_2,
+        rod_at1_shape_0_3,
+        rod_at1_shape_1_0,
+        rod_at1_shape_1_1,
+        rod_at2_x,
+        rod_at2_shape_0_2,
+        rod_at2_shape_0_3,
+        rod_at2_shape_1_0,
+        rod_at2_shape_1_1,
+        rod_at3_x,
+        rod_at3_shape_0_2,
+        rod_at3_shape_0_3,
+        rod_at3_shape_1_0,
+        rod_at3_shape_1_1,
+        rod_at4_x,
+        rod_at4_shape_0_2,
+        rod_at4_shape_1_0,
+        rod_at4_shape_1_1,
+        rod_at5_x,
+        rod_at5_shape_0_2,
+        rod_at5_shape_0_3,
+        rod_at5_shape_1_0,
+        rod_at5_shape_1_1,
+        rod_at6_x,
+        rod_at6_shape_0_2,
+        rod_at6_shape_0_3,
+        rod_at6_shape_1_0,
+        rod_at6_shape_1_1,
+        rod_at7_x,
+        rod_at7_shape_0_2,
+        rod_at7_shape_0_3,
+        rod_at7_shape_1_0,
+        rod_at7_shape_1_1,
         2 * rod_phi_cross_phi_1_3,
         2 * rod_phi_cross_phi_2_0,
         -rod_phi_cross_phi_0_2,
@@ -108,7 +176,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -224,7 +292,7 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     c1 = c[1]
@@ -262,7 +330,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -301,7 +369,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -345,7 +413,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -541,7 +609,7 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 349 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -817,7 +885,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -924,7 +992,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 223 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1030,23 +1098,80 @@ def energy() -> ca.Function:
 
 
 def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 38 operations."""
+    """World points of the polylines that show the bodies. 195 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    rod_q3 = q[8]
     rod_q4 = q[9]
     slider_x = q[10]
     slider_y = q[11]
     c1 = c[1]
     c2 = c[2]
     c22 = c[22]
-    w0 = c2 + rod_q4 * exaggeration * c1
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    c78 = c[78]
+    c79 = c[79]
+    w0 = ca.cos(rod_theta)
+    w1 = rod_q3 * exaggeration
+    w2 = exaggeration * rod_q4
+    w3 = c46 + (w1 * c47 + w2 * c48)
+    w4 = ca.sin(rod_theta)
+    w5 = exaggeration * rod_q1
+    w6 = exaggeration * rod_q2
+    w7 = w5 * c49 + w6 * c50
+    w8 = c51 + (w1 * c52 + w2 * c53)
+    w9 = w5 * c54 + w6 * c55
+    w10 = c56 + (w1 * c57 + w2 * c58)
+    w11 = w5 * c59 + w6 * c60
+    w12 = c61 + w1 * c62
+    w13 = w5 * c63 + w6 * c64
+    w14 = c65 + (w1 * c66 + w2 * c67)
+    w15 = w5 * c68 + w6 * c69
+    w16 = c70 + (w1 * c71 + w2 * c72)
+    w17 = w5 * c73 + w6 * c74
+    w18 = c75 + (w1 * c76 + w2 * c77)
+    w19 = w5 * c78 + w6 * c79
+    w20 = c2 + w2 * c1
     xy = ca.vertcat(
         crank_x,
         crank_y,
@@ -1054,12 +1179,26 @@ def drawing() -> ca.Function:
         crank_y + ca.sin(crank_theta) * c22,
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * w0,
-        rod_y + w0 * ca.sin(rod_theta),
+        rod_x + (w0 * w3 - w4 * w7),
+        rod_y + (w3 * w4 + w0 * w7),
+        rod_x + (w0 * w8 - w4 * w9),
+        rod_y + (w4 * w8 + w0 * w9),
+        rod_x + (w0 * w10 - w4 * w11),
+        rod_y + (w4 * w10 + w0 * w11),
+        rod_x + (w0 * w12 - w4 * w13),
+        rod_y + (w4 * w12 + w0 * w13),
+        rod_x + (w0 * w14 - w4 * w15),
+        rod_y + (w4 * w14 + w0 * w15),
+        rod_x + (w0 * w16 - w4 * w17),
+        rod_y + (w4 * w16 + w0 * w17),
+        rod_x + (w0 * w18 - w4 * w19),
+        rod_y + (w4 * w18 + w0 * w19),
+        rod_x + w0 * w20,
+        rod_y + w4 * w20,
         slider_x,
         slider_y,
     )
-    xy = ca.reshape(xy, 2, 5)
+    xy = ca.reshape(xy, 2, 12)
     xy = ca.densify(xy)
     inputs, outputs = [q, exaggeration, c], [xy]
     return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
@@ -1071,7 +1210,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1117,9 +1256,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c40 = c[40]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
+    c80 = c[80]
+    c81 = c[81]
+    c82 = c[82]
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1164,7 +1303,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w41 = w15 * (w19 - w28 * w32) - (w13 * c5 + w28 * w34) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w28 * w35) * w40
     w42 = c7 - rod_q4 * c8
     w43 = rod_q1 * c11
-    w44 = w0 * c10 - c25 + w34 * w43 + w15 * (w32 * w43 - (w23 - w22)) + w40 * (w1 * w25 + rod_q1_dot * c47 - w35 * w43)
+    w44 = w0 * c10 - c25 + w34 * w43 + w15 * (w32 * w43 - (w23 - w22)) + w40 * (w1 * w25 + rod_q1_dot * c81 - w35 * w43)
     w45 = rod_q1 * c14 + rod_q2 * c15
     w46 = (w13 * w14 - w7 * w34 - w0 * w33) * c13
     w47 = w18 * (w5 * c29)
@@ -1196,12 +1335,12 @@ def dQ_hat_dq_i() -> ca.Function:
         w0 * c6 - c23,
         0.0,
         -(w13 * c15 + w15 * (w16 * (rod_q2_dot * c6) + w13 * (2 * w21))),
-        w13 * c48,
+        w13 * c82,
         0.0,
         w0 * c9 - c24,
         w0 * c19 - c27 - w27,
         w41,
-        w40 * (w1 * w21 + rod_q4_dot * c46 + w35 * w42) - (w13 * c8 + w34 * w42 + w15 * (w32 * w42)),
+        w40 * (w1 * w21 + rod_q4_dot * c80 + w35 * w42) - (w13 * c8 + w34 * w42 + w15 * (w32 * w42)),
         w44,
         w64 + w40 * w66,
     )
@@ -1217,7 +1356,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1248,8 +1387,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c46 = c[46]
-    c47 = c[47]
+    c80 = c[80]
+    c81 = c[81]
     w0 = 2 * rod_theta_dot
     w1 = ca.sin(rod_theta)
     w2 = w1 * c1
@@ -1290,8 +1429,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         0.0,
         -(w6 * (w7 * w10)),
         w0 * c5 + w11 * w13 - w6 * (w0 * w8 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w11 * w16),
-        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c46 + w16 * w17),
-        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c47 - w16 * w18)),
+        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c80 + w16 * w17),
+        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c81 - w16 * w18)),
         -w25,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
@@ -1305,7 +1444,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1398,7 +1537,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 49)
+    c = ca.SX.sym("c", 83)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]

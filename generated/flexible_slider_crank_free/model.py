@@ -7,8 +7,8 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 98 operations."""
-    p = ca.SX.sym("p", 36)
+    """c: everything that depends on the parameters p only. 166 operations."""
+    p = ca.SX.sym("p", 70)
     crank_mass = p[0]
     crank_inertia = p[1]
     crank_center_of_mass_x = p[2]
@@ -45,6 +45,40 @@ def constants() -> ca.Function:
     crank_tip_x = p[33]
     rod_end_x = p[34]
     rod_end_shape_0_3 = p[35]
+    rod_at1_x = p[36]
+    rod_at1_shape_0_2 = p[37]
+    rod_at1_shape_0_3 = p[38]
+    rod_at1_shape_1_0 = p[39]
+    rod_at1_shape_1_1 = p[40]
+    rod_at2_x = p[41]
+    rod_at2_shape_0_2 = p[42]
+    rod_at2_shape_0_3 = p[43]
+    rod_at2_shape_1_0 = p[44]
+    rod_at2_shape_1_1 = p[45]
+    rod_at3_x = p[46]
+    rod_at3_shape_0_2 = p[47]
+    rod_at3_shape_0_3 = p[48]
+    rod_at3_shape_1_0 = p[49]
+    rod_at3_shape_1_1 = p[50]
+    rod_at4_x = p[51]
+    rod_at4_shape_0_2 = p[52]
+    rod_at4_shape_1_0 = p[53]
+    rod_at4_shape_1_1 = p[54]
+    rod_at5_x = p[55]
+    rod_at5_shape_0_2 = p[56]
+    rod_at5_shape_0_3 = p[57]
+    rod_at5_shape_1_0 = p[58]
+    rod_at5_shape_1_1 = p[59]
+    rod_at6_x = p[60]
+    rod_at6_shape_0_2 = p[61]
+    rod_at6_shape_0_3 = p[62]
+    rod_at6_shape_1_0 = p[63]
+    rod_at6_shape_1_1 = p[64]
+    rod_at7_x = p[65]
+    rod_at7_shape_0_2 = p[66]
+    rod_at7_shape_0_3 = p[67]
+    rod_at7_shape_1_0 = p[68]
+    rod_at7_shape_1_1 = p[69]
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,
         crank_tip_x,
@@ -90,6 +124,40 @@ def constants() -> ca.Function:
         2 * rod_rho_dot_phi_2_0,
         2 * rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_3_2,
+        rod_at1_x,
+        rod_at1_shape_0_2,
+        rod_at1_shape_0_3,
+        rod_at1_shape_1_0,
+        rod_at1_shape_1_1,
+        rod_at2_x,
+        rod_at2_shape_0_2,
+        rod_at2_shape_0_3,
+        rod_at2_shape_1_0,
+        rod_at2_shape_1_1,
+        rod_at3_x,
+        rod_at3_shape_0_2,
+        rod_at3_shape_0_3,
+        rod_at3_shape_1_0,
+        rod_at3_shape_1_1,
+        rod_at4_x,
+        rod_at4_shape_0_2,
+        rod_at4_shape_1_0,
+        rod_at4_shape_1_1,
+        rod_at5_x,
+        rod_at5_shape_0_2,
+        rod_at5_shape_0_3,
+        rod_at5_shape_1_0,
+        rod_at5_shape_1_1,
+        rod_at6_x,
+        rod_at6_shape_0_2,
+        rod_at6_shape_0_3,
+        rod_at6_shape_1_0,
+        rod_at6_shape_1_1,
+        rod_at7_x,
+        rod_at7_shape_0_2,
+        rod_at7_shape_0_3,
+        rod_at7_shape_1_0,
+        rod_at7_shape_1_1,
         2 * rod_phi_cross_phi_1_3,
         2 * rod_phi_cross_phi_2_0,
         -rod_phi_cross_phi_0_2,
@@ -105,7 +173,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -255,7 +323,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 33 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -291,7 +359,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -329,7 +397,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -374,7 +442,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 187 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -552,7 +620,7 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 349 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -828,7 +896,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -929,7 +997,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 223 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1036,23 +1104,80 @@ def energy() -> ca.Function:
 
 
 def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 38 operations."""
+    """World points of the polylines that show the bodies. 195 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    rod_q3 = q[8]
     rod_q4 = q[9]
     slider_x = q[10]
     slider_y = q[11]
     c1 = c[1]
     c5 = c[5]
     c6 = c[6]
-    w0 = c5 + rod_q4 * exaggeration * c6
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    w0 = ca.cos(rod_theta)
+    w1 = rod_q3 * exaggeration
+    w2 = exaggeration * rod_q4
+    w3 = c44 + (w1 * c45 + w2 * c46)
+    w4 = ca.sin(rod_theta)
+    w5 = exaggeration * rod_q1
+    w6 = exaggeration * rod_q2
+    w7 = w5 * c47 + w6 * c48
+    w8 = c49 + (w1 * c50 + w2 * c51)
+    w9 = w5 * c52 + w6 * c53
+    w10 = c54 + (w1 * c55 + w2 * c56)
+    w11 = w5 * c57 + w6 * c58
+    w12 = c59 + w1 * c60
+    w13 = w5 * c61 + w6 * c62
+    w14 = c63 + (w1 * c64 + w2 * c65)
+    w15 = w5 * c66 + w6 * c67
+    w16 = c68 + (w1 * c69 + w2 * c70)
+    w17 = w5 * c71 + w6 * c72
+    w18 = c73 + (w1 * c74 + w2 * c75)
+    w19 = w5 * c76 + w6 * c77
+    w20 = c5 + w2 * c6
     xy = ca.vertcat(
         crank_x,
         crank_y,
@@ -1060,12 +1185,26 @@ def drawing() -> ca.Function:
         crank_y + ca.sin(crank_theta) * c1,
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * w0,
-        rod_y + w0 * ca.sin(rod_theta),
+        rod_x + (w0 * w3 - w4 * w7),
+        rod_y + (w3 * w4 + w0 * w7),
+        rod_x + (w0 * w8 - w4 * w9),
+        rod_y + (w4 * w8 + w0 * w9),
+        rod_x + (w0 * w10 - w4 * w11),
+        rod_y + (w4 * w10 + w0 * w11),
+        rod_x + (w0 * w12 - w4 * w13),
+        rod_y + (w4 * w12 + w0 * w13),
+        rod_x + (w0 * w14 - w4 * w15),
+        rod_y + (w4 * w14 + w0 * w15),
+        rod_x + (w0 * w16 - w4 * w17),
+        rod_y + (w4 * w16 + w0 * w17),
+        rod_x + (w0 * w18 - w4 * w19),
+        rod_y + (w4 * w18 + w0 * w19),
+        rod_x + w0 * w20,
+        rod_y + w4 * w20,
         slider_x,
         slider_y,
     )
-    xy = ca.reshape(xy, 2, 5)
+    xy = ca.reshape(xy, 2, 12)
     xy = ca.densify(xy)
     inputs, outputs = [q, exaggeration, c], [xy]
     return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
@@ -1077,7 +1216,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1123,9 +1262,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c32 = c[32]
     c33 = c[33]
     c38 = c[38]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
+    c78 = c[78]
+    c79 = c[79]
+    c80 = c[80]
     w0 = ca.cos(crank_theta) * c1
     w1 = crank_theta_dot**2
     w2 = w0 * w1
@@ -1205,7 +1344,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w76 = w74 - w55 * w75
     w77 = w16 * w39 + 2 * (rod_q3_dot * c21 + rod_q4_dot * c22) + w61 * w75
     w78 = c23 - rod_q4 * c24
-    w79 = w16 * w40 + rod_q4_dot * c44 + w61 * w78
+    w79 = w16 * w40 + rod_q4_dot * c78 + w61 * w78
     w80 = w55 * w78
     w81 = rod_q1 * c25
     w82 = w6 * c8
@@ -1214,7 +1353,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w85 = w21 * w84
     w86 = w83 - w85
     w87 = w55 * w81 - (w85 - w83)
-    w88 = w16 * w42 + rod_q1_dot * c45 - w61 * w81
+    w88 = w16 * w42 + rod_q1_dot * c79 - w61 * w81
     w89 = rod_q1 * c26 + rod_q2 * c27
     w90 = w6 * c9
     w91 = w2 * w90
@@ -1252,7 +1391,7 @@ def dQ_hat_dq_i() -> ca.Function:
         0.0,
         -(w28 * c27 + w67 * w99),
         w0 * (w13 * w82 + w28 * w84) - w12 * (w13 * w84 - w28 * w82) - w38 * w100,
-        w28 * c46,
+        w28 * c80,
         0.0,
         w13 * c15 - c30,
         w13 * c18 - c32 - w67 * w100,
@@ -1274,7 +1413,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1313,8 +1452,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
-    c44 = c[44]
-    c45 = c[45]
+    c78 = c[78]
+    c79 = c[79]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
     w2 = 2 * crank_theta_dot
@@ -1352,11 +1491,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w34 = c20 - (rod_q3 * c21 + rod_q4 * c22)
     w35 = w17 * w23 + 2 * (rod_q3_dot * c21 + rod_q4_dot * c22) + w27 * w34
     w36 = c23 - rod_q4 * c24
-    w37 = w18 * w23 + rod_q4_dot * c44 + w27 * w36
+    w37 = w18 * w23 + rod_q4_dot * c78 + w27 * w36
     w38 = rod_q1 * c25
     w39 = w4 * c8
     w40 = w6 * c8
-    w41 = w19 * w23 + rod_q1_dot * c45 - w27 * w38
+    w41 = w19 * w23 + rod_q1_dot * c79 - w27 * w38
     w42 = rod_q1 * c26 + rod_q2 * c27
     w43 = w4 * c9
     w44 = w6 * c9
@@ -1409,7 +1548,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1569,7 +1708,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 47)
+    c = ca.SX.sym("c", 81)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

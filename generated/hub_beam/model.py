@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 710 operations."""
+    """c: everything that depends on the parameters p only. 722 operations."""
     p = ca.SX.sym("p", 295)
     torque = p[0]
     hub_mass = p[1]
@@ -273,7 +273,13 @@ def constants() -> ca.Function:
     w14 = beam_length**2
     w15 = w1 * w14 * beam100_clamped_free3_i0_0_0
     w16 = w1 * beam_length
-    w17 = beam_youngs_modulus * beam_second_moment / (beam_length * w14)
+    w17 = w16 * beam100_clamped_free3_xi_phi_y_0_0
+    w18 = w16 * beam100_clamped_free3_xi_phi_y_1_0
+    w19 = w16 * beam100_clamped_free3_xi_phi_y_2_0
+    w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w14)
+    w21 = w19 / w10
+    w22 = w18 / w6
+    w23 = w17 / w2
     c = ca.vertcat(
         w2,
         w3,
@@ -288,13 +294,13 @@ def constants() -> ca.Function:
         w12,
         w13,
         hub_inertia + w15,
-        w16 * beam100_clamped_free3_xi_phi_y_0_0,
-        w16 * beam100_clamped_free3_xi_phi_y_1_0,
-        w16 * beam100_clamped_free3_xi_phi_y_2_0,
+        w17,
+        w18,
+        w19,
         torque,
-        w17 * beam100_clamped_free3_kappa_lateral_0_0,
-        w17 * beam100_clamped_free3_kappa_lateral_1_1,
-        w17 * beam100_clamped_free3_kappa_lateral_2_2,
+        w20 * beam100_clamped_free3_kappa_lateral_0_0,
+        w20 * beam100_clamped_free3_kappa_lateral_1_1,
+        w20 * beam100_clamped_free3_kappa_lateral_2_2,
         hub_inertia,
         w1,
         w15,
@@ -529,6 +535,12 @@ def constants() -> ca.Function:
         w10 - w13,
         -w5,
         -w9,
+        w21,
+        w22,
+        w23,
+        w21 * w19,
+        w22 * w18,
+        w23 * w17,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -541,7 +553,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -744,7 +756,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -920,7 +932,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -1009,7 +1021,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -1111,7 +1123,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 819 operations."""
     q = ca.SX.sym("q", 9)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     hub_x = q[0]
     hub_y = q[1]
     beam_x = q[3]
@@ -1429,7 +1441,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 72 operations."""
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_q1_dot = q_i_dot[1]
     beam_q2_dot = q_i_dot[2]
     beam_q3_dot = q_i_dot[3]
@@ -1483,7 +1495,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1536,7 +1548,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 84 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1583,12 +1595,72 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def forward_dynamics() -> ca.Function:
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 110 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 260)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    beam_q1_dot = q_i_dot[1]
+    beam_q2_dot = q_i_dot[2]
+    beam_q3_dot = q_i_dot[3]
+    beam_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c254 = c[254]
+    c255 = c[255]
+    c256 = c[256]
+    c257 = c[257]
+    c258 = c[258]
+    c259 = c[259]
+    w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w3 = ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0) + -2.0 * beam_theta_dot * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
+    w4 = beam_theta_dot**2
+    w5 = w2 * w4 - beam_q3 * c19
+    w6 = w1 * w4 - beam_q2 * c18
+    w7 = w0 * w4 - beam_q1 * c17
+    w8 = (w3 - w5 * c254 - w6 * c255 - w7 * c256) / (beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)) - c257 - c258 - c259)
+    q_i_ddot = ca.vertcat(
+        w8,
+        (w7 - w8 * c13) / c0,
+        (w6 - w8 * c14) / c4,
+        (w5 - w8 * c15) / c8,
+    )
+    q_i_ddot = ca.densify(q_i_ddot)
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [q_i_ddot]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["q_i_ddot"])
+
+
 def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 73 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 254)
+    c = ca.SX.sym("c", 260)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1653,5 +1725,6 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "forward_dynamics": forward_dynamics,
     "substep_2": substep_2,
 }

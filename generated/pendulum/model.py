@@ -301,6 +301,21 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
+def forward_dynamics() -> ca.Function:
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 7 operations."""
+    q_i = ca.SX.sym("q_i", 1)
+    c = ca.SX.sym("c", 9)
+    rod_theta = q_i[0]
+    c0 = c[0]
+    c1 = c[1]
+    q_i_ddot = ca.vertcat(
+        ca.cos(rod_theta) * c1 / c0,
+    )
+    q_i_ddot = ca.densify(q_i_ddot)
+    inputs, outputs = [q_i, c], [q_i_ddot]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "c"], ["q_i_ddot"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -316,4 +331,5 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "forward_dynamics": forward_dynamics,
 }

@@ -16,610 +16,610 @@ def constants() -> ca.Function:
     beam_area = p[4]
     beam_youngs_modulus = p[5]
     beam_second_moment = p[6]
-    beam60_clamped_free5_kappa_lateral_0_0 = p[7]
-    beam60_clamped_free5_kappa_lateral_1_1 = p[8]
-    beam60_clamped_free5_kappa_lateral_2_2 = p[9]
-    beam60_clamped_free5_kappa_lateral_3_3 = p[10]
-    beam60_clamped_free5_kappa_lateral_4_4 = p[11]
-    beam60_clamped_free5_mass_0_0 = p[12]
-    beam60_clamped_free5_mass_1_1 = p[13]
-    beam60_clamped_free5_mass_2_2 = p[14]
-    beam60_clamped_free5_mass_3_3 = p[15]
-    beam60_clamped_free5_mass_4_4 = p[16]
-    beam60_clamped_free5_s1_0_0 = p[17]
-    beam60_clamped_free5_i0_0_0 = p[18]
-    beam60_clamped_free5_phi_y_0_0 = p[19]
-    beam60_clamped_free5_phi_y_1_0 = p[20]
-    beam60_clamped_free5_phi_y_2_0 = p[21]
-    beam60_clamped_free5_phi_y_3_0 = p[22]
-    beam60_clamped_free5_phi_y_4_0 = p[23]
-    beam60_clamped_free5_xi_phi_y_0_0 = p[24]
-    beam60_clamped_free5_xi_phi_y_1_0 = p[25]
-    beam60_clamped_free5_xi_phi_y_2_0 = p[26]
-    beam60_clamped_free5_xi_phi_y_3_0 = p[27]
-    beam60_clamped_free5_xi_phi_y_4_0 = p[28]
-    beam60_clamped_free5_H_0_0 = p[29]
-    beam60_clamped_free5_H_0_1 = p[30]
-    beam60_clamped_free5_H_0_2 = p[31]
-    beam60_clamped_free5_H_0_3 = p[32]
-    beam60_clamped_free5_H_0_4 = p[33]
-    beam60_clamped_free5_H_1_0 = p[34]
-    beam60_clamped_free5_H_1_1 = p[35]
-    beam60_clamped_free5_H_1_2 = p[36]
-    beam60_clamped_free5_H_1_3 = p[37]
-    beam60_clamped_free5_H_1_4 = p[38]
-    beam60_clamped_free5_H_2_0 = p[39]
-    beam60_clamped_free5_H_2_1 = p[40]
-    beam60_clamped_free5_H_2_2 = p[41]
-    beam60_clamped_free5_H_2_3 = p[42]
-    beam60_clamped_free5_H_2_4 = p[43]
-    beam60_clamped_free5_H_3_0 = p[44]
-    beam60_clamped_free5_H_3_1 = p[45]
-    beam60_clamped_free5_H_3_2 = p[46]
-    beam60_clamped_free5_H_3_3 = p[47]
-    beam60_clamped_free5_H_3_4 = p[48]
-    beam60_clamped_free5_H_4_0 = p[49]
-    beam60_clamped_free5_H_4_1 = p[50]
-    beam60_clamped_free5_H_4_2 = p[51]
-    beam60_clamped_free5_H_4_3 = p[52]
-    beam60_clamped_free5_H_4_4 = p[53]
-    beam60_clamped_free5_xH_0_0 = p[54]
-    beam60_clamped_free5_xH_0_1 = p[55]
-    beam60_clamped_free5_xH_0_2 = p[56]
-    beam60_clamped_free5_xH_0_3 = p[57]
-    beam60_clamped_free5_xH_0_4 = p[58]
-    beam60_clamped_free5_xH_1_0 = p[59]
-    beam60_clamped_free5_xH_1_1 = p[60]
-    beam60_clamped_free5_xH_1_2 = p[61]
-    beam60_clamped_free5_xH_1_3 = p[62]
-    beam60_clamped_free5_xH_1_4 = p[63]
-    beam60_clamped_free5_xH_2_0 = p[64]
-    beam60_clamped_free5_xH_2_1 = p[65]
-    beam60_clamped_free5_xH_2_2 = p[66]
-    beam60_clamped_free5_xH_2_3 = p[67]
-    beam60_clamped_free5_xH_2_4 = p[68]
-    beam60_clamped_free5_xH_3_0 = p[69]
-    beam60_clamped_free5_xH_3_1 = p[70]
-    beam60_clamped_free5_xH_3_2 = p[71]
-    beam60_clamped_free5_xH_3_3 = p[72]
-    beam60_clamped_free5_xH_3_4 = p[73]
-    beam60_clamped_free5_xH_4_0 = p[74]
-    beam60_clamped_free5_xH_4_1 = p[75]
-    beam60_clamped_free5_xH_4_2 = p[76]
-    beam60_clamped_free5_xH_4_3 = p[77]
-    beam60_clamped_free5_xH_4_4 = p[78]
-    beam60_clamped_free5_1_0_shape_1_0 = p[79]
-    beam60_clamped_free5_1_0_shape_1_1 = p[80]
-    beam60_clamped_free5_1_0_shape_1_2 = p[81]
-    beam60_clamped_free5_1_0_shape_1_3 = p[82]
-    beam60_clamped_free5_1_0_shape_1_4 = p[83]
-    beam60_clamped_free5_1_0_H_0_0 = p[89]
-    beam60_clamped_free5_1_0_H_0_1 = p[90]
-    beam60_clamped_free5_1_0_H_0_2 = p[91]
-    beam60_clamped_free5_1_0_H_0_3 = p[92]
-    beam60_clamped_free5_1_0_H_0_4 = p[93]
-    beam60_clamped_free5_1_0_H_1_0 = p[94]
-    beam60_clamped_free5_1_0_H_1_1 = p[95]
-    beam60_clamped_free5_1_0_H_1_2 = p[96]
-    beam60_clamped_free5_1_0_H_1_3 = p[97]
-    beam60_clamped_free5_1_0_H_1_4 = p[98]
-    beam60_clamped_free5_1_0_H_2_0 = p[99]
-    beam60_clamped_free5_1_0_H_2_1 = p[100]
-    beam60_clamped_free5_1_0_H_2_2 = p[101]
-    beam60_clamped_free5_1_0_H_2_3 = p[102]
-    beam60_clamped_free5_1_0_H_2_4 = p[103]
-    beam60_clamped_free5_1_0_H_3_0 = p[104]
-    beam60_clamped_free5_1_0_H_3_1 = p[105]
-    beam60_clamped_free5_1_0_H_3_2 = p[106]
-    beam60_clamped_free5_1_0_H_3_3 = p[107]
-    beam60_clamped_free5_1_0_H_3_4 = p[108]
-    beam60_clamped_free5_1_0_H_4_0 = p[109]
-    beam60_clamped_free5_1_0_H_4_1 = p[110]
-    beam60_clamped_free5_1_0_H_4_2 = p[111]
-    beam60_clamped_free5_1_0_H_4_3 = p[112]
-    beam60_clamped_free5_1_0_H_4_4 = p[113]
-    beam60_clamped_free5_0_0625_at_0_0 = p[114]
-    beam60_clamped_free5_0_0625_shape_1_0 = p[115]
-    beam60_clamped_free5_0_0625_shape_1_1 = p[116]
-    beam60_clamped_free5_0_0625_shape_1_2 = p[117]
-    beam60_clamped_free5_0_0625_shape_1_3 = p[118]
-    beam60_clamped_free5_0_0625_shape_1_4 = p[119]
-    beam60_clamped_free5_0_0625_H_0_0 = p[125]
-    beam60_clamped_free5_0_0625_H_0_1 = p[126]
-    beam60_clamped_free5_0_0625_H_0_2 = p[127]
-    beam60_clamped_free5_0_0625_H_0_3 = p[128]
-    beam60_clamped_free5_0_0625_H_0_4 = p[129]
-    beam60_clamped_free5_0_0625_H_1_0 = p[130]
-    beam60_clamped_free5_0_0625_H_1_1 = p[131]
-    beam60_clamped_free5_0_0625_H_1_2 = p[132]
-    beam60_clamped_free5_0_0625_H_1_3 = p[133]
-    beam60_clamped_free5_0_0625_H_1_4 = p[134]
-    beam60_clamped_free5_0_0625_H_2_0 = p[135]
-    beam60_clamped_free5_0_0625_H_2_1 = p[136]
-    beam60_clamped_free5_0_0625_H_2_2 = p[137]
-    beam60_clamped_free5_0_0625_H_2_3 = p[138]
-    beam60_clamped_free5_0_0625_H_2_4 = p[139]
-    beam60_clamped_free5_0_0625_H_3_0 = p[140]
-    beam60_clamped_free5_0_0625_H_3_1 = p[141]
-    beam60_clamped_free5_0_0625_H_3_2 = p[142]
-    beam60_clamped_free5_0_0625_H_3_3 = p[143]
-    beam60_clamped_free5_0_0625_H_3_4 = p[144]
-    beam60_clamped_free5_0_0625_H_4_0 = p[145]
-    beam60_clamped_free5_0_0625_H_4_1 = p[146]
-    beam60_clamped_free5_0_0625_H_4_2 = p[147]
-    beam60_clamped_free5_0_0625_H_4_3 = p[148]
-    beam60_clamped_free5_0_0625_H_4_4 = p[149]
-    beam60_clamped_free5_0_125_at_0_0 = p[150]
-    beam60_clamped_free5_0_125_shape_1_0 = p[151]
-    beam60_clamped_free5_0_125_shape_1_1 = p[152]
-    beam60_clamped_free5_0_125_shape_1_2 = p[153]
-    beam60_clamped_free5_0_125_shape_1_3 = p[154]
-    beam60_clamped_free5_0_125_shape_1_4 = p[155]
-    beam60_clamped_free5_0_125_H_0_0 = p[161]
-    beam60_clamped_free5_0_125_H_0_1 = p[162]
-    beam60_clamped_free5_0_125_H_0_2 = p[163]
-    beam60_clamped_free5_0_125_H_0_3 = p[164]
-    beam60_clamped_free5_0_125_H_0_4 = p[165]
-    beam60_clamped_free5_0_125_H_1_0 = p[166]
-    beam60_clamped_free5_0_125_H_1_1 = p[167]
-    beam60_clamped_free5_0_125_H_1_2 = p[168]
-    beam60_clamped_free5_0_125_H_1_3 = p[169]
-    beam60_clamped_free5_0_125_H_1_4 = p[170]
-    beam60_clamped_free5_0_125_H_2_0 = p[171]
-    beam60_clamped_free5_0_125_H_2_1 = p[172]
-    beam60_clamped_free5_0_125_H_2_2 = p[173]
-    beam60_clamped_free5_0_125_H_2_3 = p[174]
-    beam60_clamped_free5_0_125_H_2_4 = p[175]
-    beam60_clamped_free5_0_125_H_3_0 = p[176]
-    beam60_clamped_free5_0_125_H_3_1 = p[177]
-    beam60_clamped_free5_0_125_H_3_2 = p[178]
-    beam60_clamped_free5_0_125_H_3_3 = p[179]
-    beam60_clamped_free5_0_125_H_3_4 = p[180]
-    beam60_clamped_free5_0_125_H_4_0 = p[181]
-    beam60_clamped_free5_0_125_H_4_1 = p[182]
-    beam60_clamped_free5_0_125_H_4_2 = p[183]
-    beam60_clamped_free5_0_125_H_4_3 = p[184]
-    beam60_clamped_free5_0_125_H_4_4 = p[185]
-    beam60_clamped_free5_0_1875_at_0_0 = p[186]
-    beam60_clamped_free5_0_1875_shape_1_0 = p[187]
-    beam60_clamped_free5_0_1875_shape_1_1 = p[188]
-    beam60_clamped_free5_0_1875_shape_1_2 = p[189]
-    beam60_clamped_free5_0_1875_shape_1_3 = p[190]
-    beam60_clamped_free5_0_1875_shape_1_4 = p[191]
-    beam60_clamped_free5_0_1875_H_0_0 = p[197]
-    beam60_clamped_free5_0_1875_H_0_1 = p[198]
-    beam60_clamped_free5_0_1875_H_0_2 = p[199]
-    beam60_clamped_free5_0_1875_H_0_3 = p[200]
-    beam60_clamped_free5_0_1875_H_0_4 = p[201]
-    beam60_clamped_free5_0_1875_H_1_0 = p[202]
-    beam60_clamped_free5_0_1875_H_1_1 = p[203]
-    beam60_clamped_free5_0_1875_H_1_2 = p[204]
-    beam60_clamped_free5_0_1875_H_1_3 = p[205]
-    beam60_clamped_free5_0_1875_H_1_4 = p[206]
-    beam60_clamped_free5_0_1875_H_2_0 = p[207]
-    beam60_clamped_free5_0_1875_H_2_1 = p[208]
-    beam60_clamped_free5_0_1875_H_2_2 = p[209]
-    beam60_clamped_free5_0_1875_H_2_3 = p[210]
-    beam60_clamped_free5_0_1875_H_2_4 = p[211]
-    beam60_clamped_free5_0_1875_H_3_0 = p[212]
-    beam60_clamped_free5_0_1875_H_3_1 = p[213]
-    beam60_clamped_free5_0_1875_H_3_2 = p[214]
-    beam60_clamped_free5_0_1875_H_3_3 = p[215]
-    beam60_clamped_free5_0_1875_H_3_4 = p[216]
-    beam60_clamped_free5_0_1875_H_4_0 = p[217]
-    beam60_clamped_free5_0_1875_H_4_1 = p[218]
-    beam60_clamped_free5_0_1875_H_4_2 = p[219]
-    beam60_clamped_free5_0_1875_H_4_3 = p[220]
-    beam60_clamped_free5_0_1875_H_4_4 = p[221]
-    beam60_clamped_free5_0_25_at_0_0 = p[222]
-    beam60_clamped_free5_0_25_shape_1_0 = p[223]
-    beam60_clamped_free5_0_25_shape_1_1 = p[224]
-    beam60_clamped_free5_0_25_shape_1_2 = p[225]
-    beam60_clamped_free5_0_25_shape_1_3 = p[226]
-    beam60_clamped_free5_0_25_shape_1_4 = p[227]
-    beam60_clamped_free5_0_25_H_0_0 = p[233]
-    beam60_clamped_free5_0_25_H_0_1 = p[234]
-    beam60_clamped_free5_0_25_H_0_2 = p[235]
-    beam60_clamped_free5_0_25_H_0_3 = p[236]
-    beam60_clamped_free5_0_25_H_0_4 = p[237]
-    beam60_clamped_free5_0_25_H_1_0 = p[238]
-    beam60_clamped_free5_0_25_H_1_1 = p[239]
-    beam60_clamped_free5_0_25_H_1_2 = p[240]
-    beam60_clamped_free5_0_25_H_1_3 = p[241]
-    beam60_clamped_free5_0_25_H_1_4 = p[242]
-    beam60_clamped_free5_0_25_H_2_0 = p[243]
-    beam60_clamped_free5_0_25_H_2_1 = p[244]
-    beam60_clamped_free5_0_25_H_2_2 = p[245]
-    beam60_clamped_free5_0_25_H_2_3 = p[246]
-    beam60_clamped_free5_0_25_H_2_4 = p[247]
-    beam60_clamped_free5_0_25_H_3_0 = p[248]
-    beam60_clamped_free5_0_25_H_3_1 = p[249]
-    beam60_clamped_free5_0_25_H_3_2 = p[250]
-    beam60_clamped_free5_0_25_H_3_3 = p[251]
-    beam60_clamped_free5_0_25_H_3_4 = p[252]
-    beam60_clamped_free5_0_25_H_4_0 = p[253]
-    beam60_clamped_free5_0_25_H_4_1 = p[254]
-    beam60_clamped_free5_0_25_H_4_2 = p[255]
-    beam60_clamped_free5_0_25_H_4_3 = p[256]
-    beam60_clamped_free5_0_25_H_4_4 = p[257]
-    beam60_clamped_free5_0_3125_at_0_0 = p[258]
-    beam60_clamped_free5_0_3125_shape_1_0 = p[259]
-    beam60_clamped_free5_0_3125_shape_1_1 = p[260]
-    beam60_clamped_free5_0_3125_shape_1_2 = p[261]
-    beam60_clamped_free5_0_3125_shape_1_3 = p[262]
-    beam60_clamped_free5_0_3125_shape_1_4 = p[263]
-    beam60_clamped_free5_0_3125_H_0_0 = p[269]
-    beam60_clamped_free5_0_3125_H_0_1 = p[270]
-    beam60_clamped_free5_0_3125_H_0_2 = p[271]
-    beam60_clamped_free5_0_3125_H_0_3 = p[272]
-    beam60_clamped_free5_0_3125_H_0_4 = p[273]
-    beam60_clamped_free5_0_3125_H_1_0 = p[274]
-    beam60_clamped_free5_0_3125_H_1_1 = p[275]
-    beam60_clamped_free5_0_3125_H_1_2 = p[276]
-    beam60_clamped_free5_0_3125_H_1_3 = p[277]
-    beam60_clamped_free5_0_3125_H_1_4 = p[278]
-    beam60_clamped_free5_0_3125_H_2_0 = p[279]
-    beam60_clamped_free5_0_3125_H_2_1 = p[280]
-    beam60_clamped_free5_0_3125_H_2_2 = p[281]
-    beam60_clamped_free5_0_3125_H_2_3 = p[282]
-    beam60_clamped_free5_0_3125_H_2_4 = p[283]
-    beam60_clamped_free5_0_3125_H_3_0 = p[284]
-    beam60_clamped_free5_0_3125_H_3_1 = p[285]
-    beam60_clamped_free5_0_3125_H_3_2 = p[286]
-    beam60_clamped_free5_0_3125_H_3_3 = p[287]
-    beam60_clamped_free5_0_3125_H_3_4 = p[288]
-    beam60_clamped_free5_0_3125_H_4_0 = p[289]
-    beam60_clamped_free5_0_3125_H_4_1 = p[290]
-    beam60_clamped_free5_0_3125_H_4_2 = p[291]
-    beam60_clamped_free5_0_3125_H_4_3 = p[292]
-    beam60_clamped_free5_0_3125_H_4_4 = p[293]
-    beam60_clamped_free5_0_375_at_0_0 = p[294]
-    beam60_clamped_free5_0_375_shape_1_0 = p[295]
-    beam60_clamped_free5_0_375_shape_1_1 = p[296]
-    beam60_clamped_free5_0_375_shape_1_2 = p[297]
-    beam60_clamped_free5_0_375_shape_1_3 = p[298]
-    beam60_clamped_free5_0_375_shape_1_4 = p[299]
-    beam60_clamped_free5_0_375_H_0_0 = p[305]
-    beam60_clamped_free5_0_375_H_0_1 = p[306]
-    beam60_clamped_free5_0_375_H_0_2 = p[307]
-    beam60_clamped_free5_0_375_H_0_3 = p[308]
-    beam60_clamped_free5_0_375_H_0_4 = p[309]
-    beam60_clamped_free5_0_375_H_1_0 = p[310]
-    beam60_clamped_free5_0_375_H_1_1 = p[311]
-    beam60_clamped_free5_0_375_H_1_2 = p[312]
-    beam60_clamped_free5_0_375_H_1_3 = p[313]
-    beam60_clamped_free5_0_375_H_1_4 = p[314]
-    beam60_clamped_free5_0_375_H_2_0 = p[315]
-    beam60_clamped_free5_0_375_H_2_1 = p[316]
-    beam60_clamped_free5_0_375_H_2_2 = p[317]
-    beam60_clamped_free5_0_375_H_2_3 = p[318]
-    beam60_clamped_free5_0_375_H_2_4 = p[319]
-    beam60_clamped_free5_0_375_H_3_0 = p[320]
-    beam60_clamped_free5_0_375_H_3_1 = p[321]
-    beam60_clamped_free5_0_375_H_3_2 = p[322]
-    beam60_clamped_free5_0_375_H_3_3 = p[323]
-    beam60_clamped_free5_0_375_H_3_4 = p[324]
-    beam60_clamped_free5_0_375_H_4_0 = p[325]
-    beam60_clamped_free5_0_375_H_4_1 = p[326]
-    beam60_clamped_free5_0_375_H_4_2 = p[327]
-    beam60_clamped_free5_0_375_H_4_3 = p[328]
-    beam60_clamped_free5_0_375_H_4_4 = p[329]
-    beam60_clamped_free5_0_4375_at_0_0 = p[330]
-    beam60_clamped_free5_0_4375_shape_1_0 = p[331]
-    beam60_clamped_free5_0_4375_shape_1_1 = p[332]
-    beam60_clamped_free5_0_4375_shape_1_2 = p[333]
-    beam60_clamped_free5_0_4375_shape_1_3 = p[334]
-    beam60_clamped_free5_0_4375_shape_1_4 = p[335]
-    beam60_clamped_free5_0_4375_H_0_0 = p[341]
-    beam60_clamped_free5_0_4375_H_0_1 = p[342]
-    beam60_clamped_free5_0_4375_H_0_2 = p[343]
-    beam60_clamped_free5_0_4375_H_0_3 = p[344]
-    beam60_clamped_free5_0_4375_H_0_4 = p[345]
-    beam60_clamped_free5_0_4375_H_1_0 = p[346]
-    beam60_clamped_free5_0_4375_H_1_1 = p[347]
-    beam60_clamped_free5_0_4375_H_1_2 = p[348]
-    beam60_clamped_free5_0_4375_H_1_3 = p[349]
-    beam60_clamped_free5_0_4375_H_1_4 = p[350]
-    beam60_clamped_free5_0_4375_H_2_0 = p[351]
-    beam60_clamped_free5_0_4375_H_2_1 = p[352]
-    beam60_clamped_free5_0_4375_H_2_2 = p[353]
-    beam60_clamped_free5_0_4375_H_2_3 = p[354]
-    beam60_clamped_free5_0_4375_H_2_4 = p[355]
-    beam60_clamped_free5_0_4375_H_3_0 = p[356]
-    beam60_clamped_free5_0_4375_H_3_1 = p[357]
-    beam60_clamped_free5_0_4375_H_3_2 = p[358]
-    beam60_clamped_free5_0_4375_H_3_3 = p[359]
-    beam60_clamped_free5_0_4375_H_3_4 = p[360]
-    beam60_clamped_free5_0_4375_H_4_0 = p[361]
-    beam60_clamped_free5_0_4375_H_4_1 = p[362]
-    beam60_clamped_free5_0_4375_H_4_2 = p[363]
-    beam60_clamped_free5_0_4375_H_4_3 = p[364]
-    beam60_clamped_free5_0_4375_H_4_4 = p[365]
-    beam60_clamped_free5_0_5_at_0_0 = p[366]
-    beam60_clamped_free5_0_5_shape_1_0 = p[367]
-    beam60_clamped_free5_0_5_shape_1_1 = p[368]
-    beam60_clamped_free5_0_5_shape_1_2 = p[369]
-    beam60_clamped_free5_0_5_shape_1_3 = p[370]
-    beam60_clamped_free5_0_5_shape_1_4 = p[371]
-    beam60_clamped_free5_0_5_H_0_0 = p[377]
-    beam60_clamped_free5_0_5_H_0_1 = p[378]
-    beam60_clamped_free5_0_5_H_0_2 = p[379]
-    beam60_clamped_free5_0_5_H_0_3 = p[380]
-    beam60_clamped_free5_0_5_H_0_4 = p[381]
-    beam60_clamped_free5_0_5_H_1_0 = p[382]
-    beam60_clamped_free5_0_5_H_1_1 = p[383]
-    beam60_clamped_free5_0_5_H_1_2 = p[384]
-    beam60_clamped_free5_0_5_H_1_3 = p[385]
-    beam60_clamped_free5_0_5_H_1_4 = p[386]
-    beam60_clamped_free5_0_5_H_2_0 = p[387]
-    beam60_clamped_free5_0_5_H_2_1 = p[388]
-    beam60_clamped_free5_0_5_H_2_2 = p[389]
-    beam60_clamped_free5_0_5_H_2_3 = p[390]
-    beam60_clamped_free5_0_5_H_2_4 = p[391]
-    beam60_clamped_free5_0_5_H_3_0 = p[392]
-    beam60_clamped_free5_0_5_H_3_1 = p[393]
-    beam60_clamped_free5_0_5_H_3_2 = p[394]
-    beam60_clamped_free5_0_5_H_3_3 = p[395]
-    beam60_clamped_free5_0_5_H_3_4 = p[396]
-    beam60_clamped_free5_0_5_H_4_0 = p[397]
-    beam60_clamped_free5_0_5_H_4_1 = p[398]
-    beam60_clamped_free5_0_5_H_4_2 = p[399]
-    beam60_clamped_free5_0_5_H_4_3 = p[400]
-    beam60_clamped_free5_0_5_H_4_4 = p[401]
-    beam60_clamped_free5_0_5625_at_0_0 = p[402]
-    beam60_clamped_free5_0_5625_shape_1_0 = p[403]
-    beam60_clamped_free5_0_5625_shape_1_1 = p[404]
-    beam60_clamped_free5_0_5625_shape_1_2 = p[405]
-    beam60_clamped_free5_0_5625_shape_1_3 = p[406]
-    beam60_clamped_free5_0_5625_shape_1_4 = p[407]
-    beam60_clamped_free5_0_5625_H_0_0 = p[413]
-    beam60_clamped_free5_0_5625_H_0_1 = p[414]
-    beam60_clamped_free5_0_5625_H_0_2 = p[415]
-    beam60_clamped_free5_0_5625_H_0_3 = p[416]
-    beam60_clamped_free5_0_5625_H_0_4 = p[417]
-    beam60_clamped_free5_0_5625_H_1_0 = p[418]
-    beam60_clamped_free5_0_5625_H_1_1 = p[419]
-    beam60_clamped_free5_0_5625_H_1_2 = p[420]
-    beam60_clamped_free5_0_5625_H_1_3 = p[421]
-    beam60_clamped_free5_0_5625_H_1_4 = p[422]
-    beam60_clamped_free5_0_5625_H_2_0 = p[423]
-    beam60_clamped_free5_0_5625_H_2_1 = p[424]
-    beam60_clamped_free5_0_5625_H_2_2 = p[425]
-    beam60_clamped_free5_0_5625_H_2_3 = p[426]
-    beam60_clamped_free5_0_5625_H_2_4 = p[427]
-    beam60_clamped_free5_0_5625_H_3_0 = p[428]
-    beam60_clamped_free5_0_5625_H_3_1 = p[429]
-    beam60_clamped_free5_0_5625_H_3_2 = p[430]
-    beam60_clamped_free5_0_5625_H_3_3 = p[431]
-    beam60_clamped_free5_0_5625_H_3_4 = p[432]
-    beam60_clamped_free5_0_5625_H_4_0 = p[433]
-    beam60_clamped_free5_0_5625_H_4_1 = p[434]
-    beam60_clamped_free5_0_5625_H_4_2 = p[435]
-    beam60_clamped_free5_0_5625_H_4_3 = p[436]
-    beam60_clamped_free5_0_5625_H_4_4 = p[437]
-    beam60_clamped_free5_0_625_at_0_0 = p[438]
-    beam60_clamped_free5_0_625_shape_1_0 = p[439]
-    beam60_clamped_free5_0_625_shape_1_1 = p[440]
-    beam60_clamped_free5_0_625_shape_1_2 = p[441]
-    beam60_clamped_free5_0_625_shape_1_3 = p[442]
-    beam60_clamped_free5_0_625_shape_1_4 = p[443]
-    beam60_clamped_free5_0_625_H_0_0 = p[449]
-    beam60_clamped_free5_0_625_H_0_1 = p[450]
-    beam60_clamped_free5_0_625_H_0_2 = p[451]
-    beam60_clamped_free5_0_625_H_0_3 = p[452]
-    beam60_clamped_free5_0_625_H_0_4 = p[453]
-    beam60_clamped_free5_0_625_H_1_0 = p[454]
-    beam60_clamped_free5_0_625_H_1_1 = p[455]
-    beam60_clamped_free5_0_625_H_1_2 = p[456]
-    beam60_clamped_free5_0_625_H_1_3 = p[457]
-    beam60_clamped_free5_0_625_H_1_4 = p[458]
-    beam60_clamped_free5_0_625_H_2_0 = p[459]
-    beam60_clamped_free5_0_625_H_2_1 = p[460]
-    beam60_clamped_free5_0_625_H_2_2 = p[461]
-    beam60_clamped_free5_0_625_H_2_3 = p[462]
-    beam60_clamped_free5_0_625_H_2_4 = p[463]
-    beam60_clamped_free5_0_625_H_3_0 = p[464]
-    beam60_clamped_free5_0_625_H_3_1 = p[465]
-    beam60_clamped_free5_0_625_H_3_2 = p[466]
-    beam60_clamped_free5_0_625_H_3_3 = p[467]
-    beam60_clamped_free5_0_625_H_3_4 = p[468]
-    beam60_clamped_free5_0_625_H_4_0 = p[469]
-    beam60_clamped_free5_0_625_H_4_1 = p[470]
-    beam60_clamped_free5_0_625_H_4_2 = p[471]
-    beam60_clamped_free5_0_625_H_4_3 = p[472]
-    beam60_clamped_free5_0_625_H_4_4 = p[473]
-    beam60_clamped_free5_0_6875_at_0_0 = p[474]
-    beam60_clamped_free5_0_6875_shape_1_0 = p[475]
-    beam60_clamped_free5_0_6875_shape_1_1 = p[476]
-    beam60_clamped_free5_0_6875_shape_1_2 = p[477]
-    beam60_clamped_free5_0_6875_shape_1_3 = p[478]
-    beam60_clamped_free5_0_6875_shape_1_4 = p[479]
-    beam60_clamped_free5_0_6875_H_0_0 = p[485]
-    beam60_clamped_free5_0_6875_H_0_1 = p[486]
-    beam60_clamped_free5_0_6875_H_0_2 = p[487]
-    beam60_clamped_free5_0_6875_H_0_3 = p[488]
-    beam60_clamped_free5_0_6875_H_0_4 = p[489]
-    beam60_clamped_free5_0_6875_H_1_0 = p[490]
-    beam60_clamped_free5_0_6875_H_1_1 = p[491]
-    beam60_clamped_free5_0_6875_H_1_2 = p[492]
-    beam60_clamped_free5_0_6875_H_1_3 = p[493]
-    beam60_clamped_free5_0_6875_H_1_4 = p[494]
-    beam60_clamped_free5_0_6875_H_2_0 = p[495]
-    beam60_clamped_free5_0_6875_H_2_1 = p[496]
-    beam60_clamped_free5_0_6875_H_2_2 = p[497]
-    beam60_clamped_free5_0_6875_H_2_3 = p[498]
-    beam60_clamped_free5_0_6875_H_2_4 = p[499]
-    beam60_clamped_free5_0_6875_H_3_0 = p[500]
-    beam60_clamped_free5_0_6875_H_3_1 = p[501]
-    beam60_clamped_free5_0_6875_H_3_2 = p[502]
-    beam60_clamped_free5_0_6875_H_3_3 = p[503]
-    beam60_clamped_free5_0_6875_H_3_4 = p[504]
-    beam60_clamped_free5_0_6875_H_4_0 = p[505]
-    beam60_clamped_free5_0_6875_H_4_1 = p[506]
-    beam60_clamped_free5_0_6875_H_4_2 = p[507]
-    beam60_clamped_free5_0_6875_H_4_3 = p[508]
-    beam60_clamped_free5_0_6875_H_4_4 = p[509]
-    beam60_clamped_free5_0_75_at_0_0 = p[510]
-    beam60_clamped_free5_0_75_shape_1_0 = p[511]
-    beam60_clamped_free5_0_75_shape_1_1 = p[512]
-    beam60_clamped_free5_0_75_shape_1_2 = p[513]
-    beam60_clamped_free5_0_75_shape_1_3 = p[514]
-    beam60_clamped_free5_0_75_shape_1_4 = p[515]
-    beam60_clamped_free5_0_75_H_0_0 = p[521]
-    beam60_clamped_free5_0_75_H_0_1 = p[522]
-    beam60_clamped_free5_0_75_H_0_2 = p[523]
-    beam60_clamped_free5_0_75_H_0_3 = p[524]
-    beam60_clamped_free5_0_75_H_0_4 = p[525]
-    beam60_clamped_free5_0_75_H_1_0 = p[526]
-    beam60_clamped_free5_0_75_H_1_1 = p[527]
-    beam60_clamped_free5_0_75_H_1_2 = p[528]
-    beam60_clamped_free5_0_75_H_1_3 = p[529]
-    beam60_clamped_free5_0_75_H_1_4 = p[530]
-    beam60_clamped_free5_0_75_H_2_0 = p[531]
-    beam60_clamped_free5_0_75_H_2_1 = p[532]
-    beam60_clamped_free5_0_75_H_2_2 = p[533]
-    beam60_clamped_free5_0_75_H_2_3 = p[534]
-    beam60_clamped_free5_0_75_H_2_4 = p[535]
-    beam60_clamped_free5_0_75_H_3_0 = p[536]
-    beam60_clamped_free5_0_75_H_3_1 = p[537]
-    beam60_clamped_free5_0_75_H_3_2 = p[538]
-    beam60_clamped_free5_0_75_H_3_3 = p[539]
-    beam60_clamped_free5_0_75_H_3_4 = p[540]
-    beam60_clamped_free5_0_75_H_4_0 = p[541]
-    beam60_clamped_free5_0_75_H_4_1 = p[542]
-    beam60_clamped_free5_0_75_H_4_2 = p[543]
-    beam60_clamped_free5_0_75_H_4_3 = p[544]
-    beam60_clamped_free5_0_75_H_4_4 = p[545]
-    beam60_clamped_free5_0_8125_at_0_0 = p[546]
-    beam60_clamped_free5_0_8125_shape_1_0 = p[547]
-    beam60_clamped_free5_0_8125_shape_1_1 = p[548]
-    beam60_clamped_free5_0_8125_shape_1_2 = p[549]
-    beam60_clamped_free5_0_8125_shape_1_3 = p[550]
-    beam60_clamped_free5_0_8125_shape_1_4 = p[551]
-    beam60_clamped_free5_0_8125_H_0_0 = p[557]
-    beam60_clamped_free5_0_8125_H_0_1 = p[558]
-    beam60_clamped_free5_0_8125_H_0_2 = p[559]
-    beam60_clamped_free5_0_8125_H_0_3 = p[560]
-    beam60_clamped_free5_0_8125_H_0_4 = p[561]
-    beam60_clamped_free5_0_8125_H_1_0 = p[562]
-    beam60_clamped_free5_0_8125_H_1_1 = p[563]
-    beam60_clamped_free5_0_8125_H_1_2 = p[564]
-    beam60_clamped_free5_0_8125_H_1_3 = p[565]
-    beam60_clamped_free5_0_8125_H_1_4 = p[566]
-    beam60_clamped_free5_0_8125_H_2_0 = p[567]
-    beam60_clamped_free5_0_8125_H_2_1 = p[568]
-    beam60_clamped_free5_0_8125_H_2_2 = p[569]
-    beam60_clamped_free5_0_8125_H_2_3 = p[570]
-    beam60_clamped_free5_0_8125_H_2_4 = p[571]
-    beam60_clamped_free5_0_8125_H_3_0 = p[572]
-    beam60_clamped_free5_0_8125_H_3_1 = p[573]
-    beam60_clamped_free5_0_8125_H_3_2 = p[574]
-    beam60_clamped_free5_0_8125_H_3_3 = p[575]
-    beam60_clamped_free5_0_8125_H_3_4 = p[576]
-    beam60_clamped_free5_0_8125_H_4_0 = p[577]
-    beam60_clamped_free5_0_8125_H_4_1 = p[578]
-    beam60_clamped_free5_0_8125_H_4_2 = p[579]
-    beam60_clamped_free5_0_8125_H_4_3 = p[580]
-    beam60_clamped_free5_0_8125_H_4_4 = p[581]
-    beam60_clamped_free5_0_875_at_0_0 = p[582]
-    beam60_clamped_free5_0_875_shape_1_0 = p[583]
-    beam60_clamped_free5_0_875_shape_1_1 = p[584]
-    beam60_clamped_free5_0_875_shape_1_2 = p[585]
-    beam60_clamped_free5_0_875_shape_1_3 = p[586]
-    beam60_clamped_free5_0_875_shape_1_4 = p[587]
-    beam60_clamped_free5_0_875_H_0_0 = p[593]
-    beam60_clamped_free5_0_875_H_0_1 = p[594]
-    beam60_clamped_free5_0_875_H_0_2 = p[595]
-    beam60_clamped_free5_0_875_H_0_3 = p[596]
-    beam60_clamped_free5_0_875_H_0_4 = p[597]
-    beam60_clamped_free5_0_875_H_1_0 = p[598]
-    beam60_clamped_free5_0_875_H_1_1 = p[599]
-    beam60_clamped_free5_0_875_H_1_2 = p[600]
-    beam60_clamped_free5_0_875_H_1_3 = p[601]
-    beam60_clamped_free5_0_875_H_1_4 = p[602]
-    beam60_clamped_free5_0_875_H_2_0 = p[603]
-    beam60_clamped_free5_0_875_H_2_1 = p[604]
-    beam60_clamped_free5_0_875_H_2_2 = p[605]
-    beam60_clamped_free5_0_875_H_2_3 = p[606]
-    beam60_clamped_free5_0_875_H_2_4 = p[607]
-    beam60_clamped_free5_0_875_H_3_0 = p[608]
-    beam60_clamped_free5_0_875_H_3_1 = p[609]
-    beam60_clamped_free5_0_875_H_3_2 = p[610]
-    beam60_clamped_free5_0_875_H_3_3 = p[611]
-    beam60_clamped_free5_0_875_H_3_4 = p[612]
-    beam60_clamped_free5_0_875_H_4_0 = p[613]
-    beam60_clamped_free5_0_875_H_4_1 = p[614]
-    beam60_clamped_free5_0_875_H_4_2 = p[615]
-    beam60_clamped_free5_0_875_H_4_3 = p[616]
-    beam60_clamped_free5_0_875_H_4_4 = p[617]
-    beam60_clamped_free5_0_9375_at_0_0 = p[618]
-    beam60_clamped_free5_0_9375_shape_1_0 = p[619]
-    beam60_clamped_free5_0_9375_shape_1_1 = p[620]
-    beam60_clamped_free5_0_9375_shape_1_2 = p[621]
-    beam60_clamped_free5_0_9375_shape_1_3 = p[622]
-    beam60_clamped_free5_0_9375_shape_1_4 = p[623]
-    beam60_clamped_free5_0_9375_H_0_0 = p[629]
-    beam60_clamped_free5_0_9375_H_0_1 = p[630]
-    beam60_clamped_free5_0_9375_H_0_2 = p[631]
-    beam60_clamped_free5_0_9375_H_0_3 = p[632]
-    beam60_clamped_free5_0_9375_H_0_4 = p[633]
-    beam60_clamped_free5_0_9375_H_1_0 = p[634]
-    beam60_clamped_free5_0_9375_H_1_1 = p[635]
-    beam60_clamped_free5_0_9375_H_1_2 = p[636]
-    beam60_clamped_free5_0_9375_H_1_3 = p[637]
-    beam60_clamped_free5_0_9375_H_1_4 = p[638]
-    beam60_clamped_free5_0_9375_H_2_0 = p[639]
-    beam60_clamped_free5_0_9375_H_2_1 = p[640]
-    beam60_clamped_free5_0_9375_H_2_2 = p[641]
-    beam60_clamped_free5_0_9375_H_2_3 = p[642]
-    beam60_clamped_free5_0_9375_H_2_4 = p[643]
-    beam60_clamped_free5_0_9375_H_3_0 = p[644]
-    beam60_clamped_free5_0_9375_H_3_1 = p[645]
-    beam60_clamped_free5_0_9375_H_3_2 = p[646]
-    beam60_clamped_free5_0_9375_H_3_3 = p[647]
-    beam60_clamped_free5_0_9375_H_3_4 = p[648]
-    beam60_clamped_free5_0_9375_H_4_0 = p[649]
-    beam60_clamped_free5_0_9375_H_4_1 = p[650]
-    beam60_clamped_free5_0_9375_H_4_2 = p[651]
-    beam60_clamped_free5_0_9375_H_4_3 = p[652]
-    beam60_clamped_free5_0_9375_H_4_4 = p[653]
+    beam200_clamped_free5_kappa_lateral_0_0 = p[7]
+    beam200_clamped_free5_kappa_lateral_1_1 = p[8]
+    beam200_clamped_free5_kappa_lateral_2_2 = p[9]
+    beam200_clamped_free5_kappa_lateral_3_3 = p[10]
+    beam200_clamped_free5_kappa_lateral_4_4 = p[11]
+    beam200_clamped_free5_mass_0_0 = p[12]
+    beam200_clamped_free5_mass_1_1 = p[13]
+    beam200_clamped_free5_mass_2_2 = p[14]
+    beam200_clamped_free5_mass_3_3 = p[15]
+    beam200_clamped_free5_mass_4_4 = p[16]
+    beam200_clamped_free5_s1_0_0 = p[17]
+    beam200_clamped_free5_i0_0_0 = p[18]
+    beam200_clamped_free5_phi_y_0_0 = p[19]
+    beam200_clamped_free5_phi_y_1_0 = p[20]
+    beam200_clamped_free5_phi_y_2_0 = p[21]
+    beam200_clamped_free5_phi_y_3_0 = p[22]
+    beam200_clamped_free5_phi_y_4_0 = p[23]
+    beam200_clamped_free5_xi_phi_y_0_0 = p[24]
+    beam200_clamped_free5_xi_phi_y_1_0 = p[25]
+    beam200_clamped_free5_xi_phi_y_2_0 = p[26]
+    beam200_clamped_free5_xi_phi_y_3_0 = p[27]
+    beam200_clamped_free5_xi_phi_y_4_0 = p[28]
+    beam200_clamped_free5_H_0_0 = p[29]
+    beam200_clamped_free5_H_0_1 = p[30]
+    beam200_clamped_free5_H_0_2 = p[31]
+    beam200_clamped_free5_H_0_3 = p[32]
+    beam200_clamped_free5_H_0_4 = p[33]
+    beam200_clamped_free5_H_1_0 = p[34]
+    beam200_clamped_free5_H_1_1 = p[35]
+    beam200_clamped_free5_H_1_2 = p[36]
+    beam200_clamped_free5_H_1_3 = p[37]
+    beam200_clamped_free5_H_1_4 = p[38]
+    beam200_clamped_free5_H_2_0 = p[39]
+    beam200_clamped_free5_H_2_1 = p[40]
+    beam200_clamped_free5_H_2_2 = p[41]
+    beam200_clamped_free5_H_2_3 = p[42]
+    beam200_clamped_free5_H_2_4 = p[43]
+    beam200_clamped_free5_H_3_0 = p[44]
+    beam200_clamped_free5_H_3_1 = p[45]
+    beam200_clamped_free5_H_3_2 = p[46]
+    beam200_clamped_free5_H_3_3 = p[47]
+    beam200_clamped_free5_H_3_4 = p[48]
+    beam200_clamped_free5_H_4_0 = p[49]
+    beam200_clamped_free5_H_4_1 = p[50]
+    beam200_clamped_free5_H_4_2 = p[51]
+    beam200_clamped_free5_H_4_3 = p[52]
+    beam200_clamped_free5_H_4_4 = p[53]
+    beam200_clamped_free5_xH_0_0 = p[54]
+    beam200_clamped_free5_xH_0_1 = p[55]
+    beam200_clamped_free5_xH_0_2 = p[56]
+    beam200_clamped_free5_xH_0_3 = p[57]
+    beam200_clamped_free5_xH_0_4 = p[58]
+    beam200_clamped_free5_xH_1_0 = p[59]
+    beam200_clamped_free5_xH_1_1 = p[60]
+    beam200_clamped_free5_xH_1_2 = p[61]
+    beam200_clamped_free5_xH_1_3 = p[62]
+    beam200_clamped_free5_xH_1_4 = p[63]
+    beam200_clamped_free5_xH_2_0 = p[64]
+    beam200_clamped_free5_xH_2_1 = p[65]
+    beam200_clamped_free5_xH_2_2 = p[66]
+    beam200_clamped_free5_xH_2_3 = p[67]
+    beam200_clamped_free5_xH_2_4 = p[68]
+    beam200_clamped_free5_xH_3_0 = p[69]
+    beam200_clamped_free5_xH_3_1 = p[70]
+    beam200_clamped_free5_xH_3_2 = p[71]
+    beam200_clamped_free5_xH_3_3 = p[72]
+    beam200_clamped_free5_xH_3_4 = p[73]
+    beam200_clamped_free5_xH_4_0 = p[74]
+    beam200_clamped_free5_xH_4_1 = p[75]
+    beam200_clamped_free5_xH_4_2 = p[76]
+    beam200_clamped_free5_xH_4_3 = p[77]
+    beam200_clamped_free5_xH_4_4 = p[78]
+    beam200_clamped_free5_1_0_shape_1_0 = p[79]
+    beam200_clamped_free5_1_0_shape_1_1 = p[80]
+    beam200_clamped_free5_1_0_shape_1_2 = p[81]
+    beam200_clamped_free5_1_0_shape_1_3 = p[82]
+    beam200_clamped_free5_1_0_shape_1_4 = p[83]
+    beam200_clamped_free5_1_0_H_0_0 = p[89]
+    beam200_clamped_free5_1_0_H_0_1 = p[90]
+    beam200_clamped_free5_1_0_H_0_2 = p[91]
+    beam200_clamped_free5_1_0_H_0_3 = p[92]
+    beam200_clamped_free5_1_0_H_0_4 = p[93]
+    beam200_clamped_free5_1_0_H_1_0 = p[94]
+    beam200_clamped_free5_1_0_H_1_1 = p[95]
+    beam200_clamped_free5_1_0_H_1_2 = p[96]
+    beam200_clamped_free5_1_0_H_1_3 = p[97]
+    beam200_clamped_free5_1_0_H_1_4 = p[98]
+    beam200_clamped_free5_1_0_H_2_0 = p[99]
+    beam200_clamped_free5_1_0_H_2_1 = p[100]
+    beam200_clamped_free5_1_0_H_2_2 = p[101]
+    beam200_clamped_free5_1_0_H_2_3 = p[102]
+    beam200_clamped_free5_1_0_H_2_4 = p[103]
+    beam200_clamped_free5_1_0_H_3_0 = p[104]
+    beam200_clamped_free5_1_0_H_3_1 = p[105]
+    beam200_clamped_free5_1_0_H_3_2 = p[106]
+    beam200_clamped_free5_1_0_H_3_3 = p[107]
+    beam200_clamped_free5_1_0_H_3_4 = p[108]
+    beam200_clamped_free5_1_0_H_4_0 = p[109]
+    beam200_clamped_free5_1_0_H_4_1 = p[110]
+    beam200_clamped_free5_1_0_H_4_2 = p[111]
+    beam200_clamped_free5_1_0_H_4_3 = p[112]
+    beam200_clamped_free5_1_0_H_4_4 = p[113]
+    beam200_clamped_free5_0_0625_at_0_0 = p[114]
+    beam200_clamped_free5_0_0625_shape_1_0 = p[115]
+    beam200_clamped_free5_0_0625_shape_1_1 = p[116]
+    beam200_clamped_free5_0_0625_shape_1_2 = p[117]
+    beam200_clamped_free5_0_0625_shape_1_3 = p[118]
+    beam200_clamped_free5_0_0625_shape_1_4 = p[119]
+    beam200_clamped_free5_0_0625_H_0_0 = p[125]
+    beam200_clamped_free5_0_0625_H_0_1 = p[126]
+    beam200_clamped_free5_0_0625_H_0_2 = p[127]
+    beam200_clamped_free5_0_0625_H_0_3 = p[128]
+    beam200_clamped_free5_0_0625_H_0_4 = p[129]
+    beam200_clamped_free5_0_0625_H_1_0 = p[130]
+    beam200_clamped_free5_0_0625_H_1_1 = p[131]
+    beam200_clamped_free5_0_0625_H_1_2 = p[132]
+    beam200_clamped_free5_0_0625_H_1_3 = p[133]
+    beam200_clamped_free5_0_0625_H_1_4 = p[134]
+    beam200_clamped_free5_0_0625_H_2_0 = p[135]
+    beam200_clamped_free5_0_0625_H_2_1 = p[136]
+    beam200_clamped_free5_0_0625_H_2_2 = p[137]
+    beam200_clamped_free5_0_0625_H_2_3 = p[138]
+    beam200_clamped_free5_0_0625_H_2_4 = p[139]
+    beam200_clamped_free5_0_0625_H_3_0 = p[140]
+    beam200_clamped_free5_0_0625_H_3_1 = p[141]
+    beam200_clamped_free5_0_0625_H_3_2 = p[142]
+    beam200_clamped_free5_0_0625_H_3_3 = p[143]
+    beam200_clamped_free5_0_0625_H_3_4 = p[144]
+    beam200_clamped_free5_0_0625_H_4_0 = p[145]
+    beam200_clamped_free5_0_0625_H_4_1 = p[146]
+    beam200_clamped_free5_0_0625_H_4_2 = p[147]
+    beam200_clamped_free5_0_0625_H_4_3 = p[148]
+    beam200_clamped_free5_0_0625_H_4_4 = p[149]
+    beam200_clamped_free5_0_125_at_0_0 = p[150]
+    beam200_clamped_free5_0_125_shape_1_0 = p[151]
+    beam200_clamped_free5_0_125_shape_1_1 = p[152]
+    beam200_clamped_free5_0_125_shape_1_2 = p[153]
+    beam200_clamped_free5_0_125_shape_1_3 = p[154]
+    beam200_clamped_free5_0_125_shape_1_4 = p[155]
+    beam200_clamped_free5_0_125_H_0_0 = p[161]
+    beam200_clamped_free5_0_125_H_0_1 = p[162]
+    beam200_clamped_free5_0_125_H_0_2 = p[163]
+    beam200_clamped_free5_0_125_H_0_3 = p[164]
+    beam200_clamped_free5_0_125_H_0_4 = p[165]
+    beam200_clamped_free5_0_125_H_1_0 = p[166]
+    beam200_clamped_free5_0_125_H_1_1 = p[167]
+    beam200_clamped_free5_0_125_H_1_2 = p[168]
+    beam200_clamped_free5_0_125_H_1_3 = p[169]
+    beam200_clamped_free5_0_125_H_1_4 = p[170]
+    beam200_clamped_free5_0_125_H_2_0 = p[171]
+    beam200_clamped_free5_0_125_H_2_1 = p[172]
+    beam200_clamped_free5_0_125_H_2_2 = p[173]
+    beam200_clamped_free5_0_125_H_2_3 = p[174]
+    beam200_clamped_free5_0_125_H_2_4 = p[175]
+    beam200_clamped_free5_0_125_H_3_0 = p[176]
+    beam200_clamped_free5_0_125_H_3_1 = p[177]
+    beam200_clamped_free5_0_125_H_3_2 = p[178]
+    beam200_clamped_free5_0_125_H_3_3 = p[179]
+    beam200_clamped_free5_0_125_H_3_4 = p[180]
+    beam200_clamped_free5_0_125_H_4_0 = p[181]
+    beam200_clamped_free5_0_125_H_4_1 = p[182]
+    beam200_clamped_free5_0_125_H_4_2 = p[183]
+    beam200_clamped_free5_0_125_H_4_3 = p[184]
+    beam200_clamped_free5_0_125_H_4_4 = p[185]
+    beam200_clamped_free5_0_1875_at_0_0 = p[186]
+    beam200_clamped_free5_0_1875_shape_1_0 = p[187]
+    beam200_clamped_free5_0_1875_shape_1_1 = p[188]
+    beam200_clamped_free5_0_1875_shape_1_2 = p[189]
+    beam200_clamped_free5_0_1875_shape_1_3 = p[190]
+    beam200_clamped_free5_0_1875_shape_1_4 = p[191]
+    beam200_clamped_free5_0_1875_H_0_0 = p[197]
+    beam200_clamped_free5_0_1875_H_0_1 = p[198]
+    beam200_clamped_free5_0_1875_H_0_2 = p[199]
+    beam200_clamped_free5_0_1875_H_0_3 = p[200]
+    beam200_clamped_free5_0_1875_H_0_4 = p[201]
+    beam200_clamped_free5_0_1875_H_1_0 = p[202]
+    beam200_clamped_free5_0_1875_H_1_1 = p[203]
+    beam200_clamped_free5_0_1875_H_1_2 = p[204]
+    beam200_clamped_free5_0_1875_H_1_3 = p[205]
+    beam200_clamped_free5_0_1875_H_1_4 = p[206]
+    beam200_clamped_free5_0_1875_H_2_0 = p[207]
+    beam200_clamped_free5_0_1875_H_2_1 = p[208]
+    beam200_clamped_free5_0_1875_H_2_2 = p[209]
+    beam200_clamped_free5_0_1875_H_2_3 = p[210]
+    beam200_clamped_free5_0_1875_H_2_4 = p[211]
+    beam200_clamped_free5_0_1875_H_3_0 = p[212]
+    beam200_clamped_free5_0_1875_H_3_1 = p[213]
+    beam200_clamped_free5_0_1875_H_3_2 = p[214]
+    beam200_clamped_free5_0_1875_H_3_3 = p[215]
+    beam200_clamped_free5_0_1875_H_3_4 = p[216]
+    beam200_clamped_free5_0_1875_H_4_0 = p[217]
+    beam200_clamped_free5_0_1875_H_4_1 = p[218]
+    beam200_clamped_free5_0_1875_H_4_2 = p[219]
+    beam200_clamped_free5_0_1875_H_4_3 = p[220]
+    beam200_clamped_free5_0_1875_H_4_4 = p[221]
+    beam200_clamped_free5_0_25_at_0_0 = p[222]
+    beam200_clamped_free5_0_25_shape_1_0 = p[223]
+    beam200_clamped_free5_0_25_shape_1_1 = p[224]
+    beam200_clamped_free5_0_25_shape_1_2 = p[225]
+    beam200_clamped_free5_0_25_shape_1_3 = p[226]
+    beam200_clamped_free5_0_25_shape_1_4 = p[227]
+    beam200_clamped_free5_0_25_H_0_0 = p[233]
+    beam200_clamped_free5_0_25_H_0_1 = p[234]
+    beam200_clamped_free5_0_25_H_0_2 = p[235]
+    beam200_clamped_free5_0_25_H_0_3 = p[236]
+    beam200_clamped_free5_0_25_H_0_4 = p[237]
+    beam200_clamped_free5_0_25_H_1_0 = p[238]
+    beam200_clamped_free5_0_25_H_1_1 = p[239]
+    beam200_clamped_free5_0_25_H_1_2 = p[240]
+    beam200_clamped_free5_0_25_H_1_3 = p[241]
+    beam200_clamped_free5_0_25_H_1_4 = p[242]
+    beam200_clamped_free5_0_25_H_2_0 = p[243]
+    beam200_clamped_free5_0_25_H_2_1 = p[244]
+    beam200_clamped_free5_0_25_H_2_2 = p[245]
+    beam200_clamped_free5_0_25_H_2_3 = p[246]
+    beam200_clamped_free5_0_25_H_2_4 = p[247]
+    beam200_clamped_free5_0_25_H_3_0 = p[248]
+    beam200_clamped_free5_0_25_H_3_1 = p[249]
+    beam200_clamped_free5_0_25_H_3_2 = p[250]
+    beam200_clamped_free5_0_25_H_3_3 = p[251]
+    beam200_clamped_free5_0_25_H_3_4 = p[252]
+    beam200_clamped_free5_0_25_H_4_0 = p[253]
+    beam200_clamped_free5_0_25_H_4_1 = p[254]
+    beam200_clamped_free5_0_25_H_4_2 = p[255]
+    beam200_clamped_free5_0_25_H_4_3 = p[256]
+    beam200_clamped_free5_0_25_H_4_4 = p[257]
+    beam200_clamped_free5_0_3125_at_0_0 = p[258]
+    beam200_clamped_free5_0_3125_shape_1_0 = p[259]
+    beam200_clamped_free5_0_3125_shape_1_1 = p[260]
+    beam200_clamped_free5_0_3125_shape_1_2 = p[261]
+    beam200_clamped_free5_0_3125_shape_1_3 = p[262]
+    beam200_clamped_free5_0_3125_shape_1_4 = p[263]
+    beam200_clamped_free5_0_3125_H_0_0 = p[269]
+    beam200_clamped_free5_0_3125_H_0_1 = p[270]
+    beam200_clamped_free5_0_3125_H_0_2 = p[271]
+    beam200_clamped_free5_0_3125_H_0_3 = p[272]
+    beam200_clamped_free5_0_3125_H_0_4 = p[273]
+    beam200_clamped_free5_0_3125_H_1_0 = p[274]
+    beam200_clamped_free5_0_3125_H_1_1 = p[275]
+    beam200_clamped_free5_0_3125_H_1_2 = p[276]
+    beam200_clamped_free5_0_3125_H_1_3 = p[277]
+    beam200_clamped_free5_0_3125_H_1_4 = p[278]
+    beam200_clamped_free5_0_3125_H_2_0 = p[279]
+    beam200_clamped_free5_0_3125_H_2_1 = p[280]
+    beam200_clamped_free5_0_3125_H_2_2 = p[281]
+    beam200_clamped_free5_0_3125_H_2_3 = p[282]
+    beam200_clamped_free5_0_3125_H_2_4 = p[283]
+    beam200_clamped_free5_0_3125_H_3_0 = p[284]
+    beam200_clamped_free5_0_3125_H_3_1 = p[285]
+    beam200_clamped_free5_0_3125_H_3_2 = p[286]
+    beam200_clamped_free5_0_3125_H_3_3 = p[287]
+    beam200_clamped_free5_0_3125_H_3_4 = p[288]
+    beam200_clamped_free5_0_3125_H_4_0 = p[289]
+    beam200_clamped_free5_0_3125_H_4_1 = p[290]
+    beam200_clamped_free5_0_3125_H_4_2 = p[291]
+    beam200_clamped_free5_0_3125_H_4_3 = p[292]
+    beam200_clamped_free5_0_3125_H_4_4 = p[293]
+    beam200_clamped_free5_0_375_at_0_0 = p[294]
+    beam200_clamped_free5_0_375_shape_1_0 = p[295]
+    beam200_clamped_free5_0_375_shape_1_1 = p[296]
+    beam200_clamped_free5_0_375_shape_1_2 = p[297]
+    beam200_clamped_free5_0_375_shape_1_3 = p[298]
+    beam200_clamped_free5_0_375_shape_1_4 = p[299]
+    beam200_clamped_free5_0_375_H_0_0 = p[305]
+    beam200_clamped_free5_0_375_H_0_1 = p[306]
+    beam200_clamped_free5_0_375_H_0_2 = p[307]
+    beam200_clamped_free5_0_375_H_0_3 = p[308]
+    beam200_clamped_free5_0_375_H_0_4 = p[309]
+    beam200_clamped_free5_0_375_H_1_0 = p[310]
+    beam200_clamped_free5_0_375_H_1_1 = p[311]
+    beam200_clamped_free5_0_375_H_1_2 = p[312]
+    beam200_clamped_free5_0_375_H_1_3 = p[313]
+    beam200_clamped_free5_0_375_H_1_4 = p[314]
+    beam200_clamped_free5_0_375_H_2_0 = p[315]
+    beam200_clamped_free5_0_375_H_2_1 = p[316]
+    beam200_clamped_free5_0_375_H_2_2 = p[317]
+    beam200_clamped_free5_0_375_H_2_3 = p[318]
+    beam200_clamped_free5_0_375_H_2_4 = p[319]
+    beam200_clamped_free5_0_375_H_3_0 = p[320]
+    beam200_clamped_free5_0_375_H_3_1 = p[321]
+    beam200_clamped_free5_0_375_H_3_2 = p[322]
+    beam200_clamped_free5_0_375_H_3_3 = p[323]
+    beam200_clamped_free5_0_375_H_3_4 = p[324]
+    beam200_clamped_free5_0_375_H_4_0 = p[325]
+    beam200_clamped_free5_0_375_H_4_1 = p[326]
+    beam200_clamped_free5_0_375_H_4_2 = p[327]
+    beam200_clamped_free5_0_375_H_4_3 = p[328]
+    beam200_clamped_free5_0_375_H_4_4 = p[329]
+    beam200_clamped_free5_0_4375_at_0_0 = p[330]
+    beam200_clamped_free5_0_4375_shape_1_0 = p[331]
+    beam200_clamped_free5_0_4375_shape_1_1 = p[332]
+    beam200_clamped_free5_0_4375_shape_1_2 = p[333]
+    beam200_clamped_free5_0_4375_shape_1_3 = p[334]
+    beam200_clamped_free5_0_4375_shape_1_4 = p[335]
+    beam200_clamped_free5_0_4375_H_0_0 = p[341]
+    beam200_clamped_free5_0_4375_H_0_1 = p[342]
+    beam200_clamped_free5_0_4375_H_0_2 = p[343]
+    beam200_clamped_free5_0_4375_H_0_3 = p[344]
+    beam200_clamped_free5_0_4375_H_0_4 = p[345]
+    beam200_clamped_free5_0_4375_H_1_0 = p[346]
+    beam200_clamped_free5_0_4375_H_1_1 = p[347]
+    beam200_clamped_free5_0_4375_H_1_2 = p[348]
+    beam200_clamped_free5_0_4375_H_1_3 = p[349]
+    beam200_clamped_free5_0_4375_H_1_4 = p[350]
+    beam200_clamped_free5_0_4375_H_2_0 = p[351]
+    beam200_clamped_free5_0_4375_H_2_1 = p[352]
+    beam200_clamped_free5_0_4375_H_2_2 = p[353]
+    beam200_clamped_free5_0_4375_H_2_3 = p[354]
+    beam200_clamped_free5_0_4375_H_2_4 = p[355]
+    beam200_clamped_free5_0_4375_H_3_0 = p[356]
+    beam200_clamped_free5_0_4375_H_3_1 = p[357]
+    beam200_clamped_free5_0_4375_H_3_2 = p[358]
+    beam200_clamped_free5_0_4375_H_3_3 = p[359]
+    beam200_clamped_free5_0_4375_H_3_4 = p[360]
+    beam200_clamped_free5_0_4375_H_4_0 = p[361]
+    beam200_clamped_free5_0_4375_H_4_1 = p[362]
+    beam200_clamped_free5_0_4375_H_4_2 = p[363]
+    beam200_clamped_free5_0_4375_H_4_3 = p[364]
+    beam200_clamped_free5_0_4375_H_4_4 = p[365]
+    beam200_clamped_free5_0_5_at_0_0 = p[366]
+    beam200_clamped_free5_0_5_shape_1_0 = p[367]
+    beam200_clamped_free5_0_5_shape_1_1 = p[368]
+    beam200_clamped_free5_0_5_shape_1_2 = p[369]
+    beam200_clamped_free5_0_5_shape_1_3 = p[370]
+    beam200_clamped_free5_0_5_shape_1_4 = p[371]
+    beam200_clamped_free5_0_5_H_0_0 = p[377]
+    beam200_clamped_free5_0_5_H_0_1 = p[378]
+    beam200_clamped_free5_0_5_H_0_2 = p[379]
+    beam200_clamped_free5_0_5_H_0_3 = p[380]
+    beam200_clamped_free5_0_5_H_0_4 = p[381]
+    beam200_clamped_free5_0_5_H_1_0 = p[382]
+    beam200_clamped_free5_0_5_H_1_1 = p[383]
+    beam200_clamped_free5_0_5_H_1_2 = p[384]
+    beam200_clamped_free5_0_5_H_1_3 = p[385]
+    beam200_clamped_free5_0_5_H_1_4 = p[386]
+    beam200_clamped_free5_0_5_H_2_0 = p[387]
+    beam200_clamped_free5_0_5_H_2_1 = p[388]
+    beam200_clamped_free5_0_5_H_2_2 = p[389]
+    beam200_clamped_free5_0_5_H_2_3 = p[390]
+    beam200_clamped_free5_0_5_H_2_4 = p[391]
+    beam200_clamped_free5_0_5_H_3_0 = p[392]
+    beam200_clamped_free5_0_5_H_3_1 = p[393]
+    beam200_clamped_free5_0_5_H_3_2 = p[394]
+    beam200_clamped_free5_0_5_H_3_3 = p[395]
+    beam200_clamped_free5_0_5_H_3_4 = p[396]
+    beam200_clamped_free5_0_5_H_4_0 = p[397]
+    beam200_clamped_free5_0_5_H_4_1 = p[398]
+    beam200_clamped_free5_0_5_H_4_2 = p[399]
+    beam200_clamped_free5_0_5_H_4_3 = p[400]
+    beam200_clamped_free5_0_5_H_4_4 = p[401]
+    beam200_clamped_free5_0_5625_at_0_0 = p[402]
+    beam200_clamped_free5_0_5625_shape_1_0 = p[403]
+    beam200_clamped_free5_0_5625_shape_1_1 = p[404]
+    beam200_clamped_free5_0_5625_shape_1_2 = p[405]
+    beam200_clamped_free5_0_5625_shape_1_3 = p[406]
+    beam200_clamped_free5_0_5625_shape_1_4 = p[407]
+    beam200_clamped_free5_0_5625_H_0_0 = p[413]
+    beam200_clamped_free5_0_5625_H_0_1 = p[414]
+    beam200_clamped_free5_0_5625_H_0_2 = p[415]
+    beam200_clamped_free5_0_5625_H_0_3 = p[416]
+    beam200_clamped_free5_0_5625_H_0_4 = p[417]
+    beam200_clamped_free5_0_5625_H_1_0 = p[418]
+    beam200_clamped_free5_0_5625_H_1_1 = p[419]
+    beam200_clamped_free5_0_5625_H_1_2 = p[420]
+    beam200_clamped_free5_0_5625_H_1_3 = p[421]
+    beam200_clamped_free5_0_5625_H_1_4 = p[422]
+    beam200_clamped_free5_0_5625_H_2_0 = p[423]
+    beam200_clamped_free5_0_5625_H_2_1 = p[424]
+    beam200_clamped_free5_0_5625_H_2_2 = p[425]
+    beam200_clamped_free5_0_5625_H_2_3 = p[426]
+    beam200_clamped_free5_0_5625_H_2_4 = p[427]
+    beam200_clamped_free5_0_5625_H_3_0 = p[428]
+    beam200_clamped_free5_0_5625_H_3_1 = p[429]
+    beam200_clamped_free5_0_5625_H_3_2 = p[430]
+    beam200_clamped_free5_0_5625_H_3_3 = p[431]
+    beam200_clamped_free5_0_5625_H_3_4 = p[432]
+    beam200_clamped_free5_0_5625_H_4_0 = p[433]
+    beam200_clamped_free5_0_5625_H_4_1 = p[434]
+    beam200_clamped_free5_0_5625_H_4_2 = p[435]
+    beam200_clamped_free5_0_5625_H_4_3 = p[436]
+    beam200_clamped_free5_0_5625_H_4_4 = p[437]
+    beam200_clamped_free5_0_625_at_0_0 = p[438]
+    beam200_clamped_free5_0_625_shape_1_0 = p[439]
+    beam200_clamped_free5_0_625_shape_1_1 = p[440]
+    beam200_clamped_free5_0_625_shape_1_2 = p[441]
+    beam200_clamped_free5_0_625_shape_1_3 = p[442]
+    beam200_clamped_free5_0_625_shape_1_4 = p[443]
+    beam200_clamped_free5_0_625_H_0_0 = p[449]
+    beam200_clamped_free5_0_625_H_0_1 = p[450]
+    beam200_clamped_free5_0_625_H_0_2 = p[451]
+    beam200_clamped_free5_0_625_H_0_3 = p[452]
+    beam200_clamped_free5_0_625_H_0_4 = p[453]
+    beam200_clamped_free5_0_625_H_1_0 = p[454]
+    beam200_clamped_free5_0_625_H_1_1 = p[455]
+    beam200_clamped_free5_0_625_H_1_2 = p[456]
+    beam200_clamped_free5_0_625_H_1_3 = p[457]
+    beam200_clamped_free5_0_625_H_1_4 = p[458]
+    beam200_clamped_free5_0_625_H_2_0 = p[459]
+    beam200_clamped_free5_0_625_H_2_1 = p[460]
+    beam200_clamped_free5_0_625_H_2_2 = p[461]
+    beam200_clamped_free5_0_625_H_2_3 = p[462]
+    beam200_clamped_free5_0_625_H_2_4 = p[463]
+    beam200_clamped_free5_0_625_H_3_0 = p[464]
+    beam200_clamped_free5_0_625_H_3_1 = p[465]
+    beam200_clamped_free5_0_625_H_3_2 = p[466]
+    beam200_clamped_free5_0_625_H_3_3 = p[467]
+    beam200_clamped_free5_0_625_H_3_4 = p[468]
+    beam200_clamped_free5_0_625_H_4_0 = p[469]
+    beam200_clamped_free5_0_625_H_4_1 = p[470]
+    beam200_clamped_free5_0_625_H_4_2 = p[471]
+    beam200_clamped_free5_0_625_H_4_3 = p[472]
+    beam200_clamped_free5_0_625_H_4_4 = p[473]
+    beam200_clamped_free5_0_6875_at_0_0 = p[474]
+    beam200_clamped_free5_0_6875_shape_1_0 = p[475]
+    beam200_clamped_free5_0_6875_shape_1_1 = p[476]
+    beam200_clamped_free5_0_6875_shape_1_2 = p[477]
+    beam200_clamped_free5_0_6875_shape_1_3 = p[478]
+    beam200_clamped_free5_0_6875_shape_1_4 = p[479]
+    beam200_clamped_free5_0_6875_H_0_0 = p[485]
+    beam200_clamped_free5_0_6875_H_0_1 = p[486]
+    beam200_clamped_free5_0_6875_H_0_2 = p[487]
+    beam200_clamped_free5_0_6875_H_0_3 = p[488]
+    beam200_clamped_free5_0_6875_H_0_4 = p[489]
+    beam200_clamped_free5_0_6875_H_1_0 = p[490]
+    beam200_clamped_free5_0_6875_H_1_1 = p[491]
+    beam200_clamped_free5_0_6875_H_1_2 = p[492]
+    beam200_clamped_free5_0_6875_H_1_3 = p[493]
+    beam200_clamped_free5_0_6875_H_1_4 = p[494]
+    beam200_clamped_free5_0_6875_H_2_0 = p[495]
+    beam200_clamped_free5_0_6875_H_2_1 = p[496]
+    beam200_clamped_free5_0_6875_H_2_2 = p[497]
+    beam200_clamped_free5_0_6875_H_2_3 = p[498]
+    beam200_clamped_free5_0_6875_H_2_4 = p[499]
+    beam200_clamped_free5_0_6875_H_3_0 = p[500]
+    beam200_clamped_free5_0_6875_H_3_1 = p[501]
+    beam200_clamped_free5_0_6875_H_3_2 = p[502]
+    beam200_clamped_free5_0_6875_H_3_3 = p[503]
+    beam200_clamped_free5_0_6875_H_3_4 = p[504]
+    beam200_clamped_free5_0_6875_H_4_0 = p[505]
+    beam200_clamped_free5_0_6875_H_4_1 = p[506]
+    beam200_clamped_free5_0_6875_H_4_2 = p[507]
+    beam200_clamped_free5_0_6875_H_4_3 = p[508]
+    beam200_clamped_free5_0_6875_H_4_4 = p[509]
+    beam200_clamped_free5_0_75_at_0_0 = p[510]
+    beam200_clamped_free5_0_75_shape_1_0 = p[511]
+    beam200_clamped_free5_0_75_shape_1_1 = p[512]
+    beam200_clamped_free5_0_75_shape_1_2 = p[513]
+    beam200_clamped_free5_0_75_shape_1_3 = p[514]
+    beam200_clamped_free5_0_75_shape_1_4 = p[515]
+    beam200_clamped_free5_0_75_H_0_0 = p[521]
+    beam200_clamped_free5_0_75_H_0_1 = p[522]
+    beam200_clamped_free5_0_75_H_0_2 = p[523]
+    beam200_clamped_free5_0_75_H_0_3 = p[524]
+    beam200_clamped_free5_0_75_H_0_4 = p[525]
+    beam200_clamped_free5_0_75_H_1_0 = p[526]
+    beam200_clamped_free5_0_75_H_1_1 = p[527]
+    beam200_clamped_free5_0_75_H_1_2 = p[528]
+    beam200_clamped_free5_0_75_H_1_3 = p[529]
+    beam200_clamped_free5_0_75_H_1_4 = p[530]
+    beam200_clamped_free5_0_75_H_2_0 = p[531]
+    beam200_clamped_free5_0_75_H_2_1 = p[532]
+    beam200_clamped_free5_0_75_H_2_2 = p[533]
+    beam200_clamped_free5_0_75_H_2_3 = p[534]
+    beam200_clamped_free5_0_75_H_2_4 = p[535]
+    beam200_clamped_free5_0_75_H_3_0 = p[536]
+    beam200_clamped_free5_0_75_H_3_1 = p[537]
+    beam200_clamped_free5_0_75_H_3_2 = p[538]
+    beam200_clamped_free5_0_75_H_3_3 = p[539]
+    beam200_clamped_free5_0_75_H_3_4 = p[540]
+    beam200_clamped_free5_0_75_H_4_0 = p[541]
+    beam200_clamped_free5_0_75_H_4_1 = p[542]
+    beam200_clamped_free5_0_75_H_4_2 = p[543]
+    beam200_clamped_free5_0_75_H_4_3 = p[544]
+    beam200_clamped_free5_0_75_H_4_4 = p[545]
+    beam200_clamped_free5_0_8125_at_0_0 = p[546]
+    beam200_clamped_free5_0_8125_shape_1_0 = p[547]
+    beam200_clamped_free5_0_8125_shape_1_1 = p[548]
+    beam200_clamped_free5_0_8125_shape_1_2 = p[549]
+    beam200_clamped_free5_0_8125_shape_1_3 = p[550]
+    beam200_clamped_free5_0_8125_shape_1_4 = p[551]
+    beam200_clamped_free5_0_8125_H_0_0 = p[557]
+    beam200_clamped_free5_0_8125_H_0_1 = p[558]
+    beam200_clamped_free5_0_8125_H_0_2 = p[559]
+    beam200_clamped_free5_0_8125_H_0_3 = p[560]
+    beam200_clamped_free5_0_8125_H_0_4 = p[561]
+    beam200_clamped_free5_0_8125_H_1_0 = p[562]
+    beam200_clamped_free5_0_8125_H_1_1 = p[563]
+    beam200_clamped_free5_0_8125_H_1_2 = p[564]
+    beam200_clamped_free5_0_8125_H_1_3 = p[565]
+    beam200_clamped_free5_0_8125_H_1_4 = p[566]
+    beam200_clamped_free5_0_8125_H_2_0 = p[567]
+    beam200_clamped_free5_0_8125_H_2_1 = p[568]
+    beam200_clamped_free5_0_8125_H_2_2 = p[569]
+    beam200_clamped_free5_0_8125_H_2_3 = p[570]
+    beam200_clamped_free5_0_8125_H_2_4 = p[571]
+    beam200_clamped_free5_0_8125_H_3_0 = p[572]
+    beam200_clamped_free5_0_8125_H_3_1 = p[573]
+    beam200_clamped_free5_0_8125_H_3_2 = p[574]
+    beam200_clamped_free5_0_8125_H_3_3 = p[575]
+    beam200_clamped_free5_0_8125_H_3_4 = p[576]
+    beam200_clamped_free5_0_8125_H_4_0 = p[577]
+    beam200_clamped_free5_0_8125_H_4_1 = p[578]
+    beam200_clamped_free5_0_8125_H_4_2 = p[579]
+    beam200_clamped_free5_0_8125_H_4_3 = p[580]
+    beam200_clamped_free5_0_8125_H_4_4 = p[581]
+    beam200_clamped_free5_0_875_at_0_0 = p[582]
+    beam200_clamped_free5_0_875_shape_1_0 = p[583]
+    beam200_clamped_free5_0_875_shape_1_1 = p[584]
+    beam200_clamped_free5_0_875_shape_1_2 = p[585]
+    beam200_clamped_free5_0_875_shape_1_3 = p[586]
+    beam200_clamped_free5_0_875_shape_1_4 = p[587]
+    beam200_clamped_free5_0_875_H_0_0 = p[593]
+    beam200_clamped_free5_0_875_H_0_1 = p[594]
+    beam200_clamped_free5_0_875_H_0_2 = p[595]
+    beam200_clamped_free5_0_875_H_0_3 = p[596]
+    beam200_clamped_free5_0_875_H_0_4 = p[597]
+    beam200_clamped_free5_0_875_H_1_0 = p[598]
+    beam200_clamped_free5_0_875_H_1_1 = p[599]
+    beam200_clamped_free5_0_875_H_1_2 = p[600]
+    beam200_clamped_free5_0_875_H_1_3 = p[601]
+    beam200_clamped_free5_0_875_H_1_4 = p[602]
+    beam200_clamped_free5_0_875_H_2_0 = p[603]
+    beam200_clamped_free5_0_875_H_2_1 = p[604]
+    beam200_clamped_free5_0_875_H_2_2 = p[605]
+    beam200_clamped_free5_0_875_H_2_3 = p[606]
+    beam200_clamped_free5_0_875_H_2_4 = p[607]
+    beam200_clamped_free5_0_875_H_3_0 = p[608]
+    beam200_clamped_free5_0_875_H_3_1 = p[609]
+    beam200_clamped_free5_0_875_H_3_2 = p[610]
+    beam200_clamped_free5_0_875_H_3_3 = p[611]
+    beam200_clamped_free5_0_875_H_3_4 = p[612]
+    beam200_clamped_free5_0_875_H_4_0 = p[613]
+    beam200_clamped_free5_0_875_H_4_1 = p[614]
+    beam200_clamped_free5_0_875_H_4_2 = p[615]
+    beam200_clamped_free5_0_875_H_4_3 = p[616]
+    beam200_clamped_free5_0_875_H_4_4 = p[617]
+    beam200_clamped_free5_0_9375_at_0_0 = p[618]
+    beam200_clamped_free5_0_9375_shape_1_0 = p[619]
+    beam200_clamped_free5_0_9375_shape_1_1 = p[620]
+    beam200_clamped_free5_0_9375_shape_1_2 = p[621]
+    beam200_clamped_free5_0_9375_shape_1_3 = p[622]
+    beam200_clamped_free5_0_9375_shape_1_4 = p[623]
+    beam200_clamped_free5_0_9375_H_0_0 = p[629]
+    beam200_clamped_free5_0_9375_H_0_1 = p[630]
+    beam200_clamped_free5_0_9375_H_0_2 = p[631]
+    beam200_clamped_free5_0_9375_H_0_3 = p[632]
+    beam200_clamped_free5_0_9375_H_0_4 = p[633]
+    beam200_clamped_free5_0_9375_H_1_0 = p[634]
+    beam200_clamped_free5_0_9375_H_1_1 = p[635]
+    beam200_clamped_free5_0_9375_H_1_2 = p[636]
+    beam200_clamped_free5_0_9375_H_1_3 = p[637]
+    beam200_clamped_free5_0_9375_H_1_4 = p[638]
+    beam200_clamped_free5_0_9375_H_2_0 = p[639]
+    beam200_clamped_free5_0_9375_H_2_1 = p[640]
+    beam200_clamped_free5_0_9375_H_2_2 = p[641]
+    beam200_clamped_free5_0_9375_H_2_3 = p[642]
+    beam200_clamped_free5_0_9375_H_2_4 = p[643]
+    beam200_clamped_free5_0_9375_H_3_0 = p[644]
+    beam200_clamped_free5_0_9375_H_3_1 = p[645]
+    beam200_clamped_free5_0_9375_H_3_2 = p[646]
+    beam200_clamped_free5_0_9375_H_3_3 = p[647]
+    beam200_clamped_free5_0_9375_H_3_4 = p[648]
+    beam200_clamped_free5_0_9375_H_4_0 = p[649]
+    beam200_clamped_free5_0_9375_H_4_1 = p[650]
+    beam200_clamped_free5_0_9375_H_4_2 = p[651]
+    beam200_clamped_free5_0_9375_H_4_3 = p[652]
+    beam200_clamped_free5_0_9375_H_4_4 = p[653]
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
-    w2 = w1 * beam60_clamped_free5_mass_0_0
-    w3 = w1 * beam60_clamped_free5_mass_1_1
-    w4 = w1 * beam60_clamped_free5_mass_2_2
-    w5 = w1 * beam60_clamped_free5_mass_3_3
-    w6 = w1 * beam60_clamped_free5_mass_4_4
-    w7 = w1 * beam60_clamped_free5_xH_0_0
-    w8 = w1 * beam60_clamped_free5_xH_0_1
-    w9 = w1 * beam60_clamped_free5_xH_0_2
-    w10 = w1 * beam60_clamped_free5_xH_0_3
-    w11 = w1 * beam60_clamped_free5_xH_0_4
+    w2 = w1 * beam200_clamped_free5_mass_0_0
+    w3 = w1 * beam200_clamped_free5_mass_1_1
+    w4 = w1 * beam200_clamped_free5_mass_2_2
+    w5 = w1 * beam200_clamped_free5_mass_3_3
+    w6 = w1 * beam200_clamped_free5_mass_4_4
+    w7 = w1 * beam200_clamped_free5_xH_0_0
+    w8 = w1 * beam200_clamped_free5_xH_0_1
+    w9 = w1 * beam200_clamped_free5_xH_0_2
+    w10 = w1 * beam200_clamped_free5_xH_0_3
+    w11 = w1 * beam200_clamped_free5_xH_0_4
     w12 = beam_length**2
     w13 = beam_youngs_modulus * beam_second_moment / (beam_length * w12)
     w14 = w1 * beam_length
     w15 = 6.283185307179586 / ramp
     w16 = (ramp / 6.283185307179586)**2
-    w17 = w1 * beam60_clamped_free5_xH_1_0
-    w18 = w1 * beam60_clamped_free5_xH_1_1
-    w19 = w1 * beam60_clamped_free5_xH_1_2
-    w20 = w1 * beam60_clamped_free5_xH_1_3
-    w21 = w1 * beam60_clamped_free5_xH_1_4
-    w22 = w1 * beam60_clamped_free5_xH_2_0
-    w23 = w1 * beam60_clamped_free5_xH_2_1
-    w24 = w1 * beam60_clamped_free5_xH_2_2
-    w25 = w1 * beam60_clamped_free5_xH_2_3
-    w26 = w1 * beam60_clamped_free5_xH_2_4
-    w27 = w1 * beam60_clamped_free5_xH_3_0
-    w28 = w1 * beam60_clamped_free5_xH_3_1
-    w29 = w1 * beam60_clamped_free5_xH_3_2
-    w30 = w1 * beam60_clamped_free5_xH_3_3
-    w31 = w1 * beam60_clamped_free5_xH_3_4
-    w32 = w1 * beam60_clamped_free5_xH_4_0
-    w33 = w1 * beam60_clamped_free5_xH_4_1
-    w34 = w1 * beam60_clamped_free5_xH_4_2
-    w35 = w1 * beam60_clamped_free5_xH_4_3
-    w36 = w1 * beam60_clamped_free5_xH_4_4
+    w17 = w1 * beam200_clamped_free5_xH_1_0
+    w18 = w1 * beam200_clamped_free5_xH_1_1
+    w19 = w1 * beam200_clamped_free5_xH_1_2
+    w20 = w1 * beam200_clamped_free5_xH_1_3
+    w21 = w1 * beam200_clamped_free5_xH_1_4
+    w22 = w1 * beam200_clamped_free5_xH_2_0
+    w23 = w1 * beam200_clamped_free5_xH_2_1
+    w24 = w1 * beam200_clamped_free5_xH_2_2
+    w25 = w1 * beam200_clamped_free5_xH_2_3
+    w26 = w1 * beam200_clamped_free5_xH_2_4
+    w27 = w1 * beam200_clamped_free5_xH_3_0
+    w28 = w1 * beam200_clamped_free5_xH_3_1
+    w29 = w1 * beam200_clamped_free5_xH_3_2
+    w30 = w1 * beam200_clamped_free5_xH_3_3
+    w31 = w1 * beam200_clamped_free5_xH_3_4
+    w32 = w1 * beam200_clamped_free5_xH_4_0
+    w33 = w1 * beam200_clamped_free5_xH_4_1
+    w34 = w1 * beam200_clamped_free5_xH_4_2
+    w35 = w1 * beam200_clamped_free5_xH_4_3
+    w36 = w1 * beam200_clamped_free5_xH_4_4
     c = ca.vertcat(
         w2,
         w3,
@@ -631,9 +631,9 @@ def constants() -> ca.Function:
         w9,
         w10,
         w11,
-        w13 * beam60_clamped_free5_kappa_lateral_0_0,
+        w13 * beam200_clamped_free5_kappa_lateral_0_0,
         ramp,
-        w14 * beam60_clamped_free5_xi_phi_y_0_0,
+        w14 * beam200_clamped_free5_xi_phi_y_0_0,
         omega / ramp,
         w15**2 * w16,
         w17,
@@ -641,562 +641,562 @@ def constants() -> ca.Function:
         w19,
         w20,
         w21,
-        w13 * beam60_clamped_free5_kappa_lateral_1_1,
-        w14 * beam60_clamped_free5_xi_phi_y_1_0,
+        w13 * beam200_clamped_free5_kappa_lateral_1_1,
+        w14 * beam200_clamped_free5_xi_phi_y_1_0,
         w22,
         w23,
         w24,
         w25,
         w26,
-        w13 * beam60_clamped_free5_kappa_lateral_2_2,
-        w14 * beam60_clamped_free5_xi_phi_y_2_0,
+        w13 * beam200_clamped_free5_kappa_lateral_2_2,
+        w14 * beam200_clamped_free5_xi_phi_y_2_0,
         w27,
         w28,
         w29,
         w30,
         w31,
-        w13 * beam60_clamped_free5_kappa_lateral_3_3,
-        w14 * beam60_clamped_free5_xi_phi_y_3_0,
+        w13 * beam200_clamped_free5_kappa_lateral_3_3,
+        w14 * beam200_clamped_free5_xi_phi_y_3_0,
         w32,
         w33,
         w34,
         w35,
         w36,
-        w13 * beam60_clamped_free5_kappa_lateral_4_4,
-        w14 * beam60_clamped_free5_xi_phi_y_4_0,
+        w13 * beam200_clamped_free5_kappa_lateral_4_4,
+        w14 * beam200_clamped_free5_xi_phi_y_4_0,
         omega,
         w16,
         ramp / 2.0,
         w15 * w16,
         w1,
-        w14 * beam60_clamped_free5_s1_0_0,
-        w0 * beam60_clamped_free5_H_0_0,
-        w0 * beam60_clamped_free5_H_0_1,
-        w0 * beam60_clamped_free5_H_0_2,
-        w0 * beam60_clamped_free5_H_0_3,
-        w0 * beam60_clamped_free5_H_0_4,
-        w0 * beam60_clamped_free5_H_1_0,
-        w0 * beam60_clamped_free5_H_1_1,
-        w0 * beam60_clamped_free5_H_1_2,
-        w0 * beam60_clamped_free5_H_1_3,
-        w0 * beam60_clamped_free5_H_1_4,
-        w0 * beam60_clamped_free5_H_2_0,
-        w0 * beam60_clamped_free5_H_2_1,
-        w0 * beam60_clamped_free5_H_2_2,
-        w0 * beam60_clamped_free5_H_2_3,
-        w0 * beam60_clamped_free5_H_2_4,
-        w0 * beam60_clamped_free5_H_3_0,
-        w0 * beam60_clamped_free5_H_3_1,
-        w0 * beam60_clamped_free5_H_3_2,
-        w0 * beam60_clamped_free5_H_3_3,
-        w0 * beam60_clamped_free5_H_3_4,
-        w0 * beam60_clamped_free5_H_4_0,
-        w0 * beam60_clamped_free5_H_4_1,
-        w0 * beam60_clamped_free5_H_4_2,
-        w0 * beam60_clamped_free5_H_4_3,
-        w0 * beam60_clamped_free5_H_4_4,
-        w1 * beam60_clamped_free5_phi_y_0_0,
-        w1 * beam60_clamped_free5_phi_y_1_0,
-        w1 * beam60_clamped_free5_phi_y_2_0,
-        w1 * beam60_clamped_free5_phi_y_3_0,
-        w1 * beam60_clamped_free5_phi_y_4_0,
-        w1 * w12 * beam60_clamped_free5_i0_0_0,
+        w14 * beam200_clamped_free5_s1_0_0,
+        w0 * beam200_clamped_free5_H_0_0,
+        w0 * beam200_clamped_free5_H_0_1,
+        w0 * beam200_clamped_free5_H_0_2,
+        w0 * beam200_clamped_free5_H_0_3,
+        w0 * beam200_clamped_free5_H_0_4,
+        w0 * beam200_clamped_free5_H_1_0,
+        w0 * beam200_clamped_free5_H_1_1,
+        w0 * beam200_clamped_free5_H_1_2,
+        w0 * beam200_clamped_free5_H_1_3,
+        w0 * beam200_clamped_free5_H_1_4,
+        w0 * beam200_clamped_free5_H_2_0,
+        w0 * beam200_clamped_free5_H_2_1,
+        w0 * beam200_clamped_free5_H_2_2,
+        w0 * beam200_clamped_free5_H_2_3,
+        w0 * beam200_clamped_free5_H_2_4,
+        w0 * beam200_clamped_free5_H_3_0,
+        w0 * beam200_clamped_free5_H_3_1,
+        w0 * beam200_clamped_free5_H_3_2,
+        w0 * beam200_clamped_free5_H_3_3,
+        w0 * beam200_clamped_free5_H_3_4,
+        w0 * beam200_clamped_free5_H_4_0,
+        w0 * beam200_clamped_free5_H_4_1,
+        w0 * beam200_clamped_free5_H_4_2,
+        w0 * beam200_clamped_free5_H_4_3,
+        w0 * beam200_clamped_free5_H_4_4,
+        w1 * beam200_clamped_free5_phi_y_0_0,
+        w1 * beam200_clamped_free5_phi_y_1_0,
+        w1 * beam200_clamped_free5_phi_y_2_0,
+        w1 * beam200_clamped_free5_phi_y_3_0,
+        w1 * beam200_clamped_free5_phi_y_4_0,
+        w1 * w12 * beam200_clamped_free5_i0_0_0,
         beam_length,
-        beam60_clamped_free5_1_0_H_0_0 / beam_length,
-        beam60_clamped_free5_1_0_H_0_1 / beam_length,
-        beam60_clamped_free5_1_0_H_0_2 / beam_length,
-        beam60_clamped_free5_1_0_H_0_3 / beam_length,
-        beam60_clamped_free5_1_0_H_0_4 / beam_length,
-        beam60_clamped_free5_1_0_H_1_0 / beam_length,
-        beam60_clamped_free5_1_0_H_1_1 / beam_length,
-        beam60_clamped_free5_1_0_H_1_2 / beam_length,
-        beam60_clamped_free5_1_0_H_1_3 / beam_length,
-        beam60_clamped_free5_1_0_H_1_4 / beam_length,
-        beam60_clamped_free5_1_0_H_2_0 / beam_length,
-        beam60_clamped_free5_1_0_H_2_1 / beam_length,
-        beam60_clamped_free5_1_0_H_2_2 / beam_length,
-        beam60_clamped_free5_1_0_H_2_3 / beam_length,
-        beam60_clamped_free5_1_0_H_2_4 / beam_length,
-        beam60_clamped_free5_1_0_H_3_0 / beam_length,
-        beam60_clamped_free5_1_0_H_3_1 / beam_length,
-        beam60_clamped_free5_1_0_H_3_2 / beam_length,
-        beam60_clamped_free5_1_0_H_3_3 / beam_length,
-        beam60_clamped_free5_1_0_H_3_4 / beam_length,
-        beam60_clamped_free5_1_0_H_4_0 / beam_length,
-        beam60_clamped_free5_1_0_H_4_1 / beam_length,
-        beam60_clamped_free5_1_0_H_4_2 / beam_length,
-        beam60_clamped_free5_1_0_H_4_3 / beam_length,
-        beam60_clamped_free5_1_0_H_4_4 / beam_length,
-        beam60_clamped_free5_1_0_shape_1_0,
-        beam60_clamped_free5_1_0_shape_1_1,
-        beam60_clamped_free5_1_0_shape_1_2,
-        beam60_clamped_free5_1_0_shape_1_3,
-        beam60_clamped_free5_1_0_shape_1_4,
-        beam_length * beam60_clamped_free5_0_0625_at_0_0,
-        beam60_clamped_free5_0_0625_H_0_0 / beam_length,
-        beam60_clamped_free5_0_0625_H_0_1 / beam_length,
-        beam60_clamped_free5_0_0625_H_0_2 / beam_length,
-        beam60_clamped_free5_0_0625_H_0_3 / beam_length,
-        beam60_clamped_free5_0_0625_H_0_4 / beam_length,
-        beam60_clamped_free5_0_0625_H_1_0 / beam_length,
-        beam60_clamped_free5_0_0625_H_1_1 / beam_length,
-        beam60_clamped_free5_0_0625_H_1_2 / beam_length,
-        beam60_clamped_free5_0_0625_H_1_3 / beam_length,
-        beam60_clamped_free5_0_0625_H_1_4 / beam_length,
-        beam60_clamped_free5_0_0625_H_2_0 / beam_length,
-        beam60_clamped_free5_0_0625_H_2_1 / beam_length,
-        beam60_clamped_free5_0_0625_H_2_2 / beam_length,
-        beam60_clamped_free5_0_0625_H_2_3 / beam_length,
-        beam60_clamped_free5_0_0625_H_2_4 / beam_length,
-        beam60_clamped_free5_0_0625_H_3_0 / beam_length,
-        beam60_clamped_free5_0_0625_H_3_1 / beam_length,
-        beam60_clamped_free5_0_0625_H_3_2 / beam_length,
-        beam60_clamped_free5_0_0625_H_3_3 / beam_length,
-        beam60_clamped_free5_0_0625_H_3_4 / beam_length,
-        beam60_clamped_free5_0_0625_H_4_0 / beam_length,
-        beam60_clamped_free5_0_0625_H_4_1 / beam_length,
-        beam60_clamped_free5_0_0625_H_4_2 / beam_length,
-        beam60_clamped_free5_0_0625_H_4_3 / beam_length,
-        beam60_clamped_free5_0_0625_H_4_4 / beam_length,
-        beam60_clamped_free5_0_0625_shape_1_0,
-        beam60_clamped_free5_0_0625_shape_1_1,
-        beam60_clamped_free5_0_0625_shape_1_2,
-        beam60_clamped_free5_0_0625_shape_1_3,
-        beam60_clamped_free5_0_0625_shape_1_4,
-        beam_length * beam60_clamped_free5_0_125_at_0_0,
-        beam60_clamped_free5_0_125_H_0_0 / beam_length,
-        beam60_clamped_free5_0_125_H_0_1 / beam_length,
-        beam60_clamped_free5_0_125_H_0_2 / beam_length,
-        beam60_clamped_free5_0_125_H_0_3 / beam_length,
-        beam60_clamped_free5_0_125_H_0_4 / beam_length,
-        beam60_clamped_free5_0_125_H_1_0 / beam_length,
-        beam60_clamped_free5_0_125_H_1_1 / beam_length,
-        beam60_clamped_free5_0_125_H_1_2 / beam_length,
-        beam60_clamped_free5_0_125_H_1_3 / beam_length,
-        beam60_clamped_free5_0_125_H_1_4 / beam_length,
-        beam60_clamped_free5_0_125_H_2_0 / beam_length,
-        beam60_clamped_free5_0_125_H_2_1 / beam_length,
-        beam60_clamped_free5_0_125_H_2_2 / beam_length,
-        beam60_clamped_free5_0_125_H_2_3 / beam_length,
-        beam60_clamped_free5_0_125_H_2_4 / beam_length,
-        beam60_clamped_free5_0_125_H_3_0 / beam_length,
-        beam60_clamped_free5_0_125_H_3_1 / beam_length,
-        beam60_clamped_free5_0_125_H_3_2 / beam_length,
-        beam60_clamped_free5_0_125_H_3_3 / beam_length,
-        beam60_clamped_free5_0_125_H_3_4 / beam_length,
-        beam60_clamped_free5_0_125_H_4_0 / beam_length,
-        beam60_clamped_free5_0_125_H_4_1 / beam_length,
-        beam60_clamped_free5_0_125_H_4_2 / beam_length,
-        beam60_clamped_free5_0_125_H_4_3 / beam_length,
-        beam60_clamped_free5_0_125_H_4_4 / beam_length,
-        beam60_clamped_free5_0_125_shape_1_0,
-        beam60_clamped_free5_0_125_shape_1_1,
-        beam60_clamped_free5_0_125_shape_1_2,
-        beam60_clamped_free5_0_125_shape_1_3,
-        beam60_clamped_free5_0_125_shape_1_4,
-        beam_length * beam60_clamped_free5_0_1875_at_0_0,
-        beam60_clamped_free5_0_1875_H_0_0 / beam_length,
-        beam60_clamped_free5_0_1875_H_0_1 / beam_length,
-        beam60_clamped_free5_0_1875_H_0_2 / beam_length,
-        beam60_clamped_free5_0_1875_H_0_3 / beam_length,
-        beam60_clamped_free5_0_1875_H_0_4 / beam_length,
-        beam60_clamped_free5_0_1875_H_1_0 / beam_length,
-        beam60_clamped_free5_0_1875_H_1_1 / beam_length,
-        beam60_clamped_free5_0_1875_H_1_2 / beam_length,
-        beam60_clamped_free5_0_1875_H_1_3 / beam_length,
-        beam60_clamped_free5_0_1875_H_1_4 / beam_length,
-        beam60_clamped_free5_0_1875_H_2_0 / beam_length,
-        beam60_clamped_free5_0_1875_H_2_1 / beam_length,
-        beam60_clamped_free5_0_1875_H_2_2 / beam_length,
-        beam60_clamped_free5_0_1875_H_2_3 / beam_length,
-        beam60_clamped_free5_0_1875_H_2_4 / beam_length,
-        beam60_clamped_free5_0_1875_H_3_0 / beam_length,
-        beam60_clamped_free5_0_1875_H_3_1 / beam_length,
-        beam60_clamped_free5_0_1875_H_3_2 / beam_length,
-        beam60_clamped_free5_0_1875_H_3_3 / beam_length,
-        beam60_clamped_free5_0_1875_H_3_4 / beam_length,
-        beam60_clamped_free5_0_1875_H_4_0 / beam_length,
-        beam60_clamped_free5_0_1875_H_4_1 / beam_length,
-        beam60_clamped_free5_0_1875_H_4_2 / beam_length,
-        beam60_clamped_free5_0_1875_H_4_3 / beam_length,
-        beam60_clamped_free5_0_1875_H_4_4 / beam_length,
-        beam60_clamped_free5_0_1875_shape_1_0,
-        beam60_clamped_free5_0_1875_shape_1_1,
-        beam60_clamped_free5_0_1875_shape_1_2,
-        beam60_clamped_free5_0_1875_shape_1_3,
-        beam60_clamped_free5_0_1875_shape_1_4,
-        beam_length * beam60_clamped_free5_0_25_at_0_0,
-        beam60_clamped_free5_0_25_H_0_0 / beam_length,
-        beam60_clamped_free5_0_25_H_0_1 / beam_length,
-        beam60_clamped_free5_0_25_H_0_2 / beam_length,
-        beam60_clamped_free5_0_25_H_0_3 / beam_length,
-        beam60_clamped_free5_0_25_H_0_4 / beam_length,
-        beam60_clamped_free5_0_25_H_1_0 / beam_length,
-        beam60_clamped_free5_0_25_H_1_1 / beam_length,
-        beam60_clamped_free5_0_25_H_1_2 / beam_length,
-        beam60_clamped_free5_0_25_H_1_3 / beam_length,
-        beam60_clamped_free5_0_25_H_1_4 / beam_length,
-        beam60_clamped_free5_0_25_H_2_0 / beam_length,
-        beam60_clamped_free5_0_25_H_2_1 / beam_length,
-        beam60_clamped_free5_0_25_H_2_2 / beam_length,
-        beam60_clamped_free5_0_25_H_2_3 / beam_length,
-        beam60_clamped_free5_0_25_H_2_4 / beam_length,
-        beam60_clamped_free5_0_25_H_3_0 / beam_length,
-        beam60_clamped_free5_0_25_H_3_1 / beam_length,
-        beam60_clamped_free5_0_25_H_3_2 / beam_length,
-        beam60_clamped_free5_0_25_H_3_3 / beam_length,
-        beam60_clamped_free5_0_25_H_3_4 / beam_length,
-        beam60_clamped_free5_0_25_H_4_0 / beam_length,
-        beam60_clamped_free5_0_25_H_4_1 / beam_length,
-        beam60_clamped_free5_0_25_H_4_2 / beam_length,
-        beam60_clamped_free5_0_25_H_4_3 / beam_length,
-        beam60_clamped_free5_0_25_H_4_4 / beam_length,
-        beam60_clamped_free5_0_25_shape_1_0,
-        beam60_clamped_free5_0_25_shape_1_1,
-        beam60_clamped_free5_0_25_shape_1_2,
-        beam60_clamped_free5_0_25_shape_1_3,
-        beam60_clamped_free5_0_25_shape_1_4,
-        beam_length * beam60_clamped_free5_0_3125_at_0_0,
-        beam60_clamped_free5_0_3125_H_0_0 / beam_length,
-        beam60_clamped_free5_0_3125_H_0_1 / beam_length,
-        beam60_clamped_free5_0_3125_H_0_2 / beam_length,
-        beam60_clamped_free5_0_3125_H_0_3 / beam_length,
-        beam60_clamped_free5_0_3125_H_0_4 / beam_length,
-        beam60_clamped_free5_0_3125_H_1_0 / beam_length,
-        beam60_clamped_free5_0_3125_H_1_1 / beam_length,
-        beam60_clamped_free5_0_3125_H_1_2 / beam_length,
-        beam60_clamped_free5_0_3125_H_1_3 / beam_length,
-        beam60_clamped_free5_0_3125_H_1_4 / beam_length,
-        beam60_clamped_free5_0_3125_H_2_0 / beam_length,
-        beam60_clamped_free5_0_3125_H_2_1 / beam_length,
-        beam60_clamped_free5_0_3125_H_2_2 / beam_length,
-        beam60_clamped_free5_0_3125_H_2_3 / beam_length,
-        beam60_clamped_free5_0_3125_H_2_4 / beam_length,
-        beam60_clamped_free5_0_3125_H_3_0 / beam_length,
-        beam60_clamped_free5_0_3125_H_3_1 / beam_length,
-        beam60_clamped_free5_0_3125_H_3_2 / beam_length,
-        beam60_clamped_free5_0_3125_H_3_3 / beam_length,
-        beam60_clamped_free5_0_3125_H_3_4 / beam_length,
-        beam60_clamped_free5_0_3125_H_4_0 / beam_length,
-        beam60_clamped_free5_0_3125_H_4_1 / beam_length,
-        beam60_clamped_free5_0_3125_H_4_2 / beam_length,
-        beam60_clamped_free5_0_3125_H_4_3 / beam_length,
-        beam60_clamped_free5_0_3125_H_4_4 / beam_length,
-        beam60_clamped_free5_0_3125_shape_1_0,
-        beam60_clamped_free5_0_3125_shape_1_1,
-        beam60_clamped_free5_0_3125_shape_1_2,
-        beam60_clamped_free5_0_3125_shape_1_3,
-        beam60_clamped_free5_0_3125_shape_1_4,
-        beam_length * beam60_clamped_free5_0_375_at_0_0,
-        beam60_clamped_free5_0_375_H_0_0 / beam_length,
-        beam60_clamped_free5_0_375_H_0_1 / beam_length,
-        beam60_clamped_free5_0_375_H_0_2 / beam_length,
-        beam60_clamped_free5_0_375_H_0_3 / beam_length,
-        beam60_clamped_free5_0_375_H_0_4 / beam_length,
-        beam60_clamped_free5_0_375_H_1_0 / beam_length,
-        beam60_clamped_free5_0_375_H_1_1 / beam_length,
-        beam60_clamped_free5_0_375_H_1_2 / beam_length,
-        beam60_clamped_free5_0_375_H_1_3 / beam_length,
-        beam60_clamped_free5_0_375_H_1_4 / beam_length,
-        beam60_clamped_free5_0_375_H_2_0 / beam_length,
-        beam60_clamped_free5_0_375_H_2_1 / beam_length,
-        beam60_clamped_free5_0_375_H_2_2 / beam_length,
-        beam60_clamped_free5_0_375_H_2_3 / beam_length,
-        beam60_clamped_free5_0_375_H_2_4 / beam_length,
-        beam60_clamped_free5_0_375_H_3_0 / beam_length,
-        beam60_clamped_free5_0_375_H_3_1 / beam_length,
-        beam60_clamped_free5_0_375_H_3_2 / beam_length,
-        beam60_clamped_free5_0_375_H_3_3 / beam_length,
-        beam60_clamped_free5_0_375_H_3_4 / beam_length,
-        beam60_clamped_free5_0_375_H_4_0 / beam_length,
-        beam60_clamped_free5_0_375_H_4_1 / beam_length,
-        beam60_clamped_free5_0_375_H_4_2 / beam_length,
-        beam60_clamped_free5_0_375_H_4_3 / beam_length,
-        beam60_clamped_free5_0_375_H_4_4 / beam_length,
-        beam60_clamped_free5_0_375_shape_1_0,
-        beam60_clamped_free5_0_375_shape_1_1,
-        beam60_clamped_free5_0_375_shape_1_2,
-        beam60_clamped_free5_0_375_shape_1_3,
-        beam60_clamped_free5_0_375_shape_1_4,
-        beam_length * beam60_clamped_free5_0_4375_at_0_0,
-        beam60_clamped_free5_0_4375_H_0_0 / beam_length,
-        beam60_clamped_free5_0_4375_H_0_1 / beam_length,
-        beam60_clamped_free5_0_4375_H_0_2 / beam_length,
-        beam60_clamped_free5_0_4375_H_0_3 / beam_length,
-        beam60_clamped_free5_0_4375_H_0_4 / beam_length,
-        beam60_clamped_free5_0_4375_H_1_0 / beam_length,
-        beam60_clamped_free5_0_4375_H_1_1 / beam_length,
-        beam60_clamped_free5_0_4375_H_1_2 / beam_length,
-        beam60_clamped_free5_0_4375_H_1_3 / beam_length,
-        beam60_clamped_free5_0_4375_H_1_4 / beam_length,
-        beam60_clamped_free5_0_4375_H_2_0 / beam_length,
-        beam60_clamped_free5_0_4375_H_2_1 / beam_length,
-        beam60_clamped_free5_0_4375_H_2_2 / beam_length,
-        beam60_clamped_free5_0_4375_H_2_3 / beam_length,
-        beam60_clamped_free5_0_4375_H_2_4 / beam_length,
-        beam60_clamped_free5_0_4375_H_3_0 / beam_length,
-        beam60_clamped_free5_0_4375_H_3_1 / beam_length,
-        beam60_clamped_free5_0_4375_H_3_2 / beam_length,
-        beam60_clamped_free5_0_4375_H_3_3 / beam_length,
-        beam60_clamped_free5_0_4375_H_3_4 / beam_length,
-        beam60_clamped_free5_0_4375_H_4_0 / beam_length,
-        beam60_clamped_free5_0_4375_H_4_1 / beam_length,
-        beam60_clamped_free5_0_4375_H_4_2 / beam_length,
-        beam60_clamped_free5_0_4375_H_4_3 / beam_length,
-        beam60_clamped_free5_0_4375_H_4_4 / beam_length,
-        beam60_clamped_free5_0_4375_shape_1_0,
-        beam60_clamped_free5_0_4375_shape_1_1,
-        beam60_clamped_free5_0_4375_shape_1_2,
-        beam60_clamped_free5_0_4375_shape_1_3,
-        beam60_clamped_free5_0_4375_shape_1_4,
-        beam_length * beam60_clamped_free5_0_5_at_0_0,
-        beam60_clamped_free5_0_5_H_0_0 / beam_length,
-        beam60_clamped_free5_0_5_H_0_1 / beam_length,
-        beam60_clamped_free5_0_5_H_0_2 / beam_length,
-        beam60_clamped_free5_0_5_H_0_3 / beam_length,
-        beam60_clamped_free5_0_5_H_0_4 / beam_length,
-        beam60_clamped_free5_0_5_H_1_0 / beam_length,
-        beam60_clamped_free5_0_5_H_1_1 / beam_length,
-        beam60_clamped_free5_0_5_H_1_2 / beam_length,
-        beam60_clamped_free5_0_5_H_1_3 / beam_length,
-        beam60_clamped_free5_0_5_H_1_4 / beam_length,
-        beam60_clamped_free5_0_5_H_2_0 / beam_length,
-        beam60_clamped_free5_0_5_H_2_1 / beam_length,
-        beam60_clamped_free5_0_5_H_2_2 / beam_length,
-        beam60_clamped_free5_0_5_H_2_3 / beam_length,
-        beam60_clamped_free5_0_5_H_2_4 / beam_length,
-        beam60_clamped_free5_0_5_H_3_0 / beam_length,
-        beam60_clamped_free5_0_5_H_3_1 / beam_length,
-        beam60_clamped_free5_0_5_H_3_2 / beam_length,
-        beam60_clamped_free5_0_5_H_3_3 / beam_length,
-        beam60_clamped_free5_0_5_H_3_4 / beam_length,
-        beam60_clamped_free5_0_5_H_4_0 / beam_length,
-        beam60_clamped_free5_0_5_H_4_1 / beam_length,
-        beam60_clamped_free5_0_5_H_4_2 / beam_length,
-        beam60_clamped_free5_0_5_H_4_3 / beam_length,
-        beam60_clamped_free5_0_5_H_4_4 / beam_length,
-        beam60_clamped_free5_0_5_shape_1_0,
-        beam60_clamped_free5_0_5_shape_1_1,
-        beam60_clamped_free5_0_5_shape_1_2,
-        beam60_clamped_free5_0_5_shape_1_3,
-        beam60_clamped_free5_0_5_shape_1_4,
-        beam_length * beam60_clamped_free5_0_5625_at_0_0,
-        beam60_clamped_free5_0_5625_H_0_0 / beam_length,
-        beam60_clamped_free5_0_5625_H_0_1 / beam_length,
-        beam60_clamped_free5_0_5625_H_0_2 / beam_length,
-        beam60_clamped_free5_0_5625_H_0_3 / beam_length,
-        beam60_clamped_free5_0_5625_H_0_4 / beam_length,
-        beam60_clamped_free5_0_5625_H_1_0 / beam_length,
-        beam60_clamped_free5_0_5625_H_1_1 / beam_length,
-        beam60_clamped_free5_0_5625_H_1_2 / beam_length,
-        beam60_clamped_free5_0_5625_H_1_3 / beam_length,
-        beam60_clamped_free5_0_5625_H_1_4 / beam_length,
-        beam60_clamped_free5_0_5625_H_2_0 / beam_length,
-        beam60_clamped_free5_0_5625_H_2_1 / beam_length,
-        beam60_clamped_free5_0_5625_H_2_2 / beam_length,
-        beam60_clamped_free5_0_5625_H_2_3 / beam_length,
-        beam60_clamped_free5_0_5625_H_2_4 / beam_length,
-        beam60_clamped_free5_0_5625_H_3_0 / beam_length,
-        beam60_clamped_free5_0_5625_H_3_1 / beam_length,
-        beam60_clamped_free5_0_5625_H_3_2 / beam_length,
-        beam60_clamped_free5_0_5625_H_3_3 / beam_length,
-        beam60_clamped_free5_0_5625_H_3_4 / beam_length,
-        beam60_clamped_free5_0_5625_H_4_0 / beam_length,
-        beam60_clamped_free5_0_5625_H_4_1 / beam_length,
-        beam60_clamped_free5_0_5625_H_4_2 / beam_length,
-        beam60_clamped_free5_0_5625_H_4_3 / beam_length,
-        beam60_clamped_free5_0_5625_H_4_4 / beam_length,
-        beam60_clamped_free5_0_5625_shape_1_0,
-        beam60_clamped_free5_0_5625_shape_1_1,
-        beam60_clamped_free5_0_5625_shape_1_2,
-        beam60_clamped_free5_0_5625_shape_1_3,
-        beam60_clamped_free5_0_5625_shape_1_4,
-        beam_length * beam60_clamped_free5_0_625_at_0_0,
-        beam60_clamped_free5_0_625_H_0_0 / beam_length,
-        beam60_clamped_free5_0_625_H_0_1 / beam_length,
-        beam60_clamped_free5_0_625_H_0_2 / beam_length,
-        beam60_clamped_free5_0_625_H_0_3 / beam_length,
-        beam60_clamped_free5_0_625_H_0_4 / beam_length,
-        beam60_clamped_free5_0_625_H_1_0 / beam_length,
-        beam60_clamped_free5_0_625_H_1_1 / beam_length,
-        beam60_clamped_free5_0_625_H_1_2 / beam_length,
-        beam60_clamped_free5_0_625_H_1_3 / beam_length,
-        beam60_clamped_free5_0_625_H_1_4 / beam_length,
-        beam60_clamped_free5_0_625_H_2_0 / beam_length,
-        beam60_clamped_free5_0_625_H_2_1 / beam_length,
-        beam60_clamped_free5_0_625_H_2_2 / beam_length,
-        beam60_clamped_free5_0_625_H_2_3 / beam_length,
-        beam60_clamped_free5_0_625_H_2_4 / beam_length,
-        beam60_clamped_free5_0_625_H_3_0 / beam_length,
-        beam60_clamped_free5_0_625_H_3_1 / beam_length,
-        beam60_clamped_free5_0_625_H_3_2 / beam_length,
-        beam60_clamped_free5_0_625_H_3_3 / beam_length,
-        beam60_clamped_free5_0_625_H_3_4 / beam_length,
-        beam60_clamped_free5_0_625_H_4_0 / beam_length,
-        beam60_clamped_free5_0_625_H_4_1 / beam_length,
-        beam60_clamped_free5_0_625_H_4_2 / beam_length,
-        beam60_clamped_free5_0_625_H_4_3 / beam_length,
-        beam60_clamped_free5_0_625_H_4_4 / beam_length,
-        beam60_clamped_free5_0_625_shape_1_0,
-        beam60_clamped_free5_0_625_shape_1_1,
-        beam60_clamped_free5_0_625_shape_1_2,
-        beam60_clamped_free5_0_625_shape_1_3,
-        beam60_clamped_free5_0_625_shape_1_4,
-        beam_length * beam60_clamped_free5_0_6875_at_0_0,
-        beam60_clamped_free5_0_6875_H_0_0 / beam_length,
-        beam60_clamped_free5_0_6875_H_0_1 / beam_length,
-        beam60_clamped_free5_0_6875_H_0_2 / beam_length,
-        beam60_clamped_free5_0_6875_H_0_3 / beam_length,
-        beam60_clamped_free5_0_6875_H_0_4 / beam_length,
-        beam60_clamped_free5_0_6875_H_1_0 / beam_length,
-        beam60_clamped_free5_0_6875_H_1_1 / beam_length,
-        beam60_clamped_free5_0_6875_H_1_2 / beam_length,
-        beam60_clamped_free5_0_6875_H_1_3 / beam_length,
-        beam60_clamped_free5_0_6875_H_1_4 / beam_length,
-        beam60_clamped_free5_0_6875_H_2_0 / beam_length,
-        beam60_clamped_free5_0_6875_H_2_1 / beam_length,
-        beam60_clamped_free5_0_6875_H_2_2 / beam_length,
-        beam60_clamped_free5_0_6875_H_2_3 / beam_length,
-        beam60_clamped_free5_0_6875_H_2_4 / beam_length,
-        beam60_clamped_free5_0_6875_H_3_0 / beam_length,
-        beam60_clamped_free5_0_6875_H_3_1 / beam_length,
-        beam60_clamped_free5_0_6875_H_3_2 / beam_length,
-        beam60_clamped_free5_0_6875_H_3_3 / beam_length,
-        beam60_clamped_free5_0_6875_H_3_4 / beam_length,
-        beam60_clamped_free5_0_6875_H_4_0 / beam_length,
-        beam60_clamped_free5_0_6875_H_4_1 / beam_length,
-        beam60_clamped_free5_0_6875_H_4_2 / beam_length,
-        beam60_clamped_free5_0_6875_H_4_3 / beam_length,
-        beam60_clamped_free5_0_6875_H_4_4 / beam_length,
-        beam60_clamped_free5_0_6875_shape_1_0,
-        beam60_clamped_free5_0_6875_shape_1_1,
-        beam60_clamped_free5_0_6875_shape_1_2,
-        beam60_clamped_free5_0_6875_shape_1_3,
-        beam60_clamped_free5_0_6875_shape_1_4,
-        beam_length * beam60_clamped_free5_0_75_at_0_0,
-        beam60_clamped_free5_0_75_H_0_0 / beam_length,
-        beam60_clamped_free5_0_75_H_0_1 / beam_length,
-        beam60_clamped_free5_0_75_H_0_2 / beam_length,
-        beam60_clamped_free5_0_75_H_0_3 / beam_length,
-        beam60_clamped_free5_0_75_H_0_4 / beam_length,
-        beam60_clamped_free5_0_75_H_1_0 / beam_length,
-        beam60_clamped_free5_0_75_H_1_1 / beam_length,
-        beam60_clamped_free5_0_75_H_1_2 / beam_length,
-        beam60_clamped_free5_0_75_H_1_3 / beam_length,
-        beam60_clamped_free5_0_75_H_1_4 / beam_length,
-        beam60_clamped_free5_0_75_H_2_0 / beam_length,
-        beam60_clamped_free5_0_75_H_2_1 / beam_length,
-        beam60_clamped_free5_0_75_H_2_2 / beam_length,
-        beam60_clamped_free5_0_75_H_2_3 / beam_length,
-        beam60_clamped_free5_0_75_H_2_4 / beam_length,
-        beam60_clamped_free5_0_75_H_3_0 / beam_length,
-        beam60_clamped_free5_0_75_H_3_1 / beam_length,
-        beam60_clamped_free5_0_75_H_3_2 / beam_length,
-        beam60_clamped_free5_0_75_H_3_3 / beam_length,
-        beam60_clamped_free5_0_75_H_3_4 / beam_length,
-        beam60_clamped_free5_0_75_H_4_0 / beam_length,
-        beam60_clamped_free5_0_75_H_4_1 / beam_length,
-        beam60_clamped_free5_0_75_H_4_2 / beam_length,
-        beam60_clamped_free5_0_75_H_4_3 / beam_length,
-        beam60_clamped_free5_0_75_H_4_4 / beam_length,
-        beam60_clamped_free5_0_75_shape_1_0,
-        beam60_clamped_free5_0_75_shape_1_1,
-        beam60_clamped_free5_0_75_shape_1_2,
-        beam60_clamped_free5_0_75_shape_1_3,
-        beam60_clamped_free5_0_75_shape_1_4,
-        beam_length * beam60_clamped_free5_0_8125_at_0_0,
-        beam60_clamped_free5_0_8125_H_0_0 / beam_length,
-        beam60_clamped_free5_0_8125_H_0_1 / beam_length,
-        beam60_clamped_free5_0_8125_H_0_2 / beam_length,
-        beam60_clamped_free5_0_8125_H_0_3 / beam_length,
-        beam60_clamped_free5_0_8125_H_0_4 / beam_length,
-        beam60_clamped_free5_0_8125_H_1_0 / beam_length,
-        beam60_clamped_free5_0_8125_H_1_1 / beam_length,
-        beam60_clamped_free5_0_8125_H_1_2 / beam_length,
-        beam60_clamped_free5_0_8125_H_1_3 / beam_length,
-        beam60_clamped_free5_0_8125_H_1_4 / beam_length,
-        beam60_clamped_free5_0_8125_H_2_0 / beam_length,
-        beam60_clamped_free5_0_8125_H_2_1 / beam_length,
-        beam60_clamped_free5_0_8125_H_2_2 / beam_length,
-        beam60_clamped_free5_0_8125_H_2_3 / beam_length,
-        beam60_clamped_free5_0_8125_H_2_4 / beam_length,
-        beam60_clamped_free5_0_8125_H_3_0 / beam_length,
-        beam60_clamped_free5_0_8125_H_3_1 / beam_length,
-        beam60_clamped_free5_0_8125_H_3_2 / beam_length,
-        beam60_clamped_free5_0_8125_H_3_3 / beam_length,
-        beam60_clamped_free5_0_8125_H_3_4 / beam_length,
-        beam60_clamped_free5_0_8125_H_4_0 / beam_length,
-        beam60_clamped_free5_0_8125_H_4_1 / beam_length,
-        beam60_clamped_free5_0_8125_H_4_2 / beam_length,
-        beam60_clamped_free5_0_8125_H_4_3 / beam_length,
-        beam60_clamped_free5_0_8125_H_4_4 / beam_length,
-        beam60_clamped_free5_0_8125_shape_1_0,
-        beam60_clamped_free5_0_8125_shape_1_1,
-        beam60_clamped_free5_0_8125_shape_1_2,
-        beam60_clamped_free5_0_8125_shape_1_3,
-        beam60_clamped_free5_0_8125_shape_1_4,
-        beam_length * beam60_clamped_free5_0_875_at_0_0,
-        beam60_clamped_free5_0_875_H_0_0 / beam_length,
-        beam60_clamped_free5_0_875_H_0_1 / beam_length,
-        beam60_clamped_free5_0_875_H_0_2 / beam_length,
-        beam60_clamped_free5_0_875_H_0_3 / beam_length,
-        beam60_clamped_free5_0_875_H_0_4 / beam_length,
-        beam60_clamped_free5_0_875_H_1_0 / beam_length,
-        beam60_clamped_free5_0_875_H_1_1 / beam_length,
-        beam60_clamped_free5_0_875_H_1_2 / beam_length,
-        beam60_clamped_free5_0_875_H_1_3 / beam_length,
-        beam60_clamped_free5_0_875_H_1_4 / beam_length,
-        beam60_clamped_free5_0_875_H_2_0 / beam_length,
-        beam60_clamped_free5_0_875_H_2_1 / beam_length,
-        beam60_clamped_free5_0_875_H_2_2 / beam_length,
-        beam60_clamped_free5_0_875_H_2_3 / beam_length,
-        beam60_clamped_free5_0_875_H_2_4 / beam_length,
-        beam60_clamped_free5_0_875_H_3_0 / beam_length,
-        beam60_clamped_free5_0_875_H_3_1 / beam_length,
-        beam60_clamped_free5_0_875_H_3_2 / beam_length,
-        beam60_clamped_free5_0_875_H_3_3 / beam_length,
-        beam60_clamped_free5_0_875_H_3_4 / beam_length,
-        beam60_clamped_free5_0_875_H_4_0 / beam_length,
-        beam60_clamped_free5_0_875_H_4_1 / beam_length,
-        beam60_clamped_free5_0_875_H_4_2 / beam_length,
-        beam60_clamped_free5_0_875_H_4_3 / beam_length,
-        beam60_clamped_free5_0_875_H_4_4 / beam_length,
-        beam60_clamped_free5_0_875_shape_1_0,
-        beam60_clamped_free5_0_875_shape_1_1,
-        beam60_clamped_free5_0_875_shape_1_2,
-        beam60_clamped_free5_0_875_shape_1_3,
-        beam60_clamped_free5_0_875_shape_1_4,
-        beam_length * beam60_clamped_free5_0_9375_at_0_0,
-        beam60_clamped_free5_0_9375_H_0_0 / beam_length,
-        beam60_clamped_free5_0_9375_H_0_1 / beam_length,
-        beam60_clamped_free5_0_9375_H_0_2 / beam_length,
-        beam60_clamped_free5_0_9375_H_0_3 / beam_length,
-        beam60_clamped_free5_0_9375_H_0_4 / beam_length,
-        beam60_clamped_free5_0_9375_H_1_0 / beam_length,
-        beam60_clamped_free5_0_9375_H_1_1 / beam_length,
-        beam60_clamped_free5_0_9375_H_1_2 / beam_length,
-        beam60_clamped_free5_0_9375_H_1_3 / beam_length,
-        beam60_clamped_free5_0_9375_H_1_4 / beam_length,
-        beam60_clamped_free5_0_9375_H_2_0 / beam_length,
-        beam60_clamped_free5_0_9375_H_2_1 / beam_length,
-        beam60_clamped_free5_0_9375_H_2_2 / beam_length,
-        beam60_clamped_free5_0_9375_H_2_3 / beam_length,
-        beam60_clamped_free5_0_9375_H_2_4 / beam_length,
-        beam60_clamped_free5_0_9375_H_3_0 / beam_length,
-        beam60_clamped_free5_0_9375_H_3_1 / beam_length,
-        beam60_clamped_free5_0_9375_H_3_2 / beam_length,
-        beam60_clamped_free5_0_9375_H_3_3 / beam_length,
-        beam60_clamped_free5_0_9375_H_3_4 / beam_length,
-        beam60_clamped_free5_0_9375_H_4_0 / beam_length,
-        beam60_clamped_free5_0_9375_H_4_1 / beam_length,
-        beam60_clamped_free5_0_9375_H_4_2 / beam_length,
-        beam60_clamped_free5_0_9375_H_4_3 / beam_length,
-        beam60_clamped_free5_0_9375_H_4_4 / beam_length,
-        beam60_clamped_free5_0_9375_shape_1_0,
-        beam60_clamped_free5_0_9375_shape_1_1,
-        beam60_clamped_free5_0_9375_shape_1_2,
-        beam60_clamped_free5_0_9375_shape_1_3,
-        beam60_clamped_free5_0_9375_shape_1_4,
+        beam200_clamped_free5_1_0_H_0_0 / beam_length,
+        beam200_clamped_free5_1_0_H_0_1 / beam_length,
+        beam200_clamped_free5_1_0_H_0_2 / beam_length,
+        beam200_clamped_free5_1_0_H_0_3 / beam_length,
+        beam200_clamped_free5_1_0_H_0_4 / beam_length,
+        beam200_clamped_free5_1_0_H_1_0 / beam_length,
+        beam200_clamped_free5_1_0_H_1_1 / beam_length,
+        beam200_clamped_free5_1_0_H_1_2 / beam_length,
+        beam200_clamped_free5_1_0_H_1_3 / beam_length,
+        beam200_clamped_free5_1_0_H_1_4 / beam_length,
+        beam200_clamped_free5_1_0_H_2_0 / beam_length,
+        beam200_clamped_free5_1_0_H_2_1 / beam_length,
+        beam200_clamped_free5_1_0_H_2_2 / beam_length,
+        beam200_clamped_free5_1_0_H_2_3 / beam_length,
+        beam200_clamped_free5_1_0_H_2_4 / beam_length,
+        beam200_clamped_free5_1_0_H_3_0 / beam_length,
+        beam200_clamped_free5_1_0_H_3_1 / beam_length,
+        beam200_clamped_free5_1_0_H_3_2 / beam_length,
+        beam200_clamped_free5_1_0_H_3_3 / beam_length,
+        beam200_clamped_free5_1_0_H_3_4 / beam_length,
+        beam200_clamped_free5_1_0_H_4_0 / beam_length,
+        beam200_clamped_free5_1_0_H_4_1 / beam_length,
+        beam200_clamped_free5_1_0_H_4_2 / beam_length,
+        beam200_clamped_free5_1_0_H_4_3 / beam_length,
+        beam200_clamped_free5_1_0_H_4_4 / beam_length,
+        beam200_clamped_free5_1_0_shape_1_0,
+        beam200_clamped_free5_1_0_shape_1_1,
+        beam200_clamped_free5_1_0_shape_1_2,
+        beam200_clamped_free5_1_0_shape_1_3,
+        beam200_clamped_free5_1_0_shape_1_4,
+        beam_length * beam200_clamped_free5_0_0625_at_0_0,
+        beam200_clamped_free5_0_0625_H_0_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_4 / beam_length,
+        beam200_clamped_free5_0_0625_shape_1_0,
+        beam200_clamped_free5_0_0625_shape_1_1,
+        beam200_clamped_free5_0_0625_shape_1_2,
+        beam200_clamped_free5_0_0625_shape_1_3,
+        beam200_clamped_free5_0_0625_shape_1_4,
+        beam_length * beam200_clamped_free5_0_125_at_0_0,
+        beam200_clamped_free5_0_125_H_0_0 / beam_length,
+        beam200_clamped_free5_0_125_H_0_1 / beam_length,
+        beam200_clamped_free5_0_125_H_0_2 / beam_length,
+        beam200_clamped_free5_0_125_H_0_3 / beam_length,
+        beam200_clamped_free5_0_125_H_0_4 / beam_length,
+        beam200_clamped_free5_0_125_H_1_0 / beam_length,
+        beam200_clamped_free5_0_125_H_1_1 / beam_length,
+        beam200_clamped_free5_0_125_H_1_2 / beam_length,
+        beam200_clamped_free5_0_125_H_1_3 / beam_length,
+        beam200_clamped_free5_0_125_H_1_4 / beam_length,
+        beam200_clamped_free5_0_125_H_2_0 / beam_length,
+        beam200_clamped_free5_0_125_H_2_1 / beam_length,
+        beam200_clamped_free5_0_125_H_2_2 / beam_length,
+        beam200_clamped_free5_0_125_H_2_3 / beam_length,
+        beam200_clamped_free5_0_125_H_2_4 / beam_length,
+        beam200_clamped_free5_0_125_H_3_0 / beam_length,
+        beam200_clamped_free5_0_125_H_3_1 / beam_length,
+        beam200_clamped_free5_0_125_H_3_2 / beam_length,
+        beam200_clamped_free5_0_125_H_3_3 / beam_length,
+        beam200_clamped_free5_0_125_H_3_4 / beam_length,
+        beam200_clamped_free5_0_125_H_4_0 / beam_length,
+        beam200_clamped_free5_0_125_H_4_1 / beam_length,
+        beam200_clamped_free5_0_125_H_4_2 / beam_length,
+        beam200_clamped_free5_0_125_H_4_3 / beam_length,
+        beam200_clamped_free5_0_125_H_4_4 / beam_length,
+        beam200_clamped_free5_0_125_shape_1_0,
+        beam200_clamped_free5_0_125_shape_1_1,
+        beam200_clamped_free5_0_125_shape_1_2,
+        beam200_clamped_free5_0_125_shape_1_3,
+        beam200_clamped_free5_0_125_shape_1_4,
+        beam_length * beam200_clamped_free5_0_1875_at_0_0,
+        beam200_clamped_free5_0_1875_H_0_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_4 / beam_length,
+        beam200_clamped_free5_0_1875_shape_1_0,
+        beam200_clamped_free5_0_1875_shape_1_1,
+        beam200_clamped_free5_0_1875_shape_1_2,
+        beam200_clamped_free5_0_1875_shape_1_3,
+        beam200_clamped_free5_0_1875_shape_1_4,
+        beam_length * beam200_clamped_free5_0_25_at_0_0,
+        beam200_clamped_free5_0_25_H_0_0 / beam_length,
+        beam200_clamped_free5_0_25_H_0_1 / beam_length,
+        beam200_clamped_free5_0_25_H_0_2 / beam_length,
+        beam200_clamped_free5_0_25_H_0_3 / beam_length,
+        beam200_clamped_free5_0_25_H_0_4 / beam_length,
+        beam200_clamped_free5_0_25_H_1_0 / beam_length,
+        beam200_clamped_free5_0_25_H_1_1 / beam_length,
+        beam200_clamped_free5_0_25_H_1_2 / beam_length,
+        beam200_clamped_free5_0_25_H_1_3 / beam_length,
+        beam200_clamped_free5_0_25_H_1_4 / beam_length,
+        beam200_clamped_free5_0_25_H_2_0 / beam_length,
+        beam200_clamped_free5_0_25_H_2_1 / beam_length,
+        beam200_clamped_free5_0_25_H_2_2 / beam_length,
+        beam200_clamped_free5_0_25_H_2_3 / beam_length,
+        beam200_clamped_free5_0_25_H_2_4 / beam_length,
+        beam200_clamped_free5_0_25_H_3_0 / beam_length,
+        beam200_clamped_free5_0_25_H_3_1 / beam_length,
+        beam200_clamped_free5_0_25_H_3_2 / beam_length,
+        beam200_clamped_free5_0_25_H_3_3 / beam_length,
+        beam200_clamped_free5_0_25_H_3_4 / beam_length,
+        beam200_clamped_free5_0_25_H_4_0 / beam_length,
+        beam200_clamped_free5_0_25_H_4_1 / beam_length,
+        beam200_clamped_free5_0_25_H_4_2 / beam_length,
+        beam200_clamped_free5_0_25_H_4_3 / beam_length,
+        beam200_clamped_free5_0_25_H_4_4 / beam_length,
+        beam200_clamped_free5_0_25_shape_1_0,
+        beam200_clamped_free5_0_25_shape_1_1,
+        beam200_clamped_free5_0_25_shape_1_2,
+        beam200_clamped_free5_0_25_shape_1_3,
+        beam200_clamped_free5_0_25_shape_1_4,
+        beam_length * beam200_clamped_free5_0_3125_at_0_0,
+        beam200_clamped_free5_0_3125_H_0_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_4 / beam_length,
+        beam200_clamped_free5_0_3125_shape_1_0,
+        beam200_clamped_free5_0_3125_shape_1_1,
+        beam200_clamped_free5_0_3125_shape_1_2,
+        beam200_clamped_free5_0_3125_shape_1_3,
+        beam200_clamped_free5_0_3125_shape_1_4,
+        beam_length * beam200_clamped_free5_0_375_at_0_0,
+        beam200_clamped_free5_0_375_H_0_0 / beam_length,
+        beam200_clamped_free5_0_375_H_0_1 / beam_length,
+        beam200_clamped_free5_0_375_H_0_2 / beam_length,
+        beam200_clamped_free5_0_375_H_0_3 / beam_length,
+        beam200_clamped_free5_0_375_H_0_4 / beam_length,
+        beam200_clamped_free5_0_375_H_1_0 / beam_length,
+        beam200_clamped_free5_0_375_H_1_1 / beam_length,
+        beam200_clamped_free5_0_375_H_1_2 / beam_length,
+        beam200_clamped_free5_0_375_H_1_3 / beam_length,
+        beam200_clamped_free5_0_375_H_1_4 / beam_length,
+        beam200_clamped_free5_0_375_H_2_0 / beam_length,
+        beam200_clamped_free5_0_375_H_2_1 / beam_length,
+        beam200_clamped_free5_0_375_H_2_2 / beam_length,
+        beam200_clamped_free5_0_375_H_2_3 / beam_length,
+        beam200_clamped_free5_0_375_H_2_4 / beam_length,
+        beam200_clamped_free5_0_375_H_3_0 / beam_length,
+        beam200_clamped_free5_0_375_H_3_1 / beam_length,
+        beam200_clamped_free5_0_375_H_3_2 / beam_length,
+        beam200_clamped_free5_0_375_H_3_3 / beam_length,
+        beam200_clamped_free5_0_375_H_3_4 / beam_length,
+        beam200_clamped_free5_0_375_H_4_0 / beam_length,
+        beam200_clamped_free5_0_375_H_4_1 / beam_length,
+        beam200_clamped_free5_0_375_H_4_2 / beam_length,
+        beam200_clamped_free5_0_375_H_4_3 / beam_length,
+        beam200_clamped_free5_0_375_H_4_4 / beam_length,
+        beam200_clamped_free5_0_375_shape_1_0,
+        beam200_clamped_free5_0_375_shape_1_1,
+        beam200_clamped_free5_0_375_shape_1_2,
+        beam200_clamped_free5_0_375_shape_1_3,
+        beam200_clamped_free5_0_375_shape_1_4,
+        beam_length * beam200_clamped_free5_0_4375_at_0_0,
+        beam200_clamped_free5_0_4375_H_0_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_4 / beam_length,
+        beam200_clamped_free5_0_4375_shape_1_0,
+        beam200_clamped_free5_0_4375_shape_1_1,
+        beam200_clamped_free5_0_4375_shape_1_2,
+        beam200_clamped_free5_0_4375_shape_1_3,
+        beam200_clamped_free5_0_4375_shape_1_4,
+        beam_length * beam200_clamped_free5_0_5_at_0_0,
+        beam200_clamped_free5_0_5_H_0_0 / beam_length,
+        beam200_clamped_free5_0_5_H_0_1 / beam_length,
+        beam200_clamped_free5_0_5_H_0_2 / beam_length,
+        beam200_clamped_free5_0_5_H_0_3 / beam_length,
+        beam200_clamped_free5_0_5_H_0_4 / beam_length,
+        beam200_clamped_free5_0_5_H_1_0 / beam_length,
+        beam200_clamped_free5_0_5_H_1_1 / beam_length,
+        beam200_clamped_free5_0_5_H_1_2 / beam_length,
+        beam200_clamped_free5_0_5_H_1_3 / beam_length,
+        beam200_clamped_free5_0_5_H_1_4 / beam_length,
+        beam200_clamped_free5_0_5_H_2_0 / beam_length,
+        beam200_clamped_free5_0_5_H_2_1 / beam_length,
+        beam200_clamped_free5_0_5_H_2_2 / beam_length,
+        beam200_clamped_free5_0_5_H_2_3 / beam_length,
+        beam200_clamped_free5_0_5_H_2_4 / beam_length,
+        beam200_clamped_free5_0_5_H_3_0 / beam_length,
+        beam200_clamped_free5_0_5_H_3_1 / beam_length,
+        beam200_clamped_free5_0_5_H_3_2 / beam_length,
+        beam200_clamped_free5_0_5_H_3_3 / beam_length,
+        beam200_clamped_free5_0_5_H_3_4 / beam_length,
+        beam200_clamped_free5_0_5_H_4_0 / beam_length,
+        beam200_clamped_free5_0_5_H_4_1 / beam_length,
+        beam200_clamped_free5_0_5_H_4_2 / beam_length,
+        beam200_clamped_free5_0_5_H_4_3 / beam_length,
+        beam200_clamped_free5_0_5_H_4_4 / beam_length,
+        beam200_clamped_free5_0_5_shape_1_0,
+        beam200_clamped_free5_0_5_shape_1_1,
+        beam200_clamped_free5_0_5_shape_1_2,
+        beam200_clamped_free5_0_5_shape_1_3,
+        beam200_clamped_free5_0_5_shape_1_4,
+        beam_length * beam200_clamped_free5_0_5625_at_0_0,
+        beam200_clamped_free5_0_5625_H_0_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_4 / beam_length,
+        beam200_clamped_free5_0_5625_shape_1_0,
+        beam200_clamped_free5_0_5625_shape_1_1,
+        beam200_clamped_free5_0_5625_shape_1_2,
+        beam200_clamped_free5_0_5625_shape_1_3,
+        beam200_clamped_free5_0_5625_shape_1_4,
+        beam_length * beam200_clamped_free5_0_625_at_0_0,
+        beam200_clamped_free5_0_625_H_0_0 / beam_length,
+        beam200_clamped_free5_0_625_H_0_1 / beam_length,
+        beam200_clamped_free5_0_625_H_0_2 / beam_length,
+        beam200_clamped_free5_0_625_H_0_3 / beam_length,
+        beam200_clamped_free5_0_625_H_0_4 / beam_length,
+        beam200_clamped_free5_0_625_H_1_0 / beam_length,
+        beam200_clamped_free5_0_625_H_1_1 / beam_length,
+        beam200_clamped_free5_0_625_H_1_2 / beam_length,
+        beam200_clamped_free5_0_625_H_1_3 / beam_length,
+        beam200_clamped_free5_0_625_H_1_4 / beam_length,
+        beam200_clamped_free5_0_625_H_2_0 / beam_length,
+        beam200_clamped_free5_0_625_H_2_1 / beam_length,
+        beam200_clamped_free5_0_625_H_2_2 / beam_length,
+        beam200_clamped_free5_0_625_H_2_3 / beam_length,
+        beam200_clamped_free5_0_625_H_2_4 / beam_length,
+        beam200_clamped_free5_0_625_H_3_0 / beam_length,
+        beam200_clamped_free5_0_625_H_3_1 / beam_length,
+        beam200_clamped_free5_0_625_H_3_2 / beam_length,
+        beam200_clamped_free5_0_625_H_3_3 / beam_length,
+        beam200_clamped_free5_0_625_H_3_4 / beam_length,
+        beam200_clamped_free5_0_625_H_4_0 / beam_length,
+        beam200_clamped_free5_0_625_H_4_1 / beam_length,
+        beam200_clamped_free5_0_625_H_4_2 / beam_length,
+        beam200_clamped_free5_0_625_H_4_3 / beam_length,
+        beam200_clamped_free5_0_625_H_4_4 / beam_length,
+        beam200_clamped_free5_0_625_shape_1_0,
+        beam200_clamped_free5_0_625_shape_1_1,
+        beam200_clamped_free5_0_625_shape_1_2,
+        beam200_clamped_free5_0_625_shape_1_3,
+        beam200_clamped_free5_0_625_shape_1_4,
+        beam_length * beam200_clamped_free5_0_6875_at_0_0,
+        beam200_clamped_free5_0_6875_H_0_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_4 / beam_length,
+        beam200_clamped_free5_0_6875_shape_1_0,
+        beam200_clamped_free5_0_6875_shape_1_1,
+        beam200_clamped_free5_0_6875_shape_1_2,
+        beam200_clamped_free5_0_6875_shape_1_3,
+        beam200_clamped_free5_0_6875_shape_1_4,
+        beam_length * beam200_clamped_free5_0_75_at_0_0,
+        beam200_clamped_free5_0_75_H_0_0 / beam_length,
+        beam200_clamped_free5_0_75_H_0_1 / beam_length,
+        beam200_clamped_free5_0_75_H_0_2 / beam_length,
+        beam200_clamped_free5_0_75_H_0_3 / beam_length,
+        beam200_clamped_free5_0_75_H_0_4 / beam_length,
+        beam200_clamped_free5_0_75_H_1_0 / beam_length,
+        beam200_clamped_free5_0_75_H_1_1 / beam_length,
+        beam200_clamped_free5_0_75_H_1_2 / beam_length,
+        beam200_clamped_free5_0_75_H_1_3 / beam_length,
+        beam200_clamped_free5_0_75_H_1_4 / beam_length,
+        beam200_clamped_free5_0_75_H_2_0 / beam_length,
+        beam200_clamped_free5_0_75_H_2_1 / beam_length,
+        beam200_clamped_free5_0_75_H_2_2 / beam_length,
+        beam200_clamped_free5_0_75_H_2_3 / beam_length,
+        beam200_clamped_free5_0_75_H_2_4 / beam_length,
+        beam200_clamped_free5_0_75_H_3_0 / beam_length,
+        beam200_clamped_free5_0_75_H_3_1 / beam_length,
+        beam200_clamped_free5_0_75_H_3_2 / beam_length,
+        beam200_clamped_free5_0_75_H_3_3 / beam_length,
+        beam200_clamped_free5_0_75_H_3_4 / beam_length,
+        beam200_clamped_free5_0_75_H_4_0 / beam_length,
+        beam200_clamped_free5_0_75_H_4_1 / beam_length,
+        beam200_clamped_free5_0_75_H_4_2 / beam_length,
+        beam200_clamped_free5_0_75_H_4_3 / beam_length,
+        beam200_clamped_free5_0_75_H_4_4 / beam_length,
+        beam200_clamped_free5_0_75_shape_1_0,
+        beam200_clamped_free5_0_75_shape_1_1,
+        beam200_clamped_free5_0_75_shape_1_2,
+        beam200_clamped_free5_0_75_shape_1_3,
+        beam200_clamped_free5_0_75_shape_1_4,
+        beam_length * beam200_clamped_free5_0_8125_at_0_0,
+        beam200_clamped_free5_0_8125_H_0_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_4 / beam_length,
+        beam200_clamped_free5_0_8125_shape_1_0,
+        beam200_clamped_free5_0_8125_shape_1_1,
+        beam200_clamped_free5_0_8125_shape_1_2,
+        beam200_clamped_free5_0_8125_shape_1_3,
+        beam200_clamped_free5_0_8125_shape_1_4,
+        beam_length * beam200_clamped_free5_0_875_at_0_0,
+        beam200_clamped_free5_0_875_H_0_0 / beam_length,
+        beam200_clamped_free5_0_875_H_0_1 / beam_length,
+        beam200_clamped_free5_0_875_H_0_2 / beam_length,
+        beam200_clamped_free5_0_875_H_0_3 / beam_length,
+        beam200_clamped_free5_0_875_H_0_4 / beam_length,
+        beam200_clamped_free5_0_875_H_1_0 / beam_length,
+        beam200_clamped_free5_0_875_H_1_1 / beam_length,
+        beam200_clamped_free5_0_875_H_1_2 / beam_length,
+        beam200_clamped_free5_0_875_H_1_3 / beam_length,
+        beam200_clamped_free5_0_875_H_1_4 / beam_length,
+        beam200_clamped_free5_0_875_H_2_0 / beam_length,
+        beam200_clamped_free5_0_875_H_2_1 / beam_length,
+        beam200_clamped_free5_0_875_H_2_2 / beam_length,
+        beam200_clamped_free5_0_875_H_2_3 / beam_length,
+        beam200_clamped_free5_0_875_H_2_4 / beam_length,
+        beam200_clamped_free5_0_875_H_3_0 / beam_length,
+        beam200_clamped_free5_0_875_H_3_1 / beam_length,
+        beam200_clamped_free5_0_875_H_3_2 / beam_length,
+        beam200_clamped_free5_0_875_H_3_3 / beam_length,
+        beam200_clamped_free5_0_875_H_3_4 / beam_length,
+        beam200_clamped_free5_0_875_H_4_0 / beam_length,
+        beam200_clamped_free5_0_875_H_4_1 / beam_length,
+        beam200_clamped_free5_0_875_H_4_2 / beam_length,
+        beam200_clamped_free5_0_875_H_4_3 / beam_length,
+        beam200_clamped_free5_0_875_H_4_4 / beam_length,
+        beam200_clamped_free5_0_875_shape_1_0,
+        beam200_clamped_free5_0_875_shape_1_1,
+        beam200_clamped_free5_0_875_shape_1_2,
+        beam200_clamped_free5_0_875_shape_1_3,
+        beam200_clamped_free5_0_875_shape_1_4,
+        beam_length * beam200_clamped_free5_0_9375_at_0_0,
+        beam200_clamped_free5_0_9375_H_0_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_4 / beam_length,
+        beam200_clamped_free5_0_9375_shape_1_0,
+        beam200_clamped_free5_0_9375_shape_1_1,
+        beam200_clamped_free5_0_9375_shape_1_2,
+        beam200_clamped_free5_0_9375_shape_1_3,
+        beam200_clamped_free5_0_9375_shape_1_4,
         w2 - w7,
         -w17,
         -w22,
@@ -2804,6 +2804,81 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
+def forward_dynamics() -> ca.Function:
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 155 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 3)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 601)
+    beam_q1 = q_i[0]
+    beam_q2 = q_i[1]
+    beam_q3 = q_i[2]
+    beam_q4 = q_i[3]
+    beam_q5 = q_i[4]
+    beam_theta_dot = q_d_dot[2]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    w0 = beam_theta_dot**2
+    w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
+    w2 = t < c11
+    w3 = (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13
+    w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
+    w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
+    w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
+    w7 = w0 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
+    q_i_ddot = ca.vertcat(
+        (w1 - ca.if_else(w2, w3 * c12, 0)) / c0,
+        (w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0)) / c1,
+        (w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0)) / c2,
+        (w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0)) / c3,
+        (w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0)) / c4,
+    )
+    q_i_ddot = ca.densify(q_i_ddot)
+    inputs, outputs = [q_i, q_d_dot, t, c], [q_i_ddot]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d_dot", "t", "c"], ["q_i_ddot"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2819,4 +2894,5 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "forward_dynamics": forward_dynamics,
 }

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import casadi as ca
+import numpy as np
 
 from runtime.engine.program import Call, Fields, Layout, Program, Repeat, Sequence, Until, make_stage
 from runtime.model import Model
@@ -40,7 +41,8 @@ class CentralDifference:
             "base_s": len(grid.groups), "loop": loops, "loop_old": loops, "loop_dot": loops,
             "closure_error": 1, "unconverged": 1, "iterations": 1, "failures": 1})
         self.c_size = int(model.kernel("constants").size_out(0)[0])
-        self._h = ca.SX(ca.DM([grid.h[self._group_of(k)] for k in range(n)]))
+        self.step_sizes = np.array([grid.h[self._group_of(k)] for k in range(n)])
+        self._h = ca.SX(ca.DM(self.step_sizes))
 
     def _group_of(self, k: int) -> int:
         return next(g for g, group in enumerate(self.grid.groups) if k in group)
@@ -151,7 +153,8 @@ class CentralDifference:
             v[k] = v_half[k] + self._h[k] / 2 * a[k]
         return self._advance(z, kernels, motion, v, a, level)
 
-    def _solve_active(self, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX, level: int, newton: bool) -> ca.SX:
+    def _solve_active(self, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX, level: int,
+                      newton: bool) -> ca.SX:
         """(M_hat - h/2 dQ/dv) (a_new - a) = Q - M_hat a on the active rows; M_hat a_new = Q without Newton."""
         active, slow = self.grid.from_level(level), self.grid.first_of(level)
         if level == 0:

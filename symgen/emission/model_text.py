@@ -14,6 +14,7 @@ from symgen.pipeline import Derived
 MEANING = {
     "constants": "c: everything that depends on the parameters p only",
     "condensed": "M_hat and Q_hat (Eq. 38)",
+    "forward_dynamics": "q_i_ddot of a tree by topology-ordered elimination, without M_hat",
     "closure": "One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step",
     "velocities": "q_d_dot (Eq. 36)",
     "accelerations": "q_d_ddot (Eq. 35)",

@@ -38,8 +38,15 @@ def rod_data(pi: float, axial_mass_factor: float) -> dict:
         "rho_dot_phi": (mass * L2 * np.array([0, 0, 1 / 3, 1 / 6])).tolist(),
         "rho_cross_phi": (mass * L2 * np.array([1 / pi, -0.5 / pi, 0, 0])).tolist(),
         "phi_cross_phi": cross.tolist(),
-        "markers": {"end": {"position": (L2, 0.0), "shape_x": [0.0, 0.0, 0.0, 1.0]}},
+        "markers": {**{f"at{n}": _point(n / 8) for n in range(1, 8)},
+                    "end": {"position": (L2, 0.0), "shape_x": [0.0, 0.0, 0.0, 1.0]}},
     }
+
+
+def _point(s: float) -> dict:
+    """Marker at the fraction s of the rod, where an animation draws it."""
+    return {"position": (L2 * s, 0.0), "shape_x": [0.0, 0.0, 4 * s * (1 - s), s * (2 * s - 1)],
+            "shape_y": [math.sin(math.pi * s), math.sin(2 * math.pi * s), 0.0, 0.0]}
 
 
 def _mechanism(name: str, title: str, rod: dict | None) -> SceneBuilder:
