@@ -2,10 +2,11 @@
 
 from runtime.initial import InitialStateError
 from runtime.model import Group, Model, ModelError, load_model
+from runtime.reference import reference_solution
 from runtime.schemes.options import SCHEMES, Options, SchemeError
 from runtime.simulate import simulate
 from runtime.solution import Solution
 from runtime.status import Status
 
 __all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
-           "Status", "load_model", "simulate"]
+           "Status", "load_model", "reference_solution", "simulate"]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import casadi as ca
 import numpy as np
 
 from runtime.coupled_frequencies import fastest_frequency
 from runtime.model import Model
-from runtime.observe import evaluate, join
 from runtime.schemes.central_difference import CentralDifference
 from runtime.status import Status, StatusName
 
@@ -96,29 +96,37 @@ class _EnergyCheck:
     """Energy of a mechanism that no load and no prescribed motion feeds can only stay or fall."""
 
     def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
-        self.model, self.c = model, c
+        self.c = c
         needed = ("energy", "constraints") if model.constraints else ("energy",)
         active = all(model.has(name) for name in needed) and _is_closed(model)
-        self._observe = scheme.observe() if active else None
+        self._energies = _energies(model, scheme) if active else None
         self._start: float | None = None
         self._largest = 0.0
 
     def grows(self, z: np.ndarray) -> bool:
         """Has spurious energy reached ENERGY_LIMIT of the largest kinetic and elastic energy seen?"""
-        if self._observe is None:
+        if self._energies is None:
             return False
-        seen = {name: value.T for name, value in
-                ((name, np.asarray(value)) for name, value in self._observe(z=z, c=self.c).items())}
-        values = {"q": join(self.model, seen["q_i"], seen["q_d"]),
-                  "q_dot": join(self.model, seen["q_i_dot"], seen["q_d_dot"]), "t": seen["t"]}
-        energy = {name: float(value[0, 0]) for name, value in
-                  evaluate(self.model.kernel("energy"), values, self.c).items()}
-        moving = energy["kinetic"] + energy["elastic"]
-        total = moving + energy["potential"]
+        moving, potential = (float(value) for value in self._energies(z, self.c))
         self._largest = max(self._largest, moving)
         if self._start is None:
-            self._start = total
-        return total - self._start > ENERGY_LIMIT * self._largest
+            self._start = moving + potential
+        return moving + potential - self._start > ENERGY_LIMIT * self._largest
+
+
+def _energies(model: Model, scheme: CentralDifference) -> ca.Function:
+    """(z, c) -> kinetic plus elastic energy, potential energy."""
+    z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+    seen = scheme.observe()(z=z, c=c)
+    q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
+    for columns, suffix in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
+        for position, column in enumerate(columns):
+            q[int(column)] = seen[f"q_{suffix}"][position]
+            q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
+    kernel = model.kernel("energy")
+    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c}
+    energy = kernel.call({name: values[name] for name in kernel.name_in()})
+    return ca.Function("energies", [z, c], [energy["kinetic"] + energy["elastic"], energy["potential"]])
 
 
 def _is_closed(model: Model) -> bool:

@@ -7,8 +7,8 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 170 operations."""
-    p = ca.SX.sym("p", 71)
+    """c: everything that depends on the parameters p only. 164 operations."""
+    p = ca.SX.sym("p", 68)
     omega = p[0]
     crank_mass = p[1]
     crank_inertia = p[2]
@@ -27,59 +27,56 @@ def constants() -> ca.Function:
     rod_M_ff_1_1 = p[15]
     rod_M_ff_2_2 = p[16]
     rod_M_ff_2_3 = p[17]
-    rod_M_ff_3_2 = p[18]
-    rod_M_ff_3_3 = p[19]
-    rod_phi_cross_phi_0_2 = p[20]
-    rod_phi_cross_phi_0_3 = p[21]
-    rod_phi_cross_phi_1_3 = p[22]
-    rod_phi_cross_phi_2_0 = p[23]
-    rod_phi_cross_phi_3_0 = p[24]
-    rod_phi_cross_phi_3_1 = p[25]
-    rod_K_ff_0_0 = p[26]
-    rod_K_ff_1_1 = p[27]
-    rod_K_ff_2_2 = p[28]
-    rod_K_ff_2_3 = p[29]
-    rod_K_ff_3_2 = p[30]
-    rod_K_ff_3_3 = p[31]
-    slider_mass = p[32]
-    slider_inertia = p[33]
-    crank_tip_x = p[34]
-    rod_end_x = p[35]
-    rod_end_shape_0_3 = p[36]
-    rod_at1_x = p[37]
-    rod_at1_shape_0_2 = p[38]
-    rod_at1_shape_0_3 = p[39]
-    rod_at1_shape_1_0 = p[40]
-    rod_at1_shape_1_1 = p[41]
-    rod_at2_x = p[42]
-    rod_at2_shape_0_2 = p[43]
-    rod_at2_shape_0_3 = p[44]
-    rod_at2_shape_1_0 = p[45]
-    rod_at2_shape_1_1 = p[46]
-    rod_at3_x = p[47]
-    rod_at3_shape_0_2 = p[48]
-    rod_at3_shape_0_3 = p[49]
-    rod_at3_shape_1_0 = p[50]
-    rod_at3_shape_1_1 = p[51]
-    rod_at4_x = p[52]
-    rod_at4_shape_0_2 = p[53]
-    rod_at4_shape_1_0 = p[54]
-    rod_at4_shape_1_1 = p[55]
-    rod_at5_x = p[56]
-    rod_at5_shape_0_2 = p[57]
-    rod_at5_shape_0_3 = p[58]
-    rod_at5_shape_1_0 = p[59]
-    rod_at5_shape_1_1 = p[60]
-    rod_at6_x = p[61]
-    rod_at6_shape_0_2 = p[62]
-    rod_at6_shape_0_3 = p[63]
-    rod_at6_shape_1_0 = p[64]
-    rod_at6_shape_1_1 = p[65]
-    rod_at7_x = p[66]
-    rod_at7_shape_0_2 = p[67]
-    rod_at7_shape_0_3 = p[68]
-    rod_at7_shape_1_0 = p[69]
-    rod_at7_shape_1_1 = p[70]
+    rod_M_ff_3_3 = p[18]
+    rod_phi_cross_phi_0_2 = p[19]
+    rod_phi_cross_phi_0_3 = p[20]
+    rod_phi_cross_phi_1_3 = p[21]
+    rod_phi_cross_phi_2_0 = p[22]
+    rod_phi_cross_phi_3_0 = p[23]
+    rod_phi_cross_phi_3_1 = p[24]
+    rod_K_ff_0_0 = p[25]
+    rod_K_ff_1_1 = p[26]
+    rod_K_ff_2_2 = p[27]
+    rod_K_ff_2_3 = p[28]
+    rod_K_ff_3_3 = p[29]
+    slider_mass = p[30]
+    slider_inertia = p[31]
+    crank_tip_x = p[32]
+    rod_end_x = p[33]
+    rod_end_shape_0_3 = p[34]
+    rod_at1_x = p[35]
+    rod_at1_shape_0_2 = p[36]
+    rod_at1_shape_0_3 = p[37]
+    rod_at1_shape_1_0 = p[38]
+    rod_at1_shape_1_1 = p[39]
+    rod_at2_x = p[40]
+    rod_at2_shape_0_2 = p[41]
+    rod_at2_shape_0_3 = p[42]
+    rod_at2_shape_1_0 = p[43]
+    rod_at2_shape_1_1 = p[44]
+    rod_at3_x = p[45]
+    rod_at3_shape_0_2 = p[46]
+    rod_at3_shape_0_3 = p[47]
+    rod_at3_shape_1_0 = p[48]
+    rod_at3_shape_1_1 = p[49]
+    rod_at4_x = p[50]
+    rod_at4_shape_0_2 = p[51]
+    rod_at4_shape_1_0 = p[52]
+    rod_at5_x = p[53]
+    rod_at5_shape_0_2 = p[54]
+    rod_at5_shape_0_3 = p[55]
+    rod_at5_shape_1_0 = p[56]
+    rod_at5_shape_1_1 = p[57]
+    rod_at6_x = p[58]
+    rod_at6_shape_0_2 = p[59]
+    rod_at6_shape_0_3 = p[60]
+    rod_at6_shape_1_0 = p[61]
+    rod_at6_shape_1_1 = p[62]
+    rod_at7_x = p[63]
+    rod_at7_shape_0_2 = p[64]
+    rod_at7_shape_0_3 = p[65]
+    rod_at7_shape_1_0 = p[66]
+    rod_at7_shape_1_1 = p[67]
     c = ca.vertcat(
         rod_M_ff_0_0,
         rod_end_shape_0_3,
@@ -100,7 +97,6 @@ def constants() -> ca.Function:
         rod_inertia,
         rod_rho_dot_phi_2_0,
         rod_rho_dot_phi_3_0,
-        rod_M_ff_3_2,
         rod_K_ff_0_0,
         rod_phi_integral_1_0,
         crank_tip_x,
@@ -108,7 +104,6 @@ def constants() -> ca.Function:
         rod_K_ff_2_2,
         rod_K_ff_2_3,
         rod_phi_integral_0_2,
-        rod_K_ff_3_2,
         rod_K_ff_3_3,
         rod_phi_integral_0_3,
         rod_first_moment_x,
@@ -126,7 +121,7 @@ def constants() -> ca.Function:
         -slider_inertia,
         2 * rod_rho_dot_phi_2_0,
         2 * rod_rho_dot_phi_3_0,
-        rod_K_ff_2_3 + rod_K_ff_3_2,
+        2 * rod_K_ff_2_3,
         rod_at1_x,
         rod_at1_shape_0_2,
         rod_at1_shape_0_3,
@@ -145,7 +140,6 @@ def constants() -> ca.Function:
         rod_at4_x,
         rod_at4_shape_0_2,
         rod_at4_shape_1_0,
-        rod_at4_shape_1_1,
         rod_at5_x,
         rod_at5_shape_0_2,
         rod_at5_shape_0_3,
@@ -171,12 +165,12 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 238 operations."""
+    """M_hat and Q_hat (Eq. 38). 236 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -218,8 +212,6 @@ def condensed() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
     w0 = ca.sin(rod_theta)
     w1 = ca.cos(rod_theta)
     w2 = c2 + rod_q4 * c1
@@ -239,22 +231,22 @@ def condensed() -> ca.Function:
     w16 = rod_q1 * c0
     w17 = rod_q2 * c6
     w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w19 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w19 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w20 = c16 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c17 + w18) + rod_q4 * (c18 + w19))
     w21 = rod_theta_dot**2
     w22 = 2 * rod_theta_dot
     w23 = crank_theta_dot**2
-    w24 = w23 * (ca.cos(crank_theta) * c22)
-    w25 = w23 * (ca.sin(crank_theta) * c22)
+    w24 = w23 * (ca.cos(crank_theta) * c21)
+    w25 = w23 * (ca.sin(crank_theta) * c21)
     w26 = rod_q4_dot * c1
     w27 = (w22 * (w1 * w26) - w14 * w21 - w25) / w3
-    w28 = w16 * w21 + w22 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c20 - (w0 * c21 * w24 - w1 * c21 * w25 - w5 * w27)
-    w29 = w18 * w21 + w22 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25) - (w9 * w27 - (w24 * (w1 * c26) + w25 * (w0 * c26)))
-    w30 = w19 * w21 + w22 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28) - (w13 * w27 - (w24 * (w1 * c29) + w25 * (w0 * c29)))
+    w28 = w16 * w21 + w22 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19 - (w0 * c20 * w24 - w1 * c20 * w25 - w5 * w27)
+    w29 = w18 * w21 + w22 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24) - (w9 * w27 - (w24 * (w1 * c25) + w25 * (w0 * c25)))
+    w30 = w19 * w21 + w22 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26) - (w13 * w27 - (w24 * (w1 * c27) + w25 * (w0 * c27)))
     w31 = (w14 * w27 - (w24 + (w3 * w21 + w22 * (w0 * w26)))) * c13
     w32 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
-    w33 = c30 + (rod_q3 * c26 + rod_q4 * c29)
-    w34 = rod_q1 * c21
+    w33 = c28 + (rod_q3 * c25 + rod_q4 * c27)
+    w34 = rod_q1 * c20
     w35 = w30 - w11 * w31 - w4 * (w32 - (w24 * (w0 * w33 + w1 * w34) - w25 * (w1 * w33 - w0 * w34) - w20 * w27) + w14 * w31)
     M_hat = ca.vertcat(
         c0,
@@ -278,7 +270,7 @@ def condensed() -> ca.Function:
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
         w28,
-        w17 * w21 + w22 * (rod_q4_dot * c8) - rod_q2 * c23 + w7 * w27,
+        w17 * w21 + w22 * (rod_q4_dot * c8) - rod_q2 * c22 + w7 * w27,
         w29,
         w35,
     )
@@ -292,16 +284,16 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     c1 = c[1]
     c2 = c[2]
-    c22 = c[22]
-    c31 = c[31]
-    w0 = t * c31
-    w1 = ca.cos(w0) * c22
-    w2 = ca.sin(w0) * c22
+    c21 = c[21]
+    c29 = c[29]
+    w0 = t * c29
+    w1 = ca.cos(w0) * c21
+    w2 = ca.sin(w0) * c21
     w3 = c2 + rod_q4 * c1
     w4 = w2 + ca.sin(rod_theta) * w3
     w5 = rod_theta - w4 / (w3 * ca.cos(rod_theta))
@@ -330,17 +322,17 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
     rod_q4_dot = q_i_dot[3]
     c1 = c[1]
     c2 = c[2]
-    c31 = c[31]
-    c32 = c[32]
-    w0 = ca.sin(crank_theta) * c32
-    w1 = ca.cos(crank_theta) * c32
+    c29 = c[29]
+    c30 = c[30]
+    w0 = ca.sin(crank_theta) * c30
+    w1 = ca.cos(crank_theta) * c30
     w2 = ca.cos(rod_theta)
     w3 = c2 + rod_q4 * c1
     w4 = w2 * w3
@@ -349,7 +341,7 @@ def velocities() -> ca.Function:
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
-        c31,
+        c29,
         -w0,
         w1,
         -w6,
@@ -369,7 +361,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -379,10 +371,10 @@ def accelerations() -> ca.Function:
     rod_q4_ddot = q_i_ddot[3]
     c1 = c[1]
     c2 = c[2]
-    c22 = c[22]
+    c21 = c[21]
     w0 = crank_theta_dot**2
-    w1 = w0 * (ca.cos(crank_theta) * c22)
-    w2 = w0 * (ca.sin(crank_theta) * c22)
+    w1 = w0 * (ca.cos(crank_theta) * c21)
+    w2 = w0 * (ca.sin(crank_theta) * c21)
     w3 = 2 * rod_theta_dot
     w4 = ca.cos(rod_theta)
     w5 = rod_q4_dot * c1
@@ -413,7 +405,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -429,12 +421,12 @@ def constraints() -> ca.Function:
     rod_q4_dot = q_dot[9]
     c1 = c[1]
     c2 = c[2]
-    c22 = c[22]
+    c21 = c[21]
+    c29 = c[29]
     c31 = c[31]
-    c33 = c[33]
-    c34 = c[34]
-    w0 = ca.cos(crank_theta) * c22
-    w1 = ca.sin(crank_theta) * c22
+    c32 = c[32]
+    w0 = ca.cos(crank_theta) * c21
+    w1 = ca.sin(crank_theta) * c21
     w2 = ca.cos(rod_theta)
     w3 = c2 + rod_q4 * c1
     w4 = w2 * w3
@@ -453,7 +445,7 @@ def constraints() -> ca.Function:
         slider_theta,
         slider_x - (rod_x + w4),
         slider_y - (rod_y + w6),
-        crank_theta - t * c31,
+        crank_theta - t * c29,
     )
     C = ca.densify(C)
     C_q = ca.vertcat(
@@ -544,8 +536,8 @@ def constraints() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w2 * c33,
-        w5 * c33,
+        w2 * c31,
+        w5 * c31,
         0.0,
         0.0,
         0.0,
@@ -586,7 +578,7 @@ def constraints() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c34,
+        c32,
     )
     C_t = ca.densify(C_t)
     gamma = ca.vertcat(
@@ -606,10 +598,10 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 349 operations."""
+    """M and Q* of the augmented form (Eq. 28). 347 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -641,54 +633,52 @@ def augmented() -> ca.Function:
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
-    c21 = c[21]
+    c22 = c[22]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
+    c33 = c[33]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
     c38 = c[38]
     c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    w0 = ca.sin(crank_theta) * c36
+    w0 = ca.sin(crank_theta) * c34
     w1 = -w0
-    w2 = ca.cos(crank_theta) * c36
+    w2 = ca.cos(crank_theta) * c34
     w3 = ca.sin(rod_theta)
-    w4 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w4 = c28 + (rod_q3 * c25 + rod_q4 * c27)
     w5 = ca.cos(rod_theta)
-    w6 = rod_q1 * c21
+    w6 = rod_q1 * c20
     w7 = w3 * w4 + w5 * w6
     w8 = -w7
-    w9 = w3 * c39
-    w10 = w5 * c26
-    w11 = w5 * c29
+    w9 = w3 * c37
+    w10 = w5 * c25
+    w11 = w5 * c27
     w12 = w4 * w5 - w3 * w6
-    w13 = w5 * c21
-    w14 = w3 * c26
-    w15 = w3 * c29
+    w13 = w5 * c20
+    w14 = w3 * c25
+    w15 = w3 * c27
     w16 = rod_q1 * c0
     w17 = rod_q2 * c6
     w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w19 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w19 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w20 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w21 = c7 - rod_q4 * c8
-    w22 = rod_q1 * c40
+    w22 = rod_q1 * c38
     w23 = -(rod_q1 * c14 + rod_q2 * c15)
     w24 = crank_theta_dot**2
     w25 = rod_theta_dot**2
     w26 = 2 * rod_theta_dot
-    w27 = rod_q3_dot * c26 + rod_q4_dot * c29
-    w28 = rod_q1_dot * c21
+    w27 = rod_q3_dot * c25 + rod_q4_dot * c27
+    w28 = rod_q1_dot * c20
     w29 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     M = ca.vertcat(
-        c35,
+        c33,
         0.0,
         w1,
         0.0,
@@ -702,7 +692,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c35,
+        c33,
         w2,
         0.0,
         0.0,
@@ -716,7 +706,7 @@ def augmented() -> ca.Function:
         0.0,
         w1,
         w2,
-        c37,
+        c35,
         0.0,
         0.0,
         0.0,
@@ -730,7 +720,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c38,
+        c36,
         0.0,
         w8,
         w9,
@@ -744,7 +734,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c38,
+        c36,
         w12,
         w13,
         0.0,
@@ -856,7 +846,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c41,
+        c39,
     )
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
@@ -867,10 +857,10 @@ def augmented() -> ca.Function:
         w12 * w25 + w26 * (w3 * w27 + w5 * w28),
         w7 * w25 - w26 * (w5 * w27 - w3 * w28),
         w29,
-        w16 * w25 + w26 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c20,
-        w17 * w25 + w26 * (rod_q4_dot * c8) - rod_q2 * c23,
-        w18 * w25 + w26 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25),
-        w19 * w25 + w26 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28),
+        w16 * w25 + w26 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19,
+        w17 * w25 + w26 * (rod_q4_dot * c8) - rod_q2 * c22,
+        w18 * w25 + w26 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24),
+        w19 * w25 + w26 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26),
         0.0,
         0.0,
         0.0,
@@ -881,11 +871,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 218 operations."""
+    """Lagrange multipliers lam (Eq. 37). 217 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -930,40 +920,39 @@ def reactions() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
+    c20 = c[20]
     c21 = c[21]
-    c22 = c[22]
-    c26 = c[26]
-    c29 = c[29]
-    c30 = c[30]
+    c25 = c[25]
+    c27 = c[27]
+    c28 = c[28]
+    c33 = c[33]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    c37 = c[37]
-    c38 = c[38]
-    c42 = c[42]
+    c40 = c[40]
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta)
-    w2 = w1 * c36
+    w2 = w1 * c34
     w3 = ca.sin(crank_theta)
-    w4 = w3 * c36
+    w4 = w3 * c34
     w5 = rod_theta_dot**2
     w6 = ca.cos(rod_theta)
-    w7 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w7 = c28 + (rod_q3 * c25 + rod_q4 * c27)
     w8 = ca.sin(rod_theta)
-    w9 = rod_q1 * c21
+    w9 = rod_q1 * c20
     w10 = w6 * w7 - w8 * w9
     w11 = 2 * rod_theta_dot
-    w12 = rod_q3_dot * c26 + rod_q4_dot * c29
-    w13 = rod_q1_dot * c21
+    w12 = rod_q3_dot * c25 + rod_q4_dot * c27
+    w13 = rod_q1_dot * c20
     w14 = w7 * w8 + w6 * w9
-    w15 = rod_x_ddot * c38 - w14 * rod_theta_ddot - w8 * c21 * rod_q1_ddot + w6 * c26 * rod_q3_ddot + w6 * c29 * rod_q4_ddot
+    w15 = rod_x_ddot * c36 - w14 * rod_theta_ddot - w8 * c20 * rod_q1_ddot + w6 * c25 * rod_q3_ddot + w6 * c27 * rod_q4_ddot
     w16 = slider_x_ddot * c13
     w17 = w5 * w10 + w11 * (w8 * w12 + w6 * w13) - w15 - w16
-    w18 = rod_y_ddot * c38 + w10 * rod_theta_ddot + rod_q1_ddot * (w6 * c21) + rod_q3_ddot * (w8 * c26) + rod_q4_ddot * (w8 * c29)
+    w18 = rod_y_ddot * c36 + w10 * rod_theta_ddot + rod_q1_ddot * (w6 * c20) + rod_q3_ddot * (w8 * c25) + rod_q4_ddot * (w8 * c27)
     w19 = rod_q1 * c0
     w20 = rod_q2 * c6
     w21 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w22 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w22 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w23 = -2.0 * rod_theta_dot * (rod_q1_dot * w19 + w20 * rod_q2_dot + rod_q3_dot * w21 + rod_q4_dot * w22)
     w24 = rod_theta_ddot * (c16 + (rod_q1 * w19 + rod_q2 * w20 + rod_q3 * (c17 + w21) + rod_q4 * (c18 + w22)))
     w25 = w10 * rod_y_ddot - rod_x_ddot * w14 + w24 + rod_q1_ddot * (c3 - (rod_q3 * c4 + rod_q4 * c5)) + (c7 - rod_q4 * c8) * rod_q2_ddot
@@ -971,14 +960,14 @@ def reactions() -> ca.Function:
     w27 = w23 - (w25 - rod_q3_ddot * (rod_q1 * c11) - rod_q4_ddot * (rod_q1 * c14 + rod_q2 * c15)) + w16 * (w8 * w26)
     w28 = w27 / (w6 * w26)
     w29 = w5 * w14 - w11 * (w6 * w12 - w8 * w13) - w18 - w28
-    w30 = w29 * (w1 * c22) - (w2 * crank_y_ddot - crank_x_ddot * w4 + crank_theta_ddot * c37) - w17 * (w3 * c22)
+    w30 = w29 * (w1 * c21) - (w2 * crank_y_ddot - crank_x_ddot * w4 + crank_theta_ddot * c35) - w17 * (w3 * c21)
     lam = ca.vertcat(
-        w0 * w2 - (crank_x_ddot * c35 - w4 * crank_theta_ddot) + w17,
-        w0 * w4 - (crank_y_ddot * c35 + w2 * crank_theta_ddot) + w29,
+        w0 * w2 - (crank_x_ddot * c33 - w4 * crank_theta_ddot) + w17,
+        w0 * w4 - (crank_y_ddot * c33 + w2 * crank_theta_ddot) + w29,
         w17,
         w29,
         w28 - slider_y_ddot * c13,
-        slider_theta_ddot * c42,
+        slider_theta_ddot * c40,
         -w16,
         -w28,
         w30,
@@ -989,10 +978,10 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 223 operations."""
+    """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1029,56 +1018,55 @@ def energy() -> ca.Function:
     c16 = c[16]
     c19 = c[19]
     c20 = c[20]
-    c21 = c[21]
+    c22 = c[22]
     c23 = c[23]
-    c24 = c[24]
+    c25 = c[25]
     c26 = c[26]
+    c27 = c[27]
     c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
+    c33 = c[33]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    c37 = c[37]
-    c38 = c[38]
+    c39 = c[39]
     c41 = c[41]
+    c42 = c[42]
     c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    w0 = ca.sin(crank_theta) * c36
-    w1 = ca.cos(crank_theta) * c36
-    w2 = crank_x_dot * (crank_x_dot * c35 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c35 + crank_theta_dot * w1)
+    w0 = ca.sin(crank_theta) * c34
+    w1 = ca.cos(crank_theta) * c34
+    w2 = crank_x_dot * (crank_x_dot * c33 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c33 + crank_theta_dot * w1)
     w3 = ca.sin(rod_theta)
-    w4 = c30 + (rod_q3 * c26 + rod_q4 * c29)
+    w4 = c28 + (rod_q3 * c25 + rod_q4 * c27)
     w5 = ca.cos(rod_theta)
-    w6 = rod_q1 * c21
+    w6 = rod_q1 * c20
     w7 = w3 * w4 + w5 * w6
-    w8 = w3 * c21
-    w9 = w5 * c26
-    w10 = w5 * c29
-    w11 = rod_x_dot * (rod_x_dot * c38 - w7 * rod_theta_dot - w8 * rod_q1_dot + w9 * rod_q3_dot + w10 * rod_q4_dot)
+    w8 = w3 * c20
+    w9 = w5 * c25
+    w10 = w5 * c27
+    w11 = rod_x_dot * (rod_x_dot * c36 - w7 * rod_theta_dot - w8 * rod_q1_dot + w9 * rod_q3_dot + w10 * rod_q4_dot)
     w12 = w4 * w5 - w3 * w6
-    w13 = w5 * c21
-    w14 = w3 * c26
-    w15 = w3 * c29
-    w16 = rod_y_dot * (rod_y_dot * c38 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
-    w17 = rod_q1 * (rod_q1 * c0) + rod_q2 * (rod_q2 * c6) + rod_q3 * (rod_q4 * c10 + (rod_q3 * c9 + c43)) + rod_q4 * (rod_q4 * c12 + (rod_q3 * c19 + c44))
+    w13 = w5 * c20
+    w14 = w3 * c25
+    w15 = w3 * c27
+    w16 = rod_y_dot * (rod_y_dot * c36 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
+    w17 = rod_q1 * (rod_q1 * c0) + rod_q2 * (rod_q2 * c6) + rod_q3 * (rod_q4 * c10 + (rod_q3 * c9 + c41)) + rod_q4 * (rod_q4 * c12 + (rod_q3 * c10 + c42))
     w18 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w19 = c7 - rod_q4 * c8
     w20 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c16 + w17) + rod_q1_dot * w18 + w19 * rod_q2_dot
     w21 = rod_q1 * c11
     w22 = rod_q1 * c14 + rod_q2 * c15
-    w23 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c37) + w11 + w16 + rod_theta_dot * (w20 - rod_q3_dot * w21 - rod_q4_dot * w22)
+    w23 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c35) + w11 + w16 + rod_theta_dot * (w20 - rod_q3_dot * w21 - rod_q4_dot * w22)
     w24 = w23 + rod_q1_dot * (rod_y_dot * w13 - rod_x_dot * w8 + rod_theta_dot * w18 + rod_q1_dot * c0) + rod_q2_dot * (rod_theta_dot * w19 + rod_q2_dot * c6)
     w25 = rod_q3_dot * (rod_x_dot * w9 + rod_y_dot * w14 - rod_theta_dot * w21 + rod_q3_dot * c9 + rod_q4_dot * c10)
     w26 = rod_q4_dot * (rod_q3_dot * c10 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c12)
-    w27 = w24 + w25 + w26 + slider_x_dot * (slider_x_dot * c13) + slider_y_dot * (slider_y_dot * c13) + slider_theta_dot * (slider_theta_dot * c41)
-    w28 = rod_q3 * (rod_q3 * c24) + (rod_q2 * (rod_q2 * c23) + (rod_q1 * (rod_q1 * c20) + rod_q3 * rod_q4 * c45))
+    w27 = w24 + w25 + w26 + slider_x_dot * (slider_x_dot * c13) + slider_y_dot * (slider_y_dot * c13) + slider_theta_dot * (slider_theta_dot * c39)
+    w28 = rod_q3 * (rod_q3 * c23) + (rod_q2 * (rod_q2 * c22) + (rod_q1 * (rod_q1 * c19) + rod_q3 * rod_q4 * c43))
     kinetic = ca.vertcat(
         w27 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        (w28 + rod_q4 * (rod_q4 * c28)) / 2.0,
+        (w28 + rod_q4 * (rod_q4 * c26)) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -1098,10 +1086,10 @@ def energy() -> ca.Function:
 
 
 def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 195 operations."""
+    """World points of the polylines that show the bodies. 192 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1116,7 +1104,9 @@ def drawing() -> ca.Function:
     slider_y = q[11]
     c1 = c[1]
     c2 = c[2]
-    c22 = c[22]
+    c21 = c[21]
+    c44 = c[44]
+    c45 = c[45]
     c46 = c[46]
     c47 = c[47]
     c48 = c[48]
@@ -1148,35 +1138,32 @@ def drawing() -> ca.Function:
     c74 = c[74]
     c75 = c[75]
     c76 = c[76]
-    c77 = c[77]
-    c78 = c[78]
-    c79 = c[79]
     w0 = ca.cos(rod_theta)
     w1 = rod_q3 * exaggeration
     w2 = exaggeration * rod_q4
-    w3 = c46 + (w1 * c47 + w2 * c48)
+    w3 = c44 + (w1 * c45 + w2 * c46)
     w4 = ca.sin(rod_theta)
     w5 = exaggeration * rod_q1
     w6 = exaggeration * rod_q2
-    w7 = w5 * c49 + w6 * c50
-    w8 = c51 + (w1 * c52 + w2 * c53)
-    w9 = w5 * c54 + w6 * c55
-    w10 = c56 + (w1 * c57 + w2 * c58)
-    w11 = w5 * c59 + w6 * c60
-    w12 = c61 + w1 * c62
-    w13 = w5 * c63 + w6 * c64
-    w14 = c65 + (w1 * c66 + w2 * c67)
-    w15 = w5 * c68 + w6 * c69
-    w16 = c70 + (w1 * c71 + w2 * c72)
-    w17 = w5 * c73 + w6 * c74
-    w18 = c75 + (w1 * c76 + w2 * c77)
-    w19 = w5 * c78 + w6 * c79
+    w7 = w5 * c47 + w6 * c48
+    w8 = c49 + (w1 * c50 + w2 * c51)
+    w9 = w5 * c52 + w6 * c53
+    w10 = c54 + (w1 * c55 + w2 * c56)
+    w11 = w5 * c57 + w6 * c58
+    w12 = c59 + w1 * c60
+    w13 = w5 * c61
+    w14 = c62 + (w1 * c63 + w2 * c64)
+    w15 = w5 * c65 + w6 * c66
+    w16 = c67 + (w1 * c68 + w2 * c69)
+    w17 = w5 * c70 + w6 * c71
+    w18 = c72 + (w1 * c73 + w2 * c74)
+    w19 = w5 * c75 + w6 * c76
     w20 = c2 + w2 * c1
     xy = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c22,
-        crank_y + ca.sin(crank_theta) * c22,
+        crank_x + ca.cos(crank_theta) * c21,
+        crank_y + ca.sin(crank_theta) * c21,
         rod_x,
         rod_y,
         rod_x + (w0 * w3 - w4 * w7),
@@ -1205,12 +1192,12 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 369 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 363 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1253,12 +1240,10 @@ def dQ_hat_dq_i() -> ca.Function:
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
-    c30 = c[30]
-    c31 = c[31]
-    c40 = c[40]
-    c80 = c[80]
-    c81 = c[81]
-    c82 = c[82]
+    c38 = c[38]
+    c77 = c[77]
+    c78 = c[78]
+    c79 = c[79]
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1269,80 +1254,83 @@ def dQ_hat_dq_i() -> ca.Function:
     w7 = w5 * w6
     w8 = w1 * w4 - w0 * w7
     w9 = crank_theta_dot**2
-    w10 = w9 * (ca.sin(crank_theta) * c22)
+    w10 = w9 * (ca.sin(crank_theta) * c21)
     w11 = w8 - w10
     w12 = w2 * w6
     w13 = w11 / w12
     w14 = w5 * c1
     w15 = w14 / w12
     w16 = -2.0 * rod_theta_dot
-    w17 = ca.cos(crank_theta) * c22
+    w17 = ca.cos(crank_theta) * c21
     w18 = w9 * w17
-    w19 = w18 * (w2 * c21) + w10 * (w5 * c21)
+    w19 = w18 * (w2 * c20) + w10 * (w5 * c20)
     w20 = rod_q1 * c0
     w21 = rod_q2 * c6
-    w22 = w18 * (w5 * c26)
-    w23 = w10 * (w2 * c26)
-    w24 = rod_q3 * c9
-    w25 = c17 + (w24 + rod_q4 * c10)
-    w26 = c17 + w25
-    w27 = w15 * (w16 * (rod_q3_dot * c9 + rod_q4_dot * c19) - (w22 - w23 - w13 * (w24 + w26 + rod_q4 * c19)))
-    w28 = c3 - (rod_q3 * c4 + rod_q4 * c5)
-    w29 = w13 / w12
-    w30 = w3 * w5
-    w31 = w1 * w30 + w0 * w12
-    w32 = w7 * w29 - w31 / w12
-    w33 = w2 * c1
-    w34 = w0 * w14 / w12 + w29 * w33
-    w35 = (2 * w4 - w1 * w7) / w12
-    w36 = w17 * c31 / w12 / w12
-    w37 = w15 / w12
-    w38 = w33 * w37
-    w39 = w33 / w12 + w7 * w37
-    w40 = w33 * w36 + rod_q4_dot * w38 + w15 * (w7 * w36 + rod_q4_dot * w39)
-    w41 = w15 * (w19 - w28 * w32) - (w13 * c5 + w28 * w34) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w28 * w35) * w40
-    w42 = c7 - rod_q4 * c8
-    w43 = rod_q1 * c11
-    w44 = w0 * c10 - c25 + w34 * w43 + w15 * (w32 * w43 - (w23 - w22)) + w40 * (w1 * w25 + rod_q1_dot * c81 - w35 * w43)
-    w45 = rod_q1 * c14 + rod_q2 * c15
-    w46 = (w13 * w14 - w7 * w34 - w0 * w33) * c13
-    w47 = w18 * (w5 * c29)
-    w48 = w10 * (w2 * c29)
-    w49 = rod_q4 * c12
-    w50 = c18 + (rod_q3 * c19 + w49)
-    w51 = c18 + w50
-    w52 = c16 + (rod_q1 * w20 + rod_q2 * w21 + rod_q3 * w26 + rod_q4 * w51)
-    w53 = w16 * (rod_q3_dot * c10 + rod_q4_dot * c12) - (w47 - w48 - (w13 * (rod_q3 * c10 + (w49 + w51)) - w34 * w52))
-    w54 = (w7 * w13 - (w18 + w31)) * c13
-    w55 = w14 * w54
-    w56 = rod_q1_dot * w20 + rod_q2_dot * w21 + rod_q3_dot * w25 + rod_q4_dot * w50
-    w57 = c30 + (rod_q3 * c26 + rod_q4 * c29)
-    w58 = rod_q1 * c21
-    w59 = w5 * w57 + w2 * w58
-    w60 = w2 * w57 - w5 * w58
-    w61 = w16 * w56 - (w18 * w59 - w10 * w60 - w13 * w52) + w7 * w54
-    w62 = (w11 + w7 * w32 - w8) * c13
-    w63 = w32 * w45 - (w48 - w47) + (w33 * w62 - w55) + (w15 * (w7 * w62 + w12 * w54 - (w18 * w60 + w10 * w59 - w32 * w52)) + w39 * w61)
-    w64 = w0 * c12 - c28 + w34 * w45 - w33 * w46 - (w15 * (w53 + (w7 * w46 + w55)) - w38 * w61) + w15 * w63
-    w65 = (w7 * w35 - (w1 * w12 + 2 * w30)) * c13
-    w66 = w1 * w50 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w35 * w45 - w33 * w65 - w15 * (-2.0 * w56 + w35 * w52 + w7 * w65)
+    w22 = w0 * c10 - c24
+    w23 = w18 * (w5 * c25)
+    w24 = w10 * (w2 * c25)
+    w25 = rod_q4 * c10
+    w26 = rod_q3 * c9
+    w27 = c17 + (w26 + w25)
+    w28 = c17 + w27
+    w29 = w22 - w15 * (w16 * (rod_q3_dot * c9 + rod_q4_dot * c10) - (w23 - w24 - w13 * (w25 + (w26 + w28))))
+    w30 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w31 = w13 / w12
+    w32 = w3 * w5
+    w33 = w1 * w32 + w0 * w12
+    w34 = w7 * w31 - w33 / w12
+    w35 = w2 * c1
+    w36 = w0 * w14 / w12 + w31 * w35
+    w37 = (2 * w4 - w1 * w7) / w12
+    w38 = w17 * c29 / w12 / w12
+    w39 = w15 / w12
+    w40 = w35 * w39
+    w41 = w35 / w12 + w7 * w39
+    w42 = w35 * w38 + rod_q4_dot * w40 + w15 * (w7 * w38 + rod_q4_dot * w41)
+    w43 = w15 * (w19 - w30 * w34) - (w13 * c5 + w30 * w36) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w30 * w37) * w42
+    w44 = c7 - rod_q4 * c8
+    w45 = rod_q1 * c11
+    w46 = w22 + w36 * w45 + w15 * (w34 * w45 - (w24 - w23)) + w42 * (w1 * w27 + rod_q1_dot * c78 - w37 * w45)
+    w47 = rod_q1 * c14 + rod_q2 * c15
+    w48 = (w13 * w14 - w7 * w36 - w0 * w35) * c13
+    w49 = w18 * (w5 * c27)
+    w50 = w10 * (w2 * c27)
+    w51 = rod_q3 * c10
+    w52 = rod_q4 * c12
+    w53 = c18 + (w51 + w52)
+    w54 = c18 + w53
+    w55 = c16 + (rod_q1 * w20 + rod_q2 * w21 + rod_q3 * w28 + rod_q4 * w54)
+    w56 = w16 * (rod_q3_dot * c10 + rod_q4_dot * c12) - (w49 - w50 - (w13 * (w51 + (w52 + w54)) - w36 * w55))
+    w57 = (w7 * w13 - (w18 + w33)) * c13
+    w58 = w14 * w57
+    w59 = rod_q1_dot * w20 + rod_q2_dot * w21 + rod_q3_dot * w27 + rod_q4_dot * w53
+    w60 = c28 + (rod_q3 * c25 + rod_q4 * c27)
+    w61 = rod_q1 * c20
+    w62 = w5 * w60 + w2 * w61
+    w63 = w2 * w60 - w5 * w61
+    w64 = w16 * w59 - (w18 * w62 - w10 * w63 - w13 * w55) + w7 * w57
+    w65 = (w11 + w7 * w34 - w8) * c13
+    w66 = w34 * w47 - (w50 - w49) + (w35 * w65 - w58) + (w15 * (w7 * w65 + w12 * w57 - (w18 * w63 + w10 * w62 - w34 * w55)) + w41 * w64)
+    w67 = w0 * c12 - c26 + w36 * w47 - w35 * w48 - (w15 * (w56 + (w7 * w48 + w58)) - w40 * w64) + w15 * w66
+    w68 = (w7 * w37 - (w1 * w12 + 2 * w32)) * c13
+    w69 = w1 * w53 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w37 * w47 - w35 * w68 - w15 * (-2.0 * w59 + w37 * w55 + w7 * w68)
     dQ_hat_dq_i = ca.vertcat(
-        w0 * c0 - c20,
+        w0 * c0 - c19,
         0.0,
-        w13 * c40,
+        w13 * c38,
         -(w13 * c14 + w15 * (w16 * (rod_q1_dot * c0) - (w19 - w13 * (2 * w20)))),
         0.0,
-        w0 * c6 - c23,
+        w0 * c6 - c22,
         0.0,
         -(w13 * c15 + w15 * (w16 * (rod_q2_dot * c6) + w13 * (2 * w21))),
-        w13 * c82,
+        w13 * c79,
         0.0,
-        w0 * c9 - c24,
-        w0 * c19 - c27 - w27,
-        w41,
-        w40 * (w1 * w21 + rod_q4_dot * c80 + w35 * w42) - (w13 * c8 + w34 * w42 + w15 * (w32 * w42)),
-        w44,
-        w64 + w40 * w66,
+        w0 * c9 - c23,
+        w29,
+        w43,
+        w42 * (w1 * w21 + rod_q4_dot * c77 + w37 * w44) - (w13 * c8 + w36 * w44 + w15 * (w34 * w44)),
+        w46,
+        w67 + w42 * w69,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1351,12 +1339,12 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 192 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 191 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1386,9 +1374,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
-    c80 = c[80]
-    c81 = c[81]
+    c77 = c[77]
+    c78 = c[78]
     w0 = 2 * rod_theta_dot
     w1 = ca.sin(rod_theta)
     w2 = w1 * c1
@@ -1410,7 +1397,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w18 = rod_q1 * c11
     w19 = rod_q1 * c14 + rod_q2 * c15
     w20 = (w13 * w15 - w0 * w2) * c13
-    w21 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w21 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w22 = c16 + (rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (c17 + w10) + rod_q4 * (c18 + w21))
     w23 = (w15 * w16 - (w0 * w5 + 2 * (w1 * w14))) * c13
     w24 = -2.0 * (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w21) + w16 * w22 + w15 * w23
@@ -1429,8 +1416,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         0.0,
         -(w6 * (w7 * w10)),
         w0 * c5 + w11 * w13 - w6 * (w0 * w8 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w11 * w16),
-        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c80 + w16 * w17),
-        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c81 - w16 * w18)),
+        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c77 + w16 * w17),
+        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c78 - w16 * w18)),
         -w25,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
@@ -1440,11 +1427,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 194 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 191 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1471,9 +1458,8 @@ def dMa_dq_i() -> ca.Function:
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
-    c19 = c[19]
-    c43 = c[43]
-    c44 = c[44]
+    c41 = c[41]
+    c42 = c[42]
     w0 = ca.sin(rod_theta)
     w1 = w0 * c1
     w2 = ca.cos(rod_theta)
@@ -1483,29 +1469,31 @@ def dMa_dq_i() -> ca.Function:
     w6 = w5 * rod_q4_ddot
     w7 = rod_q1 * c0
     w8 = rod_q2 * c6
-    w9 = rod_q3 * c9
-    w10 = rod_q4 * c10 + (c43 + w9)
-    w11 = c3 - (rod_q3 * c4 + rod_q4 * c5)
-    w12 = w5 / w4
-    w13 = w2 * c1
-    w14 = w12 * w13
-    w15 = rod_q4_ddot * w14
-    w16 = w0 * w3
-    w17 = w13 / w4 + w12 * w16
-    w18 = rod_q4_ddot * w17
-    w19 = c7 - rod_q4 * c8
-    w20 = rod_q1 * c11
-    w21 = (w1 * w6 - w15 * w16) * c13
-    w22 = rod_q1 * c14 + rod_q2 * c15
-    w23 = rod_q4 * c12
-    w24 = w23 + (c44 + rod_q3 * c19)
-    w25 = c16 + (rod_q1 * w7 + rod_q2 * w8 + rod_q3 * w10 + rod_q4 * w24)
-    w26 = (w6 * w16 + rod_q4_ddot * w13) * c13
-    w27 = w1 * w26
-    w28 = rod_q1_ddot * c5 + (w6 * (rod_q3 * c10 + (w23 + w24)) - w15 * w25) + rod_q2_ddot * c8 + (w16 * w21 + w27)
-    w29 = rod_q1_ddot * w11 - w6 * w25 + w19 * rod_q2_ddot - rod_q3_ddot * w20 - rod_q4_ddot * w22 - w16 * w26
-    w30 = (w4 * w6 + w16 * w18 - w1 * rod_q4_ddot) * c13
-    w31 = w13 * w21 - w15 * w22 + (w5 * w28 + w14 * w29) - w5 * (w18 * w22 + (w13 * w30 - w27) - (w17 * w29 - w5 * (w18 * w25 + (w16 * w30 + w4 * w26))))
+    w9 = rod_q4 * c10
+    w10 = rod_q3 * c9
+    w11 = w9 + (c41 + w10)
+    w12 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w13 = w5 / w4
+    w14 = w2 * c1
+    w15 = w13 * w14
+    w16 = rod_q4_ddot * w15
+    w17 = w0 * w3
+    w18 = w14 / w4 + w13 * w17
+    w19 = rod_q4_ddot * w18
+    w20 = c7 - rod_q4 * c8
+    w21 = rod_q1 * c11
+    w22 = (w1 * w6 - w16 * w17) * c13
+    w23 = rod_q1 * c14 + rod_q2 * c15
+    w24 = rod_q3 * c10
+    w25 = rod_q4 * c12
+    w26 = w25 + (c42 + w24)
+    w27 = c16 + (rod_q1 * w7 + rod_q2 * w8 + rod_q3 * w11 + rod_q4 * w26)
+    w28 = (w6 * w17 + rod_q4_ddot * w14) * c13
+    w29 = w1 * w28
+    w30 = w5 * (rod_q1_ddot * c5 + (w6 * (w24 + (w25 + w26)) - w16 * w27) + rod_q2_ddot * c8 + (w17 * w22 + w29))
+    w31 = rod_q1_ddot * w12 - w6 * w27 + w20 * rod_q2_ddot - rod_q3_ddot * w21 - rod_q4_ddot * w23 - w17 * w28
+    w32 = (w4 * w6 + w17 * w19 - w1 * rod_q4_ddot) * c13
+    w33 = w14 * w22 - w16 * w23 + (w30 + w15 * w31) - w5 * (w19 * w23 + (w14 * w32 - w29) - (w18 * w31 - w5 * (w19 * w27 + (w17 * w32 + w4 * w28))))
     dMa_dq_i = ca.vertcat(
         0.0,
         0.0,
@@ -1518,11 +1506,11 @@ def dMa_dq_i() -> ca.Function:
         w6 * c4,
         0.0,
         0.0,
-        w5 * (rod_q1_ddot * c4 + w6 * (w9 + w10 + rod_q4 * c19)),
-        w6 * c5 + w11 * w15 + w5 * (w11 * w18),
-        w6 * c8 + w15 * w19 + w5 * (w18 * w19),
-        -(w15 * w20 + w5 * (w18 * w20)),
-        w31,
+        w5 * (rod_q1_ddot * c4 + w6 * (w9 + (w10 + w11))),
+        w6 * c5 + w12 * w16 + w5 * (w12 * w19),
+        w6 * c8 + w16 * w20 + w5 * (w19 * w20),
+        -(w16 * w21 + w5 * (w19 * w21)),
+        w33,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 4, 4)
     dMa_dq_i = ca.densify(dMa_dq_i)
@@ -1531,13 +1519,13 @@ def dMa_dq_i() -> ca.Function:
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 199 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 197 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 83)
+    c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1571,16 +1559,14 @@ def substep_2() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
+    c20 = c[20]
     c21 = c[21]
-    c22 = c[22]
+    c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
     w0 = ca.sin(rod_theta)
     w1 = ca.cos(rod_theta)
     w2 = c2 + rod_q4 * c1
@@ -1596,21 +1582,21 @@ def substep_2() -> ca.Function:
     w12 = rod_q1 * c0
     w13 = rod_q2 * c6
     w14 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w15 = c18 + (rod_q3 * c19 + rod_q4 * c12)
+    w15 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w16 = c16 + (rod_q1 * w12 + rod_q2 * w13 + rod_q3 * (c17 + w14) + rod_q4 * (c18 + w15))
     w17 = rod_theta_dot**2
     w18 = 2 * rod_theta_dot
     w19 = rod_q4_dot * c1
     w20 = crank_theta_dot**2
-    w21 = w20 * (ca.sin(crank_theta) * c22)
+    w21 = w20 * (ca.sin(crank_theta) * c21)
     w22 = (w18 * (w1 * w19) - w10 * w17 - w21) / w3
-    w23 = w20 * (ca.cos(crank_theta) * c22)
-    w24 = w14 * w17 + w18 * (rod_q1_dot * c11) - (rod_q3 * c24 + rod_q4 * c25) - (w5 * w22 - (w1 * c26 * w23 + w21 * (w0 * c26)))
-    w25 = w15 * w17 + w18 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c27 + rod_q4 * c28) - (w9 * w22 - (w23 * (w1 * c29) + w21 * (w0 * c29)))
+    w23 = w20 * (ca.cos(crank_theta) * c21)
+    w24 = w14 * w17 + w18 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24) - (w5 * w22 - (w1 * c25 * w23 + w21 * (w0 * c25)))
+    w25 = w15 * w17 + w18 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26) - (w9 * w22 - (w23 * (w1 * c27) + w21 * (w0 * c27)))
     w26 = (w10 * w22 - (w23 + (w3 * w17 + w18 * (w0 * w19)))) * c13
     w27 = -2.0 * rod_theta_dot * (w12 * rod_q1_dot + w13 * rod_q2_dot + w14 * rod_q3_dot + w15 * rod_q4_dot)
-    w28 = c30 + (rod_q3 * c26 + rod_q4 * c29)
-    w29 = rod_q1 * c21
+    w28 = c28 + (rod_q3 * c25 + rod_q4 * c27)
+    w29 = rod_q1 * c20
     w30 = w23 * (w0 * w28 + w1 * w29) - w21 * (w1 * w28 - w0 * w29) - w16 * w22 + (c3 - (rod_q3 * c4 + rod_q4 * c5)) * rod_q1_ddot
     M_hat_SS = ca.vertcat(
         c9,

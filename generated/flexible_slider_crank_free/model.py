@@ -7,8 +7,8 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 166 operations."""
-    p = ca.SX.sym("p", 70)
+    """c: everything that depends on the parameters p only. 160 operations."""
+    p = ca.SX.sym("p", 67)
     crank_mass = p[0]
     crank_inertia = p[1]
     crank_center_of_mass_x = p[2]
@@ -26,59 +26,56 @@ def constants() -> ca.Function:
     rod_M_ff_1_1 = p[14]
     rod_M_ff_2_2 = p[15]
     rod_M_ff_2_3 = p[16]
-    rod_M_ff_3_2 = p[17]
-    rod_M_ff_3_3 = p[18]
-    rod_phi_cross_phi_0_2 = p[19]
-    rod_phi_cross_phi_0_3 = p[20]
-    rod_phi_cross_phi_1_3 = p[21]
-    rod_phi_cross_phi_2_0 = p[22]
-    rod_phi_cross_phi_3_0 = p[23]
-    rod_phi_cross_phi_3_1 = p[24]
-    rod_K_ff_0_0 = p[25]
-    rod_K_ff_1_1 = p[26]
-    rod_K_ff_2_2 = p[27]
-    rod_K_ff_2_3 = p[28]
-    rod_K_ff_3_2 = p[29]
-    rod_K_ff_3_3 = p[30]
-    slider_mass = p[31]
-    slider_inertia = p[32]
-    crank_tip_x = p[33]
-    rod_end_x = p[34]
-    rod_end_shape_0_3 = p[35]
-    rod_at1_x = p[36]
-    rod_at1_shape_0_2 = p[37]
-    rod_at1_shape_0_3 = p[38]
-    rod_at1_shape_1_0 = p[39]
-    rod_at1_shape_1_1 = p[40]
-    rod_at2_x = p[41]
-    rod_at2_shape_0_2 = p[42]
-    rod_at2_shape_0_3 = p[43]
-    rod_at2_shape_1_0 = p[44]
-    rod_at2_shape_1_1 = p[45]
-    rod_at3_x = p[46]
-    rod_at3_shape_0_2 = p[47]
-    rod_at3_shape_0_3 = p[48]
-    rod_at3_shape_1_0 = p[49]
-    rod_at3_shape_1_1 = p[50]
-    rod_at4_x = p[51]
-    rod_at4_shape_0_2 = p[52]
-    rod_at4_shape_1_0 = p[53]
-    rod_at4_shape_1_1 = p[54]
-    rod_at5_x = p[55]
-    rod_at5_shape_0_2 = p[56]
-    rod_at5_shape_0_3 = p[57]
-    rod_at5_shape_1_0 = p[58]
-    rod_at5_shape_1_1 = p[59]
-    rod_at6_x = p[60]
-    rod_at6_shape_0_2 = p[61]
-    rod_at6_shape_0_3 = p[62]
-    rod_at6_shape_1_0 = p[63]
-    rod_at6_shape_1_1 = p[64]
-    rod_at7_x = p[65]
-    rod_at7_shape_0_2 = p[66]
-    rod_at7_shape_0_3 = p[67]
-    rod_at7_shape_1_0 = p[68]
-    rod_at7_shape_1_1 = p[69]
+    rod_M_ff_3_3 = p[17]
+    rod_phi_cross_phi_0_2 = p[18]
+    rod_phi_cross_phi_0_3 = p[19]
+    rod_phi_cross_phi_1_3 = p[20]
+    rod_phi_cross_phi_2_0 = p[21]
+    rod_phi_cross_phi_3_0 = p[22]
+    rod_phi_cross_phi_3_1 = p[23]
+    rod_K_ff_0_0 = p[24]
+    rod_K_ff_1_1 = p[25]
+    rod_K_ff_2_2 = p[26]
+    rod_K_ff_2_3 = p[27]
+    rod_K_ff_3_3 = p[28]
+    slider_mass = p[29]
+    slider_inertia = p[30]
+    crank_tip_x = p[31]
+    rod_end_x = p[32]
+    rod_end_shape_0_3 = p[33]
+    rod_at1_x = p[34]
+    rod_at1_shape_0_2 = p[35]
+    rod_at1_shape_0_3 = p[36]
+    rod_at1_shape_1_0 = p[37]
+    rod_at1_shape_1_1 = p[38]
+    rod_at2_x = p[39]
+    rod_at2_shape_0_2 = p[40]
+    rod_at2_shape_0_3 = p[41]
+    rod_at2_shape_1_0 = p[42]
+    rod_at2_shape_1_1 = p[43]
+    rod_at3_x = p[44]
+    rod_at3_shape_0_2 = p[45]
+    rod_at3_shape_0_3 = p[46]
+    rod_at3_shape_1_0 = p[47]
+    rod_at3_shape_1_1 = p[48]
+    rod_at4_x = p[49]
+    rod_at4_shape_0_2 = p[50]
+    rod_at4_shape_1_0 = p[51]
+    rod_at5_x = p[52]
+    rod_at5_shape_0_2 = p[53]
+    rod_at5_shape_0_3 = p[54]
+    rod_at5_shape_1_0 = p[55]
+    rod_at5_shape_1_1 = p[56]
+    rod_at6_x = p[57]
+    rod_at6_shape_0_2 = p[58]
+    rod_at6_shape_0_3 = p[59]
+    rod_at6_shape_1_0 = p[60]
+    rod_at6_shape_1_1 = p[61]
+    rod_at7_x = p[62]
+    rod_at7_shape_0_2 = p[63]
+    rod_at7_shape_0_3 = p[64]
+    rod_at7_shape_1_0 = p[65]
+    rod_at7_shape_1_1 = p[66]
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,
         crank_tip_x,
@@ -98,7 +95,6 @@ def constants() -> ca.Function:
         rod_M_ff_2_2,
         rod_M_ff_2_3,
         rod_rho_dot_phi_3_0,
-        rod_M_ff_3_2,
         rod_M_ff_3_3,
         rod_rho_cross_phi_0_0,
         rod_phi_cross_phi_0_2,
@@ -112,7 +108,6 @@ def constants() -> ca.Function:
         rod_K_ff_1_1,
         rod_K_ff_2_2,
         rod_K_ff_2_3,
-        rod_K_ff_3_2,
         rod_K_ff_3_3,
         -rod_end_shape_0_3,
         crank_mass,
@@ -123,7 +118,7 @@ def constants() -> ca.Function:
         -slider_inertia,
         2 * rod_rho_dot_phi_2_0,
         2 * rod_rho_dot_phi_3_0,
-        rod_K_ff_2_3 + rod_K_ff_3_2,
+        2 * rod_K_ff_2_3,
         rod_at1_x,
         rod_at1_shape_0_2,
         rod_at1_shape_0_3,
@@ -142,7 +137,6 @@ def constants() -> ca.Function:
         rod_at4_x,
         rod_at4_shape_0_2,
         rod_at4_shape_1_0,
-        rod_at4_shape_1_1,
         rod_at5_x,
         rod_at5_shape_0_2,
         rod_at5_shape_0_3,
@@ -168,12 +162,12 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 318 operations."""
+    """M_hat and Q_hat (Eq. 38). 316 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -218,8 +212,6 @@ def condensed() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
     w2 = ca.cos(rod_theta)
@@ -237,24 +229,24 @@ def condensed() -> ca.Function:
     w14 = rod_q1 * c12
     w15 = rod_q2 * c13
     w16 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w17 = c17 + (rod_q3 * c18 + rod_q4 * c19)
+    w17 = c17 + (rod_q3 * c16 + rod_q4 * c18)
     w18 = c11 + (rod_q1 * w14 + rod_q2 * w15 + rod_q3 * (c14 + w16) + rod_q4 * (c17 + w17))
     w19 = w18 + w11 * w12
     w20 = w2 * c10
     w21 = w7 * c10
-    w22 = c20 - (rod_q3 * c21 + rod_q4 * c22)
+    w22 = c19 - (rod_q3 * c20 + rod_q4 * c21)
     w23 = w0 * w20 + w1 * w21 - w5 * w22
-    w24 = c23 - rod_q4 * c24
+    w24 = c22 - rod_q4 * c23
     w25 = -(w5 * w24)
     w26 = w7 * c8
     w27 = w2 * c8
-    w28 = rod_q1 * c25
+    w28 = rod_q1 * c24
     w29 = w0 * w26 - w1 * w27 + w5 * w28
     w30 = w7 * c9
     w31 = w2 * c9
     w32 = w2 * c6
     w33 = w32 * c3
-    w34 = rod_q1 * c26 + rod_q2 * c27
+    w34 = rod_q1 * c25 + rod_q2 * c26
     w35 = w34 + w11 * w33
     w36 = w7 * c6 / w4
     w37 = w35 + w19 * w36
@@ -275,9 +267,9 @@ def condensed() -> ca.Function:
     w52 = w0 * (w10 * w42 - w43 * (w2 * w44 - w7 * w45) + (w47 * c2 + w9 * w49)) - w1 * (w9 * w42 + w43 * (w7 * w44 + w2 * w45) - (w10 * w49 - w50 * c2) - w51)
     w53 = -2.0 * rod_theta_dot * (w14 * rod_q1_dot + w15 * rod_q2_dot + w16 * rod_q3_dot + w17 * rod_q4_dot)
     w54 = w53 - (w10 * w50 - w9 * w47 - w18 * w49) + w11 * w51
-    w55 = w14 * w42 + w43 * (rod_q3_dot * c21 + rod_q4_dot * c22) - rod_q1 * c28 - (w21 * w50 - w20 * w47 - w22 * w49)
-    w56 = w16 * w42 + w43 * (rod_q1_dot * c25) - (rod_q3 * c30 + rod_q4 * c31) - (w28 * w49 - (w27 * w50 + w26 * w47))
-    w57 = w17 * w42 + w43 * (rod_q1_dot * c26 + rod_q2_dot * c27) - (rod_q3 * c32 + rod_q4 * c33) - (w34 * w49 - (w31 * w50 + w30 * w47))
+    w55 = w14 * w42 + w43 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27 - (w21 * w50 - w20 * w47 - w22 * w49)
+    w56 = w16 * w42 + w43 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30) - (w28 * w49 - (w27 * w50 + w26 * w47))
+    w57 = w17 * w42 + w43 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31) - (w34 * w49 - (w31 * w50 + w30 * w47))
     M_hat = ca.vertcat(
         c0 + w0 * (w0 * c2) + w1 * (w1 * c4) - (w5 * (w13 - w5 * w19) + w5 * w13),
         w23,
@@ -303,14 +295,14 @@ def condensed() -> ca.Function:
         w39,
         w40,
         w41,
-        c19 + w32 * w33 + (w36 * w37 + w35 * w36),
+        c18 + w32 * w33 + (w36 * w37 + w35 * w36),
     )
     M_hat = ca.reshape(M_hat, 5, 5)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
         w52 - w5 * w54,
         w55,
-        w15 * w42 + w43 * (rod_q4_dot * c24) - rod_q2 * c29 + w24 * w49,
+        w15 * w42 + w43 * (rod_q4_dot * c23) - rod_q2 * c28 + w24 * w49,
         w56,
         w57 - w32 * w51 - w36 * w54,
     )
@@ -323,7 +315,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 33 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -359,7 +351,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -397,7 +389,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -442,7 +434,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 187 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -459,7 +451,7 @@ def constraints() -> ca.Function:
     c1 = c[1]
     c5 = c[5]
     c6 = c[6]
-    c34 = c[34]
+    c32 = c[32]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
     w2 = ca.cos(rod_theta)
@@ -561,8 +553,8 @@ def constraints() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w2 * c34,
-        w5 * c34,
+        w2 * c32,
+        w5 * c32,
         0.0,
         0.0,
         0.0,
@@ -617,10 +609,10 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 349 operations."""
+    """M and Q* of the augmented form (Eq. 28). 347 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -661,23 +653,21 @@ def augmented() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
-    c32 = c[32]
     c33 = c[33]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    w0 = ca.sin(crank_theta) * c36
+    w0 = ca.sin(crank_theta) * c34
     w1 = -w0
-    w2 = ca.cos(crank_theta) * c36
+    w2 = ca.cos(crank_theta) * c34
     w3 = ca.sin(rod_theta)
     w4 = c7 + (rod_q3 * c8 + rod_q4 * c9)
     w5 = ca.cos(rod_theta)
     w6 = rod_q1 * c10
     w7 = w3 * w4 + w5 * w6
     w8 = -w7
-    w9 = w3 * c37
+    w9 = w3 * c35
     w10 = w5 * c8
     w11 = w5 * c9
     w12 = w4 * w5 - w3 * w6
@@ -687,11 +677,11 @@ def augmented() -> ca.Function:
     w16 = rod_q1 * c12
     w17 = rod_q2 * c13
     w18 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w19 = c17 + (rod_q3 * c18 + rod_q4 * c19)
-    w20 = c20 - (rod_q3 * c21 + rod_q4 * c22)
-    w21 = c23 - rod_q4 * c24
-    w22 = rod_q1 * c38
-    w23 = -(rod_q1 * c26 + rod_q2 * c27)
+    w19 = c17 + (rod_q3 * c16 + rod_q4 * c18)
+    w20 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w21 = c22 - rod_q4 * c23
+    w22 = rod_q1 * c36
+    w23 = -(rod_q1 * c25 + rod_q2 * c26)
     w24 = crank_theta_dot**2
     w25 = rod_theta_dot**2
     w26 = 2 * rod_theta_dot
@@ -699,7 +689,7 @@ def augmented() -> ca.Function:
     w28 = rod_q1_dot * c10
     w29 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     M = ca.vertcat(
-        c35,
+        c33,
         0.0,
         w1,
         0.0,
@@ -713,7 +703,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c35,
+        c33,
         w2,
         0.0,
         0.0,
@@ -825,7 +815,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c16,
-        c19,
+        c18,
         0.0,
         0.0,
         0.0,
@@ -867,7 +857,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        c39,
+        c37,
     )
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
@@ -878,10 +868,10 @@ def augmented() -> ca.Function:
         w12 * w25 + w26 * (w3 * w27 + w5 * w28),
         w7 * w25 - w26 * (w5 * w27 - w3 * w28),
         w29,
-        w16 * w25 + w26 * (rod_q3_dot * c21 + rod_q4_dot * c22) - rod_q1 * c28,
-        w17 * w25 + w26 * (rod_q4_dot * c24) - rod_q2 * c29,
-        w18 * w25 + w26 * (rod_q1_dot * c25) - (rod_q3 * c30 + rod_q4 * c31),
-        w19 * w25 + w26 * (rod_q1_dot * c26 + rod_q2_dot * c27) - (rod_q3 * c32 + rod_q4 * c33),
+        w16 * w25 + w26 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27,
+        w17 * w25 + w26 * (rod_q4_dot * c23) - rod_q2 * c28,
+        w18 * w25 + w26 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30),
+        w19 * w25 + w26 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31),
         0.0,
         0.0,
         0.0,
@@ -892,11 +882,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 204 operations."""
+    """Lagrange multipliers lam (Eq. 37). 203 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -946,13 +936,12 @@ def reactions() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
-    c35 = c[35]
-    c36 = c[36]
-    c40 = c[40]
+    c33 = c[33]
+    c34 = c[34]
+    c38 = c[38]
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c36
-    w2 = ca.sin(crank_theta) * c36
+    w1 = ca.cos(crank_theta) * c34
+    w2 = ca.sin(crank_theta) * c34
     w3 = rod_theta_dot**2
     w4 = ca.cos(rod_theta)
     w5 = c7 + (rod_q3 * c8 + rod_q4 * c9)
@@ -970,21 +959,21 @@ def reactions() -> ca.Function:
     w17 = rod_q1 * c12
     w18 = rod_q2 * c13
     w19 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w20 = c17 + (rod_q3 * c18 + rod_q4 * c19)
+    w20 = c17 + (rod_q3 * c16 + rod_q4 * c18)
     w21 = -2.0 * rod_theta_dot * (rod_q1_dot * w17 + w18 * rod_q2_dot + rod_q3_dot * w19 + rod_q4_dot * w20)
     w22 = rod_theta_ddot * (c11 + (rod_q1 * w17 + rod_q2 * w18 + rod_q3 * (c14 + w19) + rod_q4 * (c17 + w20)))
-    w23 = w8 * rod_y_ddot - rod_x_ddot * w12 + w22 + rod_q1_ddot * (c20 - (rod_q3 * c21 + rod_q4 * c22)) + (c23 - rod_q4 * c24) * rod_q2_ddot
+    w23 = w8 * rod_y_ddot - rod_x_ddot * w12 + w22 + rod_q1_ddot * (c19 - (rod_q3 * c20 + rod_q4 * c21)) + (c22 - rod_q4 * c23) * rod_q2_ddot
     w24 = c5 + rod_q4 * c6
-    w25 = w21 - (w23 - rod_q3_ddot * (rod_q1 * c25) - rod_q4_ddot * (rod_q1 * c26 + rod_q2 * c27)) + w14 * (w6 * w24)
+    w25 = w21 - (w23 - rod_q3_ddot * (rod_q1 * c24) - rod_q4_ddot * (rod_q1 * c25 + rod_q2 * c26)) + w14 * (w6 * w24)
     w26 = w25 / (w4 * w24)
     w27 = w3 * w12 - w9 * (w4 * w10 - w6 * w11) - w16 - w26
     lam = ca.vertcat(
-        w0 * w1 - (crank_x_ddot * c35 - w2 * crank_theta_ddot) + w15,
-        w0 * w2 - (crank_y_ddot * c35 + w1 * crank_theta_ddot) + w27,
+        w0 * w1 - (crank_x_ddot * c33 - w2 * crank_theta_ddot) + w15,
+        w0 * w2 - (crank_y_ddot * c33 + w1 * crank_theta_ddot) + w27,
         w15,
         w27,
         w26 - slider_y_ddot * c3,
-        slider_theta_ddot * c40,
+        slider_theta_ddot * c38,
         -w14,
         -w26,
     )
@@ -994,10 +983,10 @@ def reactions() -> ca.Function:
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 223 operations."""
+    """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1041,17 +1030,16 @@ def energy() -> ca.Function:
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
-    c30 = c[30]
+    c31 = c[31]
     c33 = c[33]
-    c35 = c[35]
-    c36 = c[36]
+    c34 = c[34]
+    c37 = c[37]
     c39 = c[39]
+    c40 = c[40]
     c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    w0 = ca.sin(crank_theta) * c36
-    w1 = ca.cos(crank_theta) * c36
-    w2 = crank_x_dot * (crank_x_dot * c35 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c35 + crank_theta_dot * w1)
+    w0 = ca.sin(crank_theta) * c34
+    w1 = ca.cos(crank_theta) * c34
+    w2 = crank_x_dot * (crank_x_dot * c33 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c33 + crank_theta_dot * w1)
     w3 = ca.sin(rod_theta)
     w4 = c7 + (rod_q3 * c8 + rod_q4 * c9)
     w5 = ca.cos(rod_theta)
@@ -1066,25 +1054,25 @@ def energy() -> ca.Function:
     w14 = w3 * c8
     w15 = w3 * c9
     w16 = rod_y_dot * (rod_y_dot * c2 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
-    w17 = rod_q1 * (rod_q1 * c12) + rod_q2 * (rod_q2 * c13) + rod_q3 * (rod_q4 * c16 + (rod_q3 * c15 + c41))
-    w18 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c11 + (w17 + rod_q4 * (rod_q4 * c19 + (rod_q3 * c18 + c42))))
-    w19 = c20 - (rod_q3 * c21 + rod_q4 * c22)
-    w20 = c23 - rod_q4 * c24
-    w21 = rod_q1 * c25
-    w22 = rod_q1 * c26 + rod_q2 * c27
+    w17 = rod_q1 * (rod_q1 * c12) + rod_q2 * (rod_q2 * c13) + rod_q3 * (rod_q4 * c16 + (rod_q3 * c15 + c39))
+    w18 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c11 + (w17 + rod_q4 * (rod_q4 * c18 + (rod_q3 * c16 + c40))))
+    w19 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w20 = c22 - rod_q4 * c23
+    w21 = rod_q1 * c24
+    w22 = rod_q1 * c25 + rod_q2 * c26
     w23 = rod_theta_dot * (w18 + rod_q1_dot * w19 + w20 * rod_q2_dot - rod_q3_dot * w21 - rod_q4_dot * w22)
     w24 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c0) + w11 + w16 + w23
     w25 = w24 + rod_q1_dot * (rod_y_dot * w13 - rod_x_dot * w8 + rod_theta_dot * w19 + rod_q1_dot * c12) + rod_q2_dot * (rod_theta_dot * w20 + rod_q2_dot * c13)
     w26 = rod_q3_dot * (rod_x_dot * w9 + rod_y_dot * w14 - rod_theta_dot * w21 + rod_q3_dot * c15 + rod_q4_dot * c16)
-    w27 = rod_q4_dot * (rod_q3_dot * c16 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c19)
-    w28 = w25 + w26 + w27 + slider_x_dot * (slider_x_dot * c3) + slider_y_dot * (slider_y_dot * c3) + slider_theta_dot * (slider_theta_dot * c39)
-    w29 = rod_q3 * (rod_q3 * c30) + (rod_q2 * (rod_q2 * c29) + (rod_q1 * (rod_q1 * c28) + rod_q3 * rod_q4 * c43))
+    w27 = rod_q4_dot * (rod_q3_dot * c16 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c18)
+    w28 = w25 + w26 + w27 + slider_x_dot * (slider_x_dot * c3) + slider_y_dot * (slider_y_dot * c3) + slider_theta_dot * (slider_theta_dot * c37)
+    w29 = rod_q3 * (rod_q3 * c29) + (rod_q2 * (rod_q2 * c28) + (rod_q1 * (rod_q1 * c27) + rod_q3 * rod_q4 * c41))
     kinetic = ca.vertcat(
         w28 / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        (w29 + rod_q4 * (rod_q4 * c33)) / 2.0,
+        (w29 + rod_q4 * (rod_q4 * c31)) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -1104,10 +1092,10 @@ def energy() -> ca.Function:
 
 
 def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 195 operations."""
+    """World points of the polylines that show the bodies. 192 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1123,6 +1111,8 @@ def drawing() -> ca.Function:
     c1 = c[1]
     c5 = c[5]
     c6 = c[6]
+    c42 = c[42]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
@@ -1154,29 +1144,26 @@ def drawing() -> ca.Function:
     c72 = c[72]
     c73 = c[73]
     c74 = c[74]
-    c75 = c[75]
-    c76 = c[76]
-    c77 = c[77]
     w0 = ca.cos(rod_theta)
     w1 = rod_q3 * exaggeration
     w2 = exaggeration * rod_q4
-    w3 = c44 + (w1 * c45 + w2 * c46)
+    w3 = c42 + (w1 * c43 + w2 * c44)
     w4 = ca.sin(rod_theta)
     w5 = exaggeration * rod_q1
     w6 = exaggeration * rod_q2
-    w7 = w5 * c47 + w6 * c48
-    w8 = c49 + (w1 * c50 + w2 * c51)
-    w9 = w5 * c52 + w6 * c53
-    w10 = c54 + (w1 * c55 + w2 * c56)
-    w11 = w5 * c57 + w6 * c58
-    w12 = c59 + w1 * c60
-    w13 = w5 * c61 + w6 * c62
-    w14 = c63 + (w1 * c64 + w2 * c65)
-    w15 = w5 * c66 + w6 * c67
-    w16 = c68 + (w1 * c69 + w2 * c70)
-    w17 = w5 * c71 + w6 * c72
-    w18 = c73 + (w1 * c74 + w2 * c75)
-    w19 = w5 * c76 + w6 * c77
+    w7 = w5 * c45 + w6 * c46
+    w8 = c47 + (w1 * c48 + w2 * c49)
+    w9 = w5 * c50 + w6 * c51
+    w10 = c52 + (w1 * c53 + w2 * c54)
+    w11 = w5 * c55 + w6 * c56
+    w12 = c57 + w1 * c58
+    w13 = w5 * c59
+    w14 = c60 + (w1 * c61 + w2 * c62)
+    w15 = w5 * c63 + w6 * c64
+    w16 = c65 + (w1 * c66 + w2 * c67)
+    w17 = w5 * c68 + w6 * c69
+    w18 = c70 + (w1 * c71 + w2 * c72)
+    w19 = w5 * c73 + w6 * c74
     w20 = c5 + w2 * c6
     xy = ca.vertcat(
         crank_x,
@@ -1211,12 +1198,12 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 540 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 534 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1259,12 +1246,10 @@ def dQ_hat_dq_i() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
-    c38 = c[38]
-    c78 = c[78]
-    c79 = c[79]
-    c80 = c[80]
+    c36 = c[36]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
     w0 = ca.cos(crank_theta) * c1
     w1 = crank_theta_dot**2
     w2 = w0 * w1
@@ -1307,99 +1292,101 @@ def dQ_hat_dq_i() -> ca.Function:
     w39 = rod_q1 * c12
     w40 = rod_q2 * c13
     w41 = rod_q3 * c15
-    w42 = c14 + (w41 + rod_q4 * c16)
-    w43 = c14 + w42
-    w44 = rod_q4 * c19
-    w45 = c17 + (rod_q3 * c18 + w44)
-    w46 = c17 + w45
-    w47 = c11 + (rod_q1 * w39 + rod_q2 * w40 + rod_q3 * w43 + rod_q4 * w46)
-    w48 = w14 * w21 + w2 * w8
-    w49 = w25 * w36 - (w11 * w47 - w48)
-    w50 = -2.0 * rod_theta_dot
-    w51 = rod_q1_dot * w39 + w40 * rod_q2_dot + rod_q3_dot * w42 + rod_q4_dot * w45
-    w52 = w50 * w51 - (w2 * w14 - w8 * w21 - w28 * w47) + w25 * w35
-    w53 = w12 / w10
-    w54 = w28 / w10
-    w55 = w25 * w54 - w34 / w10
-    w56 = (w27 + w25 * w55 - w26) * c3
-    w57 = w25 * w56 + w10 * w35 - (w48 - w47 * w55)
-    w58 = w38 / w10
-    w59 = w25 * w58
-    w60 = w0 * (w31 + (w8 * w55 - w32)) - w12 * (w20 - w15 - (w29 + w14 * w55) - w56) - (w38 * w57 + w52 * w59)
-    w61 = (2 * w24 - w16 * w25) / w10
-    w62 = (w25 * w61 - (w10 * w16 + 2 * w33)) * c3
-    w63 = -2.0 * w51 + w47 * w61 + w25 * w62
-    w64 = w0 * (w14 * w16 - 2 * w19 + w8 * w61) - w12 * (w8 * w16 + 2 * w30 - w14 * w61 - w62) - w38 * w63
-    w65 = w4 * c6
-    w66 = w6 * c6
-    w67 = w66 / w10
-    w68 = w67 / w10
-    w69 = w65 / w10 + w25 * w68
-    w70 = crank_theta_dot * w59 + rod_q4_dot * w69
-    w71 = crank_theta_dot * w53 + w38 * w70
-    w72 = w4 * c10
-    w73 = w6 * c10
-    w74 = w2 * w72 + w21 * w73
-    w75 = c20 - (rod_q3 * c21 + rod_q4 * c22)
-    w76 = w74 - w55 * w75
-    w77 = w16 * w39 + 2 * (rod_q3_dot * c21 + rod_q4_dot * c22) + w61 * w75
-    w78 = c23 - rod_q4 * c24
-    w79 = w16 * w40 + rod_q4_dot * c78 + w61 * w78
-    w80 = w55 * w78
-    w81 = rod_q1 * c25
-    w82 = w6 * c8
-    w83 = w2 * w82
-    w84 = w4 * c8
-    w85 = w21 * w84
-    w86 = w83 - w85
-    w87 = w55 * w81 - (w85 - w83)
-    w88 = w16 * w42 + rod_q1_dot * c79 - w61 * w81
-    w89 = rod_q1 * c26 + rod_q2 * c27
-    w90 = w6 * c9
-    w91 = w2 * w90
-    w92 = w4 * c9
-    w93 = w21 * w92
-    w94 = w91 - w93
-    w95 = w35 * w66
-    w96 = w55 * w89 - (w93 - w91) + (w56 * w65 - w95) + (w57 * w67 + w52 * w69)
-    w97 = w16 * w45 + 2 * (rod_q1_dot * c26 + rod_q2_dot * c27) - w61 * w89 - w62 * w65 - w63 * w67
-    w98 = w50 * (rod_q1_dot * c12) - (w74 - w28 * (2 * w39))
-    w99 = w50 * (rod_q2_dot * c13) + w28 * (2 * w40)
-    w100 = w50 * (rod_q3_dot * c15 + rod_q4_dot * c18) - (w86 - w28 * (w41 + w43 + rod_q4 * c18))
-    w101 = w13 * w66 / w10 + w54 * w65
-    w102 = (w28 * w66 - w25 * w101 - w13 * w65) * c3
-    w103 = w50 * (rod_q3_dot * c16 + rod_q4_dot * c19) - (w94 - (w28 * (rod_q3 * c16 + (w44 + w46)) - w47 * w101))
-    w104 = w103 + (w95 + w25 * w102)
-    w105 = w58 * w65
-    w106 = w0 * (w13 * w90 + (w28 * w92 - w8 * w101)) - w12 * (w13 * w92 - (w28 * w90 - w14 * w101) - w102) - (w38 * w104 - w52 * w105)
-    w107 = w65 * w68
-    w108 = crank_theta_dot * w105 + rod_q4_dot * w107 + w67 * w70
+    w42 = rod_q4 * c16
+    w43 = c14 + (w41 + w42)
+    w44 = c14 + w43
+    w45 = rod_q3 * c16
+    w46 = rod_q4 * c18
+    w47 = c17 + (w45 + w46)
+    w48 = c17 + w47
+    w49 = c11 + (rod_q1 * w39 + rod_q2 * w40 + rod_q3 * w44 + rod_q4 * w48)
+    w50 = w14 * w21 + w2 * w8
+    w51 = w25 * w36 - (w11 * w49 - w50)
+    w52 = -2.0 * rod_theta_dot
+    w53 = rod_q1_dot * w39 + w40 * rod_q2_dot + rod_q3_dot * w43 + rod_q4_dot * w47
+    w54 = w52 * w53 - (w2 * w14 - w8 * w21 - w28 * w49) + w25 * w35
+    w55 = w12 / w10
+    w56 = w28 / w10
+    w57 = w25 * w56 - w34 / w10
+    w58 = (w27 + w25 * w57 - w26) * c3
+    w59 = w25 * w58 + w10 * w35 - (w50 - w49 * w57)
+    w60 = w38 / w10
+    w61 = w25 * w60
+    w62 = w0 * (w31 + (w8 * w57 - w32)) - w12 * (w20 - w15 - (w29 + w14 * w57) - w58) - (w38 * w59 + w54 * w61)
+    w63 = (2 * w24 - w16 * w25) / w10
+    w64 = (w25 * w63 - (w10 * w16 + 2 * w33)) * c3
+    w65 = -2.0 * w53 + w49 * w63 + w25 * w64
+    w66 = w0 * (w14 * w16 - 2 * w19 + w8 * w63) - w12 * (w8 * w16 + 2 * w30 - w14 * w63 - w64) - w38 * w65
+    w67 = w4 * c6
+    w68 = w6 * c6
+    w69 = w68 / w10
+    w70 = w69 / w10
+    w71 = w67 / w10 + w25 * w70
+    w72 = crank_theta_dot * w61 + rod_q4_dot * w71
+    w73 = crank_theta_dot * w55 + w38 * w72
+    w74 = w4 * c10
+    w75 = w6 * c10
+    w76 = w2 * w74 + w21 * w75
+    w77 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w78 = w76 - w57 * w77
+    w79 = w16 * w39 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w63 * w77
+    w80 = c22 - rod_q4 * c23
+    w81 = w16 * w40 + rod_q4_dot * c75 + w63 * w80
+    w82 = w57 * w80
+    w83 = rod_q1 * c24
+    w84 = w6 * c8
+    w85 = w2 * w84
+    w86 = w4 * c8
+    w87 = w21 * w86
+    w88 = w85 - w87
+    w89 = w57 * w83 - (w87 - w85)
+    w90 = w16 * w43 + rod_q1_dot * c76 - w63 * w83
+    w91 = rod_q1 * c25 + rod_q2 * c26
+    w92 = w6 * c9
+    w93 = w2 * w92
+    w94 = w4 * c9
+    w95 = w21 * w94
+    w96 = w93 - w95
+    w97 = w35 * w68
+    w98 = w57 * w91 - (w95 - w93) + (w58 * w67 - w97) + (w59 * w69 + w54 * w71)
+    w99 = w16 * w47 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w63 * w91 - w64 * w67 - w65 * w69
+    w100 = w52 * (rod_q1_dot * c12) - (w76 - w28 * (2 * w39))
+    w101 = w52 * (rod_q2_dot * c13) + w28 * (2 * w40)
+    w102 = w52 * (rod_q3_dot * c15 + rod_q4_dot * c16) - (w88 - w28 * (w42 + (w41 + w44)))
+    w103 = w13 * c16 - c30
+    w104 = w13 * w68 / w10 + w56 * w67
+    w105 = (w28 * w68 - w25 * w104 - w13 * w67) * c3
+    w106 = w52 * (rod_q3_dot * c16 + rod_q4_dot * c18) - (w96 - (w28 * (w45 + (w46 + w48)) - w49 * w104)) + (w97 + w25 * w105)
+    w107 = w60 * w67
+    w108 = w0 * (w13 * w92 + (w28 * w94 - w8 * w104)) - w12 * (w13 * w94 - (w28 * w92 - w14 * w104) - w105) - (w38 * w106 - w54 * w107)
+    w109 = w67 * w70
+    w110 = crank_theta_dot * w107 + rod_q4_dot * w109 + w69 * w72
     dQ_hat_dq_i = ca.vertcat(
-        w37 - (w38 * w49 - w52 * w53) - w38 * w60 + w64 * w71,
-        w38 * w76 - (w11 * w75 - w74) + w71 * w77,
-        w71 * w79 - (w11 * w78 + w38 * w80),
-        w11 * w81 + w86 + w38 * w87 + w71 * w88,
-        w11 * w89 + w94 - w36 * w65 - w49 * w67 + w38 * w96 + w71 * w97,
-        w0 * (w13 * w72 - w28 * w73) + w12 * (w13 * w73 + w28 * w72) - w38 * w98,
-        w13 * c12 - c28,
+        w37 - (w38 * w51 - w54 * w55) - w38 * w62 + w66 * w73,
+        w38 * w78 - (w11 * w77 - w76) + w73 * w79,
+        w73 * w81 - (w11 * w80 + w38 * w82),
+        w11 * w83 + w88 + w38 * w89 + w73 * w90,
+        w11 * w91 + w96 - w36 * w67 - w51 * w69 + w38 * w98 + w73 * w99,
+        w0 * (w13 * w74 - w28 * w75) + w12 * (w13 * w75 + w28 * w74) - w38 * w100,
+        w13 * c12 - c27,
         0.0,
-        w28 * c38,
-        -(w28 * c26 + w67 * w98),
-        -(w38 * w99),
+        w28 * c36,
+        -(w28 * c25 + w69 * w100),
+        -(w38 * w101),
         0.0,
-        w13 * c13 - c29,
+        w13 * c13 - c28,
         0.0,
-        -(w28 * c27 + w67 * w99),
-        w0 * (w13 * w82 + w28 * w84) - w12 * (w13 * w84 - w28 * w82) - w38 * w100,
-        w28 * c80,
+        -(w28 * c26 + w69 * w101),
+        w0 * (w13 * w84 + w28 * w86) - w12 * (w13 * w86 - w28 * w84) - w38 * w102,
+        w28 * c77,
         0.0,
-        w13 * c15 - c30,
-        w13 * c18 - c32 - w67 * w100,
-        w106 - w60 * w67 + w64 * w108,
-        w67 * w76 - (w28 * c22 + w75 * w101) + w77 * w108,
-        w79 * w108 - (w28 * c24 + w78 * w101 + w67 * w80),
-        w13 * c16 - c31 + w81 * w101 + w67 * w87 + w88 * w108,
-        w13 * c19 - c33 + w89 * w101 - w65 * w102 - (w67 * w104 - w52 * w107) + w67 * w96 + w97 * w108,
+        w13 * c15 - c29,
+        w103 - w69 * w102,
+        w108 - w62 * w69 + w66 * w110,
+        w69 * w78 - (w28 * c21 + w77 * w104) + w79 * w110,
+        w81 * w110 - (w28 * c23 + w80 * w104 + w69 * w82),
+        w103 + w83 * w104 + w69 * w89 + w90 * w110,
+        w13 * c18 - c31 + w91 * w104 - w67 * w105 - (w69 * w106 - w54 * w109) + w69 * w98 + w99 * w110,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1408,12 +1395,12 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 346 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 345 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1451,9 +1438,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
-    c78 = c[78]
-    c79 = c[79]
+    c75 = c[75]
+    c76 = c[76]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
     w2 = 2 * crank_theta_dot
@@ -1474,7 +1460,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w17 = rod_q1 * c12
     w18 = rod_q2 * c13
     w19 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w20 = c17 + (rod_q3 * c18 + rod_q4 * c19)
+    w20 = c17 + (rod_q3 * c16 + rod_q4 * c18)
     w21 = c11 + (rod_q1 * w17 + rod_q2 * w18 + rod_q3 * (c14 + w19) + rod_q4 * (c17 + w20))
     w22 = w12 * w13 - w3 * w8 + w11 * w21 + w14 * w15
     w23 = 2 * rod_theta_dot
@@ -1488,21 +1474,21 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w31 = w29 - w16 * w30
     w32 = w6 * c10
     w33 = w4 * c10
-    w34 = c20 - (rod_q3 * c21 + rod_q4 * c22)
-    w35 = w17 * w23 + 2 * (rod_q3_dot * c21 + rod_q4_dot * c22) + w27 * w34
-    w36 = c23 - rod_q4 * c24
-    w37 = w18 * w23 + rod_q4_dot * c78 + w27 * w36
-    w38 = rod_q1 * c25
+    w34 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w35 = w17 * w23 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w27 * w34
+    w36 = c22 - rod_q4 * c23
+    w37 = w18 * w23 + rod_q4_dot * c75 + w27 * w36
+    w38 = rod_q1 * c24
     w39 = w4 * c8
     w40 = w6 * c8
-    w41 = w19 * w23 + rod_q1_dot * c79 - w27 * w38
-    w42 = rod_q1 * c26 + rod_q2 * c27
+    w41 = w19 * w23 + rod_q1_dot * c76 - w27 * w38
+    w42 = rod_q1 * c25 + rod_q2 * c26
     w43 = w4 * c9
     w44 = w6 * c9
     w45 = w4 * c6
     w46 = w6 * c6
     w47 = w46 / w10
-    w48 = w20 * w23 + 2 * (rod_q1_dot * c26 + rod_q2_dot * c27) - w27 * w42 - w28 * w45 - w30 * w47
+    w48 = w20 * w23 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w27 * w42 - w28 * w45 - w30 * w47
     w49 = -2.0 * rod_theta_dot
     w50 = w17 * w49
     w51 = w18 * w49
@@ -1519,21 +1505,21 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         w0 * (w23 * w32) - w1 * (w23 * w33) - w16 * w50,
         0.0,
         0.0,
-        w23 * c25,
-        w23 * c26 - w47 * w50,
+        w23 * c24,
+        w23 * c25 - w47 * w50,
         -(w16 * w51),
         0.0,
         0.0,
         0.0,
-        w23 * c27 - w47 * w51,
+        w23 * c26 - w47 * w51,
         -(w0 * (w23 * w39) + w1 * (w23 * w40) + w16 * w52),
-        w23 * c21,
+        w23 * c20,
         0.0,
         0.0,
         -(w47 * w52),
         w0 * (w8 * w53 - w23 * w43) - w1 * (w23 * w44 - w12 * w53 - w54) - w16 * w55 - w31 * w47,
-        w23 * c22 + w34 * w53 - w35 * w47,
-        w23 * c24 + w36 * w53 - w37 * w47,
+        w23 * c21 + w34 * w53 - w35 * w47,
+        w23 * c23 + w36 * w53 - w37 * w47,
         -(w38 * w53 + w41 * w47),
         -(w42 * w53 + w45 * w54 + w47 * w55 + w47 * w48),
     )
@@ -1544,11 +1530,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 389 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 386 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1583,9 +1569,8 @@ def dMa_dq_i() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
-    c41 = c[41]
-    c42 = c[42]
+    c39 = c[39]
+    c40 = c[40]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = c7 + (rod_q3 * c8 + rod_q4 * c9)
@@ -1629,71 +1614,73 @@ def dMa_dq_i() -> ca.Function:
     w40 = w5 * w11
     w41 = rod_q1 * c12
     w42 = rod_q2 * c13
-    w43 = rod_q3 * c15
-    w44 = rod_q4 * c16 + (c41 + w43)
-    w45 = rod_q4 * c19
-    w46 = w45 + (c42 + rod_q3 * c18)
-    w47 = c11 + (rod_q1 * w41 + rod_q2 * w42 + rod_q3 * w44 + rod_q4 * w46)
-    w48 = w39 - w40 + w10 * w47 + w34 * w37
-    w49 = c20 - (rod_q3 * c21 + rod_q4 * c22)
-    w50 = c23 - rod_q4 * c24
-    w51 = rod_q1 * c25
-    w52 = rod_q1 * c26 + rod_q2 * c27
-    w53 = w11 * w26 + w5 * w13 - w18 * w47 + rod_q1_ddot * w49 + w50 * rod_q2_ddot - rod_q3_ddot * w51 - rod_q4_ddot * w52
-    w54 = w53 - w34 * w36
-    w55 = w15 / w8
-    w56 = w34 * w55
-    w57 = w17 / w8
-    w58 = w35 / w8 + w34 * w57
-    w59 = crank_theta_ddot * w56 + rod_q4_ddot * w58
-    w60 = (w8 * w18 + w34 * w59 - w16 * rod_q4_ddot) * c3
-    w61 = w40 - w39 - w47 * w59 - (w34 * w60 + w8 * w36)
-    w62 = w0 * (w33 + (w31 - (w29 + (w5 * w59 - w27)))) - w6 * (w19 + w26 * w59 - w21 - w23 - w25 + w60) - (w15 * w61 + w54 * w56)
-    w63 = w13 * w28
-    w64 = w11 * w20
-    w65 = w64 - w63
-    w66 = w65 - w49 * w59
-    w67 = w50 * w59
-    w68 = w11 * w22 + w13 * w30
-    w69 = w68 + w51 * w59
-    w70 = w13 * w32 + w11 * w24
-    w71 = w16 * w36
-    w72 = w70 + w52 * w59 + (w35 * w60 - w71) - (w17 * w61 + w54 * w58)
-    w73 = w65 - w18 * (2 * w41) - rod_q3_ddot * c25 - rod_q4_ddot * c26
-    w74 = w18 * (2 * w42) + rod_q4_ddot * c27
-    w75 = w68 - w18 * (w43 + w44 + rod_q4 * c18) - rod_q1_ddot * c21
-    w76 = w35 * w55
-    w77 = w35 * w57
-    w78 = crank_theta_ddot * w76 + rod_q4_ddot * w77
-    w79 = (w16 * w18 - w34 * w78) * c3
-    w80 = w70 - (w18 * (rod_q3 * c16 + (w45 + w46)) - w47 * w78) - rod_q1_ddot * c22 - rod_q2_ddot * c24 - (w71 + w34 * w79)
-    w81 = w0 * (w18 * w32 - w5 * w78) + w6 * (w18 * w24 - w26 * w78 + w79) + (w15 * w80 - w54 * w76) + w17 * w62
+    w43 = rod_q4 * c16
+    w44 = rod_q3 * c15
+    w45 = w43 + (c39 + w44)
+    w46 = rod_q4 * c18
+    w47 = rod_q3 * c16
+    w48 = w46 + (c40 + w47)
+    w49 = c11 + (rod_q1 * w41 + rod_q2 * w42 + rod_q3 * w45 + rod_q4 * w48)
+    w50 = w39 - w40 + w10 * w49 + w34 * w37
+    w51 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w52 = c22 - rod_q4 * c23
+    w53 = rod_q1 * c24
+    w54 = rod_q1 * c25 + rod_q2 * c26
+    w55 = w11 * w26 + w5 * w13 - w18 * w49 + rod_q1_ddot * w51 + w52 * rod_q2_ddot - rod_q3_ddot * w53 - rod_q4_ddot * w54
+    w56 = w55 - w34 * w36
+    w57 = w15 / w8
+    w58 = w34 * w57
+    w59 = w17 / w8
+    w60 = w35 / w8 + w34 * w59
+    w61 = crank_theta_ddot * w58 + rod_q4_ddot * w60
+    w62 = (w8 * w18 + w34 * w61 - w16 * rod_q4_ddot) * c3
+    w63 = w40 - w39 - w49 * w61 - (w34 * w62 + w8 * w36)
+    w64 = w0 * (w33 + (w31 - (w29 + (w5 * w61 - w27)))) - w6 * (w19 + w26 * w61 - w21 - w23 - w25 + w62) - (w15 * w63 + w56 * w58)
+    w65 = w13 * w28
+    w66 = w11 * w20
+    w67 = w66 - w65
+    w68 = w67 - w51 * w61
+    w69 = w52 * w61
+    w70 = w11 * w22 + w13 * w30
+    w71 = w70 + w53 * w61
+    w72 = w13 * w32 + w11 * w24
+    w73 = w16 * w36
+    w74 = w72 + w54 * w61 + (w35 * w62 - w73) - (w17 * w63 + w56 * w60)
+    w75 = w67 - w18 * (2 * w41) - rod_q3_ddot * c24 - rod_q4_ddot * c25
+    w76 = w18 * (2 * w42) + rod_q4_ddot * c26
+    w77 = w70 - w18 * (w43 + (w44 + w45)) - rod_q1_ddot * c20
+    w78 = w35 * w57
+    w79 = w35 * w59
+    w80 = crank_theta_ddot * w78 + rod_q4_ddot * w79
+    w81 = (w16 * w18 - w34 * w80) * c3
+    w82 = w72 - (w18 * (w47 + (w46 + w48)) - w49 * w80) - rod_q1_ddot * c21 - rod_q2_ddot * c23 - (w73 + w34 * w81)
+    w83 = w0 * (w18 * w32 - w5 * w80) + w6 * (w18 * w24 - w26 * w80 + w81) + (w15 * w82 - w56 * w78) + w17 * w64
     dMa_dq_i = ca.vertcat(
-        w38 - (w15 * w48 - w9 * w54) - w15 * w62,
-        w63 - w64 + w10 * w49 - w15 * w66,
-        w10 * w50 + w15 * w67,
-        -(w68 + w10 * w51 + w15 * w69),
-        -(w70 + w10 * w52 + w35 * w37 + w17 * w48 + w15 * w72),
-        w0 * (w18 * w28) - w6 * (w18 * w20) - w15 * w73,
+        w38 - (w15 * w50 - w9 * w56) - w15 * w64,
+        w65 - w66 + w10 * w51 - w15 * w68,
+        w10 * w52 + w15 * w69,
+        -(w70 + w10 * w53 + w15 * w71),
+        -(w72 + w10 * w54 + w35 * w37 + w17 * w50 + w15 * w74),
+        w0 * (w18 * w28) - w6 * (w18 * w20) - w15 * w75,
         0.0,
         0.0,
-        w18 * c25,
-        w18 * c26 - w17 * w73,
-        w15 * w74,
+        w18 * c24,
+        w18 * c25 - w17 * w75,
+        w15 * w76,
         0.0,
         0.0,
         0.0,
-        w18 * c27 + w17 * w74,
-        -(w0 * (w18 * w30) + w6 * (w18 * w22) + w15 * w75),
-        w18 * c21,
+        w18 * c26 + w17 * w76,
+        -(w0 * (w18 * w30) + w6 * (w18 * w22) + w15 * w77),
+        w18 * c20,
         0.0,
         0.0,
-        -(w17 * w75),
-        -w81,
-        w18 * c22 + w49 * w78 - w17 * w66,
-        w18 * c24 + w50 * w78 + w17 * w67,
-        -(w51 * w78 + w17 * w69),
-        w35 * w79 - w52 * w78 - (w17 * w80 - w54 * w77) - w17 * w72,
+        -(w17 * w77),
+        -w83,
+        w18 * c21 + w51 * w80 - w17 * w68,
+        w18 * c23 + w52 * w80 + w17 * w69,
+        -(w53 * w80 + w17 * w71),
+        w35 * w81 - w54 * w80 - (w17 * w82 - w56 * w79) - w17 * w74,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 5, 5)
     dMa_dq_i = ca.densify(dMa_dq_i)
@@ -1702,13 +1689,13 @@ def dMa_dq_i() -> ca.Function:
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 246 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 244 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 81)
+    c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1751,28 +1738,26 @@ def substep_2() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
     w0 = ca.sin(rod_theta)
     w1 = ca.cos(rod_theta)
     w2 = c5 + rod_q4 * c6
     w3 = w1 * w2
     w4 = w0 * c6 / w3
-    w5 = c20 - (rod_q3 * c21 + rod_q4 * c22)
+    w5 = c19 - (rod_q3 * c20 + rod_q4 * c21)
     w6 = -(w4 * w5)
-    w7 = c23 - rod_q4 * c24
+    w7 = c22 - rod_q4 * c23
     w8 = -(w4 * w7)
-    w9 = rod_q1 * c25
+    w9 = rod_q1 * c24
     w10 = c16 + w4 * w9
     w11 = w1 * c6
     w12 = w11 * c3
-    w13 = rod_q1 * c26 + rod_q2 * c27
+    w13 = rod_q1 * c25 + rod_q2 * c26
     w14 = w0 * w2
     w15 = w13 + w12 * w14
     w16 = rod_q1 * c12
     w17 = rod_q2 * c13
     w18 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w19 = c17 + (rod_q3 * c18 + rod_q4 * c19)
+    w19 = c17 + (rod_q3 * c16 + rod_q4 * c18)
     w20 = c11 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c14 + w18) + rod_q4 * (c17 + w19))
     w21 = rod_theta_dot**2
     w22 = 2 * rod_theta_dot
@@ -1784,9 +1769,9 @@ def substep_2() -> ca.Function:
     w28 = w24 * crank_theta_ddot - w27
     w29 = rod_q4_dot * c6
     w30 = (w22 * (w1 * w29) - w14 * w21 - w27) / w3 + crank_theta_ddot * (w24 / w3)
-    w31 = w16 * w21 + w22 * (rod_q3_dot * c21 + rod_q4_dot * c22) - rod_q1 * c28 - (w0 * c10 * w26 + w1 * c10 * w28 - w5 * w30)
-    w32 = w18 * w21 + w22 * (rod_q1_dot * c25) - (rod_q3 * c30 + rod_q4 * c31) - (w28 * (w0 * c8) - w26 * (w1 * c8) + w9 * w30)
-    w33 = w19 * w21 + w22 * (rod_q1_dot * c26 + rod_q2_dot * c27) - (rod_q3 * c32 + rod_q4 * c33) - (w28 * (w0 * c9) - w26 * (w1 * c9) + w13 * w30)
+    w31 = w16 * w21 + w22 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27 - (w0 * c10 * w26 + w1 * c10 * w28 - w5 * w30)
+    w32 = w18 * w21 + w22 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30) - (w28 * (w0 * c8) - w26 * (w1 * c8) + w9 * w30)
+    w33 = w19 * w21 + w22 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31) - (w28 * (w0 * c9) - w26 * (w1 * c9) + w13 * w30)
     w34 = (w14 * w30 - (w26 + (w3 * w21 + w22 * (w0 * w29)))) * c3
     w35 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     w36 = c7 + (rod_q3 * c8 + rod_q4 * c9)
@@ -1808,13 +1793,13 @@ def substep_2() -> ca.Function:
         w6,
         w8,
         w10,
-        c19 + w11 * w12 + (w4 * (w15 + w4 * (w20 + w14 * (w14 * c3))) + w4 * w15),
+        c18 + w11 * w12 + (w4 * (w15 + w4 * (w20 + w14 * (w14 * c3))) + w4 * w15),
     )
     M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
     M_hat_SS = ca.densify(M_hat_SS)
     rhs_S = ca.vertcat(
         w31,
-        w17 * w21 + w22 * (rod_q4_dot * c24) - rod_q2 * c29 + w7 * w30,
+        w17 * w21 + w22 * (rod_q4_dot * c23) - rod_q2 * c28 + w7 * w30,
         w32,
         w38,
     )

@@ -27,24 +27,28 @@ class _Composer:
             return ca.Function("sequence", [self.z, self.c], [z])
         if isinstance(node, Repeat):
             return self.power(self.function(node.body), node.count)
-        once = self._conditional(self.function(node.body), node.flag)
-        return self.power(once, node.limit)
+        return self.power(self.function(node.body), node.limit, node.flag)
 
-    def power(self, function: ca.Function, n: int) -> ca.Function:
-        """function applied n times, by repeated squaring."""
-        result, square, left = None, function, n
+    def power(self, function: ca.Function, n: int, flag: int | None = None) -> ca.Function:
+        """function applied n times, by repeated squaring; with a flag, only while z[flag] > 0.
+
+        Every square is guarded by the flag too, so that what is left after convergence costs log n tests.
+        """
+        result, square, left = None, self._guarded(function, flag), n
         while left:
             if left & 1:
                 result = square if result is None else self._chain(result, square)
             left >>= 1
             if left:
-                square = self._chain(square, square)
+                square = self._guarded(self._chain(square, square), flag)
         return result if result is not None else ca.Function("none", [self.z, self.c], [self.z])
 
     def _chain(self, first: ca.Function, second: ca.Function) -> ca.Function:
         return ca.Function("chain", [self.z, self.c], [second(first(self.z, self.c), self.c)])
 
-    def _conditional(self, body: ca.Function, flag: int) -> ca.Function:
+    def _guarded(self, body: ca.Function, flag: int | None) -> ca.Function:
+        if flag is None:
+            return body
         keep = ca.Function("keep", [self.z, self.c], [self.z])
         switch = ca.Function.if_else("until", body, keep)
         return ca.Function("once", [self.z, self.c], [switch(self.z[flag] > 0, self.z, self.c)])

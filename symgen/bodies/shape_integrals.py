@@ -75,6 +75,11 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
     def square(values: object, label: str, unit: str) -> ca.SX:
         return _matrix(values, f"{name}.{label}", unit, table, (nf, nf))
 
+    def symmetric(values: object, label: str, unit: str) -> ca.SX:
+        upper = None if values is None else [[0.0 if b < a else value for b, value in enumerate(row)]
+                                             for a, row in enumerate(values)]  # type: ignore[var-annotated, arg-type]
+        return ca.triu2symm(ca.triu(square(upper, label, unit)))
+
     stiffening = body.foreshortening
     return ShapeIntegrals(
         mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
@@ -83,10 +88,10 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
         Sb=_matrix(body.phi_integral, f"{name}.phi_integral", "kg", table, (2, nf)),
         i1=vector(body.rho_dot_phi or [0.0] * nf, "rho_dot_phi", "kg m"),
         B=vector(body.rho_cross_phi or [0.0] * nf, "rho_cross_phi", "kg m"),
-        M_ff=square(body.M_ff, "M_ff", "kg"),
+        M_ff=symmetric(body.M_ff, "M_ff", "kg"),
         G=square(body.phi_cross_phi, "phi_cross_phi", "kg"),
-        K_ff=square(body.K_ff, "K_ff", "N/m"),
-        D_ff=square(body.D_ff, "D_ff", "N s/m"),
+        K_ff=symmetric(body.K_ff, "K_ff", "N/m"),
+        D_ff=symmetric(body.D_ff, "D_ff", "N s/m"),
         S_H=square(stiffening.H if stiffening else None, "H", "kg/m"),
         G_H=square(stiffening.xH if stiffening else None, "xH", "kg"),
     )

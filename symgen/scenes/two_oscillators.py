@@ -9,7 +9,7 @@ def two_oscillators() -> Scene:
     builder.parameter("c", 0.5, "1", "inertia coupling")
     builder.parameter("k_L", 1.0, "1/s^2", "stiffness of the slow oscillator")
     builder.parameter("w", 20.0, "rad/s", "frequency of the fast oscillator alone")
-    builder.parameter("zeta", 0.0, "1", "damping ratio of the fast oscillator")
+    builder.parameter("zeta", 0.02, "1", "damping ratio of the fast oscillator")
     builder.structure(coordinates=["x_L", "x_S"], mass=[[1.0, "c"], ["c", 1.0]],
                       stiffness=[["k_L", 0.0], [0.0, "w**2"]], damping=[[0.0, 0.0], [0.0, "2 * zeta * w"]])
     builder.groups(L=["x_L"], S=["x_S"])

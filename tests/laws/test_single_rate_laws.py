@@ -21,9 +21,9 @@ ORDERS: dict[str, tuple[float, float, float]] = {
     "double_pendulum": (2.0, 4e-3, 9e-6),  # centrifugal forces
     "slider_crank": (0.02, 4e-5, 1.5e-6),  # the same through a loop closure
     "elastic_pendulum": (2.0, 4e-3, 9e-6),  # a damper
-    "flexible_slider_crank_free": (0.02, 8e-6, 4e-6),  # centrifugal forces on stiff modes
+    "flexible_slider_crank_free": (0.004, 4e-6, 9e-8),  # centrifugal forces on stiff modes
     "flexible_slider_crank_torque": (0.02, 4e-5, 3e-8),  # modal damping
-    "hub_beam": (0.8, 4e-3, 8e-7),  # strong inertia coupling
+    "hub_beam": (0.8, 4e-3, 1.3e-6),  # strong inertia coupling
 }
 
 

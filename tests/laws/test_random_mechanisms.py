@@ -1,0 +1,68 @@
+"""Random trees and closed loops: they generate, M_hat is positive definite, (38) equals (28), energy is kept."""
+
+from __future__ import annotations
+
+import tempfile
+
+import numpy as np
+from hypothesis import HealthCheck, given, settings
+from model_values import augmented_solution, condensed_accelerations, evaluate, make_state, relative_error
+from random_mechanisms import four_bars, trees
+from scipy.linalg import eigvals
+
+from runtime import load_model, simulate
+from runtime.model import Model
+from symgen.generate import generate
+from symgen.scene import Scene
+
+QUICK = settings(deadline=None, max_examples=15, derandomize=True,
+                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
+STEPS = 200
+
+
+def fastest_rate(model: Model) -> float:
+    """Largest coupled frequency or rate of turning at the start [rad/s], at least 5."""
+    columns = model.independent_columns
+    state = make_state(model, model.initial_q[columns], model.initial_q_dot[columns])
+    n = len(model.q_i)
+    M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
+    stiffness = -evaluate(model, "dQ_hat_dq_i", **state.values())["dQ_hat_dq_i"].reshape(n, n) \
+        if model.has("dQ_hat_dq_i") else np.zeros((n, n))
+    frequency = float(np.sqrt(np.max(np.abs(eigvals(stiffness, M)))))
+    return max(5.0, frequency, float(np.max(np.abs(state.q_dot))))
+
+
+def check_laws(scene: Scene) -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        model = load_model(generate(scene, folder))
+    start, n = model.initial_q[model.independent_columns], len(model.q_i)
+    rng = np.random.default_rng(n)
+    for spread in (0.0, 1e-3):
+        state = make_state(model, start + spread * rng.uniform(-1, 1, n), rng.uniform(-1, 1, n))
+        M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
+        assert relative_error(M, M.T) < 1e-12
+        scale = np.sqrt(np.diag(M))
+        assert np.min(np.linalg.eigvalsh(M / np.outer(scale, scale))) > 0
+        expected, lam = augmented_solution(model, state)
+        q_ddot = condensed_accelerations(model, state)
+        assert relative_error(q_ddot, expected) < 1e-10
+        reactions = evaluate(model, "reactions", **state.values(), q_ddot=q_ddot)["lam"]
+        assert np.max(np.abs(reactions - lam)) < 1e-9 * max(1.0, np.max(np.abs(lam)))
+    solution = simulate(model, t_end=STEPS * 0.05 / fastest_rate(model), dt=0.05 / fastest_rate(model),
+                        scheme="single_rate", save_every=1, engine="interpreted")
+    assert solution.status.ok, solution.status
+    exchanged = np.ptp(solution.energy["kinetic"]) + np.max(solution.energy["kinetic"])
+    assert np.max(np.abs(solution.total_energy - solution.total_energy[0])) < 5e-3 * exchanged + 1e-12
+    assert np.max(solution.constraint_error) <= 1e-10
+
+
+@QUICK
+@given(trees())
+def test_trees(scene: Scene) -> None:
+    check_laws(scene)
+
+
+@QUICK
+@given(four_bars())
+def test_closed_loops(scene: Scene) -> None:
+    check_laws(scene)
