@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -60,11 +61,12 @@ def reference_solution(
     loop = [state.q[model.coordinates.index(name)] for name in model.loop_unknowns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
     rhs, observe = right_hand_side(model)
-    buffer, call = rhs.buffer()
+    buffers: Any = rhs.buffer()
+    buffer, call = buffers
     clock, position, slope = np.zeros(1), np.zeros(len(y0)), np.zeros(len(y0))
     for k, array in enumerate((clock, position, c)):
-        buffer.set_arg(k, memoryview(array))
-    buffer.set_res(0, memoryview(slope))
+        buffer.set_arg(k, array.data)
+    buffer.set_res(0, slope.data)
 
     def function(t: float, y: np.ndarray) -> np.ndarray:
         clock[0], position[:] = t, y

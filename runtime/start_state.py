@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -50,7 +51,7 @@ def _assembled(model: Model, c: np.ndarray, t0: float, coordinates: dict[str, fl
     shape = (len(model.constraints), len(model.coordinates))
 
     def evaluate(q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        values = {"q": q, "q_dot": np.zeros(shape[1]), "t": t0, "c": c}
+        values: dict[str, Any] = {"q": q, "q_dot": np.zeros(shape[1]), "t": t0, "c": c}
         result = kernel(**{name: values[name] for name in kernel.name_in()})
         C, C_q, C_t = (np.asarray(result[name]) for name in ("C", "C_q", "C_t"))
         return C.ravel(), C_q.reshape(shape), C_t.ravel()

@@ -5,7 +5,7 @@ Sparse rows of CasADi SX, put together from the scene's bodies, joints and loads
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import casadi as ca
@@ -82,7 +82,7 @@ class _Structure:
         self.equations = eq = _blank(scene.coordinates())
         env = {**table.environment(), "t": eq.t}
 
-        def matrix(rows: list | None, label: str, unit: str) -> list[Row]:
+        def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
             return [{} if rows is None else {
                 column: table.quantity(value, f"{label}[{row},{column}]", unit)
                 for column, value in enumerate(rows[row]) if value != 0} for row in range(len(eq.names))]

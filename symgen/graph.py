@@ -30,6 +30,7 @@ class Graph:
         self.of_p: list[bool] = []
         self.shared: set[int] = set()
         self._number: dict[Node, int] = {}
+        self._arguments = 1  # argument 0 is p
         self.one = self.constant(1.0)
 
     def _add(self, node: Node, of_p: bool) -> int:
@@ -39,6 +40,12 @@ class Graph:
             self.nodes.append(node)
             self.of_p.append(of_p)
         return known
+
+    def new_arguments(self, count: int) -> int:
+        """First of `count` fresh argument numbers, for the inputs of one kernel."""
+        first = self._arguments
+        self._arguments += count
+        return first
 
     def constant(self, value: float) -> int:
         """Node of a number."""
@@ -86,8 +93,10 @@ class Graph:
                 return self._mul(node.a, self._neg(b))
         elif a == b:
             return self._plain(ca.OP_SQ, a, UNUSED)
-        elif a > b:
-            a, b = (a, b) if self.of_p[b] else (b, a)
+        if self.nodes[b].op == ca.OP_CONST and self.nodes[b].value in (2.0, -1.0):
+            return self._plain(ca.OP_TWICE if self.nodes[b].value == 2.0 else ca.OP_NEG, a, UNUSED)
+        if a > b and self.of_p[a] == self.of_p[b]:
+            a, b = b, a
         return self._plain(ca.OP_MUL, a, b)
 
     def _neg(self, a: int) -> int:

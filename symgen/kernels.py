@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import casadi as ca
 
@@ -74,7 +75,7 @@ def build_kernels(
     if is_tree(system):
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
     for level in range(1, len(groups)):
-        builders[f"substep_{level + 1}"] = lambda level=level: _substep(system, arguments, groups, level)
+        builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
     chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
     kernels = {name: build() for name, build in chosen.items()}
     return {name: kernel for name, kernel in kernels.items()

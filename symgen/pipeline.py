@@ -6,7 +6,7 @@
     condensed    substitutions for the dependent coordinates       (32)-(38)
     groups       the slow-to-fast groups of q_i                    (39), (72)
     kernels      named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
-    constants    what depends on p only, taken out of the kernels
+    tapes        straight-line code of the kernels, with all that depends on p only in `constants`
 """
 
 from __future__ import annotations
@@ -16,11 +16,12 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.engine.tape import Tape
 from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
 from symgen.condensation import Condensed, condense
 from symgen.elimination import choose_loops, structural_pivots
 from symgen.equations import Equations, build_equations
-from symgen.hoisting import Kernel, hoist
+from symgen.hoisting import hoist
 from symgen.kernels import arguments_of, build_kernels
 from symgen.parameters import ParameterEntry, ParameterTable
 from symgen.partition import Group, choose_groups
@@ -37,8 +38,7 @@ class Derived:
     groups: list[Group]
     initial: ConsistentState
     parameters: list[ParameterEntry]
-    constants: Kernel
-    kernels: dict[str, Kernel]
+    tapes: dict[str, Tape]
 
 
 def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
@@ -57,8 +57,8 @@ def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
     system = condense(equations, choice)
     groups = choose_groups(scene, equations, choice.independent)
     kernels = build_kernels(system, scene, [group.positions for group in groups], functions)
-    constants, kernels = hoist(kernels, table.vector())
-    return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, constants, kernels)
+    tapes = hoist(kernels, table.vector())
+    return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
 
 
 def _initial(scene: Scene, equations: Equations, table: ParameterTable) -> tuple[ConsistentState, np.ndarray]:

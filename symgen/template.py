@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import casadi as ca
 import sympy as sp
@@ -67,21 +68,33 @@ def _convert(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[
 
 
 def _sum(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
-    plus = [term for term in expression.args if not term.could_extract_minus_sign()]
-    minus = [term for term in expression.args if term.could_extract_minus_sign()]
+    plus, minus = _signs(expression)
     result = total(to_casadi(term, values, memo) for term in plus)
     for term in minus:
-        result = sub(result, to_casadi(-term, values, memo))
+        result = sub(result, to_casadi(term, values, memo))
     return result
+
+
+@cache
+def _signs(expression: sp.Expr) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """Terms of a sum that are added, and those that are subtracted (without their minus sign)."""
+    plus = [term for term in expression.args if not term.could_extract_minus_sign()]
+    return plus, [-term for term in expression.args if term.could_extract_minus_sign()]
 
 
 def _product(expression: sp.Expr, values: Mapping[sp.Symbol, ca.SX], memo: dict[sp.Expr, ca.SX]) -> ca.SX:
-    if expression.args[0] == -1:
-        return neg(to_casadi(sp.Mul(*expression.args[1:]), values, memo))
+    negative, factors = _factors(expression)
     result = ONE
-    for factor in sorted(expression.args, key=_sharing):
+    for factor in factors:
         result = mul(result, to_casadi(factor, values, memo))
-    return result
+    return neg(result) if negative else result
+
+
+@cache
+def _factors(expression: sp.Expr) -> tuple[bool, list[sp.Expr]]:
+    """(is there a factor -1, the other factors in the order in which they are multiplied)."""
+    negative = expression.args[0] == -1
+    return negative, sorted(expression.args[1:] if negative else expression.args, key=_sharing)
 
 
 def _sharing(factor: sp.Expr) -> tuple[int, str]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +13,8 @@ from runtime.model import Model, load_model
 from symgen.generate import generate
 from symgen.scene import Scene
 from symgen.scenes import generated_folder
+
+sys.path.insert(0, str(Path(__file__).parent / "hand_derived"))  # the twins, for tests in other folders
 
 
 @pytest.fixture(scope="session", autouse=True)

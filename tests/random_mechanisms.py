@@ -27,7 +27,8 @@ def add_rigid(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tu
     return f"{name}.origin", f"{name}.end"
 
 
-def add_beam(builder: SceneBuilder, name: str, length: float, draw: Draw, ends: str = "clamped-free") -> tuple[str, str]:
+def add_beam(builder: SceneBuilder, name: str, length: float, draw: Draw,
+             ends: str = "clamped-free") -> tuple[str, str]:
     """A slender beam of one or two lateral modes, perhaps with an axial one, perhaps with geometric stiffening."""
     axial = {"ends": "fixed-free", "modes": 1} if draw(st.booleans()) else None
     side = draw(st.floats(0.01, 0.03))
@@ -68,7 +69,7 @@ def trees(draw: Draw) -> Scene:
     for k in range(1, draw(st.integers(1, 4)) + 1):
         name = f"body{k}"
         start, end = ADD[draw(KINDS)](builder, name, draw(LENGTHS), draw)
-        joint = draw(st.sampled_from(["revolute", "revolute", "prismatic", "weld"] if k > 1 else ["revolute", "prismatic"]))
+        joint = draw(st.sampled_from(["revolute", "prismatic", *(["revolute", "weld"] if k > 1 else [])]))
         getattr(builder, joint)(f"joint{k}", draw(st.sampled_from(ends)), start)
         ends.append(end)
         if joint == "revolute":
@@ -100,5 +101,6 @@ def four_bars(draw: Draw) -> Scene:
     rocker = add_rigid(builder, "rocker", lengths[2], draw)
     builder.revolute("A", "ground.origin", crank[0]).revolute("B", crank[1], coupler[0])
     builder.revolute("C", coupler[1], rocker[1]).revolute("D", "ground.right", rocker[0])
-    builder.initial({f"{name}.theta": angle for name, angle in zip(("crank", "coupler", "rocker"), angles, strict=True)})
+    bars = ("crank", "coupler", "rocker")
+    builder.initial({f"{name}.theta": angle for name, angle in zip(bars, angles, strict=True)})
     return builder.rates({"crank.theta": draw(st.floats(-2, 2))}).build()

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,6 +15,7 @@ from runtime import ModelError, load_model
 from symgen.generate import check, generate
 from symgen.scenes import SCENES, generated_folder
 
+ROOT = Path(__file__).resolve().parents[1]
 FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 
 
@@ -39,6 +43,16 @@ def test_generation_is_deterministic(tmp_path: Path) -> None:
     assert sorted(path.name for path in first.iterdir()) == sorted(FILES)
     for name in FILES:
         assert (first / name).read_bytes() == (second / name).read_bytes(), name
+
+
+def test_emission_does_not_depend_on_the_hash_seed() -> None:
+    """Sets and dictionaries may be walked in another order in another process: the text must not show it."""
+    program = ("import hashlib; from symgen.emission.write import emit; from symgen.pipeline import derive; "
+               "from symgen.scenes import SCENES; files = emit(derive(SCENES['flexible_slider_crank']())); "
+               "print(hashlib.sha256(''.join(files.values()).encode()).hexdigest())")
+    digests = {subprocess.run([sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True,
+                              env={**os.environ, "PYTHONHASHSEED": seed}).stdout for seed in ("1", "2")}
+    assert len(digests) == 1
 
 
 def test_a_copy_agrees(copy: Path) -> None:

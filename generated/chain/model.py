@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 165 operations."""
+    """c: everything that depends on the parameters p only. 158 operations."""
     p = ca.SX.sym("p", 12)
     link_length = p[0]
     gravity_y = p[1]
@@ -21,29 +21,28 @@ def constants() -> ca.Function:
     link8_mass = p[9]
     link9_mass = p[10]
     link10_mass = p[11]
-    w0 = link9_mass + link10_mass
-    w1 = link8_mass + w0
-    w2 = link7_mass + w1
-    w3 = link6_mass + w2
-    w4 = link5_mass + w3
-    w5 = link4_mass + w4
-    w6 = link3_mass + w5
-    w7 = 0.078 * link_length**2 / 12.0
-    w8 = link_length / 2.0
-    w9 = w8**2
-    w10 = w7 + link1_mass * w9
-    w11 = link9_mass * w8
-    w12 = w7 + link2_mass * w9
-    w13 = w7 + link3_mass * w9
-    w14 = w7 + link4_mass * w9
-    w15 = w7 + link5_mass * w9
-    w16 = w7 + link6_mass * w9
-    w17 = w7 + link7_mass * w9
-    w18 = w7 + link8_mass * w9
-    w19 = w7 + link9_mass * w9
-    w20 = link10_mass * link_length * link_length
-    w21 = link1_mass * w8
-    w22 = w11 * link_length
+    w0 = 0.078 * link_length**2 / 12.0
+    w1 = link_length / 2.0
+    w2 = w1**2
+    w3 = w0 + link1_mass * w2
+    w4 = link9_mass + link10_mass
+    w5 = link8_mass + w4
+    w6 = link7_mass + w5
+    w7 = link6_mass + w6
+    w8 = link5_mass + w7
+    w9 = link4_mass + w8
+    w10 = link3_mass + w9
+    w11 = w1 * link9_mass
+    w12 = w0 + w2 * link2_mass
+    w13 = w0 + w2 * link3_mass
+    w14 = w0 + w2 * link4_mass
+    w15 = w0 + w2 * link5_mass
+    w16 = w0 + w2 * link6_mass
+    w17 = w0 + w2 * link7_mass
+    w18 = w0 + w2 * link8_mass
+    w19 = w0 + w2 * link9_mass
+    w20 = link_length * (link_length * link10_mass)
+    w21 = link1_mass * w1
     c = ca.vertcat(
         link_length,
         link2_mass,
@@ -55,32 +54,32 @@ def constants() -> ca.Function:
         link8_mass,
         link9_mass,
         link10_mass,
-        w0,
-        w1,
-        w2,
-        w3,
         w4,
         w5,
         w6,
-        w10 + (link2_mass + w6) * link_length * link_length,
-        link2_mass * w8,
-        link3_mass * w8,
-        link4_mass * w8,
-        link5_mass * w8,
-        link6_mass * w8,
-        link7_mass * w8,
-        link8_mass * w8,
+        w7,
+        w8,
+        w9,
+        w10,
+        w3 + link_length * (link_length * (link2_mass + w10)),
+        w1 * link2_mass,
+        w1 * link3_mass,
+        w1 * link4_mass,
+        w1 * link5_mass,
+        w1 * link6_mass,
+        w1 * link7_mass,
+        w1 * link8_mass,
         w11,
-        link10_mass * w8,
-        w12 + w6 * link_length * link_length,
-        w13 + w5 * link_length * link_length,
-        w14 + w4 * link_length * link_length,
-        w15 + w3 * link_length * link_length,
-        w16 + w2 * link_length * link_length,
-        w17 + w1 * link_length * link_length,
-        w18 + w0 * link_length * link_length,
+        w1 * link10_mass,
+        w12 + link_length * (link_length * w10),
+        w13 + link_length * (link_length * w9),
+        w14 + link_length * (link_length * w8),
+        w15 + link_length * (link_length * w7),
+        w16 + link_length * (link_length * w6),
+        w17 + link_length * (link_length * w5),
+        w18 + link_length * (link_length * w4),
         w19 + w20,
-        w7 + link10_mass * w9,
+        w0 + w2 * link10_mass,
         gravity_y,
         w21 * gravity_y,
         link2_mass * gravity_y,
@@ -93,7 +92,7 @@ def constants() -> ca.Function:
         link9_mass * gravity_y,
         link10_mass * gravity_y,
         link1_mass,
-        w10,
+        w3,
         w12,
         w13,
         w14,
@@ -104,8 +103,6 @@ def constants() -> ca.Function:
         w19,
         w21,
         link1_mass * gravity_y,
-        w22 + link_length * link10_mass * link_length,
-        w20 + w22,
         w20 + link_length * w11,
     )
     c = ca.densify(c)
@@ -117,7 +114,7 @@ def condensed() -> ca.Function:
     """M_hat and Q_hat (Eq. 38). 605 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -187,14 +184,14 @@ def condensed() -> ca.Function:
     c46 = c[46]
     w0 = ca.cos(link1_theta)
     w1 = w0 * c0
-    w2 = ca.cos(link2_theta)
-    w3 = w2 * c18
-    w4 = w2 * c0
-    w5 = ca.sin(link1_theta) * c0
+    w2 = ca.sin(link1_theta) * c0
+    w3 = ca.cos(link2_theta)
+    w4 = w3 * c18
+    w5 = w3 * c0
     w6 = ca.sin(link2_theta)
     w7 = w6 * c18
     w8 = w6 * c0
-    w9 = w1 * (w3 + w4 * c16) + w5 * (w7 + w8 * c16)
+    w9 = w1 * (w4 + w5 * c16) + w2 * (w7 + w8 * c16)
     w10 = ca.cos(link3_theta)
     w11 = w10 * c19
     w12 = w10 * c0
@@ -203,7 +200,7 @@ def condensed() -> ca.Function:
     w15 = w14 * c19
     w16 = w14 * c0
     w17 = w15 + w16 * c15
-    w18 = w1 * w13 + w5 * w17
+    w18 = w1 * w13 + w2 * w17
     w19 = ca.cos(link4_theta)
     w20 = w19 * c20
     w21 = w19 * c0
@@ -212,7 +209,7 @@ def condensed() -> ca.Function:
     w24 = w23 * c20
     w25 = w23 * c0
     w26 = w24 + w25 * c14
-    w27 = w1 * w22 + w5 * w26
+    w27 = w1 * w22 + w2 * w26
     w28 = ca.cos(link5_theta)
     w29 = w28 * c21
     w30 = w28 * c0
@@ -221,7 +218,7 @@ def condensed() -> ca.Function:
     w33 = w32 * c21
     w34 = w32 * c0
     w35 = w33 + w34 * c13
-    w36 = w1 * w31 + w5 * w35
+    w36 = w1 * w31 + w2 * w35
     w37 = ca.cos(link6_theta)
     w38 = w37 * c22
     w39 = w37 * c0
@@ -230,7 +227,7 @@ def condensed() -> ca.Function:
     w42 = w41 * c22
     w43 = w41 * c0
     w44 = w42 + w43 * c12
-    w45 = w1 * w40 + w5 * w44
+    w45 = w1 * w40 + w2 * w44
     w46 = ca.cos(link7_theta)
     w47 = w46 * c23
     w48 = w46 * c0
@@ -239,7 +236,7 @@ def condensed() -> ca.Function:
     w51 = w50 * c23
     w52 = w50 * c0
     w53 = w51 + w52 * c11
-    w54 = w1 * w49 + w5 * w53
+    w54 = w1 * w49 + w2 * w53
     w55 = ca.cos(link8_theta)
     w56 = w55 * c24
     w57 = w55 * c0
@@ -248,7 +245,7 @@ def condensed() -> ca.Function:
     w60 = w59 * c24
     w61 = w59 * c0
     w62 = w60 + w61 * c10
-    w63 = w1 * w58 + w5 * w62
+    w63 = w1 * w58 + w2 * w62
     w64 = ca.cos(link9_theta)
     w65 = w64 * c25
     w66 = w64 * c0
@@ -257,18 +254,18 @@ def condensed() -> ca.Function:
     w69 = w68 * c25
     w70 = w68 * c0
     w71 = w69 + w70 * c9
-    w72 = w1 * w67 + w5 * w71
+    w72 = w1 * w67 + w2 * w71
     w73 = ca.cos(link10_theta) * c26
     w74 = ca.sin(link10_theta) * c26
-    w75 = w1 * w73 + w5 * w74
-    w76 = w4 * w13 + w8 * w17
-    w77 = w4 * w22 + w8 * w26
-    w78 = w4 * w31 + w8 * w35
-    w79 = w4 * w40 + w8 * w44
-    w80 = w4 * w49 + w8 * w53
-    w81 = w4 * w58 + w8 * w62
-    w82 = w4 * w67 + w8 * w71
-    w83 = w4 * w73 + w8 * w74
+    w75 = w1 * w73 + w2 * w74
+    w76 = w5 * w13 + w8 * w17
+    w77 = w5 * w22 + w8 * w26
+    w78 = w5 * w31 + w8 * w35
+    w79 = w5 * w40 + w8 * w44
+    w80 = w5 * w49 + w8 * w53
+    w81 = w5 * w58 + w8 * w62
+    w82 = w5 * w67 + w8 * w71
+    w83 = w5 * w73 + w8 * w74
     w84 = w12 * w22 + w16 * w26
     w85 = w12 * w31 + w16 * w35
     w86 = w12 * w40 + w16 * w44
@@ -299,7 +296,7 @@ def condensed() -> ca.Function:
     w111 = w66 * w73 + w70 * w74
     w112 = link2_theta_dot**2
     w113 = link1_theta_dot**2
-    w114 = w5 * w113
+    w114 = w2 * w113
     w115 = link3_theta_dot**2
     w116 = w114 + w8 * w112
     w117 = link4_theta_dot**2
@@ -325,7 +322,7 @@ def condensed() -> ca.Function:
     w137 = w24 * w117 + c40 + w118 * c3 + w136
     w138 = w15 * w115 + c39 + w116 * c2 + w137
     w139 = w1 * w113
-    w140 = w139 + w4 * w112
+    w140 = w139 + w5 * w112
     w141 = w140 + w12 * w115
     w142 = w141 + w21 * w117
     w143 = w142 + w30 * w119
@@ -446,8 +443,8 @@ def condensed() -> ca.Function:
     M_hat = ca.reshape(M_hat, 10, 10)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w0 * c37 + w1 * (w7 * w112 + c38 + w114 * c1 + w138) - w5 * (w3 * w112 + w139 * c1 + w155),
-        w3 * c36 - (w7 * w139 - w3 * w114) + w4 * w138 - w8 * w155,
+        w0 * c37 + w1 * (w7 * w112 + c38 + w114 * c1 + w138) - w2 * (w4 * w112 + w139 * c1 + w155),
+        w4 * c36 - (w7 * w139 - w4 * w114) + w5 * w138 - w8 * w155,
         w11 * c36 - (w15 * w140 - w11 * w116) + w12 * w137 - w16 * w154,
         w20 * c36 - (w24 * w141 - w20 * w118) + w21 * w136 - w25 * w153,
         w29 * c36 - (w33 * w142 - w29 * w120) + w30 * w135 - w34 * w152,
@@ -465,7 +462,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 83 operations."""
     q_i = ca.SX.sym("q_i", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -523,7 +520,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 119 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -591,7 +588,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -694,7 +691,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 828 operations."""
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -1442,7 +1439,7 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 1092 operations."""
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -2490,7 +2487,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
     q_ddot = ca.SX.sym("q_ddot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q[2]
     link2_theta = q[5]
     link3_theta = q[8]
@@ -2650,7 +2647,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 338 operations."""
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_y = q[1]
     link1_theta = q[2]
     link2_y = q[4]
@@ -2796,7 +2793,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 131 operations."""
     q = ca.SX.sym("q", 30)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -2877,10 +2874,10 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1039 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1037 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -2932,8 +2929,6 @@ def dQ_hat_dq_i() -> ca.Function:
     c45 = c[45]
     c46 = c[46]
     c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
     w0 = ca.cos(link1_theta)
     w1 = w0 * c0
     w2 = link1_theta_dot**2
@@ -2946,20 +2941,20 @@ def dQ_hat_dq_i() -> ca.Function:
     w9 = w3 * c4 + w8
     w10 = w3 * c3 + w9
     w11 = w3 * c2 + w10
-    w12 = ca.sin(link1_theta)
-    w13 = w12 * c0
-    w14 = link2_theta_dot**2
-    w15 = ca.sin(link2_theta)
-    w16 = w15 * c18
-    w17 = w14 * w16
-    w18 = w2 * w13
+    w12 = link2_theta_dot**2
+    w13 = ca.sin(link2_theta)
+    w14 = w13 * c18
+    w15 = w12 * w14
+    w16 = ca.sin(link1_theta)
+    w17 = w16 * c0
+    w18 = w2 * w17
     w19 = w18 * c1
     w20 = link3_theta_dot**2
     w21 = ca.sin(link3_theta)
     w22 = w21 * c19
     w23 = w20 * w22
-    w24 = w15 * c0
-    w25 = w14 * w24
+    w24 = w13 * c0
+    w25 = w12 * w24
     w26 = w18 + w25
     w27 = link4_theta_dot**2
     w28 = ca.sin(link4_theta)
@@ -3019,12 +3014,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w82 = c39 + w23 + w26 * c2 + w81
     w83 = ca.cos(link2_theta)
     w84 = w83 * c18
-    w85 = w14 * w84
+    w85 = w12 * w84
     w86 = ca.cos(link3_theta)
     w87 = w86 * c19
     w88 = w20 * w87
     w89 = w83 * c0
-    w90 = w14 * w89
+    w90 = w12 * w89
     w91 = w3 + w90
     w92 = ca.cos(link4_theta)
     w93 = w92 * c20
@@ -3082,8 +3077,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w145 = w18 * c4 + w144
     w146 = w18 * c3 + w145
     w147 = w18 * c2 + w146
-    w148 = w1 * (w4 + w11) - w13 * (c38 + w17 + w19 + w82) - w12 * c37 - (w1 * (w4 + w85 + w140) - w13 * (w19 + w147))
-    w149 = w16 * w18 + w3 * w84
+    w148 = w1 * (w4 + w11) - w17 * (c38 + w15 + w19 + w82) - w16 * c37 - (w1 * (w4 + w85 + w140) - w17 * (w19 + w147))
+    w149 = w14 * w18 + w3 * w84
     w150 = w90 * c8 + w90 * c9
     w151 = w90 * c7 + w150
     w152 = w90 * c6 + w151
@@ -3165,19 +3160,19 @@ def dQ_hat_dq_i() -> ca.Function:
         w18 * w43 + w3 * w105 + w7 * w113 + w52 * w143,
         w18 * w50 + w3 * w111 + w6 * w119 + w59 * w142,
         w18 * w57 + w3 * w117 + w5 * w125 + w66 * w141,
-        w122 * (link1_theta_dot * (w0 * link1_theta_dot)) * c59 + w63 * (w2 * w12) * c60,
+        w122 * (link1_theta_dot * (w0 * link1_theta_dot)) * c59 + w63 * (w2 * w16) * c59,
         w18 * w70 + w3 * w128,
-        w1 * (w85 + w156) + w13 * (w17 + w163),
-        w89 * w156 - w24 * w82 - (w149 + w16 * c36) - (w89 * w140 - w24 * w163),
+        w1 * (w85 + w156) + w17 * (w15 + w163),
+        w89 * w156 - w24 * w82 - (w149 + w14 * c36) - (w89 * w140 - w24 * w163),
         w22 * w25 + w87 * w90 + w95 * w155 + w31 * w162,
         w25 * w29 + w90 * w93 + w101 * w154 + w38 * w161,
         w25 * w36 + w90 * w99 + w107 * w153 + w45 * w160,
         w25 * w43 + w90 * w105 + w113 * w152 + w52 * w159,
         w25 * w50 + w90 * w111 + w119 * w151 + w59 * w158,
         w25 * w57 + w90 * w117 + w125 * w150 + w66 * w157,
-        w122 * (w14 * w83) * c60 + w63 * (w14 * w15) * c60,
+        w122 * (w12 * w83) * c59 + w63 * (w12 * w13) * c59,
         w25 * w70 + w90 * w128,
-        w1 * w170 + w13 * w177,
+        w1 * w170 + w17 * w177,
         w89 * w170 + w24 * w177,
         w95 * w169 - w31 * w81 - (w22 * c36 + (w87 * w91 + w22 * w26)) - (w95 * w139 - w31 * w176),
         w29 * w32 + w93 * w96 + w101 * w168 + w38 * w175,
@@ -3185,9 +3180,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w32 * w43 + w96 * w105 + w113 * w166 + w52 * w173,
         w32 * w50 + w96 * w111 + w119 * w165 + w59 * w172,
         w32 * w57 + w96 * w117 + w125 * w164 + w66 * w171,
-        w122 * (w20 * w86) * c60 + w63 * (w20 * w21) * c60,
+        w122 * (w20 * w86) * c59 + w63 * (w20 * w21) * c59,
         w32 * w70 + w96 * w128,
-        w1 * w183 + w13 * w189,
+        w1 * w183 + w17 * w189,
         w89 * w183 + w24 * w189,
         w95 * w183 + w31 * w189,
         w101 * w182 - w38 * w80 - (w29 * c36 + (w93 * w97 + w29 * w33)) - (w101 * w138 - w38 * w188),
@@ -3195,9 +3190,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w39 * w43 + w102 * w105 + w113 * w180 + w52 * w186,
         w39 * w50 + w102 * w111 + w119 * w179 + w59 * w185,
         w39 * w57 + w102 * w117 + w125 * w178 + w66 * w184,
-        w122 * (w27 * w92) * c60 + w63 * (w27 * w28) * c60,
+        w122 * (w27 * w92) * c59 + w63 * (w27 * w28) * c59,
         w39 * w70 + w102 * w128,
-        w1 * w194 + w13 * w199,
+        w1 * w194 + w17 * w199,
         w89 * w194 + w24 * w199,
         w95 * w194 + w31 * w199,
         w101 * w194 + w38 * w199,
@@ -3205,9 +3200,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w43 * w46 + w105 * w108 + w113 * w192 + w52 * w197,
         w46 * w50 + w108 * w111 + w119 * w191 + w59 * w196,
         w46 * w57 + w108 * w117 + w125 * w190 + w66 * w195,
-        w122 * (w34 * w98) * c60 + w63 * (w34 * w35) * c60,
+        w122 * (w34 * w98) * c59 + w63 * (w34 * w35) * c59,
         w46 * w70 + w108 * w128,
-        w1 * w203 + w13 * w207,
+        w1 * w203 + w17 * w207,
         w89 * w203 + w24 * w207,
         w95 * w203 + w31 * w207,
         w101 * w203 + w38 * w207,
@@ -3215,9 +3210,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w113 * w202 - w52 * w78 - (w43 * c36 + (w105 * w109 + w43 * w47)) - (w113 * w136 - w52 * w206),
         w50 * w53 + w111 * w114 + w119 * w201 + w59 * w205,
         w53 * w57 + w114 * w117 + w125 * w200 + w66 * w204,
-        w122 * (w41 * w104) * c60 + w63 * (w41 * w42) * c60,
+        w122 * (w41 * w104) * c59 + w63 * (w41 * w42) * c59,
         w53 * w70 + w114 * w128,
-        w1 * w210 + w13 * w213,
+        w1 * w210 + w17 * w213,
         w89 * w210 + w24 * w213,
         w95 * w210 + w31 * w213,
         w101 * w210 + w38 * w213,
@@ -3225,9 +3220,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w113 * w210 + w52 * w213,
         w119 * w209 - w59 * w77 - (w50 * c36 + (w111 * w115 + w50 * w54)) - (w119 * w135 - w59 * w212),
         w57 * w60 + w117 * w120 + w125 * w208 + w66 * w211,
-        w122 * (w48 * w110) * c60 + w63 * (w48 * w49) * c60,
+        w122 * (w48 * w110) * c59 + w63 * (w48 * w49) * c59,
         w60 * w70 + w120 * w128,
-        w1 * w215 + w13 * w217,
+        w1 * w215 + w17 * w217,
         w89 * w215 + w24 * w217,
         w95 * w215 + w31 * w217,
         w101 * w215 + w38 * w217,
@@ -3235,9 +3230,9 @@ def dQ_hat_dq_i() -> ca.Function:
         w113 * w215 + w52 * w217,
         w119 * w215 + w59 * w217,
         w125 * w214 - w66 * w76 - (w57 * c36 + (w117 * w121 + w57 * w61)) - (w125 * w134 - w66 * w216),
-        w122 * (w55 * w116) * c61 + w63 * (w55 * w56) * c61,
+        w122 * (w55 * w116) * c59 + w63 * (w55 * w56) * c59,
         w67 * w70 + w126 * w128,
-        w1 * w219 + w13 * w221,
+        w1 * w219 + w17 * w221,
         w89 * w219 + w24 * w221,
         w95 * w219 + w31 * w221,
         w101 * w219 + w38 * w221,
@@ -3247,7 +3242,7 @@ def dQ_hat_dq_i() -> ca.Function:
         w125 * w219 + w66 * w221,
         w130 * w218 - w72 * w75 - (w64 * c36 + (w123 * w127 + w64 * w68)) - (w130 * w133 - w72 * w220),
         w70 * w73 + w128 * w131,
-        w1 * w129 + w13 * w71,
+        w1 * w129 + w17 * w71,
         w89 * w129 + w24 * w71,
         w95 * w129 + w31 * w71,
         w101 * w129 + w38 * w71,
@@ -3268,7 +3263,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 870 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -3604,7 +3599,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 985 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]
@@ -3982,7 +3977,7 @@ def forward_dynamics() -> ca.Function:
     """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 792 operations."""
     q_i = ca.SX.sym("q_i", 10)
     q_i_dot = ca.SX.sym("q_i_dot", 10)
-    c = ca.SX.sym("c", 62)
+    c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
     link2_theta = q_i[1]
     link3_theta = q_i[2]

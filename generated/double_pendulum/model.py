@@ -23,7 +23,7 @@ def constants() -> ca.Function:
     c = ca.vertcat(
         upper_tip_x,
         lower_mass,
-        w0 + lower_mass * upper_tip_x * upper_tip_x,
+        w0 + upper_tip_x * (upper_tip_x * lower_mass),
         lower_mass * lower_center_of_mass_x,
         lower_inertia + lower_mass * lower_center_of_mass_x**2,
         gravity_y,
@@ -59,13 +59,13 @@ def condensed() -> ca.Function:
     c7 = c[7]
     w0 = ca.cos(upper_theta)
     w1 = w0 * c0
-    w2 = ca.cos(lower_theta) * c3
-    w3 = ca.sin(upper_theta) * c0
+    w2 = ca.sin(upper_theta) * c0
+    w3 = ca.cos(lower_theta) * c3
     w4 = ca.sin(lower_theta) * c3
-    w5 = w1 * w2 + w3 * w4
+    w5 = w1 * w3 + w2 * w4
     w6 = lower_theta_dot**2
     w7 = upper_theta_dot**2
-    w8 = w3 * w7
+    w8 = w2 * w7
     w9 = w1 * w7
     M_hat = ca.vertcat(
         c2,
@@ -76,8 +76,8 @@ def condensed() -> ca.Function:
     M_hat = ca.reshape(M_hat, 2, 2)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w0 * c6 + w1 * (w4 * w6 + c7 + w8 * c1) - w3 * (w2 * w6 + w9 * c1),
-        w2 * c5 - (w4 * w9 - w2 * w8),
+        w0 * c6 + w1 * (w4 * w6 + c7 + w8 * c1) - w2 * (w3 * w6 + w9 * c1),
+        w3 * c5 - (w4 * w9 - w3 * w8),
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
@@ -432,21 +432,21 @@ def dQ_hat_dq_i() -> ca.Function:
     w1 = upper_theta_dot**2
     w2 = w0 * w1
     w3 = w2 * c1
-    w4 = ca.sin(upper_theta)
-    w5 = w4 * c0
-    w6 = lower_theta_dot**2
-    w7 = ca.sin(lower_theta) * c3
-    w8 = w6 * w7
-    w9 = w1 * w5
+    w4 = lower_theta_dot**2
+    w5 = ca.sin(lower_theta) * c3
+    w6 = w4 * w5
+    w7 = ca.sin(upper_theta)
+    w8 = w7 * c0
+    w9 = w1 * w8
     w10 = w9 * c1
     w11 = ca.cos(lower_theta) * c3
-    w12 = w6 * w11
-    w13 = w7 * w9 + w2 * w11
+    w12 = w4 * w11
+    w13 = w5 * w9 + w2 * w11
     dQ_hat_dq_i = ca.vertcat(
-        w0 * w3 - w5 * (c7 + w8 + w10) - w4 * c6 - (w0 * (w3 + w12) - w5 * w10),
+        w0 * w3 - w8 * (c7 + w6 + w10) - w7 * c6 - (w0 * (w3 + w12) - w8 * w10),
         w13,
-        w0 * w12 + w8 * w5,
-        -(w13 + w7 * c5),
+        w0 * w12 + w6 * w8,
+        -(w13 + w5 * c5),
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)

@@ -23,7 +23,7 @@ def constants() -> ca.Function:
         spring_stiffness,
         spring_damping,
         w0,
-        0.5 * spring_stiffness,
+        spring_stiffness * 0.5,
         -w0,
         2 * spring_damping,
     )

@@ -119,9 +119,9 @@ def constants() -> ca.Function:
         -rod_phi_cross_phi_2_0,
         slider_inertia,
         -slider_inertia,
-        2 * rod_rho_dot_phi_2_0,
-        2 * rod_rho_dot_phi_3_0,
-        2 * rod_K_ff_2_3,
+        rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
+        rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
+        rod_K_ff_2_3 + rod_K_ff_2_3,
         rod_at1_x,
         rod_at1_shape_0_2,
         rod_at1_shape_0_3,
@@ -244,7 +244,7 @@ def condensed() -> ca.Function:
     w29 = w18 * w21 + w22 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24) - (w9 * w27 - (w24 * (w1 * c25) + w25 * (w0 * c25)))
     w30 = w19 * w21 + w22 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26) - (w13 * w27 - (w24 * (w1 * c27) + w25 * (w0 * c27)))
     w31 = (w14 * w27 - (w24 + (w3 * w21 + w22 * (w0 * w26)))) * c13
-    w32 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w32 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     w33 = c28 + (rod_q3 * c25 + rod_q4 * c27)
     w34 = rod_q1 * c20
     w35 = w30 - w11 * w31 - w4 * (w32 - (w24 * (w0 * w33 + w1 * w34) - w25 * (w1 * w33 - w0 * w34) - w20 * w27) + w14 * w31)
@@ -676,7 +676,7 @@ def augmented() -> ca.Function:
     w26 = 2 * rod_theta_dot
     w27 = rod_q3_dot * c25 + rod_q4_dot * c27
     w28 = rod_q1_dot * c20
-    w29 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w29 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     M = ca.vertcat(
         c33,
         0.0,
@@ -953,7 +953,7 @@ def reactions() -> ca.Function:
     w20 = rod_q2 * c6
     w21 = c17 + (rod_q3 * c9 + rod_q4 * c10)
     w22 = c18 + (rod_q3 * c10 + rod_q4 * c12)
-    w23 = -2.0 * rod_theta_dot * (rod_q1_dot * w19 + w20 * rod_q2_dot + rod_q3_dot * w21 + rod_q4_dot * w22)
+    w23 = rod_theta_dot * -2.0 * (rod_q1_dot * w19 + w20 * rod_q2_dot + rod_q3_dot * w21 + rod_q4_dot * w22)
     w24 = rod_theta_ddot * (c16 + (rod_q1 * w19 + rod_q2 * w20 + rod_q3 * (c17 + w21) + rod_q4 * (c18 + w22)))
     w25 = w10 * rod_y_ddot - rod_x_ddot * w14 + w24 + rod_q1_ddot * (c3 - (rod_q3 * c4 + rod_q4 * c5)) + (c7 - rod_q4 * c8) * rod_q2_ddot
     w26 = c2 + rod_q4 * c1
@@ -1260,7 +1260,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w13 = w11 / w12
     w14 = w5 * c1
     w15 = w14 / w12
-    w16 = -2.0 * rod_theta_dot
+    w16 = rod_theta_dot * -2.0
     w17 = ca.cos(crank_theta) * c21
     w18 = w9 * w17
     w19 = w18 * (w2 * c20) + w10 * (w5 * c20)
@@ -1269,11 +1269,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w22 = w0 * c10 - c24
     w23 = w18 * (w5 * c25)
     w24 = w10 * (w2 * c25)
-    w25 = rod_q4 * c10
-    w26 = rod_q3 * c9
-    w27 = c17 + (w26 + w25)
+    w25 = rod_q3 * c9
+    w26 = rod_q4 * c10
+    w27 = c17 + (w25 + w26)
     w28 = c17 + w27
-    w29 = w22 - w15 * (w16 * (rod_q3_dot * c9 + rod_q4_dot * c10) - (w23 - w24 - w13 * (w25 + (w26 + w28))))
+    w29 = w22 - w15 * (w16 * (rod_q3_dot * c9 + rod_q4_dot * c10) - (w23 - w24 - w13 * (w26 + (w25 + w28))))
     w30 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w31 = w13 / w12
     w32 = w3 * w5
@@ -1313,7 +1313,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w66 = w34 * w47 - (w50 - w49) + (w35 * w65 - w58) + (w15 * (w7 * w65 + w12 * w57 - (w18 * w63 + w10 * w62 - w34 * w55)) + w41 * w64)
     w67 = w0 * c12 - c26 + w36 * w47 - w35 * w48 - (w15 * (w56 + (w7 * w48 + w58)) - w40 * w64) + w15 * w66
     w68 = (w7 * w37 - (w1 * w12 + 2 * w32)) * c13
-    w69 = w1 * w53 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w37 * w47 - w35 * w68 - w15 * (-2.0 * w59 + w37 * w55 + w7 * w68)
+    w69 = w1 * w53 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w37 * w47 - w35 * w68 - w15 * (w59 * -2.0 + w37 * w55 + w7 * w68)
     dQ_hat_dq_i = ca.vertcat(
         w0 * c0 - c19,
         0.0,
@@ -1383,7 +1383,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w4 = c2 + rod_q4 * c1
     w5 = w3 * w4
     w6 = w2 / w5
-    w7 = -2.0 * rod_theta_dot
+    w7 = rod_theta_dot * -2.0
     w8 = rod_q1 * c0
     w9 = rod_q2 * c6
     w10 = c17 + (rod_q3 * c9 + rod_q4 * c10)
@@ -1400,7 +1400,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w21 = c18 + (rod_q3 * c10 + rod_q4 * c12)
     w22 = c16 + (rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (c17 + w10) + rod_q4 * (c18 + w21))
     w23 = (w15 * w16 - (w0 * w5 + 2 * (w1 * w14))) * c13
-    w24 = -2.0 * (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w21) + w16 * w22 + w15 * w23
+    w24 = (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w21) * -2.0 + w16 * w22 + w15 * w23
     w25 = w13 * w19 + w12 * w20 + w6 * (w7 * w21 + w13 * w22 + w15 * w20) + w6 * (w0 * w21 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w16 * w19 - w12 * w23 - w6 * w24)
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
@@ -1469,9 +1469,9 @@ def dMa_dq_i() -> ca.Function:
     w6 = w5 * rod_q4_ddot
     w7 = rod_q1 * c0
     w8 = rod_q2 * c6
-    w9 = rod_q4 * c10
-    w10 = rod_q3 * c9
-    w11 = w9 + (c41 + w10)
+    w9 = rod_q3 * c9
+    w10 = rod_q4 * c10
+    w11 = w10 + (c41 + w9)
     w12 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w13 = w5 / w4
     w14 = w2 * c1
@@ -1506,7 +1506,7 @@ def dMa_dq_i() -> ca.Function:
         w6 * c4,
         0.0,
         0.0,
-        w5 * (rod_q1_ddot * c4 + w6 * (w9 + (w10 + w11))),
+        w5 * (rod_q1_ddot * c4 + w6 * (w10 + (w9 + w11))),
         w6 * c5 + w12 * w16 + w5 * (w12 * w19),
         w6 * c8 + w16 * w20 + w5 * (w19 * w20),
         -(w16 * w21 + w5 * (w19 * w21)),
@@ -1594,7 +1594,7 @@ def substep_2() -> ca.Function:
     w24 = w14 * w17 + w18 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24) - (w5 * w22 - (w1 * c25 * w23 + w21 * (w0 * c25)))
     w25 = w15 * w17 + w18 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26) - (w9 * w22 - (w23 * (w1 * c27) + w21 * (w0 * c27)))
     w26 = (w10 * w22 - (w23 + (w3 * w17 + w18 * (w0 * w19)))) * c13
-    w27 = -2.0 * rod_theta_dot * (w12 * rod_q1_dot + w13 * rod_q2_dot + w14 * rod_q3_dot + w15 * rod_q4_dot)
+    w27 = rod_theta_dot * -2.0 * (w12 * rod_q1_dot + w13 * rod_q2_dot + w14 * rod_q3_dot + w15 * rod_q4_dot)
     w28 = c28 + (rod_q3 * c25 + rod_q4 * c27)
     w29 = rod_q1 * c20
     w30 = w23 * (w0 * w28 + w1 * w29) - w21 * (w1 * w28 - w0 * w29) - w16 * w22 + (c3 - (rod_q3 * c4 + rod_q4 * c5)) * rod_q1_ddot

@@ -116,9 +116,9 @@ def constants() -> ca.Function:
         -rod_phi_cross_phi_2_0,
         slider_inertia,
         -slider_inertia,
-        2 * rod_rho_dot_phi_2_0,
-        2 * rod_rho_dot_phi_3_0,
-        2 * rod_K_ff_2_3,
+        rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
+        rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
+        rod_K_ff_2_3 + rod_K_ff_2_3,
         rod_at1_x,
         rod_at1_shape_0_2,
         rod_at1_shape_0_3,
@@ -265,7 +265,7 @@ def condensed() -> ca.Function:
     w50 = w0 * w46
     w51 = (w11 * w49 - (w50 + (w4 * w42 + w43 * (w7 * w48)))) * c3
     w52 = w0 * (w10 * w42 - w43 * (w2 * w44 - w7 * w45) + (w47 * c2 + w9 * w49)) - w1 * (w9 * w42 + w43 * (w7 * w44 + w2 * w45) - (w10 * w49 - w50 * c2) - w51)
-    w53 = -2.0 * rod_theta_dot * (w14 * rod_q1_dot + w15 * rod_q2_dot + w16 * rod_q3_dot + w17 * rod_q4_dot)
+    w53 = rod_theta_dot * -2.0 * (w14 * rod_q1_dot + w15 * rod_q2_dot + w16 * rod_q3_dot + w17 * rod_q4_dot)
     w54 = w53 - (w10 * w50 - w9 * w47 - w18 * w49) + w11 * w51
     w55 = w14 * w42 + w43 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27 - (w21 * w50 - w20 * w47 - w22 * w49)
     w56 = w16 * w42 + w43 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30) - (w28 * w49 - (w27 * w50 + w26 * w47))
@@ -687,7 +687,7 @@ def augmented() -> ca.Function:
     w26 = 2 * rod_theta_dot
     w27 = rod_q3_dot * c8 + rod_q4_dot * c9
     w28 = rod_q1_dot * c10
-    w29 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w29 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     M = ca.vertcat(
         c33,
         0.0,
@@ -960,7 +960,7 @@ def reactions() -> ca.Function:
     w18 = rod_q2 * c13
     w19 = c14 + (rod_q3 * c15 + rod_q4 * c16)
     w20 = c17 + (rod_q3 * c16 + rod_q4 * c18)
-    w21 = -2.0 * rod_theta_dot * (rod_q1_dot * w17 + w18 * rod_q2_dot + rod_q3_dot * w19 + rod_q4_dot * w20)
+    w21 = rod_theta_dot * -2.0 * (rod_q1_dot * w17 + w18 * rod_q2_dot + rod_q3_dot * w19 + rod_q4_dot * w20)
     w22 = rod_theta_ddot * (c11 + (rod_q1 * w17 + rod_q2 * w18 + rod_q3 * (c14 + w19) + rod_q4 * (c17 + w20)))
     w23 = w8 * rod_y_ddot - rod_x_ddot * w12 + w22 + rod_q1_ddot * (c19 - (rod_q3 * c20 + rod_q4 * c21)) + (c22 - rod_q4 * c23) * rod_q2_ddot
     w24 = c5 + rod_q4 * c6
@@ -1262,32 +1262,32 @@ def dQ_hat_dq_i() -> ca.Function:
     w9 = c5 + rod_q4 * c6
     w10 = w4 * w9
     w11 = w2 / w10
-    w12 = ca.sin(crank_theta) * c1
-    w13 = rod_theta_dot**2
-    w14 = w5 * w6 + w4 * w7
-    w15 = w13 * w14
-    w16 = 2 * rod_theta_dot
-    w17 = rod_q3_dot * c8 + rod_q4_dot * c9
-    w18 = rod_q1_dot * c10
-    w19 = w4 * w17 - w6 * w18
-    w20 = w16 * w19
-    w21 = w1 * w12
+    w12 = rod_theta_dot**2
+    w13 = w5 * w6 + w4 * w7
+    w14 = w12 * w13
+    w15 = 2 * rod_theta_dot
+    w16 = rod_q3_dot * c8 + rod_q4_dot * c9
+    w17 = rod_q1_dot * c10
+    w18 = w4 * w16 - w6 * w17
+    w19 = w15 * w18
+    w20 = ca.sin(crank_theta) * c1
+    w21 = w1 * w20
     w22 = w21 * c2
     w23 = rod_q4_dot * c6
     w24 = w4 * w23
     w25 = w6 * w9
-    w26 = w16 * w24 - w13 * w25
+    w26 = w15 * w24 - w12 * w25
     w27 = w26 - w21
     w28 = w27 / w10
     w29 = w8 * w28
-    w30 = w6 * w17 + w4 * w18
-    w31 = w8 * w13 + w16 * w30
-    w32 = w14 * w28
+    w30 = w6 * w16 + w4 * w17
+    w31 = w8 * w12 + w15 * w30
+    w32 = w13 * w28
     w33 = w6 * w23
-    w34 = w10 * w13 + w16 * w33
+    w34 = w10 * w12 + w15 * w33
     w35 = (w25 * w28 - (w2 + w34)) * c3
     w36 = (w21 - w11 * w25) * c3
-    w37 = w0 * (w3 - w8 * w11) - w12 * (w15 - w20 + (w22 + w29)) - (w0 * (w31 - (w32 - w3) - w35) - w12 * (w22 - w11 * w14 + w36))
+    w37 = w0 * (w3 - w8 * w11) - w20 * (w14 - w19 + (w22 + w29)) - (w0 * (w31 - (w32 - w3) - w35) - w20 * (w22 - w11 * w13 + w36))
     w38 = w0 / w10
     w39 = rod_q1 * c12
     w40 = rod_q2 * c13
@@ -1300,23 +1300,23 @@ def dQ_hat_dq_i() -> ca.Function:
     w47 = c17 + (w45 + w46)
     w48 = c17 + w47
     w49 = c11 + (rod_q1 * w39 + rod_q2 * w40 + rod_q3 * w44 + rod_q4 * w48)
-    w50 = w14 * w21 + w2 * w8
+    w50 = w13 * w21 + w2 * w8
     w51 = w25 * w36 - (w11 * w49 - w50)
-    w52 = -2.0 * rod_theta_dot
+    w52 = rod_theta_dot * -2.0
     w53 = rod_q1_dot * w39 + w40 * rod_q2_dot + rod_q3_dot * w43 + rod_q4_dot * w47
-    w54 = w52 * w53 - (w2 * w14 - w8 * w21 - w28 * w49) + w25 * w35
-    w55 = w12 / w10
+    w54 = w52 * w53 - (w2 * w13 - w8 * w21 - w28 * w49) + w25 * w35
+    w55 = w20 / w10
     w56 = w28 / w10
     w57 = w25 * w56 - w34 / w10
     w58 = (w27 + w25 * w57 - w26) * c3
     w59 = w25 * w58 + w10 * w35 - (w50 - w49 * w57)
     w60 = w38 / w10
     w61 = w25 * w60
-    w62 = w0 * (w31 + (w8 * w57 - w32)) - w12 * (w20 - w15 - (w29 + w14 * w57) - w58) - (w38 * w59 + w54 * w61)
-    w63 = (2 * w24 - w16 * w25) / w10
-    w64 = (w25 * w63 - (w10 * w16 + 2 * w33)) * c3
-    w65 = -2.0 * w53 + w49 * w63 + w25 * w64
-    w66 = w0 * (w14 * w16 - 2 * w19 + w8 * w63) - w12 * (w8 * w16 + 2 * w30 - w14 * w63 - w64) - w38 * w65
+    w62 = w0 * (w31 + (w8 * w57 - w32)) - w20 * (w19 - w14 - (w29 + w13 * w57) - w58) - (w38 * w59 + w54 * w61)
+    w63 = (2 * w24 - w15 * w25) / w10
+    w64 = (w25 * w63 - (w10 * w15 + 2 * w33)) * c3
+    w65 = w53 * -2.0 + w49 * w63 + w25 * w64
+    w66 = w0 * (w13 * w15 - 2 * w18 + w8 * w63) - w20 * (w8 * w15 + 2 * w30 - w13 * w63 - w64) - w38 * w65
     w67 = w4 * c6
     w68 = w6 * c6
     w69 = w68 / w10
@@ -1329,9 +1329,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w76 = w2 * w74 + w21 * w75
     w77 = c19 - (rod_q3 * c20 + rod_q4 * c21)
     w78 = w76 - w57 * w77
-    w79 = w16 * w39 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w63 * w77
+    w79 = w15 * w39 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w63 * w77
     w80 = c22 - rod_q4 * c23
-    w81 = w16 * w40 + rod_q4_dot * c75 + w63 * w80
+    w81 = w15 * w40 + rod_q4_dot * c75 + w63 * w80
     w82 = w57 * w80
     w83 = rod_q1 * c24
     w84 = w6 * c8
@@ -1340,7 +1340,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w87 = w21 * w86
     w88 = w85 - w87
     w89 = w57 * w83 - (w87 - w85)
-    w90 = w16 * w43 + rod_q1_dot * c76 - w63 * w83
+    w90 = w15 * w43 + rod_q1_dot * c76 - w63 * w83
     w91 = rod_q1 * c25 + rod_q2 * c26
     w92 = w6 * c9
     w93 = w2 * w92
@@ -1349,16 +1349,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w96 = w93 - w95
     w97 = w35 * w68
     w98 = w57 * w91 - (w95 - w93) + (w58 * w67 - w97) + (w59 * w69 + w54 * w71)
-    w99 = w16 * w47 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w63 * w91 - w64 * w67 - w65 * w69
+    w99 = w15 * w47 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w63 * w91 - w64 * w67 - w65 * w69
     w100 = w52 * (rod_q1_dot * c12) - (w76 - w28 * (2 * w39))
     w101 = w52 * (rod_q2_dot * c13) + w28 * (2 * w40)
     w102 = w52 * (rod_q3_dot * c15 + rod_q4_dot * c16) - (w88 - w28 * (w42 + (w41 + w44)))
-    w103 = w13 * c16 - c30
-    w104 = w13 * w68 / w10 + w56 * w67
-    w105 = (w28 * w68 - w25 * w104 - w13 * w67) * c3
+    w103 = w12 * c16 - c30
+    w104 = w12 * w68 / w10 + w56 * w67
+    w105 = (w28 * w68 - w25 * w104 - w12 * w67) * c3
     w106 = w52 * (rod_q3_dot * c16 + rod_q4_dot * c18) - (w96 - (w28 * (w45 + (w46 + w48)) - w49 * w104)) + (w97 + w25 * w105)
     w107 = w60 * w67
-    w108 = w0 * (w13 * w92 + (w28 * w94 - w8 * w104)) - w12 * (w13 * w94 - (w28 * w92 - w14 * w104) - w105) - (w38 * w106 - w54 * w107)
+    w108 = w0 * (w12 * w92 + (w28 * w94 - w8 * w104)) - w20 * (w12 * w94 - (w28 * w92 - w13 * w104) - w105) - (w38 * w106 - w54 * w107)
     w109 = w67 * w70
     w110 = crank_theta_dot * w107 + rod_q4_dot * w109 + w69 * w72
     dQ_hat_dq_i = ca.vertcat(
@@ -1367,26 +1367,26 @@ def dQ_hat_dq_i() -> ca.Function:
         w73 * w81 - (w11 * w80 + w38 * w82),
         w11 * w83 + w88 + w38 * w89 + w73 * w90,
         w11 * w91 + w96 - w36 * w67 - w51 * w69 + w38 * w98 + w73 * w99,
-        w0 * (w13 * w74 - w28 * w75) + w12 * (w13 * w75 + w28 * w74) - w38 * w100,
-        w13 * c12 - c27,
+        w0 * (w12 * w74 - w28 * w75) + w20 * (w12 * w75 + w28 * w74) - w38 * w100,
+        w12 * c12 - c27,
         0.0,
         w28 * c36,
         -(w28 * c25 + w69 * w100),
         -(w38 * w101),
         0.0,
-        w13 * c13 - c28,
+        w12 * c13 - c28,
         0.0,
         -(w28 * c26 + w69 * w101),
-        w0 * (w13 * w84 + w28 * w86) - w12 * (w13 * w86 - w28 * w84) - w38 * w102,
+        w0 * (w12 * w84 + w28 * w86) - w20 * (w12 * w86 - w28 * w84) - w38 * w102,
         w28 * c77,
         0.0,
-        w13 * c15 - c29,
+        w12 * c15 - c29,
         w103 - w69 * w102,
         w108 - w62 * w69 + w66 * w110,
         w69 * w78 - (w28 * c21 + w77 * w104) + w79 * w110,
         w81 * w110 - (w28 * c23 + w80 * w104 + w69 * w82),
         w103 + w83 * w104 + w69 * w89 + w90 * w110,
-        w13 * c18 - c31 + w91 * w104 - w67 * w105 - (w69 * w106 - w54 * w109) + w69 * w98 + w99 * w110,
+        w12 * c18 - c31 + w91 * w104 - w67 * w105 - (w69 * w106 - w54 * w109) + w69 * w98 + w99 * w110,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1470,7 +1470,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w27 = (2 * (w4 * w26) - w14 * w23) / w10
     w28 = (w14 * w27 - (w10 * w23 + 2 * (w6 * w26))) * c3
     w29 = w0 * (w12 * w23 - 2 * (w4 * w24 - w6 * w25) + w8 * w27) - w1 * (w8 * w23 + 2 * (w6 * w24 + w4 * w25) - w12 * w27 - w28)
-    w30 = -2.0 * (w17 * rod_q1_dot + w18 * rod_q2_dot + w19 * rod_q3_dot + w20 * rod_q4_dot) + w21 * w27 + w14 * w28
+    w30 = (w17 * rod_q1_dot + w18 * rod_q2_dot + w19 * rod_q3_dot + w20 * rod_q4_dot) * -2.0 + w21 * w27 + w14 * w28
     w31 = w29 - w16 * w30
     w32 = w6 * c10
     w33 = w4 * c10
@@ -1489,7 +1489,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w46 = w6 * c6
     w47 = w46 / w10
     w48 = w20 * w23 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w27 * w42 - w28 * w45 - w30 * w47
-    w49 = -2.0 * rod_theta_dot
+    w49 = rod_theta_dot * -2.0
     w50 = w17 * w49
     w51 = w18 * w49
     w52 = w19 * w49
@@ -1614,12 +1614,12 @@ def dMa_dq_i() -> ca.Function:
     w40 = w5 * w11
     w41 = rod_q1 * c12
     w42 = rod_q2 * c13
-    w43 = rod_q4 * c16
-    w44 = rod_q3 * c15
-    w45 = w43 + (c39 + w44)
-    w46 = rod_q4 * c18
-    w47 = rod_q3 * c16
-    w48 = w46 + (c40 + w47)
+    w43 = rod_q3 * c15
+    w44 = rod_q4 * c16
+    w45 = w44 + (c39 + w43)
+    w46 = rod_q3 * c16
+    w47 = rod_q4 * c18
+    w48 = w47 + (c40 + w46)
     w49 = c11 + (rod_q1 * w41 + rod_q2 * w42 + rod_q3 * w45 + rod_q4 * w48)
     w50 = w39 - w40 + w10 * w49 + w34 * w37
     w51 = c19 - (rod_q3 * c20 + rod_q4 * c21)
@@ -1648,12 +1648,12 @@ def dMa_dq_i() -> ca.Function:
     w74 = w72 + w54 * w61 + (w35 * w62 - w73) - (w17 * w63 + w56 * w60)
     w75 = w67 - w18 * (2 * w41) - rod_q3_ddot * c24 - rod_q4_ddot * c25
     w76 = w18 * (2 * w42) + rod_q4_ddot * c26
-    w77 = w70 - w18 * (w43 + (w44 + w45)) - rod_q1_ddot * c20
+    w77 = w70 - w18 * (w44 + (w43 + w45)) - rod_q1_ddot * c20
     w78 = w35 * w57
     w79 = w35 * w59
     w80 = crank_theta_ddot * w78 + rod_q4_ddot * w79
     w81 = (w16 * w18 - w34 * w80) * c3
-    w82 = w72 - (w18 * (w47 + (w46 + w48)) - w49 * w80) - rod_q1_ddot * c21 - rod_q2_ddot * c23 - (w73 + w34 * w81)
+    w82 = w72 - (w18 * (w46 + (w47 + w48)) - w49 * w80) - rod_q1_ddot * c21 - rod_q2_ddot * c23 - (w73 + w34 * w81)
     w83 = w0 * (w18 * w32 - w5 * w80) + w6 * (w18 * w24 - w26 * w80 + w81) + (w15 * w82 - w56 * w78) + w17 * w64
     dMa_dq_i = ca.vertcat(
         w38 - (w15 * w50 - w9 * w56) - w15 * w64,
@@ -1773,7 +1773,7 @@ def substep_2() -> ca.Function:
     w32 = w18 * w21 + w22 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30) - (w28 * (w0 * c8) - w26 * (w1 * c8) + w9 * w30)
     w33 = w19 * w21 + w22 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31) - (w28 * (w0 * c9) - w26 * (w1 * c9) + w13 * w30)
     w34 = (w14 * w30 - (w26 + (w3 * w21 + w22 * (w0 * w29)))) * c3
-    w35 = -2.0 * rod_theta_dot * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w35 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
     w36 = c7 + (rod_q3 * c8 + rod_q4 * c9)
     w37 = rod_q1 * c10
     w38 = w33 - w11 * w34 - w4 * (w35 - (w26 * (w0 * w36 + w1 * w37) + w28 * (w1 * w36 - w0 * w37) - w20 * w30) + w14 * w34)

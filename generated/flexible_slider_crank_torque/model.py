@@ -150,7 +150,7 @@ def constants() -> ca.Function:
     w1 = w0 * rod_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
     w3 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
-    w4 = w1 * rod_length
+    w4 = rod_length * w1
     w5 = w0 * beam20_pinned_pinned2_H_0_0
     w6 = w0 * beam20_pinned_pinned2_H_0_1
     w7 = w0 * beam20_pinned_pinned2_H_1_0
@@ -194,9 +194,9 @@ def constants() -> ca.Function:
         motor_torque,
         w1 * gravity_y,
         w16,
-        w17 * ca.sqrt(w16 * w10),
+        w17 * ca.sqrt(w10 * w16),
         w18,
-        w17 * ca.sqrt(w18 * w12),
+        w17 * ca.sqrt(w12 * w18),
         crank_mass,
         w14,
         slider_inertia,
@@ -311,9 +311,9 @@ def constants() -> ca.Function:
         w12 - w13,
         2 * w2,
         2 * w3,
-        2 * w5,
+        w5 + w5,
         w6 + w7,
-        2 * w8,
+        w8 + w8,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -373,12 +373,12 @@ def condensed() -> ca.Function:
     w3 = ca.cos(rod_theta)
     w4 = rod_q1 * c6
     w5 = rod_q2 * c7
-    w6 = c2 - 0.5 * (rod_q1 * w4 + rod_q2 * w5)
+    w6 = c2 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
     w7 = w3 * w6
     w8 = w1 / w7
     w9 = rod_q1 * c9 + rod_q2 * c10
     w10 = rod_q1 * c11 + rod_q2 * c12
-    w11 = c8 - 0.5 * (rod_q1 * w9 + rod_q2 * w10)
+    w11 = c8 - (rod_q1 * w9 + rod_q2 * w10) * 0.5
     w12 = ca.sin(rod_theta)
     w13 = rod_q1 * c13
     w14 = w3 * w11 - w12 * w13
@@ -420,7 +420,7 @@ def condensed() -> ca.Function:
     w50 = w0 * c24 + ca.if_else(t < 0.15, c25, 0) + w1 * (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44) + c26 - (w14 * w49 - w48 * c3))
     w51 = w1 * w47
     w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * c4
-    w53 = -2.0 * rod_theta_dot * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
+    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
     w54 = w53 + w16 * w52
     w55 = w50 - w2 * (w14 * w40 + w42 * (w3 * w44 - w12 * w43) + w3 * w41 + (w51 * c3 + w15 * w49) - w52) - w8 * w54
     w56 = w19 * w40 - (rod_q1 * c27 + rod_q1_dot * c28) + w23 * c23 - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
@@ -463,7 +463,7 @@ def closure() -> ca.Function:
     c7 = c[7]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
-    w2 = c2 - 0.5 * (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7))
+    w2 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
     w3 = w1 + ca.sin(rod_theta) * w2
     w4 = rod_theta - w3 / (w2 * ca.cos(rod_theta))
     q_d_next = ca.vertcat(
@@ -508,7 +508,7 @@ def velocities() -> ca.Function:
     w3 = rod_q1 * c6
     w4 = ca.cos(rod_theta)
     w5 = rod_q2 * c7
-    w6 = c2 - 0.5 * (rod_q1 * w3 + rod_q2 * w5)
+    w6 = c2 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
     w7 = w4 * w6
     w8 = w2 * w3 / w7 * rod_q1_dot - crank_theta_dot * (w1 / w7) + w2 * w5 / w7 * rod_q2_dot
     q_d_dot = ca.vertcat(
@@ -562,7 +562,7 @@ def accelerations() -> ca.Function:
     w10 = rod_q2 * c7
     w11 = rod_q1_dot * w9 + rod_q2_dot * w10
     w12 = rod_theta_dot**2
-    w13 = c2 - 0.5 * (rod_q1 * w9 + rod_q2 * w10)
+    w13 = c2 - (rod_q1 * w9 + rod_q2 * w10) * 0.5
     w14 = w5 * w13
     w15 = w8 * w13
     w16 = (w4 + (w5 * w6 + w7 * (w8 * w11) + w12 * w14)) / w15 - crank_theta_ddot * (w1 / w15) + w5 * w9 / w15 * rod_q1_ddot
@@ -612,7 +612,7 @@ def constraints() -> ca.Function:
     w2 = ca.cos(rod_theta)
     w3 = rod_q1 * c6
     w4 = rod_q2 * c7
-    w5 = c2 - 0.5 * (rod_q1 * w3 + rod_q2 * w4)
+    w5 = c2 - (rod_q1 * w3 + rod_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.sin(rod_theta)
     w8 = w5 * w7
@@ -800,7 +800,7 @@ def augmented() -> ca.Function:
     w3 = ca.sin(rod_theta)
     w4 = rod_q1 * c9 + rod_q2 * c10
     w5 = rod_q1 * c11 + rod_q2 * c12
-    w6 = c8 - 0.5 * (rod_q1 * w4 + rod_q2 * w5)
+    w6 = c8 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
     w7 = ca.cos(rod_theta)
     w8 = rod_q1 * c13
     w9 = w3 * w6 + w7 * w8
@@ -950,7 +950,7 @@ def augmented() -> ca.Function:
         w2 * c23 + ca.if_else(t < 0.15, c25, 0),
         w13 * w20 + w21 * (w7 * w22 - w3 * w23) + w7 * w24,
         c26 + (w9 * w20 + w3 * w24 + w21 * (w7 * w23 + w3 * w22)),
-        -2.0 * rod_theta_dot * (w17 * rod_q1_dot + w18 * rod_q2_dot) + w13 * c23,
+        rod_theta_dot * -2.0 * (w17 * rod_q1_dot + w18 * rod_q2_dot) + w13 * c23,
         w17 * w20 - (rod_q1 * c27 + rod_q1_dot * c28) + w14 * c23,
         w18 * w20 - (rod_q2 * c29 + rod_q2_dot * c30) - w15 * c23,
         0.0,
@@ -1021,7 +1021,7 @@ def reactions() -> ca.Function:
     w4 = ca.cos(rod_theta)
     w5 = rod_q1 * c9 + rod_q2 * c10
     w6 = rod_q1 * c11 + rod_q2 * c12
-    w7 = c8 - 0.5 * (rod_q1 * w5 + rod_q2 * w6)
+    w7 = c8 - (rod_q1 * w5 + rod_q2 * w6) * 0.5
     w8 = ca.sin(rod_theta)
     w9 = rod_q1 * c13
     w10 = w4 * w7 - w8 * w9
@@ -1037,8 +1037,8 @@ def reactions() -> ca.Function:
     w20 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w21 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w22 = w10 * rod_y_ddot - rod_x_ddot * w15 + rod_theta_ddot * (c14 + (rod_q1 * w20 + rod_q2 * w21)) + rod_q1_ddot * c21
-    w23 = -2.0 * rod_theta_dot * (rod_q1_dot * w20 + rod_q2_dot * w21) + w10 * c23 - (w22 + rod_q2_ddot * c22)
-    w24 = c2 - 0.5 * (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7))
+    w23 = rod_theta_dot * -2.0 * (rod_q1_dot * w20 + rod_q2_dot * w21) + w10 * c23 - (w22 + rod_q2_ddot * c22)
+    w24 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
     w25 = (w23 + w17 * (w8 * w24)) / (w4 * w24)
     w26 = c26 + (w3 * w15 + w8 * w14 + w11 * (w4 * w13 + w8 * w12)) - w19 - w25
     lam = ca.vertcat(
@@ -1114,7 +1114,7 @@ def energy() -> ca.Function:
     w3 = ca.sin(rod_theta)
     w4 = rod_q1 * c9 + rod_q2 * c10
     w5 = rod_q1 * c11 + rod_q2 * c12
-    w6 = c8 - 0.5 * (rod_q1 * w4 + rod_q2 * w5)
+    w6 = c8 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
     w7 = ca.cos(rod_theta)
     w8 = rod_q1 * c13
     w9 = w3 * w6 + w7 * w8
@@ -1279,38 +1279,38 @@ def drawing() -> ca.Function:
     w0 = ca.cos(rod_theta)
     w1 = rod_q1 * exaggeration
     w2 = exaggeration * rod_q2
-    w3 = c37 - 0.5 * (w1 * (w1 * c38 + w2 * c39) + w2 * (w1 * c40 + w2 * c41))
+    w3 = c37 - (w1 * (w1 * c38 + w2 * c39) + w2 * (w1 * c40 + w2 * c41)) * 0.5
     w4 = ca.sin(rod_theta)
     w5 = w1 * c42 + w2 * c43
-    w6 = c44 - 0.5 * (w1 * (w1 * c45 + w2 * c46) + w2 * (w1 * c47 + w2 * c48))
+    w6 = c44 - (w1 * (w1 * c45 + w2 * c46) + w2 * (w1 * c47 + w2 * c48)) * 0.5
     w7 = w1 * c49 + w2 * c50
-    w8 = c51 - 0.5 * (w1 * (w1 * c52 + w2 * c53) + w2 * (w1 * c54 + w2 * c55))
+    w8 = c51 - (w1 * (w1 * c52 + w2 * c53) + w2 * (w1 * c54 + w2 * c55)) * 0.5
     w9 = w1 * c56 + w2 * c57
-    w10 = c58 - 0.5 * (w1 * (w1 * c59 + w2 * c60) + w2 * (w1 * c61 + w2 * c62))
+    w10 = c58 - (w1 * (w1 * c59 + w2 * c60) + w2 * (w1 * c61 + w2 * c62)) * 0.5
     w11 = w1 * c63 + w2 * c64
-    w12 = c65 - 0.5 * (w1 * (w1 * c66 + w2 * c67) + w2 * (w1 * c68 + w2 * c69))
+    w12 = c65 - (w1 * (w1 * c66 + w2 * c67) + w2 * (w1 * c68 + w2 * c69)) * 0.5
     w13 = w1 * c70 + w2 * c71
-    w14 = c72 - 0.5 * (w1 * (w1 * c73 + w2 * c74) + w2 * (w1 * c75 + w2 * c76))
+    w14 = c72 - (w1 * (w1 * c73 + w2 * c74) + w2 * (w1 * c75 + w2 * c76)) * 0.5
     w15 = w1 * c77 + w2 * c78
-    w16 = c79 - 0.5 * (w1 * (w1 * c80 + w2 * c81) + w2 * (w1 * c82 + w2 * c83))
+    w16 = c79 - (w1 * (w1 * c80 + w2 * c81) + w2 * (w1 * c82 + w2 * c83)) * 0.5
     w17 = w1 * c84 + w2 * c85
-    w18 = c86 - 0.5 * (w1 * (w1 * c87 + w2 * c88) + w2 * (w1 * c89 + w2 * c90))
+    w18 = c86 - (w1 * (w1 * c87 + w2 * c88) + w2 * (w1 * c89 + w2 * c90)) * 0.5
     w19 = w1 * c91
-    w20 = c92 - 0.5 * (w1 * (w1 * c93 + w2 * c94) + w2 * (w1 * c95 + w2 * c96))
+    w20 = c92 - (w1 * (w1 * c93 + w2 * c94) + w2 * (w1 * c95 + w2 * c96)) * 0.5
     w21 = w1 * c97 + w2 * c98
-    w22 = c99 - 0.5 * (w1 * (w1 * c100 + w2 * c101) + w2 * (w1 * c102 + w2 * c103))
+    w22 = c99 - (w1 * (w1 * c100 + w2 * c101) + w2 * (w1 * c102 + w2 * c103)) * 0.5
     w23 = w1 * c104 + w2 * c105
-    w24 = c106 - 0.5 * (w1 * (w1 * c107 + w2 * c108) + w2 * (w1 * c109 + w2 * c110))
+    w24 = c106 - (w1 * (w1 * c107 + w2 * c108) + w2 * (w1 * c109 + w2 * c110)) * 0.5
     w25 = w1 * c111 + w2 * c112
-    w26 = c113 - 0.5 * (w1 * (w1 * c114 + w2 * c115) + w2 * (w1 * c116 + w2 * c117))
+    w26 = c113 - (w1 * (w1 * c114 + w2 * c115) + w2 * (w1 * c116 + w2 * c117)) * 0.5
     w27 = w1 * c118 + w2 * c119
-    w28 = c120 - 0.5 * (w1 * (w1 * c121 + w2 * c122) + w2 * (w1 * c123 + w2 * c124))
+    w28 = c120 - (w1 * (w1 * c121 + w2 * c122) + w2 * (w1 * c123 + w2 * c124)) * 0.5
     w29 = w1 * c125 + w2 * c126
-    w30 = c127 - 0.5 * (w1 * (w1 * c128 + w2 * c129) + w2 * (w1 * c130 + w2 * c131))
+    w30 = c127 - (w1 * (w1 * c128 + w2 * c129) + w2 * (w1 * c130 + w2 * c131)) * 0.5
     w31 = w1 * c132 + w2 * c133
-    w32 = c134 - 0.5 * (w1 * (w1 * c135 + w2 * c136) + w2 * (w1 * c137 + w2 * c138))
+    w32 = c134 - (w1 * (w1 * c135 + w2 * c136) + w2 * (w1 * c137 + w2 * c138)) * 0.5
     w33 = w1 * c139 + w2 * c140
-    w34 = c2 - 0.5 * (w1 * (w1 * c6) + w2 * (w2 * c7))
+    w34 = c2 - (w1 * (w1 * c6) + w2 * (w2 * c7)) * 0.5
     xy = ca.vertcat(
         crank_x,
         crank_y,
@@ -1408,7 +1408,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w3 = w2 + rod_q2 * c10
     w4 = rod_q2 * c12
     w5 = rod_q1 * c11 + w4
-    w6 = c8 - 0.5 * (rod_q1 * w3 + rod_q2 * w5)
+    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
     w7 = ca.cos(rod_theta)
     w8 = rod_q1 * c13
     w9 = w1 * w6 + w7 * w8
@@ -1421,7 +1421,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w16 = rod_q2 * c7
     w17 = rod_q1_dot * w15 + rod_q2_dot * w16
     w18 = w7 * w17
-    w19 = c2 - 0.5 * (rod_q1 * w15 + rod_q2 * w16)
+    w19 = c2 - (rod_q1 * w15 + rod_q2 * w16) * 0.5
     w20 = w1 * w19
     w21 = w7 * w19
     w22 = (2 * w18 + w10 * w20) / w21
@@ -1435,7 +1435,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w30 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w31 = rod_q1_dot * w29 + rod_q2_dot * w30
     w32 = c14 + (rod_q1 * w29 + rod_q2 * w30)
-    w33 = -2.0 * w31 - w22 * w32 + w20 * w27
+    w33 = w31 * -2.0 - w22 * w32 + w20 * w27
     w34 = w0 * (w9 * w10 + 2 * w13 - w14 * w22) - w24 * (w10 * w14 + 2 * w25 + w9 * w22 - w27) - w28 * w33
     w35 = w24 / w21
     w36 = w7 * w15
@@ -1486,7 +1486,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w81 = w23 * c24 + (w0 * (w14 * w52 - w53) + w24 * (c26 + (w55 + w59 + w60) - (w70 - w71))) + (w24 * (w9 * w52 - w71 - w72) + w0 * (w73 + w74 + w75 + (w53 + w76) - w80))
     w82 = w9 * w67 + w14 * w51
     w83 = w20 * w72 - (w32 * w52 - w82)
-    w84 = -2.0 * rod_theta_dot
+    w84 = rod_theta_dot * -2.0
     w85 = w31 * w84 + w14 * c23 - (w9 * w51 - w14 * w67 + w32 * w69) + w20 * w80
     w86 = w69 / w21
     w87 = (w79 + (w78 - w77)) / w21 + w20 * w86
@@ -1507,7 +1507,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w102 = w44 * w80
     w103 = w43 * w88 - w102 - (w100 * c23 + (w101 - w99 + w87 * c22)) + (w45 * w90 + w47 * w85)
     w104 = w10 * w30 - w22 * c22 + w27 * w43 + w33 * w45
-    w105 = 0.5 * (w2 + w3 + rod_q2 * c11)
+    w105 = (w2 + w3 + rod_q2 * c11) * 0.5
     w106 = w94 - w1 * w105
     w107 = w56 + rod_q2_dot * c11
     w108 = (w10 * (w7 * w61) - w37 * w54) / w21 + w36 * w86
@@ -1525,7 +1525,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w120 = w1 * c11
     w121 = w43 * w110 - (w54 * c19 + w120 * c23 + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
     w122 = w57 + rod_q1_dot * c10
-    w123 = 0.5 * (rod_q1 * c10 + (w4 + w5))
+    w123 = (rod_q1 * c10 + (w4 + w5)) * 0.5
     w124 = w1 * w123
     w125 = (w10 * (w7 * w62) - w44 * w54) / w21 + w43 * w86
     w126 = w7 * w123
@@ -1605,13 +1605,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c6
     w3 = rod_q2 * c7
-    w4 = c2 - 0.5 * (rod_q1 * w2 + rod_q2 * w3)
+    w4 = c2 - (rod_q1 * w2 + rod_q2 * w3) * 0.5
     w5 = w1 * w4
     w6 = w0 / w5
     w7 = ca.sin(rod_theta)
     w8 = rod_q1 * c9 + rod_q2 * c10
     w9 = rod_q1 * c11 + rod_q2 * c12
-    w10 = c8 - 0.5 * (rod_q1 * w8 + rod_q2 * w9)
+    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
     w11 = rod_q1 * c13
     w12 = w7 * w10 + w1 * w11
     w13 = 2 * crank_theta_dot
@@ -1633,7 +1633,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w29 = (2 * (w1 * w28) + w22 * w25) / w5
     w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * c4
     w31 = w0 * (w12 * w25 + 2 * (w1 * w26 + w7 * w27) - w15 * w29) - w16 * (w15 * w25 + 2 * (w1 * w27 - w7 * w26) + w12 * w29 - w30)
-    w32 = -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot) - w20 * w29 + w22 * w30
+    w32 = (w18 * rod_q1_dot + w19 * rod_q2_dot) * -2.0 - w20 * w29 + w22 * w30
     w33 = w31 - w6 * w32
     w34 = w1 * w8 + w7 * c13
     w35 = w1 * c13 - w7 * w8
@@ -1651,7 +1651,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w47 = rod_q1_dot * c143
     w48 = (w7 * w47 + w25 * w36) / w5
     w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
-    w50 = -2.0 * rod_theta_dot
+    w50 = rod_theta_dot * -2.0
     w51 = w18 * w50 - w20 * w48 + w22 * w49
     w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
     w53 = rod_q2_dot * c147 + rod_q1_dot * c146
@@ -1719,14 +1719,14 @@ def dMa_dq_i() -> ca.Function:
     w3 = w2 + rod_q2 * c10
     w4 = rod_q2 * c12
     w5 = rod_q1 * c11 + w4
-    w6 = c8 - 0.5 * (rod_q1 * w3 + rod_q2 * w5)
+    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
     w7 = ca.sin(rod_theta)
     w8 = rod_q1 * c13
     w9 = w1 * w6 - w7 * w8
     w10 = ca.sin(crank_theta) * c1
     w11 = rod_q1 * c6
     w12 = rod_q2 * c7
-    w13 = c2 - 0.5 * (rod_q1 * w11 + rod_q2 * w12)
+    w13 = c2 - (rod_q1 * w11 + rod_q2 * w12) * 0.5
     w14 = w1 * w13
     w15 = w10 / w14
     w16 = crank_theta_ddot * w15
@@ -1787,7 +1787,7 @@ def dMa_dq_i() -> ca.Function:
     w71 = w42 * w55
     w72 = w42 * w57
     w73 = rod_q1_ddot * w70 - crank_theta_ddot * w71 + rod_q2_ddot * w72
-    w74 = 0.5 * (w2 + w3 + rod_q2 * c11)
+    w74 = (w2 + w3 + rod_q2 * c11) * 0.5
     w75 = w37 + w1 * w74
     w76 = w7 * c9
     w77 = w7 * c11
@@ -1803,7 +1803,7 @@ def dMa_dq_i() -> ca.Function:
     w87 = w43 * w55
     w88 = w7 * c7 / w14 + w43 * w57
     w89 = rod_q1_ddot * w86 - crank_theta_ddot * w87 + rod_q2_ddot * w88
-    w90 = 0.5 * (rod_q1 * c10 + (w4 + w5))
+    w90 = (rod_q1 * c10 + (w4 + w5)) * 0.5
     w91 = w1 * w90
     w92 = w7 * c10
     w93 = w7 * c12
@@ -1880,7 +1880,7 @@ def substep_2() -> ca.Function:
     w3 = w2 * c4
     w4 = ca.sin(rod_theta)
     w5 = rod_q2 * c7
-    w6 = c2 - 0.5 * (rod_q1 * w1 + rod_q2 * w5)
+    w6 = c2 - (rod_q1 * w1 + rod_q2 * w5) * 0.5
     w7 = w0 * w6
     w8 = w1 * w4 / w7
     w9 = w4 * w6
@@ -1911,10 +1911,10 @@ def substep_2() -> ca.Function:
     w34 = w11 * w21 - (rod_q1 * c27 + rod_q1_dot * c28) + w23 * c23 - ((w0 * w22 + w4 * c13) * w27 + w23 * w29 + w33 * c21)
     w35 = (w31 * (w4 * w32) - (w0 * w30 + w7 * w21) - w27 - w9 * w33) * c4
     w36 = rod_q1 * c11 + rod_q2 * c12
-    w37 = c8 - 0.5 * (rod_q1 * w22 + rod_q2 * w36)
+    w37 = c8 - (rod_q1 * w22 + rod_q2 * w36) * 0.5
     w38 = rod_q1 * c13
     w39 = w0 * w37 - w4 * w38
-    w40 = -2.0 * rod_theta_dot * (w11 * rod_q1_dot + w12 * rod_q2_dot) + w39 * c23 - (w27 * (w4 * w37 + w0 * w38) + w29 * w39 + w13 * w33)
+    w40 = rod_theta_dot * -2.0 * (w11 * rod_q1_dot + w12 * rod_q2_dot) + w39 * c23 - (w27 * (w4 * w37 + w0 * w38) + w29 * w39 + w13 * w33)
     w41 = w40 + w9 * w35
     w42 = w4 * w36
     w43 = w12 * w21 - (rod_q2 * c29 + rod_q2_dot * c30) - w42 * c23 - (w27 * (w0 * w36) - w29 * w42 + w33 * c22)

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 64 operations."""
+    """c: everything that depends on the parameters p only. 65 operations."""
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -31,7 +31,7 @@ def constants() -> ca.Function:
     c = ca.vertcat(
         crank_tip_x,
         coupler_mass,
-        w0 + coupler_mass * crank_tip_x * crank_tip_x,
+        w0 + crank_tip_x * (crank_tip_x * coupler_mass),
         coupler_tip_x,
         rocker_tip_x,
         w1,
@@ -41,7 +41,7 @@ def constants() -> ca.Function:
         w2 * gravity_y,
         motor_value,
         coupler_mass * gravity_y,
-        w3 * gravity_y,
+        gravity_y * w3,
         ground_right_x,
         crank_mass,
         w0,
@@ -50,9 +50,9 @@ def constants() -> ca.Function:
         w3,
         crank_mass * gravity_y,
         rocker_mass * gravity_y,
-        2 * coupler_tip_x * coupler_tip_x,
-        2 * rocker_tip_x * rocker_tip_x,
-        2 * w1,
+        coupler_tip_x * (coupler_tip_x * 2.0),
+        rocker_tip_x * (rocker_tip_x * 2.0),
+        w1 + w1,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -87,30 +87,30 @@ def condensed() -> ca.Function:
     c12 = c[12]
     w0 = ca.cos(crank_theta)
     w1 = w0 * c0
-    w2 = ca.sin(coupler_theta)
-    w3 = w2 * c3
-    w4 = ca.sin(crank_theta) * c0
+    w2 = ca.sin(crank_theta) * c0
+    w3 = ca.sin(coupler_theta)
+    w4 = w3 * c3
     w5 = ca.cos(coupler_theta)
     w6 = w5 * c3
     w7 = ca.cos(rocker_theta)
     w8 = w7 * c4
     w9 = ca.sin(rocker_theta) * c4
-    w10 = w3 * w8 - w6 * w9
-    w11 = (w1 * w3 - w4 * w6) / w10
-    w12 = (w1 * w9 - w4 * w8) / w10
+    w10 = w4 * w8 - w6 * w9
+    w11 = (w1 * w4 - w2 * w6) / w10
+    w12 = (w1 * w9 - w2 * w8) / w10
     w13 = w5 * c6
-    w14 = w2 * c6
-    w15 = w1 * w13 + w4 * w14
+    w14 = w3 * c6
+    w15 = w1 * w13 + w2 * w14
     w16 = coupler_theta_dot**2
     w17 = rocker_theta_dot**2
     w18 = crank_theta_dot**2
     w19 = w1 * w18
     w20 = w8 * w17 - w6 * w16 - w19
-    w21 = w4 * w18
-    w22 = w9 * w17 - w3 * w16 - w21
+    w21 = w2 * w18
+    w22 = w9 * w17 - w4 * w16 - w21
     w23 = (w8 * w20 + w9 * w22) / w10
-    w24 = w0 * c9 + c10 + w1 * (w14 * w16 + c11 - (w13 * w23 - w21 * c1)) - w4 * (w13 * w16 + (w19 * c1 + w14 * w23))
-    w25 = w24 + w11 * (w7 * c12 - (w6 * w20 + w3 * w22) / w10 * c5) + w12 * (w13 * c8 - (w14 * w19 - w13 * w21 + w23 * c7))
+    w24 = w0 * c9 + c10 + w1 * (w14 * w16 + c11 - (w13 * w23 - w21 * c1)) - w2 * (w13 * w16 + (w19 * c1 + w14 * w23))
+    w25 = w24 + w11 * (w7 * c12 - (w6 * w20 + w4 * w22) / w10 * c5) + w12 * (w13 * c8 - (w14 * w19 - w13 * w21 + w23 * c7))
     M_hat = ca.vertcat(
         c2 + w11 * (w11 * c5) + (w12 * (w15 + w12 * c7) + w12 * w15),
     )
@@ -734,68 +734,68 @@ def dQ_hat_dq_i() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(rocker_theta)
-    w2 = w1 * c4
-    w3 = ca.cos(rocker_theta)
-    w4 = w3 * c4
-    w5 = ca.sin(crank_theta)
-    w6 = w5 * c0
+    w1 = coupler_theta_dot**2
+    w2 = ca.cos(coupler_theta)
+    w3 = w2 * c6
+    w4 = w1 * w3
+    w5 = ca.cos(rocker_theta)
+    w6 = w5 * c4
     w7 = ca.sin(coupler_theta)
     w8 = w7 * c3
-    w9 = ca.cos(coupler_theta)
-    w10 = w9 * c3
-    w11 = w4 * w8 - w2 * w10
-    w12 = (w0 * w2 - w4 * w6) / w11
-    w13 = coupler_theta_dot**2
-    w14 = w9 * c6
-    w15 = w13 * w14
-    w16 = w13 * w8
-    w17 = w13 * w10
-    w18 = rocker_theta_dot**2
-    w19 = w4 * w18
-    w20 = crank_theta_dot**2
-    w21 = w0 * w20
-    w22 = w19 - w17 - w21
-    w23 = w2 * w18
-    w24 = w20 * w6
-    w25 = w23 - w16 - w24
-    w26 = (w4 * w22 + w2 * w25) / w11
-    w27 = w4 * w10 + w8 * w2
-    w28 = w26 / w11 * w27
-    w29 = (w4 * w16 - w2 * w17) / w11 - w28
-    w30 = w7 * c6
-    w31 = w26 * w30
-    w32 = w14 * w26
-    w33 = w13 * w30
-    w34 = (w10 * w22 + w8 * w25) / w11
-    w35 = w3 * c12 - w34 * c5
-    w36 = (w0 * w10 + w8 * w6) / w11
-    w37 = (w0 * w8 - w10 * w6) / w11
-    w38 = w27 * (w37 / w11)
-    w39 = w36 - w38
-    w40 = w27 * (w34 / w11)
-    w41 = w0 * (w15 - (w14 * w29 - w31)) - w6 * (w32 + w29 * w30 - w33) + (w35 * w39 - w37 * (((w16 * w10 - w8 * w22 + (w10 * w25 - w8 * w17)) / w11 - w40) * c5))
-    w42 = w14 * w21 + w24 * w30
-    w43 = w14 * c8 - (w21 * w30 - w14 * w24 + w26 * c7)
-    w44 = w27 * (w12 / w11)
-    w45 = w28 + (w4 * w25 + w2 * w19 - (w2 * w22 + w4 * w23)) / w11
-    w46 = w35 * w38 - w37 * (w1 * c12 + (w40 + (w8 * w19 - w10 * w23) / w11) * c5) - (w0 * (w14 * w45) + w6 * (w30 * w45))
-    w47 = (w0 * w4 + w2 * w6) / w11
+    w9 = w1 * w8
+    w10 = ca.sin(rocker_theta)
+    w11 = w10 * c4
+    w12 = w2 * c3
+    w13 = w1 * w12
+    w14 = w6 * w8 - w11 * w12
+    w15 = rocker_theta_dot**2
+    w16 = w6 * w15
+    w17 = crank_theta_dot**2
+    w18 = w0 * w17
+    w19 = w16 - w13 - w18
+    w20 = w11 * w15
+    w21 = ca.sin(crank_theta)
+    w22 = w21 * c0
+    w23 = w17 * w22
+    w24 = w20 - w9 - w23
+    w25 = (w6 * w19 + w11 * w24) / w14
+    w26 = w6 * w12 + w8 * w11
+    w27 = w25 / w14 * w26
+    w28 = (w6 * w9 - w11 * w13) / w14 - w27
+    w29 = w7 * c6
+    w30 = w25 * w29
+    w31 = w3 * w25
+    w32 = w1 * w29
+    w33 = (w12 * w19 + w8 * w24) / w14
+    w34 = w5 * c12 - w33 * c5
+    w35 = (w0 * w12 + w8 * w22) / w14
+    w36 = (w0 * w8 - w12 * w22) / w14
+    w37 = w26 * (w36 / w14)
+    w38 = w35 - w37
+    w39 = w26 * (w33 / w14)
+    w40 = w0 * (w4 - (w3 * w28 - w30)) - w22 * (w31 + w28 * w29 - w32) + (w34 * w38 - w36 * (((w9 * w12 - w8 * w19 + (w12 * w24 - w8 * w13)) / w14 - w39) * c5))
+    w41 = (w0 * w11 - w6 * w22) / w14
+    w42 = w3 * w18 + w23 * w29
+    w43 = w3 * c8 - (w18 * w29 - w3 * w23 + w25 * c7)
+    w44 = w26 * (w41 / w14)
+    w45 = w27 + (w6 * w24 + w11 * w16 - (w11 * w19 + w6 * w20)) / w14
+    w46 = w34 * w37 - w36 * (w10 * c12 + (w39 + (w8 * w16 - w12 * w20) / w14) * c5) - (w0 * (w3 * w45) + w22 * (w29 * w45))
+    w47 = (w0 * w6 + w11 * w22) / w14
     w48 = w44 + w47
-    w49 = w12 * (w41 - (w12 * (w30 * c8 + (w42 + w29 * c7)) + w43 * w44)) + w37 * (w46 + (w43 * w48 - w12 * (w45 * c7)))
-    w50 = (w4 * w24 - w2 * w21) / w11
-    w51 = w21 * c1
-    w52 = w24 * c1
-    w53 = w5 * c9 + (w0 * (w14 * w50 - w51) + w6 * (c11 + w33 - (w32 - w52))) + (w6 * (w30 * w50 - w52) + w0 * (w15 + (w31 + w51)))
-    w54 = w53 + (w37 * ((w10 * w24 - w8 * w21) / w11 * c5) + w35 * w36) + (w12 * (w50 * c7 - w42) + w43 * w47)
+    w49 = w41 * (w40 - (w41 * (w29 * c8 + (w42 + w28 * c7)) + w43 * w44)) + w36 * (w46 + (w43 * w48 - w41 * (w45 * c7)))
+    w50 = (w6 * w23 - w11 * w18) / w14
+    w51 = w18 * c1
+    w52 = w23 * c1
+    w53 = w21 * c9 + (w0 * (w3 * w50 - w51) + w22 * (c11 + w32 - (w31 - w52))) + (w22 * (w29 * w50 - w52) + w0 * (w4 + (w30 + w51)))
+    w54 = w53 + (w36 * ((w12 * w23 - w8 * w18) / w14 * c5) + w34 * w35) + (w41 * (w50 * c7 - w42) + w43 * w47)
     w55 = 2 * coupler_theta_dot
-    w56 = (w4 * (w10 * w55) + w2 * (w8 * w55)) / w11
-    w57 = w0 * (w30 * w55 + w14 * w56) - w6 * (w14 * w55 - w30 * w56) + w37 * (coupler_theta_dot * c21 / w11 * c5)
-    w58 = (w57 + w12 * (w56 * c7)) * (w37 * (crank_theta_dot * w48) - w12 * (crank_theta_dot * w44) - crank_theta_dot * w47)
-    w59 = rocker_theta_dot * c22 / w11
-    w60 = 2 * rocker_theta_dot
-    w61 = w0 * (w14 * w59) + w6 * (w30 * w59) + w37 * ((w10 * (w4 * w60) + w8 * (w2 * w60)) / w11 * c5) + w12 * (w59 * c7)
-    w62 = w58 - w61 * (w12 * (crank_theta_dot * w39) + w37 * (crank_theta_dot * w38) - crank_theta_dot * w36)
+    w56 = (w6 * (w12 * w55) + w11 * (w8 * w55)) / w14
+    w57 = w0 * (w29 * w55 + w3 * w56) - w22 * (w3 * w55 - w29 * w56) + w36 * (coupler_theta_dot * c21 / w14 * c5)
+    w58 = (w57 + w41 * (w56 * c7)) * (w36 * (crank_theta_dot * w48) - w41 * (crank_theta_dot * w44) - crank_theta_dot * w47)
+    w59 = 2 * rocker_theta_dot
+    w60 = rocker_theta_dot * c22 / w14
+    w61 = w0 * (w3 * w60) + w22 * (w29 * w60) + w36 * ((w12 * (w6 * w59) + w8 * (w11 * w59)) / w14 * c5) + w41 * (w60 * c7)
+    w62 = w58 - w61 * (w41 * (crank_theta_dot * w38) + w36 * (crank_theta_dot * w37) - crank_theta_dot * w35)
     dQ_hat_dq_i = ca.vertcat(
         w49 - w54 + w62,
     )
@@ -847,9 +847,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w18 = 2 * coupler_theta_dot
     w19 = (w3 * (w11 * w18) + w6 * (w10 * w18)) / w12
     w20 = w0 * (w14 * w18 + w2 * w19) - w7 * (w2 * w18 - w14 * w19) + w15 * (coupler_theta_dot * c21 / w12 * c5)
-    w21 = rocker_theta_dot * c22 / w12
-    w22 = 2 * rocker_theta_dot
-    w23 = w0 * (w2 * w21) + w7 * (w14 * w21) + w15 * ((w11 * (w3 * w22) + w10 * (w6 * w22)) / w12 * c5) + w17 * (w21 * c7)
+    w21 = 2 * rocker_theta_dot
+    w22 = rocker_theta_dot * c22 / w12
+    w23 = w0 * (w2 * w22) + w7 * (w14 * w22) + w15 * ((w11 * (w3 * w21) + w10 * (w6 * w21)) / w12 * c5) + w17 * (w22 * c7)
     dQ_hat_dq_i_dot = ca.vertcat(
         w16 - w17 * (w5 * w14 - w2 * w8 - w13 * c7) + (w17 * (w20 + w17 * (w19 * c7)) - w15 * w23),
     )
@@ -896,21 +896,21 @@ def dMa_dq_i() -> ca.Function:
     w18 = w5 * w17
     w19 = w9 * c6
     w20 = w17 * w19
-    w21 = (w0 * w8 + w1 * w10) / w11
-    w22 = (w1 * w8 - w0 * w10) / w11
-    w23 = crank_theta_ddot * w22
-    w24 = w0 * (w3 - w5 * w13) + w1 * (w15 + w18) - (w1 * (w15 + w13 * w19) + w0 * (w3 + w20)) - w21 * w23 * c23
+    w21 = (w1 * w8 - w0 * w10) / w11
+    w22 = (w0 * w8 + w1 * w10) / w11
+    w23 = crank_theta_ddot * w21
+    w24 = w0 * (w3 - w5 * w13) + w1 * (w15 + w18) - (w1 * (w15 + w13 * w19) + w0 * (w3 + w20)) - w22 * w23 * c23
     w25 = w2 * w5
     w26 = w14 * w19
     w27 = w5 * w14 + w2 * w19 + w17 * c7
     w28 = w7 * w10 + w6 * w8
     w29 = w16 / w11 * w28
     w30 = crank_theta_ddot * w29
-    w31 = w22 / w11
-    w32 = w0 * (w20 - w5 * w30) - w1 * (w18 + w19 * w30) + w23 * (w21 - w28 * w31) * c23 + (w16 * (w26 - w25 - w30 * c7) - w27 * w29)
+    w31 = w21 / w11
+    w32 = w0 * (w20 - w5 * w30) - w1 * (w18 + w19 * w30) + w23 * (w22 - w28 * w31) * c23 + (w16 * (w26 - w25 - w30 * c7) - w27 * w29)
     w33 = w12 + w29
     w34 = crank_theta_ddot * w33
-    w35 = w22 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c23 + (w16 * (w34 * c7) + w27 * w33))
+    w35 = w21 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c23 + (w16 * (w34 * c7) + w27 * w33))
     dMa_dq_i = ca.vertcat(
         w24 + (w16 * (w25 - w26 - w13 * c7) - w12 * w27) + (w16 * w32 + w35),
     )

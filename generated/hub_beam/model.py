@@ -258,31 +258,29 @@ def constants() -> ca.Function:
     beam100_clamped_free3_1_0_H_2_2 = p[294]
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
-    w2 = w1 * beam100_clamped_free3_mass_0_0
-    w3 = w1 * beam100_clamped_free3_xH_0_0
-    w4 = w1 * beam100_clamped_free3_xH_0_1
-    w5 = w1 * beam100_clamped_free3_xH_0_2
-    w6 = w1 * beam100_clamped_free3_mass_1_1
-    w7 = w1 * beam100_clamped_free3_xH_1_0
-    w8 = w1 * beam100_clamped_free3_xH_1_1
-    w9 = w1 * beam100_clamped_free3_xH_1_2
-    w10 = w1 * beam100_clamped_free3_mass_2_2
-    w11 = w1 * beam100_clamped_free3_xH_2_0
-    w12 = w1 * beam100_clamped_free3_xH_2_1
-    w13 = w1 * beam100_clamped_free3_xH_2_2
-    w14 = beam_length**2
-    w15 = w1 * w14 * beam100_clamped_free3_i0_0_0
-    w16 = w1 * beam_length
+    w2 = beam_length**2
+    w3 = w1 * w2 * beam100_clamped_free3_i0_0_0
+    w4 = w1 * beam100_clamped_free3_mass_0_0
+    w5 = w1 * beam100_clamped_free3_xH_0_0
+    w6 = w1 * beam100_clamped_free3_xH_0_1
+    w7 = w1 * beam100_clamped_free3_xH_0_2
+    w8 = w1 * beam100_clamped_free3_mass_1_1
+    w9 = w1 * beam100_clamped_free3_xH_1_0
+    w10 = w1 * beam100_clamped_free3_xH_1_1
+    w11 = w1 * beam100_clamped_free3_xH_1_2
+    w12 = w1 * beam100_clamped_free3_mass_2_2
+    w13 = w1 * beam100_clamped_free3_xH_2_0
+    w14 = w1 * beam100_clamped_free3_xH_2_1
+    w15 = w1 * beam100_clamped_free3_xH_2_2
+    w16 = beam_length * w1
     w17 = w16 * beam100_clamped_free3_xi_phi_y_0_0
     w18 = w16 * beam100_clamped_free3_xi_phi_y_1_0
     w19 = w16 * beam100_clamped_free3_xi_phi_y_2_0
-    w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w14)
-    w21 = w19 / w10
-    w22 = w18 / w6
-    w23 = w17 / w2
+    w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w2)
+    w21 = w19 / w12
+    w22 = w18 / w8
+    w23 = w17 / w4
     c = ca.vertcat(
-        w2,
-        w3,
         w4,
         w5,
         w6,
@@ -293,7 +291,9 @@ def constants() -> ca.Function:
         w11,
         w12,
         w13,
-        hub_inertia + w15,
+        w14,
+        w15,
+        hub_inertia + w3,
         w17,
         w18,
         w19,
@@ -303,7 +303,7 @@ def constants() -> ca.Function:
         w20 * beam100_clamped_free3_kappa_lateral_2_2,
         hub_inertia,
         w1,
-        w15,
+        w3,
         hub_mass,
         w16 * beam100_clamped_free3_s1_0_0,
         w0 * beam100_clamped_free3_H_0_0,
@@ -526,21 +526,21 @@ def constants() -> ca.Function:
         beam100_clamped_free3_1_0_shape_1_0,
         beam100_clamped_free3_1_0_shape_1_1,
         beam100_clamped_free3_1_0_shape_1_2,
-        w2 - w3,
+        w4 - w5,
+        -w9,
+        -w13,
+        w8 - w10,
+        -w6,
+        -w14,
+        w12 - w15,
         -w7,
         -w11,
-        w6 - w8,
-        -w4,
-        -w12,
-        w10 - w13,
-        -w5,
-        -w9,
         w21,
         w22,
         w23,
-        w21 * w19,
-        w22 * w18,
-        w23 * w17,
+        w19 * w21,
+        w18 * w22,
+        w17 * w23,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -581,13 +581,13 @@ def condensed() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    w0 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
-    w2 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
-    w3 = ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0) + -2.0 * beam_theta_dot * (w2 * beam_q1_dot + w1 * beam_q2_dot + w0 * beam_q3_dot)
+    w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
     w4 = beam_theta_dot**2
     M_hat = ca.vertcat(
-        beam_q3 * w0 + (beam_q2 * w1 + (beam_q1 * w2 + c12)),
+        beam_q3 * w2 + (beam_q2 * w1 + (beam_q1 * w0 + c12)),
         c13,
         c14,
         c15,
@@ -608,9 +608,9 @@ def condensed() -> ca.Function:
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
         w3,
-        w2 * w4 - beam_q1 * c17,
+        w0 * w4 - beam_q1 * c17,
         w1 * w4 - beam_q2 * c18,
-        w0 * w4 - beam_q3 * c19,
+        w2 * w4 - beam_q3 * c19,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat, Q_hat]
@@ -805,7 +805,7 @@ def augmented() -> ca.Function:
     w1 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
     w2 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
     w3 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
-    w4 = c24 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3)
+    w4 = c24 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
     w5 = ca.cos(beam_theta)
     w6 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w7 = w0 * w4 + w5 * w6
@@ -914,10 +914,10 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0),
+        ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0),
         w12 * w19 + w20 * (w5 * w21 - w0 * w22) + w5 * w24,
         w7 * w19 + w0 * w24 + w20 * (w5 * w22 + w0 * w21),
-        -2.0 * beam_theta_dot * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot),
+        beam_theta_dot * -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot),
         w16 * w19 - beam_q1 * c17,
         w17 * w19 - beam_q2 * c18,
         w18 * w19 - beam_q3 * c19,
@@ -985,7 +985,7 @@ def reactions() -> ca.Function:
     w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
     w3 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
     w4 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
-    w5 = c24 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4)
+    w5 = c24 - (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4) * 0.5
     w6 = ca.sin(beam_theta)
     w7 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w8 = w1 * w5 - w6 * w7
@@ -1003,7 +1003,7 @@ def reactions() -> ca.Function:
     w20 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w21 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w22 = w8 * beam_y_ddot - beam_x_ddot * w14 + beam_theta_ddot * (c22 + (beam_q1 * w19 + beam_q2 * w20 + beam_q3 * w21))
-    w23 = -2.0 * beam_theta_dot * (beam_q1_dot * w19 + beam_q2_dot * w20 + beam_q3_dot * w21) - (w22 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
+    w23 = beam_theta_dot * -2.0 * (beam_q1_dot * w19 + beam_q2_dot * w20 + beam_q3_dot * w21) - (w22 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
     lam = ca.vertcat(
         w16 - hub_x_ddot * c23,
         w18 - hub_y_ddot * c23,
@@ -1076,7 +1076,7 @@ def energy() -> ca.Function:
     w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
     w3 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
     w4 = beam_q1 * c31 + beam_q2 * c32 + beam_q3 * c33
-    w5 = c24 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4)
+    w5 = c24 - (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4) * 0.5
     w6 = ca.cos(beam_theta)
     w7 = beam_q1 * c34 + beam_q2 * c35 + beam_q3 * c36
     w8 = w1 * w5 + w6 * w7
@@ -1112,7 +1112,7 @@ def energy() -> ca.Function:
     )
     power_dissipated = ca.densify(power_dissipated)
     power_applied = ca.vertcat(
-        ca.if_else(t < 2.0, hub_theta_dot * (ca.sin(3.141592653589793 * t) * c16), 0),
+        ca.if_else(t < 2.0, hub_theta_dot * (ca.sin(t * 3.141592653589793) * c16), 0),
     )
     power_applied = ca.densify(power_applied)
     inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
@@ -1345,53 +1345,53 @@ def drawing() -> ca.Function:
     w2 = exaggeration * beam_q2
     w3 = exaggeration * beam_q3
     w4 = w1 * (w1 * c39 + w2 * c40 + w3 * c41) + w2 * (w1 * c42 + w2 * c43 + w3 * c44) + w3 * (w1 * c45 + w2 * c46 + w3 * c47)
-    w5 = c38 - 0.5 * w4
+    w5 = c38 - w4 * 0.5
     w6 = ca.sin(beam_theta)
     w7 = w1 * c48 + w2 * c49 + w3 * c50
     w8 = w1 * (w1 * c52 + w2 * c53 + w3 * c54) + w2 * (w1 * c55 + w2 * c56 + w3 * c57) + w3 * (w1 * c58 + w2 * c59 + w3 * c60)
-    w9 = c51 - 0.5 * w8
+    w9 = c51 - w8 * 0.5
     w10 = w1 * c61 + w2 * c62 + w3 * c63
     w11 = w1 * (w1 * c65 + w2 * c66 + w3 * c67) + w2 * (w1 * c68 + w2 * c69 + w3 * c70) + w3 * (w1 * c71 + w2 * c72 + w3 * c73)
-    w12 = c64 - 0.5 * w11
+    w12 = c64 - w11 * 0.5
     w13 = w1 * c74 + w2 * c75 + w3 * c76
     w14 = w1 * (w1 * c78 + w2 * c79 + w3 * c80) + w2 * (w1 * c81 + w2 * c82 + w3 * c83) + w3 * (w1 * c84 + w2 * c85 + w3 * c86)
-    w15 = c77 - 0.5 * w14
+    w15 = c77 - w14 * 0.5
     w16 = w1 * c87 + w2 * c88 + w3 * c89
     w17 = w1 * (w1 * c91 + w2 * c92 + w3 * c93) + w2 * (w1 * c94 + w2 * c95 + w3 * c96) + w3 * (w1 * c97 + w2 * c98 + w3 * c99)
-    w18 = c90 - 0.5 * w17
+    w18 = c90 - w17 * 0.5
     w19 = w1 * c100 + w2 * c101 + w3 * c102
     w20 = w1 * (w1 * c104 + w2 * c105 + w3 * c106) + w2 * (w1 * c107 + w2 * c108 + w3 * c109) + w3 * (w1 * c110 + w2 * c111 + w3 * c112)
-    w21 = c103 - 0.5 * w20
+    w21 = c103 - w20 * 0.5
     w22 = w1 * c113 + w2 * c114 + w3 * c115
     w23 = w1 * (w1 * c117 + w2 * c118 + w3 * c119) + w2 * (w1 * c120 + w2 * c121 + w3 * c122) + w3 * (w1 * c123 + w2 * c124 + w3 * c125)
-    w24 = c116 - 0.5 * w23
+    w24 = c116 - w23 * 0.5
     w25 = w1 * c126 + w2 * c127 + w3 * c128
     w26 = w1 * (w1 * c130 + w2 * c131 + w3 * c132) + w2 * (w1 * c133 + w2 * c134 + w3 * c135) + w3 * (w1 * c136 + w2 * c137 + w3 * c138)
-    w27 = c129 - 0.5 * w26
+    w27 = c129 - w26 * 0.5
     w28 = w1 * c139 + w2 * c140 + w3 * c141
     w29 = w1 * (w1 * c143 + w2 * c144 + w3 * c145) + w2 * (w1 * c146 + w2 * c147 + w3 * c148) + w3 * (w1 * c149 + w2 * c150 + w3 * c151)
-    w30 = c142 - 0.5 * w29
+    w30 = c142 - w29 * 0.5
     w31 = w1 * c152 + w2 * c153 + w3 * c154
     w32 = w1 * (w1 * c156 + w2 * c157 + w3 * c158) + w2 * (w1 * c159 + w2 * c160 + w3 * c161) + w3 * (w1 * c162 + w2 * c163 + w3 * c164)
-    w33 = c155 - 0.5 * w32
+    w33 = c155 - w32 * 0.5
     w34 = w1 * c165 + w2 * c166 + w3 * c167
     w35 = w1 * (w1 * c169 + w2 * c170 + w3 * c171) + w2 * (w1 * c172 + w2 * c173 + w3 * c174) + w3 * (w1 * c175 + w2 * c176 + w3 * c177)
-    w36 = c168 - 0.5 * w35
+    w36 = c168 - w35 * 0.5
     w37 = w1 * c178 + w2 * c179 + w3 * c180
     w38 = w1 * (w1 * c182 + w2 * c183 + w3 * c184) + w2 * (w1 * c185 + w2 * c186 + w3 * c187) + w3 * (w1 * c188 + w2 * c189 + w3 * c190)
-    w39 = c181 - 0.5 * w38
+    w39 = c181 - w38 * 0.5
     w40 = w1 * c191 + w2 * c192 + w3 * c193
     w41 = w1 * (w1 * c195 + w2 * c196 + w3 * c197) + w2 * (w1 * c198 + w2 * c199 + w3 * c200) + w3 * (w1 * c201 + w2 * c202 + w3 * c203)
-    w42 = c194 - 0.5 * w41
+    w42 = c194 - w41 * 0.5
     w43 = w1 * c204 + w2 * c205 + w3 * c206
     w44 = w1 * (w1 * c208 + w2 * c209 + w3 * c210) + w2 * (w1 * c211 + w2 * c212 + w3 * c213) + w3 * (w1 * c214 + w2 * c215 + w3 * c216)
-    w45 = c207 - 0.5 * w44
+    w45 = c207 - w44 * 0.5
     w46 = w1 * c217 + w2 * c218 + w3 * c219
     w47 = w1 * (w1 * c221 + w2 * c222 + w3 * c223) + w2 * (w1 * c224 + w2 * c225 + w3 * c226) + w3 * (w1 * c227 + w2 * c228 + w3 * c229)
-    w48 = c220 - 0.5 * w47
+    w48 = c220 - w47 * 0.5
     w49 = w1 * c230 + w2 * c231 + w3 * c232
     w50 = w1 * (w1 * c233 + w2 * c234 + w3 * c235) + w2 * (w1 * c236 + w2 * c237 + w3 * c238) + w3 * (w1 * c239 + w2 * c240 + w3 * c241)
-    w51 = c37 - 0.5 * w50
+    w51 = c37 - w50 * 0.5
     w52 = w1 * c242 + w2 * c243 + w3 * c244
     xy = ca.vertcat(
         hub_x,
@@ -1464,7 +1464,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c251 = c[251]
     c252 = c[252]
     c253 = c[253]
-    w0 = -2.0 * beam_theta_dot
+    w0 = beam_theta_dot * -2.0
     w1 = beam_theta_dot**2
     dQ_hat_dq_i = ca.vertcat(
         0.0,
@@ -1519,9 +1519,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w3 = 2 * beam_theta_dot
-    w4 = -2.0 * beam_theta_dot
+    w4 = beam_theta_dot * -2.0
     dQ_hat_dq_i_dot = ca.vertcat(
-        -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot),
+        (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) * -2.0,
         w0 * w3,
         w1 * w3,
         w2 * w3,
@@ -1638,7 +1638,7 @@ def forward_dynamics() -> ca.Function:
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w3 = ca.if_else(t < 2.0, ca.sin(3.141592653589793 * t) * c16, 0) + -2.0 * beam_theta_dot * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
+    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
     w4 = beam_theta_dot**2
     w5 = w2 * w4 - beam_q3 * c19
     w6 = w1 * w4 - beam_q2 * c18

@@ -597,9 +597,9 @@ def constants() -> ca.Function:
     w11 = w1 * beam200_clamped_free5_xH_0_4
     w12 = beam_length**2
     w13 = beam_youngs_modulus * beam_second_moment / (beam_length * w12)
-    w14 = w1 * beam_length
-    w15 = 6.283185307179586 / ramp
-    w16 = (ramp / 6.283185307179586)**2
+    w14 = beam_length * w1
+    w15 = (ramp / 6.283185307179586)**2
+    w16 = 6.283185307179586 / ramp
     w17 = w1 * beam200_clamped_free5_xH_1_0
     w18 = w1 * beam200_clamped_free5_xH_1_1
     w19 = w1 * beam200_clamped_free5_xH_1_2
@@ -635,7 +635,7 @@ def constants() -> ca.Function:
         ramp,
         w14 * beam200_clamped_free5_xi_phi_y_0_0,
         omega / ramp,
-        w15**2 * w16,
+        w15 * w16**2,
         w17,
         w18,
         w19,
@@ -665,7 +665,7 @@ def constants() -> ca.Function:
         w13 * beam200_clamped_free5_kappa_lateral_4_4,
         w14 * beam200_clamped_free5_xi_phi_y_4_0,
         omega,
-        w16,
+        w15,
         ramp / 2.0,
         w15 * w16,
         w1,
@@ -1286,7 +1286,7 @@ def condensed() -> ca.Function:
     w0 = beam_theta_dot**2
     w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
     w2 = t < c11
-    w3 = (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13
+    w3 = (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13
     w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
     w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
     w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
@@ -1342,7 +1342,7 @@ def closure() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     w0 = t < c11
-    w1 = ca.if_else(w0, (t**2 / 2.0 + (ca.cos(6.283185307179586 * t / c11) - 1.0) * c44) * c13, 0) + ca.if_else(ca.logic_not(w0), (t - c45) * c43, 0)
+    w1 = ca.if_else(w0, (t**2 / 2.0 + (ca.cos(t * 6.283185307179586 / c11) - 1.0) * c44) * c13, 0) + ca.if_else(ca.logic_not(w0), (t - c45) * c43, 0)
     q_d_next = ca.vertcat(
         0.0,
         0.0,
@@ -1362,7 +1362,7 @@ def velocities() -> ca.Function:
     c43 = c[43]
     c46 = c[46]
     w0 = t < c11
-    w1 = ca.if_else(w0, (t - ca.sin(6.283185307179586 * t / c11) * c46) * c13, 0) + ca.if_else(ca.logic_not(w0), c43, 0)
+    w1 = ca.if_else(w0, (t - ca.sin(t * 6.283185307179586 / c11) * c46) * c13, 0) + ca.if_else(ca.logic_not(w0), c43, 0)
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
@@ -1383,7 +1383,7 @@ def accelerations() -> ca.Function:
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(t < c11, (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13, 0),
+        ca.if_else(t < c11, (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13, 0),
     )
     q_d_ddot = ca.densify(q_d_ddot)
     inputs, outputs = [t, c], [q_d_ddot]
@@ -1406,7 +1406,7 @@ def constraints() -> ca.Function:
     c45 = c[45]
     c46 = c[46]
     w0 = t < c11
-    w1 = 6.283185307179586 * t / c11
+    w1 = t * 6.283185307179586 / c11
     w2 = ca.cos(w1)
     w3 = ca.logic_not(w0)
     w4 = beam_theta - (ca.if_else(w0, (t**2 / 2.0 + (w2 - 1.0) * c44) * c13, 0) + ca.if_else(w3, (t - c45) * c43, 0))
@@ -1556,7 +1556,7 @@ def augmented() -> ca.Function:
     w3 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
     w4 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
     w5 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
-    w6 = c48 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
+    w6 = c48 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.cos(beam_theta)
     w8 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w9 = w0 * w6 + w7 * w8
@@ -1659,7 +1659,7 @@ def augmented() -> ca.Function:
     Q_star = ca.vertcat(
         w16 * w27 + w28 * (w7 * w29 - w0 * w30) + w7 * w36,
         w9 * w27 + w0 * w36 + w28 * (w7 * w30 + w0 * w29),
-        -2.0 * beam_theta_dot * w37,
+        beam_theta_dot * -2.0 * w37,
         w22 * w27 - beam_q1 * c10,
         w23 * w27 - beam_q2 * c20,
         w24 * w27 - beam_q3 * c27,
@@ -1772,7 +1772,7 @@ def reactions() -> ca.Function:
     w4 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
     w5 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
     w6 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
-    w7 = c48 - 0.5 * (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4 + beam_q4 * w5 + beam_q5 * w6)
+    w7 = c48 - (beam_q1 * w2 + beam_q2 * w3 + beam_q3 * w4 + beam_q4 * w5 + beam_q5 * w6) * 0.5
     w8 = ca.sin(beam_theta)
     w9 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w10 = w1 * w7 - w8 * w9
@@ -1801,7 +1801,7 @@ def reactions() -> ca.Function:
     lam = ca.vertcat(
         w0 * w10 + w11 * (w1 * w12 - w8 * w13) + w1 * w19 - w22,
         w0 * w20 + w8 * w19 + w11 * (w1 * w13 + w8 * w12) - w24,
-        -2.0 * beam_theta_dot * w30 - (w32 + beam_q4_ddot * c35 + beam_q5_ddot * c42),
+        beam_theta_dot * -2.0 * w30 - (w32 + beam_q4_ddot * c35 + beam_q5_ddot * c42),
     )
     lam = ca.densify(lam)
     inputs, outputs = [q, q_dot, q_ddot, c], [lam]
@@ -1906,7 +1906,7 @@ def energy() -> ca.Function:
     w3 = beam_q1 * c59 + beam_q2 * c60 + beam_q3 * c61 + beam_q4 * c62 + beam_q5 * c63
     w4 = beam_q1 * c64 + beam_q2 * c65 + beam_q3 * c66 + beam_q4 * c67 + beam_q5 * c68
     w5 = beam_q1 * c69 + beam_q2 * c70 + beam_q3 * c71 + beam_q4 * c72 + beam_q5 * c73
-    w6 = c48 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
+    w6 = c48 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.cos(beam_theta)
     w8 = beam_q1 * c74 + beam_q2 * c75 + beam_q3 * c76 + beam_q4 * c77 + beam_q5 * c78
     w9 = w0 * w6 + w7 * w8
@@ -2019,7 +2019,7 @@ def measures() -> ca.Function:
     w3 = beam_q1 * c91 + beam_q2 * c92 + beam_q3 * c93 + beam_q4 * c94 + beam_q5 * c95
     w4 = beam_q1 * c96 + beam_q2 * c97 + beam_q3 * c98 + beam_q4 * c99 + beam_q5 * c100
     w5 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
-    w6 = c80 - 0.5 * (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5)
+    w6 = c80 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.sin(beam_theta)
     w8 = beam_q1 * c106 + beam_q2 * c107 + beam_q3 * c108 + beam_q4 * c109 + beam_q5 * c110
     w9 = w7 * beam_theta_dot
@@ -2029,7 +2029,7 @@ def measures() -> ca.Function:
     w13 = w1 * beam_q1_dot + beam_q1 * w10 + (w2 * beam_q2_dot + beam_q2 * w11) + (w3 * beam_q3_dot + beam_q3 * w12)
     w14 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
     w15 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
-    w16 = 0.5 * (w13 + (w4 * beam_q4_dot + beam_q4 * w14) + (w5 * beam_q5_dot + beam_q5 * w15))
+    w16 = (w13 + (w4 * beam_q4_dot + beam_q4 * w14) + (w5 * beam_q5_dot + beam_q5 * w15)) * 0.5
     w17 = w0 * beam_theta_dot
     w18 = beam_q1_dot * c106 + beam_q2_dot * c107 + beam_q3_dot * c108 + beam_q4_dot * c109 + beam_q5_dot * c110
     measures = ca.vertcat(
@@ -2560,68 +2560,68 @@ def drawing() -> ca.Function:
     w5 = exaggeration * beam_q5
     w6 = w1 * (w1 * c112 + w2 * c113 + w3 * c114 + w4 * c115 + w5 * c116) + w2 * (w1 * c117 + w2 * c118 + w3 * c119 + w4 * c120 + w5 * c121)
     w7 = w6 + w3 * (w1 * c122 + w2 * c123 + w3 * c124 + w4 * c125 + w5 * c126) + w4 * (w1 * c127 + w2 * c128 + w3 * c129 + w4 * c130 + w5 * c131)
-    w8 = c111 - 0.5 * (w7 + w5 * (w1 * c132 + w2 * c133 + w3 * c134 + w4 * c135 + w5 * c136))
+    w8 = c111 - (w7 + w5 * (w1 * c132 + w2 * c133 + w3 * c134 + w4 * c135 + w5 * c136)) * 0.5
     w9 = ca.sin(beam_theta)
     w10 = w1 * c137 + w2 * c138 + w3 * c139 + w4 * c140 + w5 * c141
     w11 = w1 * (w1 * c143 + w2 * c144 + w3 * c145 + w4 * c146 + w5 * c147) + w2 * (w1 * c148 + w2 * c149 + w3 * c150 + w4 * c151 + w5 * c152)
     w12 = w11 + w3 * (w1 * c153 + w2 * c154 + w3 * c155 + w4 * c156 + w5 * c157) + w4 * (w1 * c158 + w2 * c159 + w3 * c160 + w4 * c161 + w5 * c162)
-    w13 = c142 - 0.5 * (w12 + w5 * (w1 * c163 + w2 * c164 + w3 * c165 + w4 * c166 + w5 * c167))
+    w13 = c142 - (w12 + w5 * (w1 * c163 + w2 * c164 + w3 * c165 + w4 * c166 + w5 * c167)) * 0.5
     w14 = w1 * c168 + w2 * c169 + w3 * c170 + w4 * c171 + w5 * c172
     w15 = w1 * (w1 * c174 + w2 * c175 + w3 * c176 + w4 * c177 + w5 * c178) + w2 * (w1 * c179 + w2 * c180 + w3 * c181 + w4 * c182 + w5 * c183)
     w16 = w15 + w3 * (w1 * c184 + w2 * c185 + w3 * c186 + w4 * c187 + w5 * c188) + w4 * (w1 * c189 + w2 * c190 + w3 * c191 + w4 * c192 + w5 * c193)
-    w17 = c173 - 0.5 * (w16 + w5 * (w1 * c194 + w2 * c195 + w3 * c196 + w4 * c197 + w5 * c198))
+    w17 = c173 - (w16 + w5 * (w1 * c194 + w2 * c195 + w3 * c196 + w4 * c197 + w5 * c198)) * 0.5
     w18 = w1 * c199 + w2 * c200 + w3 * c201 + w4 * c202 + w5 * c203
     w19 = w1 * (w1 * c205 + w2 * c206 + w3 * c207 + w4 * c208 + w5 * c209) + w2 * (w1 * c210 + w2 * c211 + w3 * c212 + w4 * c213 + w5 * c214)
     w20 = w19 + w3 * (w1 * c215 + w2 * c216 + w3 * c217 + w4 * c218 + w5 * c219) + w4 * (w1 * c220 + w2 * c221 + w3 * c222 + w4 * c223 + w5 * c224)
-    w21 = c204 - 0.5 * (w20 + w5 * (w1 * c225 + w2 * c226 + w3 * c227 + w4 * c228 + w5 * c229))
+    w21 = c204 - (w20 + w5 * (w1 * c225 + w2 * c226 + w3 * c227 + w4 * c228 + w5 * c229)) * 0.5
     w22 = w1 * c230 + w2 * c231 + w3 * c232 + w4 * c233 + w5 * c234
     w23 = w1 * (w1 * c236 + w2 * c237 + w3 * c238 + w4 * c239 + w5 * c240) + w2 * (w1 * c241 + w2 * c242 + w3 * c243 + w4 * c244 + w5 * c245)
     w24 = w23 + w3 * (w1 * c246 + w2 * c247 + w3 * c248 + w4 * c249 + w5 * c250) + w4 * (w1 * c251 + w2 * c252 + w3 * c253 + w4 * c254 + w5 * c255)
-    w25 = c235 - 0.5 * (w24 + w5 * (w1 * c256 + w2 * c257 + w3 * c258 + w4 * c259 + w5 * c260))
+    w25 = c235 - (w24 + w5 * (w1 * c256 + w2 * c257 + w3 * c258 + w4 * c259 + w5 * c260)) * 0.5
     w26 = w1 * c261 + w2 * c262 + w3 * c263 + w4 * c264 + w5 * c265
     w27 = w1 * (w1 * c267 + w2 * c268 + w3 * c269 + w4 * c270 + w5 * c271) + w2 * (w1 * c272 + w2 * c273 + w3 * c274 + w4 * c275 + w5 * c276)
     w28 = w27 + w3 * (w1 * c277 + w2 * c278 + w3 * c279 + w4 * c280 + w5 * c281) + w4 * (w1 * c282 + w2 * c283 + w3 * c284 + w4 * c285 + w5 * c286)
-    w29 = c266 - 0.5 * (w28 + w5 * (w1 * c287 + w2 * c288 + w3 * c289 + w4 * c290 + w5 * c291))
+    w29 = c266 - (w28 + w5 * (w1 * c287 + w2 * c288 + w3 * c289 + w4 * c290 + w5 * c291)) * 0.5
     w30 = w1 * c292 + w2 * c293 + w3 * c294 + w4 * c295 + w5 * c296
     w31 = w1 * (w1 * c298 + w2 * c299 + w3 * c300 + w4 * c301 + w5 * c302) + w2 * (w1 * c303 + w2 * c304 + w3 * c305 + w4 * c306 + w5 * c307)
     w32 = w31 + w3 * (w1 * c308 + w2 * c309 + w3 * c310 + w4 * c311 + w5 * c312) + w4 * (w1 * c313 + w2 * c314 + w3 * c315 + w4 * c316 + w5 * c317)
-    w33 = c297 - 0.5 * (w32 + w5 * (w1 * c318 + w2 * c319 + w3 * c320 + w4 * c321 + w5 * c322))
+    w33 = c297 - (w32 + w5 * (w1 * c318 + w2 * c319 + w3 * c320 + w4 * c321 + w5 * c322)) * 0.5
     w34 = w1 * c323 + w2 * c324 + w3 * c325 + w4 * c326 + w5 * c327
     w35 = w1 * (w1 * c329 + w2 * c330 + w3 * c331 + w4 * c332 + w5 * c333) + w2 * (w1 * c334 + w2 * c335 + w3 * c336 + w4 * c337 + w5 * c338)
     w36 = w35 + w3 * (w1 * c339 + w2 * c340 + w3 * c341 + w4 * c342 + w5 * c343) + w4 * (w1 * c344 + w2 * c345 + w3 * c346 + w4 * c347 + w5 * c348)
-    w37 = c328 - 0.5 * (w36 + w5 * (w1 * c349 + w2 * c350 + w3 * c351 + w4 * c352 + w5 * c353))
+    w37 = c328 - (w36 + w5 * (w1 * c349 + w2 * c350 + w3 * c351 + w4 * c352 + w5 * c353)) * 0.5
     w38 = w1 * c354 + w2 * c355 + w3 * c356 + w4 * c357 + w5 * c358
     w39 = w1 * (w1 * c360 + w2 * c361 + w3 * c362 + w4 * c363 + w5 * c364) + w2 * (w1 * c365 + w2 * c366 + w3 * c367 + w4 * c368 + w5 * c369)
     w40 = w39 + w3 * (w1 * c370 + w2 * c371 + w3 * c372 + w4 * c373 + w5 * c374) + w4 * (w1 * c375 + w2 * c376 + w3 * c377 + w4 * c378 + w5 * c379)
-    w41 = c359 - 0.5 * (w40 + w5 * (w1 * c380 + w2 * c381 + w3 * c382 + w4 * c383 + w5 * c384))
+    w41 = c359 - (w40 + w5 * (w1 * c380 + w2 * c381 + w3 * c382 + w4 * c383 + w5 * c384)) * 0.5
     w42 = w1 * c385 + w2 * c386 + w3 * c387 + w4 * c388 + w5 * c389
     w43 = w1 * (w1 * c391 + w2 * c392 + w3 * c393 + w4 * c394 + w5 * c395) + w2 * (w1 * c396 + w2 * c397 + w3 * c398 + w4 * c399 + w5 * c400)
     w44 = w43 + w3 * (w1 * c401 + w2 * c402 + w3 * c403 + w4 * c404 + w5 * c405) + w4 * (w1 * c406 + w2 * c407 + w3 * c408 + w4 * c409 + w5 * c410)
-    w45 = c390 - 0.5 * (w44 + w5 * (w1 * c411 + w2 * c412 + w3 * c413 + w4 * c414 + w5 * c415))
+    w45 = c390 - (w44 + w5 * (w1 * c411 + w2 * c412 + w3 * c413 + w4 * c414 + w5 * c415)) * 0.5
     w46 = w1 * c416 + w2 * c417 + w3 * c418 + w4 * c419 + w5 * c420
     w47 = w1 * (w1 * c422 + w2 * c423 + w3 * c424 + w4 * c425 + w5 * c426) + w2 * (w1 * c427 + w2 * c428 + w3 * c429 + w4 * c430 + w5 * c431)
     w48 = w47 + w3 * (w1 * c432 + w2 * c433 + w3 * c434 + w4 * c435 + w5 * c436) + w4 * (w1 * c437 + w2 * c438 + w3 * c439 + w4 * c440 + w5 * c441)
-    w49 = c421 - 0.5 * (w48 + w5 * (w1 * c442 + w2 * c443 + w3 * c444 + w4 * c445 + w5 * c446))
+    w49 = c421 - (w48 + w5 * (w1 * c442 + w2 * c443 + w3 * c444 + w4 * c445 + w5 * c446)) * 0.5
     w50 = w1 * c447 + w2 * c448 + w3 * c449 + w4 * c450 + w5 * c451
     w51 = w1 * (w1 * c453 + w2 * c454 + w3 * c455 + w4 * c456 + w5 * c457) + w2 * (w1 * c458 + w2 * c459 + w3 * c460 + w4 * c461 + w5 * c462)
     w52 = w51 + w3 * (w1 * c463 + w2 * c464 + w3 * c465 + w4 * c466 + w5 * c467) + w4 * (w1 * c468 + w2 * c469 + w3 * c470 + w4 * c471 + w5 * c472)
-    w53 = c452 - 0.5 * (w52 + w5 * (w1 * c473 + w2 * c474 + w3 * c475 + w4 * c476 + w5 * c477))
+    w53 = c452 - (w52 + w5 * (w1 * c473 + w2 * c474 + w3 * c475 + w4 * c476 + w5 * c477)) * 0.5
     w54 = w1 * c478 + w2 * c479 + w3 * c480 + w4 * c481 + w5 * c482
     w55 = w1 * (w1 * c484 + w2 * c485 + w3 * c486 + w4 * c487 + w5 * c488) + w2 * (w1 * c489 + w2 * c490 + w3 * c491 + w4 * c492 + w5 * c493)
     w56 = w55 + w3 * (w1 * c494 + w2 * c495 + w3 * c496 + w4 * c497 + w5 * c498) + w4 * (w1 * c499 + w2 * c500 + w3 * c501 + w4 * c502 + w5 * c503)
-    w57 = c483 - 0.5 * (w56 + w5 * (w1 * c504 + w2 * c505 + w3 * c506 + w4 * c507 + w5 * c508))
+    w57 = c483 - (w56 + w5 * (w1 * c504 + w2 * c505 + w3 * c506 + w4 * c507 + w5 * c508)) * 0.5
     w58 = w1 * c509 + w2 * c510 + w3 * c511 + w4 * c512 + w5 * c513
     w59 = w1 * (w1 * c515 + w2 * c516 + w3 * c517 + w4 * c518 + w5 * c519) + w2 * (w1 * c520 + w2 * c521 + w3 * c522 + w4 * c523 + w5 * c524)
     w60 = w59 + w3 * (w1 * c525 + w2 * c526 + w3 * c527 + w4 * c528 + w5 * c529) + w4 * (w1 * c530 + w2 * c531 + w3 * c532 + w4 * c533 + w5 * c534)
-    w61 = c514 - 0.5 * (w60 + w5 * (w1 * c535 + w2 * c536 + w3 * c537 + w4 * c538 + w5 * c539))
+    w61 = c514 - (w60 + w5 * (w1 * c535 + w2 * c536 + w3 * c537 + w4 * c538 + w5 * c539)) * 0.5
     w62 = w1 * c540 + w2 * c541 + w3 * c542 + w4 * c543 + w5 * c544
     w63 = w1 * (w1 * c546 + w2 * c547 + w3 * c548 + w4 * c549 + w5 * c550) + w2 * (w1 * c551 + w2 * c552 + w3 * c553 + w4 * c554 + w5 * c555)
     w64 = w63 + w3 * (w1 * c556 + w2 * c557 + w3 * c558 + w4 * c559 + w5 * c560) + w4 * (w1 * c561 + w2 * c562 + w3 * c563 + w4 * c564 + w5 * c565)
-    w65 = c545 - 0.5 * (w64 + w5 * (w1 * c566 + w2 * c567 + w3 * c568 + w4 * c569 + w5 * c570))
+    w65 = c545 - (w64 + w5 * (w1 * c566 + w2 * c567 + w3 * c568 + w4 * c569 + w5 * c570)) * 0.5
     w66 = w1 * c571 + w2 * c572 + w3 * c573 + w4 * c574 + w5 * c575
     w67 = w1 * (w1 * c81 + w2 * c82 + w3 * c83 + w4 * c84 + w5 * c85) + w2 * (w1 * c86 + w2 * c87 + w3 * c88 + w4 * c89 + w5 * c90)
     w68 = w67 + w3 * (w1 * c91 + w2 * c92 + w3 * c93 + w4 * c94 + w5 * c95) + w4 * (w1 * c96 + w2 * c97 + w3 * c98 + w4 * c99 + w5 * c100)
-    w69 = c80 - 0.5 * (w68 + w5 * (w1 * c101 + w2 * c102 + w3 * c103 + w4 * c104 + w5 * c105))
+    w69 = c80 - (w68 + w5 * (w1 * c101 + w2 * c102 + w3 * c103 + w4 * c104 + w5 * c105)) * 0.5
     w70 = w1 * c106 + w2 * c107 + w3 * c108 + w4 * c109 + w5 * c110
     xy = ca.vertcat(
         beam_x,
@@ -2862,7 +2862,7 @@ def forward_dynamics() -> ca.Function:
     w0 = beam_theta_dot**2
     w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
     w2 = t < c11
-    w3 = (1.0 - ca.cos(6.283185307179586 * t / c11) * c14) * c13
+    w3 = (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13
     w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
     w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
     w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))

@@ -16,7 +16,7 @@ def constants() -> ca.Function:
     x_M_0_0 = p[4]
     x_M_1_1 = p[5]
     w0 = w**2
-    w1 = 2 * zeta * w
+    w1 = w * (2 * zeta)
     c = ca.vertcat(
         x_M_0_0,
         x_c,

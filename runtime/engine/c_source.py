@@ -11,7 +11,7 @@ import casadi as ca
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
-CHUNK = 1000
+CHUNK = 500
 
 _BINARY = {
     ca.OP_ADD: "{a} + {b}", ca.OP_SUB: "{a} - {b}", ca.OP_MUL: "{a} * {b}", ca.OP_DIV: "{a} / {b}",
@@ -120,34 +120,43 @@ class _Writer:
         return lines + [f"  z[{entry}] = s{entry};" for entry, _ in self.stores]
 
     def chunked(self, name: str) -> str:
-        """Functions of CHUNK statements; values used in a later chunk live in a work array."""
+        """Functions of CHUNK statements; values that outlive their chunk live in a work array, stores come last."""
         chunk_of = {k: position // CHUNK for position, k in enumerate(self.order)}
-        last = (len(self.order) - 1) // CHUNK + 1  # the stores are the last chunk
         slots: dict[int, int] = {}
         for k in self.order:
             node = self.tape.nodes[k]
             for argument in (node.a, node.b):
                 if argument in chunk_of and chunk_of[argument] != chunk_of[k]:
                     slots.setdefault(argument, len(slots))
-        for _, node_index in self.stores:
-            if node_index in chunk_of:
-                slots.setdefault(node_index, len(slots))
+        for _, k in self.stores:  # an entry of z that moves to another place is copied before anything is stored
+            if k in chunk_of or self.tape.nodes[k].op == ca.OP_INPUT:
+                slots.setdefault(k, len(slots))
+        chunks = range((len(self.order) - 1) // CHUNK + 1)
         parts = [f"static double {name}_w[{max(1, len(slots))}];"]
-        for chunk in range(last):
-            parts.append(self._chunk(name, chunk, chunk_of, slots))
-        names = {k: f"w[{slot}]" for k, slot in slots.items()}
-        calls = "\n".join(f"  {name}_{chunk}(z, c, {name}_w);" for chunk in range(last))
-        parts.append(f"static void {name}(double *z, const double *c) {{\n  const double *w = {name}_w;\n{calls}\n"
-                     + "\n".join(self._store(names)) + "\n}\n")
+        parts += [self._chunk(name, chunk, chunk_of, slots) for chunk in chunks]
+        stores = [self.stores[k:k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
+        parts += [self._store_chunk(name, k, part, slots) for k, part in enumerate(stores)]
+        calls = [f"  {name}_{chunk}(z, c, {name}_w);" for chunk in chunks]
+        calls += [f"  {name}_store_{k}(z, {name}_w);" for k in range(len(stores))]
+        parts.append("\n".join([f"static void {name}(double *z, const double *c) {{", *calls, "}\n"]))
         return "\n".join(parts)
+
+    def _store_chunk(self, name: str, k: int, part: list[tuple[int, int]], slots: dict[int, int]) -> str:
+        lines = [f"static __attribute__((noinline)) void {name}_store_{k}(double *restrict z, const double *w) {{"]
+        for entry, node in part:
+            source = f"w[{slots[node]}]" if node in slots else self._operand(node, {})
+            lines.append(f"  z[{entry}] = {source};")
+        return "\n".join([*lines, "}\n"])
 
     def _chunk(self, name: str, chunk: int, chunk_of: dict[int, int], slots: dict[int, int]) -> str:
         members = self.order[chunk * CHUNK:(chunk + 1) * CHUNK]
-        names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of[k] != chunk}
+        names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of.get(k, chunk) != chunk}
         lines = [f"static __attribute__((noinline)) void {name}_{chunk}"
                  "(const double *z, const double *c, double *restrict w) {"]
         for k in members:
             names[k] = f"v{k}"
             lines.append(f"  const double v{k} = {self._expression(k, names)};")
         lines += [f"  w[{slots[k]}] = v{k};" for k in members if k in slots]
+        if chunk == 0:
+            lines += [f"  w[{slot}] = {self._operand(k, {})};" for k, slot in slots.items() if k not in chunk_of]
         return "\n".join([*lines, "}\n"])

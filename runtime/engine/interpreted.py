@@ -75,8 +75,8 @@ class InterpretedProgram:
         """Apply the program n times to z, in place."""
         _, buffer, evaluate = self._batch(n)
         result = np.empty_like(z)
-        buffer.set_arg(0, memoryview(z))
-        buffer.set_arg(1, memoryview(c))
-        buffer.set_res(0, memoryview(result))
+        buffer.set_arg(0, z.data)
+        buffer.set_arg(1, c.data)
+        buffer.set_res(0, result.data)
         evaluate()
         z[:] = result

@@ -26,7 +26,7 @@ class StepKernels:
         self.model, self.c = model, c
         self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
 
-    def call(self, name: str, output: str | None = None, **arguments: ca.SX) -> dict[str, ca.SX]:
+    def call(self, name: str, **arguments: ca.SX) -> dict[str, ca.SX]:
         """Kernel outputs by name; arguments that the kernel does not take are ignored."""
         kernel = self.model.kernel(name)
         values = {**arguments, "c": self.c}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,6 +13,8 @@ from symgen.modes import axial_modes, beam_integrals, lateral_modes
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
 from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
+
+Table = Sequence[Sequence[float | str]]
 
 
 @dataclass(frozen=True)
@@ -69,15 +72,15 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
     name = body.name
     nf = len(body.M_ff)
 
-    def vector(values: object, label: str, unit: str) -> ca.SX:
-        return _matrix([[value] for value in values], f"{name}.{label}", unit, table, (nf, 1))  # type: ignore[attr-defined]
+    def vector(values: Sequence[float | str], label: str, unit: str) -> ca.SX:
+        return _matrix([[value] for value in values], f"{name}.{label}", unit, table, (nf, 1))
 
-    def square(values: object, label: str, unit: str) -> ca.SX:
+    def square(values: Table | None, label: str, unit: str) -> ca.SX:
         return _matrix(values, f"{name}.{label}", unit, table, (nf, nf))
 
-    def symmetric(values: object, label: str, unit: str) -> ca.SX:
+    def symmetric(values: Table | None, label: str, unit: str) -> ca.SX:
         upper = None if values is None else [[0.0 if b < a else value for b, value in enumerate(row)]
-                                             for a, row in enumerate(values)]  # type: ignore[var-annotated, arg-type]
+                                             for a, row in enumerate(values)]
         return ca.triu2symm(ca.triu(square(upper, label, unit)))
 
     stiffening = body.foreshortening
@@ -199,11 +202,11 @@ def _position(values: tuple[float | str, float | str], name: str, table: Paramet
                         for axis, value in zip("xy", values, strict=True)))
 
 
-def _matrix(values: object, name: str, unit: str, table: ParameterTable, shape: tuple[int, int]) -> ca.SX:
+def _matrix(values: Table | None, name: str, unit: str, table: ParameterTable, shape: tuple[int, int]) -> ca.SX:
     result = ca.SX(*shape)
     if values is None:
         return result
-    for row, entries in enumerate(values):  # type: ignore[arg-type, var-annotated]
+    for row, entries in enumerate(values):
         for column, value in enumerate(entries):
             quantity = table.quantity(value, f"{name}[{row},{column}]", unit, "modal data")
             if not quantity.is_zero():

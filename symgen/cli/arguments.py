@@ -19,6 +19,7 @@ class Parser(argparse.ArgumentParser):
     """An ArgumentParser that raises UsageError instead of leaving the process."""
 
     def error(self, message: str) -> NoReturn:
+        """Raise UsageError with the message and the usage line."""
         raise UsageError(f"{message}\n{self.format_usage().rstrip()}")
 
 

@@ -6,9 +6,8 @@ import keyword
 import re
 from collections.abc import Mapping
 
-from runtime.engine.tape import Tape, read_tape
+from runtime.engine.tape import Tape
 from symgen.emission.expression_text import TapeText
-from symgen.hoisting import Kernel
 from symgen.pipeline import Derived
 
 MEANING = {
@@ -56,14 +55,10 @@ def local_names(names: list[str]) -> list[str]:
 def model_text(derived: Derived) -> tuple[str, dict[str, int]]:
     """(text of model.py, operations of each function)."""
     labels = _labels(derived)
-    functions = {"constants": derived.constants, **derived.kernels}
-    operations: dict[str, int] = {}
+    operations = {name: tape.operations for name, tape in derived.tapes.items()}
     parts = [_header(derived)]
-    for name, kernel in functions.items():
-        tape = read_tape(kernel.function(name))
-        operations[name] = tape.operations
-        parts.append(_function_text(name, kernel, tape, labels))
-    listing = "\n".join(f'    "{name}": {name},' for name in functions)
+    parts += [_function_text(name, tape, labels) for name, tape in derived.tapes.items()]
+    listing = "\n".join(f'    "{name}": {name},' for name in derived.tapes)
     parts.append(f"FUNCTIONS = {{\n{listing}\n}}\n")
     return "\n\n".join(parts), operations
 
@@ -88,11 +83,11 @@ def _labels(derived: Derived) -> dict[str, list[str]]:
     slow = [k for group in derived.groups[:-1] for k in group.positions]
     labels["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]
     labels["p"] = local_names([entry.name for entry in derived.parameters])
-    labels["c"] = [f"c{k}" for k in range(derived.constants.outputs["c"].numel())]
+    labels["c"] = [f"c{k}" for k in range(len(derived.tapes["constants"].outputs[0]))]
     return labels
 
 
-def _function_text(name: str, kernel: Kernel, tape: Tape, labels: Mapping[str, list[str]]) -> str:
+def _function_text(name: str, tape: Tape, labels: Mapping[str, list[str]]) -> str:
     text = TapeText(tape, labels)
     lines = [f"def {name}() -> ca.Function:", f'    """{meaning(name)}. {tape.operations} operations."""']
     for argument, size in zip(tape.input_names, tape.input_sizes, strict=True):

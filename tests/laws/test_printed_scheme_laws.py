@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "hand_derived"))
-
-from twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix  # noqa: E402
-
-from runtime import simulate  # noqa: E402
-from runtime.engine.compiled import find_compiler  # noqa: E402
-from runtime.engine.interpreted import program_function  # noqa: E402
-from runtime.model import Model  # noqa: E402
-from runtime.simulate import make_plan  # noqa: E402
-from symgen.scene import Scene, SceneBuilder  # noqa: E402
-from symgen.scenes import SCENES  # noqa: E402
+from runtime import simulate
+from runtime.engine.compiled import find_compiler
+from runtime.engine.interpreted import program_function
+from runtime.model import Model
+from runtime.simulate import make_plan
+from symgen.scene import Scene, SceneBuilder
+from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]

@@ -134,7 +134,8 @@ def test_time_reversal(built_in: Load, name: str, newton: int, tolerance: float)
 
 def test_angular_momentum_of_a_central_force(built_in: Load) -> None:
     """Constant mass matrix, central force: kept to rounding."""
-    s = simulate(built_in("elastic_pendulum"), t_end=20.0, dt=1e-3, parameters={"gravity.y": 0.0, "spring.damping": 0.0},
+    s = simulate(built_in("elastic_pendulum"), t_end=20.0, dt=1e-3,
+                 parameters={"gravity.y": 0.0, "spring.damping": 0.0},
                  initial={"bob.x_dot": 1.0, "bob.y_dot": 0.5, "bob.theta_dot": 2.0})
     momentum = s["bob.x"] * s.rate("bob.y") - s["bob.y"] * s.rate("bob.x")
     assert momentum[0] == pytest.approx(1.1, rel=1e-12)

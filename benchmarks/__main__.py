@@ -1,0 +1,54 @@
+"""Run the benchmarks: `python -m benchmarks [--only NAME] [--out DIR] [--publish]`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from benchmarks import generation, operations, rhs_chain, step_slider_crank
+from benchmarks.machine import describe_machine
+from benchmarks.page import as_json, as_markdown
+from benchmarks.result import Benchmark
+
+BENCHMARKS: dict[str, Benchmark] = {
+    "step_slider_crank": step_slider_crank.run, "rhs_chain": rhs_chain.run, "generation": generation.run,
+    "operations": operations.run,
+}
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run, print, and write results.json and results.md; --publish also writes docs/benchmarks.md."""
+    options = _parser().parse_args(arguments)
+    chosen = options.only or list(BENCHMARKS)
+    if options.publish and options.only:
+        print("--publish needs all benchmarks: leave out --only", file=sys.stderr)
+        return 2
+    machine, results = describe_machine(), []
+    for name in chosen:
+        print(f"running {name} ...", file=sys.stderr, flush=True)
+        results.append(BENCHMARKS[name]())
+    page = as_markdown(machine, results)
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "results.json").write_text(json.dumps(as_json(machine, results), indent=1) + "\n", encoding="utf-8")
+    (options.out / "results.md").write_text(page, encoding="utf-8")
+    if options.publish:
+        PAGE.write_text(page, encoding="utf-8")
+    print(page)
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("--only", action="append", choices=list(BENCHMARKS), metavar="NAME",
+                        help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})")
+    parser.add_argument("--out", type=Path, default=Path("out/benchmarks"), metavar="DIR",
+                        help="folder for results.json and results.md (default: %(default)s)")
+    parser.add_argument("--publish", action="store_true", help="also write docs/benchmarks.md")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

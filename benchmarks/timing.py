@@ -1,0 +1,58 @@
+"""Times that can be compared: contenders take turns, CPU time of this thread, the minimum of many bursts."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from statistics import quantiles
+
+BURST_SECONDS = 2e-3
+SETTLE_ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Seconds a call of one contender: the least of all bursts, and how far the median lies above it (relative)."""
+
+    best: float
+    spread: float
+    bursts: tuple[float, ...]
+
+
+def interleave(contenders: Mapping[str, Callable[[int], None]], rounds: int,
+               burst_seconds: float = BURST_SECONDS) -> dict[str, Timing]:
+    """Each contender(n) does its work n times; every round runs one burst of each, so that all see the same machine."""
+    counts = {name: _calibrate(work, burst_seconds) for name, work in contenders.items()}
+    found: dict[str, list[float]] = {name: [] for name in contenders}
+    for turn in range(SETTLE_ROUNDS + rounds):
+        for name, work in contenders.items():
+            seconds = _burst(work, counts[name]) / counts[name]
+            if turn >= SETTLE_ROUNDS:
+                found[name].append(seconds)
+    return {name: _timing(bursts) for name, bursts in found.items()}
+
+
+def ratio(first: Timing, second: Timing) -> tuple[float, float, float]:
+    """(ratio of the minima, lower and upper quartile of the round-by-round ratios)."""
+    rounds = [a / b for a, b in zip(first.bursts, second.bursts, strict=True)]
+    lower, _, upper = quantiles(rounds, n=4)
+    return first.best / second.best, lower, upper
+
+
+def _burst(work: Callable[[int], None], count: int) -> float:
+    started = time.thread_time()
+    work(count)
+    return time.thread_time() - started
+
+
+def _calibrate(work: Callable[[int], None], burst_seconds: float) -> int:
+    count = 1
+    while (seconds := _burst(work, count)) < burst_seconds / 2:
+        count *= 2
+    return max(1, round(count * burst_seconds / seconds))
+
+
+def _timing(bursts: list[float]) -> Timing:
+    best = min(bursts)
+    return Timing(best, sorted(bursts)[len(bursts) // 2] / best - 1, tuple(bursts))
