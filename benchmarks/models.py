@@ -38,15 +38,13 @@ def model_of(scene: Scene, folder: Path, functions: frozenset[str] | None = None
 
 
 def condensed_program(model: Model) -> tuple[Call, Layout]:
-    """M_hat and Q_hat of a tree as a one-stage program; z holds q_i, q_i_dot, M_hat and Q_hat."""
+    """M_hat and Q_hat of a chain as a one-stage program; z holds q_i, q_i_dot, M_hat and Q_hat."""
     n = len(model.q_i)
     layout = Layout({"q_i": n, "q_i_dot": n, "M_hat": n * n, "Q_hat": n})
 
     def body(z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        kernels = StepKernels(model, c)
-        motion = kernels.close(z["q_i"], ca.SX(0, 1), ca.SX(0), 1)
-        M_hat, Q_hat = kernels.condensed(motion, z["q_i_dot"])
-        return {"M_hat": ca.vec(M_hat), "Q_hat": Q_hat}
+        result = StepKernels(model, c).call("condensed", q_i=z["q_i"], q_i_dot=z["q_i_dot"])
+        return {"M_hat": ca.vec(result["M_hat"]), "Q_hat": result["Q_hat"]}
 
     return make_stage("condensed", layout, constants_size(model), body), layout
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 
@@ -36,7 +36,7 @@ class PythonStepper:
 
     def _call(self, name: str, **values: np.ndarray) -> dict[str, np.ndarray]:
         kernel = self.model.kernel(name)
-        arguments = {**values, "c": self.c, "t": 0.0}
+        arguments: dict[str, Any] = {**values, "c": self.c, "t": 0.0}
         result = kernel.call({key: arguments[key] for key in kernel.name_in()})
         return {key: np.asarray(value) for key, value in result.items()}
 

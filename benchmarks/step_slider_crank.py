@@ -1,4 +1,4 @@
-"""One major step (m = 10) of the flexible slider-crank: generated against hand-written C, and against slower engines."""
+"""One major step of the flexible slider-crank: generated against hand-written C, and against slower engines."""
 
 from __future__ import annotations
 

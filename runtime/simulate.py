@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from runtime.engine.choose import Engine, choose_engine, operations_per_step
+from runtime.engine.prepare import prepare
+from runtime.engine.program import Program
 from runtime.model import Model
 from runtime.observe import observe_samples
 from runtime.schemes.central_difference import CentralDifference
@@ -54,13 +56,15 @@ def simulate(
     c = model.constants(p)
     state = start_state(model, p, c, t0, initial)
     started = time.perf_counter()
-    runner = choose_engine(engine, plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size, plan.steps)
+    program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
+    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    runner = choose_engine(engine, program, plan.scheme.layout.size, len(ready), plan.steps)
     prepared = time.perf_counter()
     z = start_vector(model, plan.scheme, state.q, state.q_dot, t0, c)
-    samples, status = _run(plan, runner, z, c, Watch(model, plan.scheme, c), progress)
+    samples, status = _run(plan, runner, z, ready, Watch(model, plan.scheme, c), progress)
     finished = time.perf_counter()
     name = scheme or str(model.simulation["scheme"])
-    stats = _statistics(plan, runner, samples[-1], prepared - started, finished - prepared)
+    stats = _statistics(plan, program, runner, samples[-1], prepared - started, finished - prepared)
     return observe_samples(model, plan.scheme, np.array(samples), p, c, name, stats, status)
 
 
@@ -137,7 +141,8 @@ def _next_batch(per_call: int, elapsed: float) -> int:
     return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call
 
 
-def _statistics(plan: Plan, runner: Engine, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
+def _statistics(plan: Plan, program: Program, runner: Engine, z: np.ndarray, setup: float,
+                wall: float) -> dict[str, float | int | str]:
     layout, grid = plan.scheme.layout, plan.grid
     steps = int(z[layout.slice("n")][0])
     per_step = [1]
@@ -149,7 +154,7 @@ def _statistics(plan: Plan, runner: Engine, z: np.ndarray, setup: float, wall: f
         "steps": steps, "sub_steps": steps * (per_step[-1] - 1), "full_evaluations": sweeps or steps * max(1, newton),
         "evaluations": (sweeps or steps * max(1, newton)) + steps * (per_step[-1] - 1),
         "newton_iterations": steps * newton, "sweeps": sweeps, "engine": runner.name,
-        "operations_per_step": operations_per_step(plan.scheme.program()),
+        "operations_per_step": operations_per_step(program),
         "setup_seconds": setup, "wall_seconds": wall,
         "seconds_per_step": wall / max(1, steps),
     }

@@ -13,11 +13,19 @@ from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 CHUNK = 500
 
+# the library's fmax and fmin are calls; these give the same values, NaN included
+HEADER = """#include <math.h>
+#include <string.h>
+
+static inline double larger(double a, double b) { return a > b || b != b ? a : b; }
+static inline double smaller(double a, double b) { return a < b || b != b ? a : b; }
+"""
+
 _BINARY = {
     ca.OP_ADD: "{a} + {b}", ca.OP_SUB: "{a} - {b}", ca.OP_MUL: "{a} * {b}", ca.OP_DIV: "{a} / {b}",
     ca.OP_POW: "pow({a}, {b})", ca.OP_CONSTPOW: "pow({a}, {b})", ca.OP_LT: "{a} < {b}", ca.OP_LE: "{a} <= {b}",
     ca.OP_EQ: "{a} == {b}", ca.OP_NE: "{a} != {b}", ca.OP_AND: "{a} && {b}", ca.OP_OR: "{a} || {b}",
-    ca.OP_FMIN: "fmin({a}, {b})", ca.OP_FMAX: "fmax({a}, {b})", ca.OP_ATAN2: "atan2({a}, {b})",
+    ca.OP_FMIN: "smaller({a}, {b})", ca.OP_FMAX: "larger({a}, {b})", ca.OP_ATAN2: "atan2({a}, {b})",
     ca.OP_FMOD: "fmod({a}, {b})", ca.OP_COPYSIGN: "copysign({a}, {b})", ca.OP_HYPOT: "hypot({a}, {b})",
     ca.OP_IF_ELSE_ZERO: "{a} != 0 ? {b} : 0",
 }
@@ -34,14 +42,18 @@ _UNARY = {
 
 def program_source(program: Program) -> str:
     """C source with `void run(double *z, const double *c, long n)`, which applies the program n times."""
-    parts = ["#include <math.h>\n"]
+    parts = [HEADER]
     numbers: dict[str, int] = {}
     for position, stage in enumerate(stages(program)):
         numbers[stage.name()] = position
         parts.append(stage_source(f"stage_{position}", read_tape(stage)))
     body = "\n".join(_control(program, numbers, 2))
-    parts.append("void run(double *z, const double *c, long n) {\n"
-                 "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n}\n")
+    size = stages(program)[0].size1_in(0)
+    copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
+    # a local z can stay in registers over a step; the caller's may alias anything
+    parts.append(f"void run(double *z_run, const double *c, long n) {{\n  double z[{size}];\n{copy}"
+                 "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
+                 f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n")
     return "\n".join(parts)
 
 
