@@ -63,6 +63,8 @@ class Graph:
             return self._mul(a, b)
         if op == ca.OP_ADD:
             return self._add_terms(a, b)
+        if op == ca.OP_SUB:
+            return self._sub(a, b)
         if op == ca.OP_NEG:
             return self._neg(a)
         if op == ca.OP_TWICE:
@@ -78,9 +80,24 @@ class Graph:
         node = self.nodes[k]
         return node.op == ca.OP_MUL and not self.of_p[k] and self.of_p[node.b] and k not in self.shared
 
+    def _stays_negative(self, k: int, other: int) -> bool:
+        """Is k a negation that CasADi would move outwards past `other`? (A hoisted parameter is no negation there.)"""
+        return self.nodes[k].op == ca.OP_NEG and self.of_p[k] <= self.of_p[other]
+
+    def _sub(self, a: int, b: int) -> int:
+        """CasADi's own rules, so that the emitted text gives the counted operations when it is loaded."""
+        if self._stays_negative(b, a):
+            return self.apply(ca.OP_ADD, a, self.nodes[b].a)
+        if self._stays_negative(a, b):
+            return self._neg(self.apply(ca.OP_ADD, self.nodes[a].a, b))
+        return self._plain(ca.OP_SUB, a, b)
+
     def _mul(self, a: int, b: int) -> int:
-        if self.of_p[a] and not self.of_p[b]:
+        if self.of_p[a] and (not self.of_p[b] or self.nodes[a].op == ca.OP_CONST):
             a, b = b, a
+        for negative, other in ((a, b), (b, a)):
+            if self._stays_negative(negative, other) and self.of_p[a] == self.of_p[b]:
+                return self._neg(self._mul(self.nodes[negative].a, other))
         if a == self.one:
             return b
         if b == self.one:
@@ -95,7 +112,7 @@ class Graph:
             return self._plain(ca.OP_SQ, a, UNUSED)
         if self.nodes[b].op == ca.OP_CONST and self.nodes[b].value in (2.0, -1.0):
             return self._plain(ca.OP_TWICE if self.nodes[b].value == 2.0 else ca.OP_NEG, a, UNUSED)
-        if a > b and self.of_p[a] == self.of_p[b]:
+        if a > b and self.of_p[a] == self.of_p[b] and self.nodes[b].op != ca.OP_CONST:
             a, b = b, a
         return self._plain(ca.OP_MUL, a, b)
 
@@ -109,9 +126,26 @@ class Graph:
             return self._mul(node.a, self._neg(node.b))
         return self._plain(ca.OP_NEG, a, UNUSED)
 
+    def below(self, roots: Sequence[int], stop_at_p: bool) -> list[int]:
+        """Nodes that the roots need, in ascending order; with stop_at_p not below parameter-only nodes."""
+        seen: set[int] = set()
+        stack = list(roots)
+        while stack:
+            k = stack.pop()
+            if k in seen:
+                continue
+            seen.add(k)
+            node = self.nodes[k]
+            if node.op not in (ca.OP_INPUT, ca.OP_CONST) and not (stop_at_p and self.of_p[k]):
+                stack += [node.a] if node.b == UNUSED else [node.a, node.b]
+        return sorted(seen)
+
     # ---- sums ------------------------------------------------------------------------------------------------
 
     def _add_terms(self, a: int, b: int) -> int:
+        for negative, other in ((a, b), (b, a)):
+            if self._stays_negative(negative, other):
+                return self._sub(other, self.nodes[negative].a)
         if self.of_p[a] != self.of_p[b] or not self.of_p[a]:
             terms = self._terms(a) + self._terms(b)
             if len(terms) <= MAX_TERMS:

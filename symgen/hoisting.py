@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape, uses
+from symgen.expansion import shorter_form
 from symgen.graph import Graph
 
 
@@ -45,25 +46,10 @@ def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
 
 
 def _constants(graph: Graph, position: Mapping[int, int], p_size: int) -> Tape:
-    live = _below(graph, list(position), stop_at_p=False)
+    live = graph.below(list(position), stop_at_p=False)
     number = {node: k for k, node in enumerate(live)}
     nodes = [_renumbered(graph.nodes[k], number, {0: 0}) for k in live]
     return Tape(["p"], [p_size], ["c"], [(len(position), 1)], nodes, [[number[node] for node in position]])
-
-
-def _below(graph: Graph, roots: list[int], stop_at_p: bool) -> list[int]:
-    """Nodes that the roots need, in ascending order (a node's arguments have smaller numbers)."""
-    seen: set[int] = set()
-    stack = list(roots)
-    while stack:
-        k = stack.pop()
-        if k in seen:
-            continue
-        seen.add(k)
-        node = graph.nodes[k]
-        if node.op not in (ca.OP_INPUT, ca.OP_CONST) and not (stop_at_p and graph.of_p[k]):
-            stack += [node.a] if node.b == UNUSED else [node.a, node.b]
-    return sorted(seen)
 
 
 def _renumbered(node: Node, number: Mapping[int, int], arguments: Mapping[int, int]) -> Node:
@@ -88,8 +74,9 @@ class _Graphed:
             numbers.append(self._place(node, numbers))
             if count > 1:
                 graph.shared.add(numbers[-1])
-        self.outputs = [[numbers[entry] for entry in entries] for entries in self.tape.outputs]
-        self.live = _below(graph, [entry for entries in self.outputs for entry in entries], stop_at_p=True)
+        factored = [[numbers[entry] for entry in entries] for entries in self.tape.outputs]
+        self.outputs = shorter_form(graph, factored)
+        self.live = graph.below([entry for entries in self.outputs for entry in entries], stop_at_p=True)
 
     def _place(self, node: Node, numbers: list[int]) -> int:
         if node.op == ca.OP_CONST:

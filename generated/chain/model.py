@@ -21,7 +21,7 @@ def constants() -> ca.Function:
     link8_mass = p[9]
     link9_mass = p[10]
     link10_mass = p[11]
-    w0 = 0.078 * link_length**2 / 12.0
+    w0 = link_length**2 * 0.078 / 12.0
     w1 = link_length / 2.0
     w2 = w1**2
     w3 = w0 + link1_mass * w2

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 36 operations."""
+    """c: everything that depends on the parameters p only. 56 operations."""
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
     upper_mass = p[1]
@@ -19,21 +19,30 @@ def constants() -> ca.Function:
     upper_tip_x = p[7]
     lower_tip_x = p[8]
     w0 = upper_inertia + upper_mass * upper_center_of_mass_x**2
-    w1 = upper_mass * upper_center_of_mass_x
+    w1 = upper_tip_x * lower_mass
+    w2 = lower_mass * lower_center_of_mass_x
+    w3 = upper_mass * upper_center_of_mass_x
+    w4 = w3 * gravity_y
     c = ca.vertcat(
+        upper_inertia + upper_center_of_mass_x * w3 + lower_mass * upper_tip_x**2,
+        w1 * lower_center_of_mass_x,
+        lower_inertia + lower_center_of_mass_x * w2,
+        w4 + w1 * gravity_y,
+        w2 * gravity_y,
         upper_tip_x,
-        lower_mass,
-        w0 + upper_tip_x * (upper_tip_x * lower_mass),
-        lower_mass * lower_center_of_mass_x,
-        lower_inertia + lower_mass * lower_center_of_mass_x**2,
-        gravity_y,
-        w1 * gravity_y,
-        lower_mass * gravity_y,
         upper_mass,
         w0,
-        w1,
+        lower_mass,
+        w2,
+        lower_inertia + lower_mass * lower_center_of_mass_x**2,
+        w3,
+        gravity_y,
+        lower_mass * gravity_y,
         upper_mass * gravity_y,
         lower_tip_x,
+        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),
+        w0 + upper_tip_x * w1,
+        w4,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -41,10 +50,10 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 50 operations."""
+    """M_hat and Q_hat (Eq. 38). 30 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -54,30 +63,20 @@ def condensed() -> ca.Function:
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    w0 = ca.cos(upper_theta)
-    w1 = w0 * c0
-    w2 = ca.sin(upper_theta) * c0
-    w3 = ca.cos(lower_theta) * c3
-    w4 = ca.sin(lower_theta) * c3
-    w5 = w1 * w3 + w2 * w4
-    w6 = lower_theta_dot**2
-    w7 = upper_theta_dot**2
-    w8 = w2 * w7
-    w9 = w1 * w7
+    w0 = lower_theta - upper_theta
+    w1 = ca.cos(w0) * c1
+    w2 = ca.sin(w0) * c1
     M_hat = ca.vertcat(
+        c0,
+        w1,
+        w1,
         c2,
-        w5,
-        w5,
-        c4,
     )
     M_hat = ca.reshape(M_hat, 2, 2)
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w0 * c6 + w1 * (w4 * w6 + c7 + w8 * c1) - w2 * (w3 * w6 + w9 * c1),
-        w3 * c5 - (w4 * w9 - w3 * w8),
+        ca.cos(upper_theta) * c3 + lower_theta_dot**2 * w2,
+        ca.cos(lower_theta) * c4 - upper_theta_dot**2 * w2,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
@@ -87,14 +86,14 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
-    c0 = c[0]
+    c5 = c[5]
     q_d_next = ca.vertcat(
         0.0,
         0.0,
-        ca.cos(upper_theta) * c0,
-        ca.sin(upper_theta) * c0,
+        ca.cos(upper_theta) * c5,
+        ca.sin(upper_theta) * c5,
     )
     q_d_next = ca.densify(q_d_next)
     inputs, outputs = [q_i, c], [q_d_next]
@@ -105,15 +104,15 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 15 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
-    c0 = c[0]
+    c5 = c[5]
     q_d_dot = ca.vertcat(
         0.0,
         0.0,
-        -(ca.sin(upper_theta) * c0 * upper_theta_dot),
-        upper_theta_dot * (ca.cos(upper_theta) * c0),
+        -(ca.sin(upper_theta) * c5 * upper_theta_dot),
+        upper_theta_dot * (ca.cos(upper_theta) * c5),
     )
     q_d_dot = ca.densify(q_d_dot)
     inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
@@ -125,14 +124,14 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
+    c5 = c[5]
     w0 = upper_theta_dot**2
-    w1 = ca.cos(upper_theta) * c0
-    w2 = ca.sin(upper_theta) * c0
+    w1 = ca.cos(upper_theta) * c5
+    w2 = ca.sin(upper_theta) * c5
     q_d_ddot = ca.vertcat(
         0.0,
         0.0,
@@ -148,16 +147,16 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 60 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
     lower_x = q[3]
     lower_y = q[4]
     upper_theta_dot = q_dot[2]
-    c0 = c[0]
-    w0 = ca.cos(upper_theta) * c0
-    w1 = ca.sin(upper_theta) * c0
+    c5 = c[5]
+    w0 = ca.cos(upper_theta) * c5
+    w1 = ca.sin(upper_theta) * c5
     w2 = upper_theta_dot**2
     C = ca.vertcat(
         upper_x,
@@ -216,75 +215,75 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 76 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
     lower_theta_dot = q_dot[5]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
+    c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    w0 = ca.sin(upper_theta) * c10
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    w0 = ca.sin(upper_theta) * c11
     w1 = -w0
-    w2 = ca.cos(upper_theta) * c10
-    w3 = ca.sin(lower_theta) * c3
+    w2 = ca.cos(upper_theta) * c11
+    w3 = ca.sin(lower_theta) * c9
     w4 = -w3
-    w5 = ca.cos(lower_theta) * c3
+    w5 = ca.cos(lower_theta) * c9
     w6 = upper_theta_dot**2
     w7 = lower_theta_dot**2
     M = ca.vertcat(
-        c8,
+        c6,
         0.0,
         w1,
         0.0,
         0.0,
         0.0,
         0.0,
-        c8,
+        c6,
         w2,
         0.0,
         0.0,
         0.0,
         w1,
         w2,
-        c9,
+        c7,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        c1,
+        c8,
         0.0,
         w4,
         0.0,
         0.0,
         0.0,
         0.0,
-        c1,
+        c8,
         w5,
         0.0,
         0.0,
         0.0,
         w4,
         w5,
-        c4,
+        c10,
     )
     M = ca.reshape(M, 6, 6)
     M = ca.densify(M)
     Q_star = ca.vertcat(
         w2 * w6,
-        w0 * w6 + c11,
-        w2 * c5,
+        w0 * w6 + c14,
+        w2 * c12,
         w5 * w7,
-        c7 + w3 * w7,
-        w5 * c5,
+        c13 + w3 * w7,
+        w5 * c12,
     )
     Q_star = ca.densify(Q_star)
     inputs, outputs = [q, q_dot, c], [M, Q_star]
@@ -296,7 +295,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -307,23 +306,23 @@ def reactions() -> ca.Function:
     lower_x_ddot = q_ddot[3]
     lower_y_ddot = q_ddot[4]
     lower_theta_ddot = q_ddot[5]
-    c1 = c[1]
-    c3 = c[3]
-    c7 = c[7]
+    c6 = c[6]
     c8 = c[8]
-    c10 = c[10]
+    c9 = c[9]
     c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
     w0 = upper_theta_dot**2
-    w1 = ca.cos(upper_theta) * c10
-    w2 = ca.sin(upper_theta) * c10
+    w1 = ca.cos(upper_theta) * c11
+    w2 = ca.sin(upper_theta) * c11
     w3 = lower_theta_dot**2
-    w4 = ca.cos(lower_theta) * c3
-    w5 = ca.sin(lower_theta) * c3
-    w6 = w3 * w4 - (lower_x_ddot * c1 - w5 * lower_theta_ddot)
-    w7 = c7 + w3 * w5 - (lower_y_ddot * c1 + w4 * lower_theta_ddot)
+    w4 = ca.cos(lower_theta) * c9
+    w5 = ca.sin(lower_theta) * c9
+    w6 = w3 * w4 - (lower_x_ddot * c8 - w5 * lower_theta_ddot)
+    w7 = c13 + w3 * w5 - (lower_y_ddot * c8 + w4 * lower_theta_ddot)
     lam = ca.vertcat(
-        w0 * w1 - (upper_x_ddot * c8 - w2 * upper_theta_ddot) + w6,
-        c11 + w0 * w2 - (upper_y_ddot * c8 + w1 * upper_theta_ddot) + w7,
+        w0 * w1 - (upper_x_ddot * c6 - w2 * upper_theta_ddot) + w6,
+        c14 + w0 * w2 - (upper_y_ddot * c6 + w1 * upper_theta_ddot) + w7,
         w6,
         w7,
     )
@@ -336,7 +335,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 74 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -347,20 +346,20 @@ def energy() -> ca.Function:
     lower_x_dot = q_dot[3]
     lower_y_dot = q_dot[4]
     lower_theta_dot = q_dot[5]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    w0 = ca.sin(upper_theta) * c10
-    w1 = ca.cos(upper_theta) * c10
-    w2 = upper_x_dot * (upper_x_dot * c8 - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * c8 + upper_theta_dot * w1)
-    w3 = ca.sin(lower_theta) * c3
-    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c9) + lower_x_dot * (lower_x_dot * c1 - w3 * lower_theta_dot)
-    w5 = ca.cos(lower_theta) * c3
-    w6 = w4 + lower_y_dot * (lower_y_dot * c1 + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c4)
+    c11 = c[11]
+    c12 = c[12]
+    w0 = ca.sin(upper_theta) * c11
+    w1 = ca.cos(upper_theta) * c11
+    w2 = upper_x_dot * (upper_x_dot * c6 - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * c6 + upper_theta_dot * w1)
+    w3 = ca.sin(lower_theta) * c9
+    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c7) + lower_x_dot * (lower_x_dot * c8 - w3 * lower_theta_dot)
+    w5 = ca.cos(lower_theta) * c9
+    w6 = w4 + lower_y_dot * (lower_y_dot * c8 + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c10)
     kinetic = ca.vertcat(
         w6 / 2.0,
     )
@@ -370,7 +369,7 @@ def energy() -> ca.Function:
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
-        -((w0 + upper_y * c8) * c5 + (w3 + lower_y * c1) * c5),
+        -((w0 + upper_y * c6) * c12 + (w3 + lower_y * c8) * c12),
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
@@ -388,24 +387,24 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 28 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
     lower_x = q[3]
     lower_y = q[4]
     lower_theta = q[5]
-    c0 = c[0]
-    c12 = c[12]
+    c5 = c[5]
+    c15 = c[15]
     xy = ca.vertcat(
         upper_x,
         upper_y,
-        upper_x + ca.cos(upper_theta) * c0,
-        upper_y + ca.sin(upper_theta) * c0,
+        upper_x + ca.cos(upper_theta) * c5,
+        upper_y + ca.sin(upper_theta) * c5,
         lower_x,
         lower_y,
-        lower_x + ca.cos(lower_theta) * c12,
-        lower_y + ca.sin(lower_theta) * c12,
+        lower_x + ca.cos(lower_theta) * c15,
+        lower_y + ca.sin(lower_theta) * c15,
     )
     xy = ca.reshape(xy, 2, 4)
     xy = ca.densify(xy)
@@ -414,39 +413,25 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 51 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 26 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c0 = c[0]
     c1 = c[1]
     c3 = c[3]
-    c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    w0 = ca.cos(upper_theta) * c0
-    w1 = upper_theta_dot**2
-    w2 = w0 * w1
-    w3 = w2 * c1
-    w4 = lower_theta_dot**2
-    w5 = ca.sin(lower_theta) * c3
-    w6 = w4 * w5
-    w7 = ca.sin(upper_theta)
-    w8 = w7 * c0
-    w9 = w1 * w8
-    w10 = w9 * c1
-    w11 = ca.cos(lower_theta) * c3
-    w12 = w4 * w11
-    w13 = w5 * w9 + w2 * w11
+    c4 = c[4]
+    w0 = ca.cos(lower_theta - upper_theta) * c1
+    w1 = lower_theta_dot**2 * w0
+    w2 = upper_theta_dot**2 * w0
     dQ_hat_dq_i = ca.vertcat(
-        w0 * w3 - w8 * (c7 + w6 + w10) - w7 * c6 - (w0 * (w3 + w12) - w8 * w10),
-        w13,
-        w0 * w12 + w6 * w8,
-        -(w13 + w5 * c5),
+        -(w1 + ca.sin(upper_theta) * c3),
+        w2,
+        w1,
+        -(w2 + ca.sin(lower_theta) * c4),
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -455,29 +440,20 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 38 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    w0 = ca.cos(upper_theta) * c0
-    w1 = ca.sin(upper_theta) * c0
-    w2 = 2 * upper_theta_dot
-    w3 = w1 * w2
-    w4 = w0 * w2
-    w5 = ca.sin(lower_theta) * c3
-    w6 = ca.cos(lower_theta) * c3
-    w7 = 2 * lower_theta_dot
+    c16 = c[16]
+    w0 = ca.sin(lower_theta - upper_theta) * c16
     dQ_hat_dq_i_dot = ca.vertcat(
-        w0 * (w3 * c1) - w1 * (w4 * c1),
-        -(w4 * w5 - w3 * w6),
-        w0 * (w5 * w7) - w1 * (w6 * w7),
+        0.0,
+        -(upper_theta_dot * w0),
+        lower_theta_dot * w0,
         0.0,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 2, 2)
@@ -487,34 +463,23 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 41 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_ddot = q_i_ddot[0]
     lower_theta_ddot = q_i_ddot[1]
-    c0 = c[0]
     c1 = c[1]
-    c3 = c[3]
-    w0 = ca.sin(upper_theta) * c0
-    w1 = ca.cos(upper_theta) * c0
-    w2 = upper_theta_ddot * w1
-    w3 = w2 * c1
-    w4 = w0 * upper_theta_ddot
-    w5 = w4 * c1
-    w6 = ca.sin(lower_theta) * c3
-    w7 = w6 * lower_theta_ddot
-    w8 = ca.cos(lower_theta) * c3
-    w9 = lower_theta_ddot * w8
-    w10 = w2 * w6
-    w11 = w4 * w8
+    w0 = ca.sin(lower_theta - upper_theta) * c1
+    w1 = lower_theta_ddot * w0
+    w2 = upper_theta_ddot * w0
     dMa_dq_i = ca.vertcat(
-        w0 * w3 + w1 * (w5 + w7) - (w1 * w5 + w0 * (w3 + w9)),
-        w10 - w11,
-        w0 * w9 - w1 * w7,
-        w11 - w10,
+        w1,
+        w2,
+        -w1,
+        -w2,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 2, 2)
     dMa_dq_i = ca.densify(dMa_dq_i)
@@ -526,35 +491,35 @@ def forward_dynamics() -> ca.Function:
     """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 55 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 13)
+    c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c12 = c[12]
+    c13 = c[13]
+    c17 = c[17]
+    c18 = c[18]
     w0 = ca.cos(upper_theta)
-    w1 = w0 * c0
+    w1 = w0 * c5
     w2 = lower_theta_dot**2
-    w3 = ca.sin(lower_theta) * c3
+    w3 = ca.sin(lower_theta) * c9
     w4 = upper_theta_dot**2
-    w5 = ca.sin(upper_theta) * c0
+    w5 = ca.sin(upper_theta) * c5
     w6 = w4 * w5
-    w7 = ca.cos(lower_theta) * c3
+    w7 = ca.cos(lower_theta) * c9
     w8 = w1 * w4
     w9 = w1 * w7 + w3 * w5
-    w10 = w9 / c4
-    w11 = w7 * c5 + w6 * w7 - w3 * w8
-    w12 = (w0 * c6 + w1 * (c7 + w2 * w3 + w6 * c1) - w5 * (w2 * w7 + w8 * c1) - w10 * w11) / (c2 - w9 * w10)
+    w10 = w9 / c10
+    w11 = w7 * c12 + w6 * w7 - w3 * w8
+    w12 = (w0 * c18 + w1 * (c13 + w2 * w3 + w6 * c8) - w5 * (w2 * w7 + w8 * c8) - w10 * w11) / (c17 - w9 * w10)
     q_i_ddot = ca.vertcat(
         w12,
-        (w11 - w9 * w12) / c4,
+        (w11 - w9 * w12) / c10,
     )
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]

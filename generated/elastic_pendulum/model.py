@@ -193,7 +193,7 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 79 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 78 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -208,22 +208,22 @@ def dQ_hat_dq_i() -> ca.Function:
     w1 = ca.sqrt(w0)
     w2 = c2 / w1
     w3 = w2 / w1
-    w4 = w3 * (bob_x / w1)
-    w5 = 1.0 - w2
-    w6 = bob_x_dot * c4
-    w7 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
-    w8 = bob_x * w7 / w0 / w0
-    w9 = 2 * bob_x
-    w10 = bob_y * w7 / w0 / w0
-    w11 = w3 * (bob_y / w1)
-    w12 = bob_y_dot * c4
-    w13 = 2 * bob_y
+    w4 = bob_x / w1
+    w5 = bob_x_dot * c4
+    w6 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    w7 = bob_x * w6 / w0 / w0
+    w8 = bob_y * w6 / w0 / w0
+    w9 = bob_y / w1
+    w10 = bob_y_dot * c4
+    w11 = bob_x * w3
+    w12 = w2 * c3
+    w13 = bob_y * w3
     dQ_hat_dq_i = ca.vertcat(
-        -((bob_x * w4 + w5) * c3 + ((bob_x * w6 + w7) / w0 - w8 * w9)),
-        -(bob_y * w4 * c3 + (bob_y * w6 / w0 - w9 * w10)),
+        2 * (bob_x * w7) + w12 - c3 - w4 * w11 * c3 - (bob_x * w5 + w6) / w0,
+        2 * (bob_x * w8) - w4 * w13 * c3 - bob_y * w5 / w0,
         0.0,
-        -(bob_x * w11 * c3 + (bob_x * w12 / w0 - w8 * w13)),
-        -((w5 + bob_y * w11) * c3 + ((w7 + bob_y * w12) / w0 - w10 * w13)),
+        2 * (bob_y * w7) - w9 * w11 * c3 - bob_x * w10 / w0,
+        w12 + 2 * (bob_y * w8) - c3 - w9 * w13 * c3 - (w6 + bob_y * w10) / w0,
         0.0,
         0.0,
         0.0,

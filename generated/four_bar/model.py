@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 65 operations."""
+    """c: everything that depends on the parameters p only. 64 operations."""
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -50,8 +50,8 @@ def constants() -> ca.Function:
         w3,
         crank_mass * gravity_y,
         rocker_mass * gravity_y,
-        coupler_tip_x * (coupler_tip_x * 2.0),
-        rocker_tip_x * (rocker_tip_x * 2.0),
+        coupler_tip_x * (2 * coupler_tip_x),
+        rocker_tip_x * (2 * rocker_tip_x),
         w1 + w1,
     )
     c = ca.densify(c)

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 722 operations."""
+    """c: everything that depends on the parameters p only. 747 operations."""
     p = ca.SX.sym("p", 295)
     torque = p[0]
     hub_mass = p[1]
@@ -277,9 +277,11 @@ def constants() -> ca.Function:
     w18 = w16 * beam100_clamped_free3_xi_phi_y_1_0
     w19 = w16 * beam100_clamped_free3_xi_phi_y_2_0
     w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w2)
-    w21 = w19 / w12
-    w22 = w18 / w8
-    w23 = w17 / w4
+    w21 = beam_length * (beam_area * (2 * beam_density))
+    w22 = beam_length * (beam_area * (beam_density * -2.0))
+    w23 = w19 / w12
+    w24 = w18 / w8
+    w25 = w17 / w4
     c = ca.vertcat(
         w4,
         w5,
@@ -527,20 +529,26 @@ def constants() -> ca.Function:
         beam100_clamped_free3_1_0_shape_1_1,
         beam100_clamped_free3_1_0_shape_1_2,
         w4 - w5,
+        w8 - w10,
+        w12 - w15,
         -w9,
         -w13,
-        w8 - w10,
         -w6,
         -w14,
-        w12 - w15,
         -w7,
         -w11,
-        w21,
-        w22,
+        w6 + w9,
+        w7 + w13,
+        w11 + w14,
+        beam100_clamped_free3_mass_0_0 * w21 + beam100_clamped_free3_xH_0_0 * w22,
+        beam100_clamped_free3_mass_1_1 * w21 + beam100_clamped_free3_xH_1_1 * w22,
+        beam100_clamped_free3_mass_2_2 * w21 + beam100_clamped_free3_xH_2_2 * w22,
         w23,
-        w19 * w21,
-        w18 * w22,
-        w17 * w23,
+        w24,
+        w25,
+        w19 * w23,
+        w18 * w24,
+        w17 * w25,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -553,7 +561,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -756,7 +764,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -932,7 +940,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -1021,7 +1029,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_theta = q[5]
     beam_q1 = q[6]
     beam_q2 = q[7]
@@ -1123,7 +1131,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 819 operations."""
     q = ca.SX.sym("q", 9)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     hub_x = q[0]
     hub_y = q[1]
     beam_x = q[3]
@@ -1441,7 +1449,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 72 operations."""
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1_dot = q_i_dot[1]
     beam_q2_dot = q_i_dot[2]
     beam_q3_dot = q_i_dot[3]
@@ -1473,16 +1481,16 @@ def dQ_hat_dq_i() -> ca.Function:
         0.0,
         w0 * (beam_q1_dot * c245 - beam_q2_dot * c5 - beam_q3_dot * c9),
         w1 * c245 - c17,
-        w1 * c246,
-        w1 * c247,
-        w0 * (beam_q2_dot * c248 - beam_q1_dot * c2 - beam_q3_dot * c10),
+        w1 * c248,
         w1 * c249,
-        w1 * c248 - c18,
+        w0 * (beam_q2_dot * c246 - beam_q1_dot * c2 - beam_q3_dot * c10),
         w1 * c250,
-        w0 * (beam_q3_dot * c251 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
+        w1 * c246 - c18,
+        w1 * c251,
+        w0 * (beam_q3_dot * c247 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
         w1 * c252,
         w1 * c253,
-        w1 * c251 - c19,
+        w1 * c247 - c19,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1495,7 +1503,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1545,46 +1553,37 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 84 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 45 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
     hub_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
+    c254 = c[254]
+    c255 = c[255]
+    c256 = c[256]
+    c257 = c[257]
+    c258 = c[258]
+    c259 = c[259]
     w0 = beam_q3 * hub_theta_ddot
     w1 = beam_q2 * hub_theta_ddot
-    w2 = (beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)) * hub_theta_ddot - (w0 * c9 + w1 * c5)
-    w3 = beam_q1 * hub_theta_ddot
-    w4 = hub_theta_ddot * (beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)) - w0 * c10 - w1 * c6
-    w5 = hub_theta_ddot * (beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)) - w0 * c11 + w0 * c8
+    w2 = beam_q1 * hub_theta_ddot
     dMa_dq_i = ca.vertcat(
         0.0,
         0.0,
         0.0,
         0.0,
-        w2 - w3 * c1 + w3 * c0,
+        w2 * c257 - w1 * c254 - w0 * c255,
         0.0,
         0.0,
         0.0,
-        w4 + w1 * c4 - w3 * c2,
+        w1 * c258 - w2 * c254 - w0 * c256,
         0.0,
         0.0,
         0.0,
-        w5 - w1 * c7 - w3 * c3,
+        w0 * c259 - w2 * c255 - w1 * c256,
         0.0,
         0.0,
         0.0,
@@ -1601,7 +1600,7 @@ def forward_dynamics() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
@@ -1629,12 +1628,12 @@ def forward_dynamics() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c254 = c[254]
-    c255 = c[255]
-    c256 = c[256]
-    c257 = c[257]
-    c258 = c[258]
-    c259 = c[259]
+    c260 = c[260]
+    c261 = c[261]
+    c262 = c[262]
+    c263 = c[263]
+    c264 = c[264]
+    c265 = c[265]
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
@@ -1643,7 +1642,7 @@ def forward_dynamics() -> ca.Function:
     w5 = w2 * w4 - beam_q3 * c19
     w6 = w1 * w4 - beam_q2 * c18
     w7 = w0 * w4 - beam_q1 * c17
-    w8 = (w3 - w5 * c254 - w6 * c255 - w7 * c256) / (beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)) - c257 - c258 - c259)
+    w8 = (w3 - w5 * c260 - w6 * c261 - w7 * c262) / (beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)) - c263 - c264 - c265)
     q_i_ddot = ca.vertcat(
         w8,
         (w7 - w8 * c13) / c0,
@@ -1656,38 +1655,38 @@ def forward_dynamics() -> ca.Function:
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 73 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 67 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 260)
+    c = ca.SX.sym("c", 266)
     beam_q1 = q_i[1]
     beam_q2 = q_i[2]
     beam_q3 = q_i[3]
     beam_theta_dot = q_d_dot[4]
     hub_theta_ddot = q_L_ddot[0]
     c0 = c[0]
-    c1 = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    c11 = c[11]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
+    c245 = c[245]
+    c246 = c[246]
+    c247 = c[247]
     w0 = beam_theta_dot**2
-    w1 = w0 * (beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)) - beam_q1 * c17 - hub_theta_ddot * c13
-    w2 = w0 * (beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)) - beam_q2 * c18 - hub_theta_ddot * c14
-    w3 = w0 * (beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)) - beam_q3 * c19 - hub_theta_ddot * c15
+    w1 = w0 * beam_q1
+    w2 = w0 * beam_q2
+    w3 = w0 * beam_q3
     M_hat_SS = ca.vertcat(
         c0,
         0.0,
@@ -1702,9 +1701,9 @@ def substep_2() -> ca.Function:
     M_hat_SS = ca.reshape(M_hat_SS, 3, 3)
     M_hat_SS = ca.densify(M_hat_SS)
     rhs_S = ca.vertcat(
-        w1,
-        w2,
-        w3,
+        w1 * c245 - w2 * c2 - w3 * c3 - beam_q1 * c17 - hub_theta_ddot * c13,
+        w2 * c246 - w1 * c5 - w3 * c7 - beam_q2 * c18 - hub_theta_ddot * c14,
+        w3 * c247 - w1 * c9 - w2 * c10 - beam_q3 * c19 - hub_theta_ddot * c15,
     )
     rhs_S = ca.densify(rhs_S)
     inputs, outputs = [q_i, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 42 operations."""
+    """c: everything that depends on the parameters p only. 78 operations."""
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -21,6 +21,13 @@ def constants() -> ca.Function:
     crank_tip_x = p[9]
     rod_tip_x = p[10]
     w0 = crank_mass * crank_center_of_mass_x
+    w1 = 2 * crank_tip_x
+    w2 = rod_mass * w1
+    w3 = rod_center_of_mass_x * w2
+    w4 = rod_tip_x * (slider_mass * w1)
+    w5 = 2 * rod_mass
+    w6 = rod_tip_x * (rod_tip_x * (2 * slider_mass))
+    w7 = rod_center_of_mass_x * (rod_tip_x * w2)
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,
         crank_tip_x,
@@ -39,6 +46,15 @@ def constants() -> ca.Function:
         crank_mass * gravity_y,
         slider_mass * gravity_y,
         -slider_inertia,
+        w3,
+        w3 + w4,
+        slider_mass * (crank_tip_x * w1),
+        w6,
+        w7,
+        w7 + rod_tip_x * w4,
+        rod_center_of_mass_x * (rod_center_of_mass_x * w5) + 2 * rod_inertia,
+        rod_tip_x * w6,
+        rod_center_of_mass_x * (rod_center_of_mass_x * (rod_tip_x * w5)) + rod_inertia * (2 * rod_tip_x),
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -51,7 +67,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -102,7 +118,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     c1 = c[1]
@@ -135,7 +151,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -166,7 +182,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -202,7 +218,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 140 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -339,7 +355,7 @@ def augmented() -> ca.Function:
     """M and Q* of the augmented form (Eq. 28). 127 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -470,7 +486,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -527,7 +543,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 92 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -587,7 +603,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 32 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -622,7 +638,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -688,7 +704,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -727,50 +743,48 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 97 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 82 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_ddot = q_i_ddot[0]
     c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    w0 = ca.cos(crank_theta) * c1
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    w0 = ca.cos(crank_theta)
     w1 = ca.cos(rod_theta)
-    w2 = w1 * c6
-    w3 = ca.sin(crank_theta) * c1
-    w4 = w1 * c5
-    w5 = w3 / w4
+    w2 = ca.sin(crank_theta)
+    w3 = w1 * c5
+    w4 = crank_theta_ddot * (w2 * c1 / w3)
+    w5 = w0 * c1 / w3
     w6 = crank_theta_ddot * w5
-    w7 = crank_theta_ddot * w3
-    w8 = w7 * c2
-    w9 = w0 * crank_theta_ddot
-    w10 = w9 * c2
-    w11 = w0 / w4
-    w12 = crank_theta_ddot * w11
-    w13 = w2 * w12
-    w14 = ca.sin(rod_theta)
-    w15 = w14 * c6
-    w16 = w12 * w15
-    w17 = w14 * c5
-    w18 = (w12 * w17 - w7) * c3
-    w19 = (w9 + w6 * w17) * c3
-    w20 = w9 * w15
-    w21 = w2 * w7
-    w22 = w7 * w15 + w2 * w9 - w12 * c7 - w17 * w18
-    w23 = w0 * (w2 * w6 - w8) - w3 * (w10 - w13) - (w0 * (w16 - w8 + w18) - w3 * (w10 + w6 * w15 + w19)) - (w11 * (w20 - w21 + w6 * c7 + w17 * w19) - w5 * w22)
-    w24 = w17 * (w11 / w4)
-    w25 = crank_theta_ddot * w24
-    w26 = (w4 * w12 + w17 * w25) * c3
-    w27 = w0 * (w2 * w25 - w16) + w3 * (w13 + w15 * w25 + w26) + (w11 * (w21 - w20 - w25 * c7 - (w17 * w26 + w4 * w18)) + w22 * w24)
+    w7 = ca.sin(rod_theta)
+    w8 = w5 / w3
+    w9 = w0 * w1
+    w10 = w6 * w8
+    w11 = w0 * w7
+    w12 = w5 * w6
+    w13 = w1 * w2
+    w14 = w2 * w7
+    w15 = w4 * w5
+    w16 = w7**2
+    w17 = w8 * w12
+    w18 = w6 * (w13 * c17) + (crank_theta_ddot * (w0 * w2 * c19) + (w4 * (w9 * c17) + w7 * w9 * c21 * w10))
+    w19 = w10 * (w7 * w14 * c22) + (w4 * (w14 * c18) + (w12 * (w13 * c18) + w18)) - w11 * c17 * w12 - w6 * (w11 * c18)
+    w20 = w19 - w1 * w7 * c20 * (w5 * w12) - w15 * c23 - w15 * (w16 * c20) - w7 * w16 * c24 * w17 - w17 * (w7 * c25)
     dMa_dq_i = ca.vertcat(
-        w23 + w11 * w27,
+        w20,
     )
     dMa_dq_i = ca.densify(dMa_dq_i)
     inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 21 operations."""
+    """c: everything that depends on the parameters p only. 24 operations."""
     p = ca.SX.sym("p", 6)
     x_c = p[0]
     k_L = p[1]
@@ -22,10 +22,11 @@ def constants() -> ca.Function:
         x_c,
         x_M_1_1,
         -k_L,
+        zeta * (2 * w),
+        -w0,
+        k_L,
         w0,
         w1,
-        k_L,
-        -w0,
         -w1,
     )
     c = ca.densify(c)
@@ -34,10 +35,10 @@ def constants() -> ca.Function:
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 20 operations."""
+    """M_hat and Q_hat (Eq. 38). 19 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 9)
+    c = ca.SX.sym("c", 10)
     x_L = q_i[0]
     x_S = q_i[1]
     x_S_dot = q_i_dot[1]
@@ -57,7 +58,7 @@ def condensed() -> ca.Function:
     M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
         x_L * c3,
-        -(x_S * c4 + x_S_dot * c5),
+        x_S * c5 - x_S_dot * c4,
     )
     Q_hat = ca.densify(Q_hat)
     inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
@@ -65,10 +66,10 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 20 operations."""
+    """M and Q* of the augmented form (Eq. 28). 19 operations."""
     q = ca.SX.sym("q", 2)
     q_dot = ca.SX.sym("q_dot", 2)
-    c = ca.SX.sym("c", 9)
+    c = ca.SX.sym("c", 10)
     x_L = q[0]
     x_S = q[1]
     x_S_dot = q_dot[1]
@@ -88,7 +89,7 @@ def augmented() -> ca.Function:
     M = ca.densify(M)
     Q_star = ca.vertcat(
         x_L * c3,
-        -(x_S * c4 + x_S_dot * c5),
+        x_S * c5 - x_S_dot * c4,
     )
     Q_star = ca.densify(Q_star)
     inputs, outputs = [q, q_dot, c], [M, Q_star]
@@ -99,7 +100,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 36 operations."""
     q = ca.SX.sym("q", 2)
     q_dot = ca.SX.sym("q_dot", 2)
-    c = ca.SX.sym("c", 9)
+    c = ca.SX.sym("c", 10)
     x_L = q[0]
     x_S = q[1]
     x_L_dot = q_dot[0]
@@ -107,15 +108,15 @@ def energy() -> ca.Function:
     c0 = c[0]
     c1 = c[1]
     c2 = c[2]
-    c4 = c[4]
-    c5 = c[5]
     c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
     kinetic = ca.vertcat(
         (x_L_dot * (x_L_dot * c0 + x_S_dot * c1) + x_S_dot * (x_L_dot * c1 + x_S_dot * c2)) / 2.0,
     )
     kinetic = ca.densify(kinetic)
     elastic = ca.vertcat(
-        x_L * (x_L * c6) / 2.0 + x_S * (x_S * c4) / 2.0,
+        x_L * (x_L * c6) / 2.0 + x_S * (x_S * c7) / 2.0,
     )
     elastic = ca.densify(elastic)
     potential = ca.vertcat(
@@ -123,7 +124,7 @@ def energy() -> ca.Function:
     )
     potential = ca.densify(potential)
     power_dissipated = ca.vertcat(
-        x_S_dot * (x_S_dot * c5),
+        x_S_dot * (x_S_dot * c8),
     )
     power_dissipated = ca.densify(power_dissipated)
     power_applied = ca.vertcat(
@@ -136,14 +137,14 @@ def energy() -> ca.Function:
 
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 7 operations."""
-    c = ca.SX.sym("c", 9)
+    c = ca.SX.sym("c", 10)
     c3 = c[3]
-    c7 = c[7]
+    c5 = c[5]
     dQ_hat_dq_i = ca.vertcat(
         c3,
         0.0,
         0.0,
-        c7,
+        c5,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -153,13 +154,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
 def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 6 operations."""
-    c = ca.SX.sym("c", 9)
-    c8 = c[8]
+    c = ca.SX.sym("c", 10)
+    c9 = c[9]
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
         0.0,
         0.0,
-        c8,
+        c9,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 2, 2)
     dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
@@ -182,11 +183,11 @@ def dMa_dq_i() -> ca.Function:
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 15 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 14 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 9)
+    c = ca.SX.sym("c", 10)
     x_S = q_i[1]
     x_S_dot = q_i_dot[1]
     x_L_ddot = q_L_ddot[0]
@@ -199,7 +200,7 @@ def substep_2() -> ca.Function:
     )
     M_hat_SS = ca.densify(M_hat_SS)
     rhs_S = ca.vertcat(
-        -(x_S * c4 + x_S_dot * c5 + x_L_ddot * c1),
+        x_S * c5 - x_S_dot * c4 - x_L_ddot * c1,
     )
     rhs_S = ca.densify(rhs_S)
     inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [M_hat_SS, rhs_S]

@@ -1,0 +1,63 @@
+"""Minimum-effort rest-to-rest swing of a hub with a flexible beam: a generated model in a CasADi Opti problem.
+
+The torque is an entry of p that becomes a decision variable. Trapezoidal collocation with the accelerations as
+variables, so M_hat is never inverted. IPOPT uses exact second derivatives.   Argument: number of intervals.
+"""
+
+import sys
+import tempfile
+
+import casadi as ca
+
+from runtime import Model, load_model
+from symgen.generate import generate
+from symgen.scene import SceneBuilder
+
+T_END, ANGLE = 1.5, 1.0  # s, rad
+
+
+def build():
+    """A hub in the horizontal plane with a 1 m aluminium beam of two bending modes."""
+    builder = SceneBuilder("arm").parameter("torque", 0.0, "N m", "drive torque").rigid("hub", mass=1.0, inertia=0.02)
+    builder.beam("beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10,
+                 lateral={"ends": "clamped-free", "modes": 2})
+    builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
+    return builder.torque("motor", "hub.origin", "torque").independent("hub.theta", "beam.q1", "beam.q2").build()
+
+
+def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX:
+    """M_hat a - Q_hat at (q_i, q_i_dot, q_i_ddot), through q_d and q_d_dot (a tree: in closed form)."""
+    p, k = model.parameter_vector(), [entry.name for entry in model.parameters].index("torque")
+    values = {"q_i": q, "q_i_dot": v, "t": 0, "p": ca.vertcat(p[:k], torque, p[k + 1:])}
+    for name, key, output in (("closure", "q_d", "q_d_next"), ("velocities", "q_d_dot", "q_d_dot")):
+        function = model.function(name)
+        values[key] = function.call({given: values[given] for given in function.name_in()})[output]
+    condensed = model.function("condensed")
+    result = condensed.call({given: values[given] for given in condensed.name_in()})
+    return ca.mtimes(result["M_hat"], a) - result["Q_hat"]
+
+
+def main(intervals: int) -> None:
+    """Solve, print the torque, and differentiate the equations twice by hand."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = load_model(generate(build(), folder))
+    n, h, opti = len(model.q_i), T_END / intervals, ca.Opti()
+    (q, v, a), u = (opti.variable(n, intervals + 1) for _ in range(3)), opti.variable(1, intervals + 1)
+    for k in range(intervals + 1):
+        opti.subject_to(residual(model, q[:, k], v[:, k], a[:, k], u[k]) == 0)
+    opti.subject_to(q[:, 1:] == q[:, :-1] + h / 2 * (v[:, 1:] + v[:, :-1]))
+    opti.subject_to(v[:, 1:] == v[:, :-1] + h / 2 * (a[:, 1:] + a[:, :-1]))
+    opti.subject_to(ca.vertcat(q[:, 0], v[:, 0], v[:, -1], q[:, -1]) == ca.vertcat(ca.DM.zeros(3 * n), ANGLE, 0, 0))
+    opti.minimize(h * (ca.sumsqr(u) - (u[0] ** 2 + u[-1] ** 2) / 2))
+    opti.solver("ipopt", {"print_time": False}, {"print_level": 0, "sb": "yes"})
+    solution = opti.solve()
+    print(solution.stats()["return_status"], f"effort {solution.value(opti.f):.6f} N^2 m^2 s")
+    for k in range(0, intervals + 1, intervals // 4):
+        print(f"t = {k * h:.3f} s   theta {solution.value(q[0, k]):.4f} rad   torque {solution.value(u[k]): .4f} N m")
+    x = ca.MX.sym("x", n)
+    second = ca.Function("second", [x], [ca.hessian(residual(model, x, x, x, ca.MX(0))[0], x)[0]])
+    print(f"second derivatives of the hub's equation at rest: largest {float(ca.mmax(second(ca.DM.zeros(n)))):.4f}")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 60)

@@ -1,0 +1,190 @@
+"""Scenes that read well but cannot be derived, generated or run: each names the item, the problem and the remedy."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
+from runtime.model import Model
+from symgen.generate import generate
+from symgen.pipeline import derive
+from symgen.scene import SceneBuilder, SceneError
+
+
+def four_bar(**extra: Any) -> SceneBuilder:
+    builder = SceneBuilder("linkage").ground(markers={"right": {"position": (0.3, 0)}})
+    for name, length in (("crank", 0.1), ("coupler", 0.3), ("rocker", 0.25)):
+        builder.rigid(name, mass=1.0, inertia=0.01, markers={"tip": {"position": (length, 0)}})
+    builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "coupler.origin")
+    builder.revolute("C", "coupler.tip", "rocker.tip").revolute("D", "ground.right", "rocker.origin")
+    return builder.initial({"crank.theta": 1.0, "coupler.theta": 0.4, "rocker.theta": 1.6})
+
+
+def pendulum() -> SceneBuilder:
+    return SceneBuilder("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0)).revolute(
+        "hinge", "ground.origin", "rod.origin")
+
+
+def doubled_hinge() -> SceneBuilder:
+    return pendulum().revolute("again", "ground.origin", "rod.origin")
+
+
+def welded() -> SceneBuilder:
+    return pendulum().prescribed_angle("hold", "ground.origin", "rod.origin", motion="0.3")
+
+
+def parallelogram_too_many() -> SceneBuilder:
+    """A parallelogram with a third parallel bar: redundant, though it moves."""
+    builder = SceneBuilder("bars").ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
+    for name in ("left", "middle", "right"):
+        builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (0, 1)}})
+    builder.rigid("top", mass=1.0, inertia=0.1, markers={"a": {"position": (0, 0)}, "b": {"position": (1, 0)},
+                                                        "c": {"position": (2, 0)}})
+    for name, ground, mark in (("left", "origin", "a"), ("middle", "m", "b"), ("right", "r", "c")):
+        builder.revolute(f"{name}_low", f"ground.{ground}", f"{name}.origin")
+        builder.revolute(f"{name}_up", f"{name}.tip", f"top.{mark}")
+    return builder
+
+
+def too_short() -> SceneBuilder:
+    """A loop whose bars cannot reach each other."""
+    builder = SceneBuilder("short").ground(markers={"far": {"position": (5, 0)}})
+    for name in ("one", "two"):
+        builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1, 0)}})
+    return builder.revolute("A", "ground.origin", "one.origin").revolute("B", "one.tip", "two.origin").point_on_line(
+        "slot", "ground.far", "two.tip").revolute("C", "two.tip", "ground.far")
+
+
+def fixed_apart() -> SceneBuilder:
+    return pendulum().initial({"rod.x": {"value": 0.5, "fixed": True}})
+
+
+def fixed_rates_apart() -> SceneBuilder:
+    return pendulum().rates({"rod.x": {"value": 1.0, "fixed": True}})
+
+
+def dependent_chosen() -> SceneBuilder:
+    return pendulum().independent("rod.x")
+
+
+def too_few_chosen() -> SceneBuilder:
+    return SceneBuilder("two").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1).revolute(
+        "p", "ground.origin", "a.origin").revolute("q", "a.origin", "b.origin").independent("a.theta")
+
+
+def uncovered_group() -> SceneBuilder:
+    return SceneBuilder("two").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1).revolute(
+        "p", "ground.origin", "a.origin").revolute("q", "a.origin", "b.origin").groups(L=["a.theta"]).simulation(
+        t_end=1.0, dt=0.1)
+
+
+def dependent_group() -> SceneBuilder:
+    return pendulum().groups(L=["rod.theta"], S=["rod.x"]).simulation(t_end=1.0, dt=0.1, m=[2])
+
+
+def ratios_without_groups() -> SceneBuilder:
+    return pendulum().simulation(t_end=1.0, dt=0.1, m=[2, 3])
+
+
+BAD: list[tuple[Callable[[], SceneBuilder], str, str]] = [
+    (doubled_hinge, "joints", "again"),
+    (welded, "joints", "no degree of freedom"),
+    (parallelogram_too_many, "joints", "redundant"),
+    (too_short, "initial", "cannot all be satisfied"),
+    (fixed_apart, "initial", "rod.x"),
+    (fixed_rates_apart, "initial", "velocity level"),
+    (dependent_chosen, "partition.independent", "hinge"),
+    (too_few_chosen, "partition.independent", "b.theta must be independent too"),
+    (uncovered_group, "partition.groups", "b.theta"),
+    (dependent_group, "partition.groups", "no independent coordinate"),
+    (ratios_without_groups, "simulation.m", "2 step ratios for 1 groups"),
+]
+
+
+@pytest.mark.parametrize(("scene", "item", "phrase"), BAD, ids=[scene.__name__ for scene, _, _ in BAD])
+def test_bad_derivation_is_refused_by_name(scene: Callable[[], SceneBuilder], item: str, phrase: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        derive(scene().build())
+    assert caught.value.item == item
+    assert phrase in str(caught.value)
+    assert caught.value.remedy
+
+
+def test_output_folder_that_is_a_file(tmp_path: Path) -> None:
+    (tmp_path / "taken").write_text("mine")
+    with pytest.raises(SceneError, match="cannot be written"):
+        generate(pendulum().build(), tmp_path / "taken")
+    assert (tmp_path / "taken").read_text() == "mine"
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_output_folder_without_permission(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    with pytest.raises(SceneError, match="cannot be written"):
+        generate(pendulum().build(), tmp_path / "new")
+
+
+@pytest.fixture(scope="module")
+def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
+    return load_model(generate(pendulum().build(), tmp_path_factory.mktemp("swing")))
+
+
+@pytest.mark.parametrize(("arguments", "error", "phrase"), [
+    ({"dt": 0.0}, SchemeError, "dt must be a positive number"),
+    ({"dt": -1e-3}, SchemeError, "dt must be a positive number"),
+    ({"dt": float("nan")}, SchemeError, "dt must be a positive number"),
+    ({"t_end": 0.0}, SchemeError, "t_end must be a time after"),
+    ({"t_end": float("inf")}, SchemeError, "t_end must be a time after"),
+    ({"save_every": 0}, SchemeError, "save_every"),
+    ({"save_every": 1.5}, SchemeError, "save_every"),
+    ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
+    ({"scheme": "printed", "m": [2]}, SchemeError, "m needs 0 ratio"),
+    ({"engine": "fast"}, ValueError, "engine must be"),
+    ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
+    ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be finite"),
+    ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
+    ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be finite"),
+    ({"initial": {"rod.x": 1.0}}, InitialStateError, "cannot all be satisfied"),
+    ({"options": {"eps": (0.0,)}}, SchemeError, "eps"),
+    ({"options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
+    ({"options": {"tolerance": 1.0}}, SchemeError, "no option 'tolerance'"),
+])
+def test_bad_arguments_of_a_run(swing: Model, arguments: dict[str, Any], error: type[Exception], phrase: str) -> None:
+    with pytest.raises(error, match=phrase.replace("(", r"\(")):
+        simulate(swing, **arguments)
+
+
+@pytest.mark.parametrize("ratio", [0, -1, 2.5, True, 10**9])
+def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
+    scene = SceneBuilder("pair").structure(coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]],
+                                           stiffness=[[1.0, 0.0], [0.0, 100.0]])
+    scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2])
+    model = load_model(generate(scene.build(), tmp_path / "pair"))
+    with pytest.raises(SchemeError, match="whole numbers"):
+        simulate(model, scheme="printed", m=[ratio])
+
+
+def test_step_too_long_ends_with_status_time_coordinate_and_advice(tmp_path: Path) -> None:
+    stiff = SceneBuilder("stiff").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[1e4]]).initial({"x": 1.0})
+    stiff.simulation(t_end=10.0, dt=0.05, scheme="single_rate")
+    solution = simulate(load_model(generate(stiff.build(), tmp_path / "stiff")))
+    assert solution.status.name == "diverged"
+    assert solution.status.coordinate == "x"
+    assert solution.status.time == solution.t[-1] < 10.0
+    assert "0.02 s" in solution.status.advice  # the limit 2 / 100
+    assert np.all(np.isfinite(solution.q))
+
+
+def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:
+    pair = SceneBuilder("pair").structure(coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]],
+                                          stiffness=[[1.0, 0.0], [0.0, 400.0]])
+    pair.groups(L=["a"], S=["b"]).initial({"a": 1.0, "b": 0.1}).simulation(t_end=20.0, dt=0.01, m=[4])
+    solution = simulate(load_model(generate(pair.build(), tmp_path / "pair")), scheme="printed")
+    assert solution.status.name == "diverged"
+    assert "sub-cycling itself is unstable" in solution.status.advice
