@@ -9,6 +9,7 @@ from statistics import quantiles
 
 BURST_SECONDS = 2e-3
 SETTLE_ROUNDS = 3
+MOST_CALLS = 1 << 30
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,8 @@ def _calibrate(work: Callable[[int], None], burst_seconds: float) -> int:
     count = 1
     while (seconds := _burst(work, count)) < burst_seconds / 2:
         count *= 2
+        if count > MOST_CALLS:
+            raise AssertionError("a benchmark does nothing: the compiler removed its work")
     return max(1, round(count * burst_seconds / seconds))
 
 

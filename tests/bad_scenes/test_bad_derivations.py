@@ -27,8 +27,8 @@ def four_bar(**extra: Any) -> SceneBuilder:
 
 
 def pendulum() -> SceneBuilder:
-    return SceneBuilder("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0)).revolute(
-        "hinge", "ground.origin", "rod.origin")
+    builder = SceneBuilder("swing").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    return builder.revolute("hinge", "ground.origin", "rod.origin")
 
 
 def doubled_hinge() -> SceneBuilder:
