@@ -30,6 +30,7 @@ class Graph:
         self.of_p: list[bool] = []
         self.shared: set[int] = set()
         self._number: dict[Node, int] = {}
+        self._monomials: dict[int, Monomial | None] = {}
         self._arguments = 1  # argument 0 is p
         self.one = self.constant(1.0)
 
@@ -147,11 +148,9 @@ class Graph:
             if self._stays_negative(negative, other):
                 return self._sub(other, self.nodes[negative].a)
         if self.of_p[a] != self.of_p[b] or not self.of_p[a]:
-            terms = self._terms(a) + self._terms(b)
-            if len(terms) <= MAX_TERMS:
-                merged = self._merge(terms)
-                if len(merged) < len(terms):
-                    return self._sum(merged)
+            old, new = self._terms(a), self._terms(b)
+            if len(old) + len(new) <= MAX_TERMS and self._meets(old, new):
+                return self._sum(self._merge(old + new))
         return self._plain(ca.OP_ADD, min(a, b), max(a, b))
 
     def _terms(self, k: int) -> list[int]:
@@ -165,6 +164,10 @@ class Graph:
         for term in terms[1:]:
             result = self._add_terms(result, term)
         return result
+
+    def _meets(self, old: list[int], new: list[int]) -> bool:
+        """Does a term of one sum combine with a term of the other? (Within each they have been tried.)"""
+        return any(self._combine(x, y) is not None for x in old for y in new)
 
     def _merge(self, terms: list[int]) -> list[int]:
         """One pass over all pairs; a pair that combines becomes one term."""
@@ -204,6 +207,11 @@ class Graph:
 
     def _monomial(self, k: int) -> Monomial | None:
         """k as parameter factor times a product; None if it has too many factors or is a parameter itself."""
+        if k not in self._monomials:
+            self._monomials[k] = self._factored(k)
+        return self._monomials[k]
+
+    def _factored(self, k: int) -> Monomial | None:
         coefficient, factors, stack = self.one, [], [k]
         while stack:
             current = stack.pop()
