@@ -1,7 +1,6 @@
 """Minimum-effort rest-to-rest swing of a hub with a flexible beam: a generated model in a CasADi Opti problem.
 
-The torque is an entry of p that becomes a decision variable. Trapezoidal collocation with the accelerations as
-variables, so M_hat is never inverted. IPOPT uses exact second derivatives.   Argument: number of intervals.
+Trapezoidal collocation; the torque, an entry of p, is a decision variable. Argument: number of intervals.
 """
 
 import sys
@@ -18,9 +17,9 @@ T_END, ANGLE = 1.5, 1.0  # s, rad
 
 def build():
     """A hub in the horizontal plane with a 1 m aluminium beam."""
-    builder = SceneBuilder("arm").parameter("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02)
-    builder.beam("beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10,
-                 lateral={"ends": "clamped-free", "modes": 2})
+    builder = SceneBuilder("arm").parameter("torque", 0.0, "N m").rigid("hub", mass=1.0, inertia=0.02).beam(
+        "beam", length=1.0, density=2700.0, area=4e-5, second_moment=1.3e-11, youngs_modulus=7e10,
+        lateral={"ends": "clamped-free", "modes": 2})
     builder.revolute("pivot", "ground.origin", "hub.origin").weld("clamp", "hub.origin", "beam.start")
     return builder.torque("motor", "hub.origin", "torque").independent("hub.theta", "beam.q1", "beam.q2").build()
 
@@ -36,15 +35,14 @@ def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX
 
 
 def main(intervals: int) -> None:
-    """Solve, print the torque, and differentiate the equations twice by hand."""
+    """Solve with IPOPT (exact second derivatives), print the torque, and differentiate twice by hand."""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(build(), folder))
     n, h, opti = len(model.q_i), T_END / intervals, ca.Opti()
     q, v, a, u = (opti.variable(rows, intervals + 1) for rows in (n, n, n, 1))
-    for k in range(intervals + 1):
-        opti.subject_to(residual(model, q[:, k], v[:, k], a[:, k], u[k]) == 0)
-    opti.subject_to(q[:, 1:] == q[:, :-1] + h / 2 * (v[:, 1:] + v[:, :-1]))
-    opti.subject_to(v[:, 1:] == v[:, :-1] + h / 2 * (a[:, 1:] + a[:, :-1]))
+    opti.subject_to(ca.horzcat(*(residual(model, q[:, k], v[:, k], a[:, k], u[k]) for k in range(intervals + 1))) == 0)
+    for x, rate in ((q, v), (v, a)):
+        opti.subject_to(x[:, 1:] == x[:, :-1] + h / 2 * (rate[:, 1:] + rate[:, :-1]))
     opti.subject_to(ca.vertcat(q[:, 0], v[:, 0], v[:, -1], q[:, -1]) == ca.vertcat(ca.DM.zeros(3 * n), ANGLE, 0, 0))
     opti.minimize(h * (ca.sumsqr(u) - (u[0] ** 2 + u[-1] ** 2) / 2))
     opti.solver("ipopt", {"print_time": False}, {"print_level": 0, "sb": "yes"})
@@ -53,8 +51,8 @@ def main(intervals: int) -> None:
     for k in range(0, intervals + 1, intervals // 4):
         print(f"t = {k * h:.3f} s   theta {solution.value(q[0, k]):.4f} rad   torque {solution.value(u[k]): .4f} N m")
     x = ca.MX.sym("x", n)
-    second = ca.Function("second", [x], [ca.hessian(residual(model, x, x, x, ca.MX(0))[0], x)[0]])
-    print("second derivatives of the hub's equation:", second(ca.DM([0.5, 0.1, 0.01])))
+    twice = ca.Function("twice", [x], [ca.hessian(residual(model, x, x, x, ca.MX(0))[0], x)[0]])
+    print("second derivatives of the hub's equation:", twice(ca.DM([0.5, 0.1, 0.01])))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Steps generated models through time. Knows nothing of SymPy or of how the equations were derived."""
 
+from runtime.augmented import augmented_solution
 from runtime.initial import InitialStateError
 from runtime.model import Group, Model, ModelError, load_model
 from runtime.reference import reference_solution
@@ -9,4 +10,4 @@ from runtime.solution import Solution
 from runtime.status import Status
 
 __all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
-           "Status", "load_model", "reference_solution", "simulate"]
+           "Status", "augmented_solution", "load_model", "reference_solution", "simulate"]

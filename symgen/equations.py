@@ -53,6 +53,7 @@ class Equations:
     elastic_columns: frozenset[int] = frozenset()
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     outlines: list[Outline] = field(default_factory=list)
+    baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
 
     def kinetic(self) -> ca.SX:
         """1/2 q_dot^T M q_dot."""
@@ -118,6 +119,10 @@ class _Assembly:
         self._add_measures()
         self._add_loads()
         self._add_outlines()
+        if scene.baumgarte is not None:
+            self.equations.baumgarte = (
+                table.quantity(scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors"),
+                table.quantity(scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors"))
 
     def _add_bodies(self) -> None:
         eq, first = self.equations, 0

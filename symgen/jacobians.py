@@ -13,6 +13,8 @@ from symgen.hoisting import Kernel
 if TYPE_CHECKING:
     from symgen.kernels import Arguments
 
+SMALL_SYSTEM = 8  # independent coordinates up to which two forms of a Jacobian are compared
+
 
 def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], Kernel]]:
     """Builders of dQ_hat/dq_i, dQ_hat/dq_i_dot and d(M_hat q_i_ddot)/dq_i."""
@@ -63,10 +65,20 @@ def _by_position(system: Condensed, a: Arguments, force: ca.SX) -> ca.SX:
 
 
 def _by_velocity(system: Condensed, a: Arguments, force: ca.SX) -> ca.SX:
+    """By the chain rule through q_d_dot, or with q_d_dot substituted: for a small system whichever is shorter."""
     total = ca.jacobian(force, a.q_i_dot)
     if not a.dependent:
         return total
-    return total + _product(ca.jacobian(force, a.q_d_dot), _tangents(system, a))
+    chained = total + _product(ca.jacobian(force, a.q_d_dot), _tangents(system, a))
+    if a.q_i.numel() > SMALL_SYSTEM:
+        return chained
+    substituted = ca.jacobian(ca.substitute(force, a.q_d_dot, _dependent_rates(system, a)), a.q_i_dot)
+    return min(chained, substituted, key=_length)
+
+
+def _length(expression: ca.SX) -> int:
+    """Number of distinct operations of an expression."""
+    return int(ca.n_nodes(ca.cse(ca.densify(expression))))
 
 
 def _dependent_rates(system: Condensed, a: Arguments) -> ca.SX:

@@ -15,10 +15,11 @@ import casadi as ca
 from symgen.condensation import Condensed, reduced_loop_rows, solve_small
 from symgen.drawing import drawing
 from symgen.elimination import constraint_jacobian
-from symgen.equations import matrix_times
+from symgen.equations import Equations, matrix_times
 from symgen.forward_dynamics import is_tree, tree_accelerations
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
+from symgen.joints.instance import ConstraintRow
 from symgen.rows import Row
 from symgen.scene import Scene
 
@@ -187,14 +188,27 @@ def _constraints(system: Condensed) -> Kernel:
 
 
 def _augmented(system: Condensed) -> Kernel:
-    """M and Q* of Eq. (28) in all coordinates."""
+    """M, Q*, C_q and the right-hand side of the constraints of Eq. (28) in all coordinates.
+
+    gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
+    """
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
     M = ca.SX(len(eq.names), len(eq.names))
     for row, entries in enumerate(eq.M):
         for column, value in entries.items():
             M[row, column] = value
-    return Kernel(inputs, {"M": M, "Q_star": ca.vertcat(*eq.Q_star)})
+    outputs = {"M": M, "Q_star": ca.vertcat(*eq.Q_star)}
+    if eq.constraints:
+        outputs["C_q"] = constraint_jacobian(eq)
+        outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))
+    return Kernel(inputs, outputs)
+
+
+def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
+    alpha, beta = eq.baumgarte
+    rate = row.C_t + sum((value * eq.q_dot[column] for column, value in row.C_q.items()), ca.SX(0))
+    return row.gamma - 2 * alpha * rate - beta**2 * row.C
 
 
 def _reactions(system: Condensed) -> Kernel:

@@ -44,7 +44,8 @@ def main(folder: Path) -> None:
     for name, colour in (("rod.q1", "#d1495b"), ("rod.q2", "#6a4c93")):
         right.plot(solution.t, 1e3 * solution[name], color=colour, lw=1.2, label=f"{name} (bending)")
     right.set(xlabel="time [s]", ylabel="deflection [mm]", title="flexible slider-crank at 150 rad/s")
-    right.legend(frameon=False, ncols=2)
+    right.set_ylim(top=2.2)
+    right.legend(frameon=False, ncols=2, loc="upper right")
     for ax in (left, right):
         ax.grid(True, color="0.92", lw=0.7)
         ax.spines[["top", "right"]].set_visible(False)

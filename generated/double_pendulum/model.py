@@ -212,7 +212,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 76 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 114 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 19)
@@ -220,6 +220,7 @@ def augmented() -> ca.Function:
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
     lower_theta_dot = q_dot[5]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -229,29 +230,33 @@ def augmented() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    w0 = ca.sin(upper_theta) * c11
-    w1 = -w0
-    w2 = ca.cos(upper_theta) * c11
-    w3 = ca.sin(lower_theta) * c9
-    w4 = -w3
-    w5 = ca.cos(lower_theta) * c9
-    w6 = upper_theta_dot**2
-    w7 = lower_theta_dot**2
+    w0 = ca.sin(upper_theta)
+    w1 = w0 * c11
+    w2 = -w1
+    w3 = ca.cos(upper_theta)
+    w4 = w3 * c11
+    w5 = ca.sin(lower_theta) * c9
+    w6 = -w5
+    w7 = ca.cos(lower_theta) * c9
+    w8 = upper_theta_dot**2
+    w9 = lower_theta_dot**2
+    w10 = w0 * c5
+    w11 = w3 * c5
     M = ca.vertcat(
         c6,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
         0.0,
         c6,
+        w4,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c7,
         0.0,
         0.0,
@@ -261,33 +266,68 @@ def augmented() -> ca.Function:
         0.0,
         c8,
         0.0,
-        w4,
+        w6,
         0.0,
         0.0,
         0.0,
         0.0,
         c8,
-        w5,
+        w7,
         0.0,
         0.0,
         0.0,
-        w4,
-        w5,
+        w6,
+        w7,
         c10,
     )
     M = ca.reshape(M, 6, 6)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w6,
-        w0 * w6 + c14,
-        w2 * c12,
-        w5 * w7,
-        c13 + w3 * w7,
-        w5 * c12,
+        w4 * w8,
+        w1 * w8 + c14,
+        w4 * c12,
+        w7 * w9,
+        c13 + w5 * w9,
+        w7 * c12,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        w10,
+        -w11,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 4, 6)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w8 * w11),
+        -(w8 * w10),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

@@ -74,7 +74,7 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 46 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 46 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)

@@ -598,7 +598,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 347 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 503 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 80)
@@ -615,6 +615,8 @@ def augmented() -> ca.Function:
     rod_q3_dot = q_dot[8]
     rod_q4_dot = q_dot[9]
     c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
@@ -633,6 +635,7 @@ def augmented() -> ca.Function:
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    c21 = c[21]
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
@@ -640,6 +643,7 @@ def augmented() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
+    c31 = c[31]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
@@ -647,40 +651,48 @@ def augmented() -> ca.Function:
     c37 = c[37]
     c38 = c[38]
     c39 = c[39]
-    w0 = ca.sin(crank_theta) * c34
-    w1 = -w0
-    w2 = ca.cos(crank_theta) * c34
-    w3 = ca.sin(rod_theta)
-    w4 = c28 + (rod_q3 * c25 + rod_q4 * c27)
-    w5 = ca.cos(rod_theta)
-    w6 = rod_q1 * c20
-    w7 = w3 * w4 + w5 * w6
-    w8 = -w7
-    w9 = w3 * c37
-    w10 = w5 * c25
-    w11 = w5 * c27
-    w12 = w4 * w5 - w3 * w6
-    w13 = w5 * c20
-    w14 = w3 * c25
-    w15 = w3 * c27
-    w16 = rod_q1 * c0
-    w17 = rod_q2 * c6
-    w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w19 = c18 + (rod_q3 * c10 + rod_q4 * c12)
-    w20 = c3 - (rod_q3 * c4 + rod_q4 * c5)
-    w21 = c7 - rod_q4 * c8
-    w22 = rod_q1 * c38
-    w23 = -(rod_q1 * c14 + rod_q2 * c15)
-    w24 = crank_theta_dot**2
-    w25 = rod_theta_dot**2
-    w26 = 2 * rod_theta_dot
-    w27 = rod_q3_dot * c25 + rod_q4_dot * c27
-    w28 = rod_q1_dot * c20
-    w29 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w0 = ca.sin(crank_theta)
+    w1 = w0 * c34
+    w2 = -w1
+    w3 = ca.cos(crank_theta)
+    w4 = w3 * c34
+    w5 = ca.sin(rod_theta)
+    w6 = c28 + (rod_q3 * c25 + rod_q4 * c27)
+    w7 = ca.cos(rod_theta)
+    w8 = rod_q1 * c20
+    w9 = w5 * w6 + w7 * w8
+    w10 = -w9
+    w11 = w5 * c37
+    w12 = w7 * c25
+    w13 = w7 * c27
+    w14 = w6 * w7 - w5 * w8
+    w15 = w7 * c20
+    w16 = w5 * c25
+    w17 = w5 * c27
+    w18 = rod_q1 * c0
+    w19 = rod_q2 * c6
+    w20 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w21 = c18 + (rod_q3 * c10 + rod_q4 * c12)
+    w22 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w23 = c7 - rod_q4 * c8
+    w24 = rod_q1 * c38
+    w25 = -(rod_q1 * c14 + rod_q2 * c15)
+    w26 = crank_theta_dot**2
+    w27 = rod_theta_dot**2
+    w28 = 2 * rod_theta_dot
+    w29 = rod_q3_dot * c25 + rod_q4_dot * c27
+    w30 = rod_q1_dot * c20
+    w31 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
+    w32 = w0 * c21
+    w33 = w3 * c21
+    w34 = c2 + rod_q4 * c1
+    w35 = w5 * w34
+    w36 = w7 * w34
+    w37 = rod_q4_dot * c1
     M = ca.vertcat(
         c33,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
@@ -693,19 +705,19 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c33,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c35,
         0.0,
         0.0,
@@ -722,11 +734,11 @@ def augmented() -> ca.Function:
         0.0,
         c36,
         0.0,
-        w8,
-        w9,
-        0.0,
         w10,
         w11,
+        0.0,
+        w12,
+        w13,
         0.0,
         0.0,
         0.0,
@@ -735,33 +747,33 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c36,
-        w12,
-        w13,
-        0.0,
         w14,
         w15,
         0.0,
+        w16,
+        w17,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w8,
-        w12,
-        c16 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c17 + w18) + rod_q4 * (c18 + w19)),
-        w20,
-        w21,
+        0.0,
+        w10,
+        w14,
+        c16 + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * (c17 + w20) + rod_q4 * (c18 + w21)),
         w22,
         w23,
+        w24,
+        w25,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w9,
-        w13,
-        w20,
+        w11,
+        w15,
+        w22,
         c0,
         0.0,
         0.0,
@@ -774,7 +786,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w21,
+        w23,
         0.0,
         c6,
         0.0,
@@ -785,9 +797,9 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w10,
-        w14,
-        w22,
+        w12,
+        w16,
+        w24,
         0.0,
         0.0,
         c9,
@@ -798,9 +810,9 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w11,
-        w15,
-        w23,
+        w13,
+        w17,
+        w25,
         0.0,
         0.0,
         c10,
@@ -851,23 +863,156 @@ def augmented() -> ca.Function:
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w24,
-        w0 * w24,
+        w4 * w26,
+        w1 * w26,
         0.0,
-        w12 * w25 + w26 * (w3 * w27 + w5 * w28),
-        w7 * w25 - w26 * (w5 * w27 - w3 * w28),
-        w29,
-        w16 * w25 + w26 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19,
-        w17 * w25 + w26 * (rod_q4_dot * c8) - rod_q2 * c22,
-        w18 * w25 + w26 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24),
-        w19 * w25 + w26 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26),
+        w14 * w27 + w28 * (w5 * w29 + w7 * w30),
+        w9 * w27 - w28 * (w7 * w29 - w5 * w30),
+        w31,
+        w18 * w27 + w28 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19,
+        w19 * w27 + w28 * (rod_q4_dot * c8) - rod_q2 * c22,
+        w20 * w27 + w28 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24),
+        w21 * w27 + w28 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26),
         0.0,
         0.0,
         0.0,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w32,
+        -w33,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w35,
+        -w36,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7 * c31,
+        w5 * c31,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 9, 13)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w26 * w33),
+        -(w26 * w32),
+        0.0,
+        0.0,
+        -(w27 * w36 + w28 * (w5 * w37)),
+        w28 * (w7 * w37) - w27 * w35,
+        0.0,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1339,22 +1484,21 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 191 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 179 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    q_d_dot = ca.SX.sym("q_d_dot", 9)
     c = ca.SX.sym("c", 80)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
     rod_q4 = q_i[3]
+    crank_theta = q_d[2]
     rod_theta = q_d[5]
     rod_q1_dot = q_i_dot[0]
     rod_q2_dot = q_i_dot[1]
     rod_q3_dot = q_i_dot[2]
     rod_q4_dot = q_i_dot[3]
-    rod_theta_dot = q_d_dot[5]
     c0 = c[0]
     c1 = c[1]
     c2 = c[2]
@@ -1374,56 +1518,53 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c77 = c[77]
-    c78 = c[78]
-    w0 = 2 * rod_theta_dot
-    w1 = ca.sin(rod_theta)
-    w2 = w1 * c1
-    w3 = ca.cos(rod_theta)
-    w4 = c2 + rod_q4 * c1
-    w5 = w3 * w4
-    w6 = w2 / w5
-    w7 = rod_theta_dot * -2.0
-    w8 = rod_q1 * c0
-    w9 = rod_q2 * c6
-    w10 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w11 = c3 - (rod_q3 * c4 + rod_q4 * c5)
-    w12 = w3 * c1
-    w13 = w0 * w12 / w5
+    c30 = c[30]
+    w0 = ca.cos(rod_theta)
+    w1 = c2 + rod_q4 * c1
+    w2 = w0 * w1
+    w3 = ca.sin(rod_theta)
+    w4 = w3 * c1
+    w5 = w4 / w2
+    w6 = ca.cos(crank_theta) * c30 / w2 + w5 * rod_q4_dot
+    w7 = 2 * -w6
+    w8 = w6 * -2.0
+    w9 = rod_q1 * c0
+    w10 = rod_q2 * c6
+    w11 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w12 = w5 * (2 * w6)
+    w13 = 2 * -w5
     w14 = rod_q4_dot * c1
-    w15 = w1 * w4
-    w16 = (2 * (w3 * w14) - w0 * w15) / w5
-    w17 = c7 - rod_q4 * c8
-    w18 = rod_q1 * c11
-    w19 = rod_q1 * c14 + rod_q2 * c15
-    w20 = (w13 * w15 - w0 * w2) * c13
-    w21 = c18 + (rod_q3 * c10 + rod_q4 * c12)
-    w22 = c16 + (rod_q1 * w8 + rod_q2 * w9 + rod_q3 * (c17 + w10) + rod_q4 * (c18 + w21))
-    w23 = (w15 * w16 - (w0 * w5 + 2 * (w1 * w14))) * c13
-    w24 = (w8 * rod_q1_dot + w9 * rod_q2_dot + w10 * rod_q3_dot + rod_q4_dot * w21) * -2.0 + w16 * w22 + w15 * w23
-    w25 = w13 * w19 + w12 * w20 + w6 * (w7 * w21 + w13 * w22 + w15 * w20) + w6 * (w0 * w21 + 2 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w16 * w19 - w12 * w23 - w6 * w24)
+    w15 = w0 * c1
+    w16 = w1 * w3
+    w17 = (w13 * (w0 * w14) + w7 * w15 - w12 * w16) / w2
+    w18 = w9 * w12 + ((rod_q3_dot * c4 + rod_q4_dot * c5) * w13 + w7 * c5) + (c3 - (rod_q3 * c4 + rod_q4 * c5)) * w17
+    w19 = c18 + (rod_q3 * c10 + rod_q4 * c12)
+    w20 = (w16 * w17 - (w2 * w12 + (w13 * (w3 * w14) + w4 * w7))) * c13
+    w21 = w12 * w19 + w13 * (rod_q1_dot * c14 + rod_q2_dot * c15) - w17 * (rod_q1 * c14 + rod_q2 * c15) - w15 * w20
+    w22 = (w9 * rod_q1_dot + w10 * rod_q2_dot + w11 * rod_q3_dot + rod_q4_dot * w19) * (w5 * -2.0) + w8 * w19
+    w23 = w16 * w20 - (w22 - w17 * (c16 + (rod_q1 * w9 + rod_q2 * w10 + rod_q3 * (c17 + w11) + rod_q4 * (c18 + w19))))
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
         0.0,
-        w0 * c11,
-        w0 * c14 - w6 * (w7 * w8),
+        w7 * c11,
+        w7 * c14 + w5 * (w8 * w9),
         0.0,
         0.0,
         0.0,
-        w0 * c15 - w6 * (w7 * w9),
-        w0 * c4,
+        w7 * c15 + w5 * (w8 * w10),
+        w7 * c4,
         0.0,
         0.0,
-        -(w6 * (w7 * w10)),
-        w0 * c5 + w11 * w13 - w6 * (w0 * w8 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w11 * w16),
-        w0 * c8 + w13 * w17 - w6 * (w0 * w9 + rod_q4_dot * c77 + w16 * w17),
-        -(w13 * w18 + w6 * (w0 * w10 + rod_q1_dot * c78 - w16 * w18)),
-        -w25,
+        w5 * (w8 * w11),
+        w18,
+        w10 * w12 + (w13 * (rod_q4_dot * c8) + w7 * c8) + w17 * (c7 - rod_q4 * c8),
+        w11 * w12 + w13 * (rod_q1_dot * c11) - w17 * (rod_q1 * c11),
+        w21 - w5 * w23,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
     dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:

@@ -609,7 +609,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 347 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 489 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 78)
@@ -626,8 +626,11 @@ def augmented() -> ca.Function:
     rod_q3_dot = q_dot[8]
     rod_q4_dot = q_dot[9]
     c0 = c[0]
+    c1 = c[1]
     c2 = c[2]
     c3 = c[3]
+    c5 = c[5]
+    c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -653,45 +656,54 @@ def augmented() -> ca.Function:
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
+    c32 = c[32]
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.sin(crank_theta) * c34
-    w1 = -w0
-    w2 = ca.cos(crank_theta) * c34
-    w3 = ca.sin(rod_theta)
-    w4 = c7 + (rod_q3 * c8 + rod_q4 * c9)
-    w5 = ca.cos(rod_theta)
-    w6 = rod_q1 * c10
-    w7 = w3 * w4 + w5 * w6
-    w8 = -w7
-    w9 = w3 * c35
-    w10 = w5 * c8
-    w11 = w5 * c9
-    w12 = w4 * w5 - w3 * w6
-    w13 = w5 * c10
-    w14 = w3 * c8
-    w15 = w3 * c9
-    w16 = rod_q1 * c12
-    w17 = rod_q2 * c13
-    w18 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w19 = c17 + (rod_q3 * c16 + rod_q4 * c18)
-    w20 = c19 - (rod_q3 * c20 + rod_q4 * c21)
-    w21 = c22 - rod_q4 * c23
-    w22 = rod_q1 * c36
-    w23 = -(rod_q1 * c25 + rod_q2 * c26)
-    w24 = crank_theta_dot**2
-    w25 = rod_theta_dot**2
-    w26 = 2 * rod_theta_dot
-    w27 = rod_q3_dot * c8 + rod_q4_dot * c9
-    w28 = rod_q1_dot * c10
-    w29 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w0 = ca.sin(crank_theta)
+    w1 = w0 * c34
+    w2 = -w1
+    w3 = ca.cos(crank_theta)
+    w4 = w3 * c34
+    w5 = ca.sin(rod_theta)
+    w6 = c7 + (rod_q3 * c8 + rod_q4 * c9)
+    w7 = ca.cos(rod_theta)
+    w8 = rod_q1 * c10
+    w9 = w5 * w6 + w7 * w8
+    w10 = -w9
+    w11 = w5 * c35
+    w12 = w7 * c8
+    w13 = w7 * c9
+    w14 = w6 * w7 - w5 * w8
+    w15 = w7 * c10
+    w16 = w5 * c8
+    w17 = w5 * c9
+    w18 = rod_q1 * c12
+    w19 = rod_q2 * c13
+    w20 = c14 + (rod_q3 * c15 + rod_q4 * c16)
+    w21 = c17 + (rod_q3 * c16 + rod_q4 * c18)
+    w22 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w23 = c22 - rod_q4 * c23
+    w24 = rod_q1 * c36
+    w25 = -(rod_q1 * c25 + rod_q2 * c26)
+    w26 = crank_theta_dot**2
+    w27 = rod_theta_dot**2
+    w28 = 2 * rod_theta_dot
+    w29 = rod_q3_dot * c8 + rod_q4_dot * c9
+    w30 = rod_q1_dot * c10
+    w31 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
+    w32 = w0 * c1
+    w33 = w3 * c1
+    w34 = c5 + rod_q4 * c6
+    w35 = w5 * w34
+    w36 = w7 * w34
+    w37 = rod_q4_dot * c6
     M = ca.vertcat(
         c33,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
@@ -704,19 +716,19 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c33,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c0,
         0.0,
         0.0,
@@ -733,11 +745,11 @@ def augmented() -> ca.Function:
         0.0,
         c2,
         0.0,
-        w8,
-        w9,
-        0.0,
         w10,
         w11,
+        0.0,
+        w12,
+        w13,
         0.0,
         0.0,
         0.0,
@@ -746,33 +758,33 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c2,
-        w12,
-        w13,
-        0.0,
         w14,
         w15,
         0.0,
+        w16,
+        w17,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w8,
-        w12,
-        c11 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c14 + w18) + rod_q4 * (c17 + w19)),
-        w20,
-        w21,
+        0.0,
+        w10,
+        w14,
+        c11 + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * (c14 + w20) + rod_q4 * (c17 + w21)),
         w22,
         w23,
+        w24,
+        w25,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w9,
-        w13,
-        w20,
+        w11,
+        w15,
+        w22,
         c12,
         0.0,
         0.0,
@@ -785,7 +797,7 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w21,
+        w23,
         0.0,
         c13,
         0.0,
@@ -796,9 +808,9 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w10,
-        w14,
-        w22,
+        w12,
+        w16,
+        w24,
         0.0,
         0.0,
         c15,
@@ -809,9 +821,9 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w11,
-        w15,
-        w23,
+        w13,
+        w17,
+        w25,
         0.0,
         0.0,
         c16,
@@ -862,23 +874,142 @@ def augmented() -> ca.Function:
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w24,
-        w0 * w24,
+        w4 * w26,
+        w1 * w26,
         0.0,
-        w12 * w25 + w26 * (w3 * w27 + w5 * w28),
-        w7 * w25 - w26 * (w5 * w27 - w3 * w28),
-        w29,
-        w16 * w25 + w26 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27,
-        w17 * w25 + w26 * (rod_q4_dot * c23) - rod_q2 * c28,
-        w18 * w25 + w26 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30),
-        w19 * w25 + w26 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31),
+        w14 * w27 + w28 * (w5 * w29 + w7 * w30),
+        w9 * w27 - w28 * (w7 * w29 - w5 * w30),
+        w31,
+        w18 * w27 + w28 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27,
+        w19 * w27 + w28 * (rod_q4_dot * c23) - rod_q2 * c28,
+        w20 * w27 + w28 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30),
+        w21 * w27 + w28 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31),
         0.0,
         0.0,
         0.0,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w32,
+        -w33,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w35,
+        -w36,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7 * c32,
+        w5 * c32,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 13)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w26 * w33),
+        -(w26 * w32),
+        0.0,
+        0.0,
+        -(w27 * w36 + w28 * (w5 * w37)),
+        w28 * (w7 * w37) - w27 * w35,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1395,11 +1526,10 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 345 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 343 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    q_d_dot = ca.SX.sym("q_d_dot", 8)
     c = ca.SX.sym("c", 78)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
@@ -1412,7 +1542,6 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_q2_dot = q_i_dot[2]
     rod_q3_dot = q_i_dot[3]
     rod_q4_dot = q_i_dot[4]
-    rod_theta_dot = q_d_dot[4]
     c1 = c[1]
     c2 = c[2]
     c3 = c[3]
@@ -1438,95 +1567,101 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c75 = c[75]
-    c76 = c[76]
     w0 = ca.cos(crank_theta) * c1
-    w1 = ca.sin(crank_theta) * c1
-    w2 = 2 * crank_theta_dot
-    w3 = w1 * w2
-    w4 = ca.cos(rod_theta)
-    w5 = c7 + (rod_q3 * c8 + rod_q4 * c9)
-    w6 = ca.sin(rod_theta)
-    w7 = rod_q1 * c10
-    w8 = w4 * w5 - w6 * w7
-    w9 = c5 + rod_q4 * c6
-    w10 = w4 * w9
-    w11 = w3 / w10
-    w12 = w5 * w6 + w4 * w7
-    w13 = w0 * w2
-    w14 = w6 * w9
-    w15 = (w13 + w11 * w14) * c3
-    w16 = w0 / w10
-    w17 = rod_q1 * c12
-    w18 = rod_q2 * c13
-    w19 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w20 = c17 + (rod_q3 * c16 + rod_q4 * c18)
-    w21 = c11 + (rod_q1 * w17 + rod_q2 * w18 + rod_q3 * (c14 + w19) + rod_q4 * (c17 + w20))
-    w22 = w12 * w13 - w3 * w8 + w11 * w21 + w14 * w15
-    w23 = 2 * rod_theta_dot
-    w24 = rod_q3_dot * c8 + rod_q4_dot * c9
-    w25 = rod_q1_dot * c10
-    w26 = rod_q4_dot * c6
-    w27 = (2 * (w4 * w26) - w14 * w23) / w10
-    w28 = (w14 * w27 - (w10 * w23 + 2 * (w6 * w26))) * c3
-    w29 = w0 * (w12 * w23 - 2 * (w4 * w24 - w6 * w25) + w8 * w27) - w1 * (w8 * w23 + 2 * (w6 * w24 + w4 * w25) - w12 * w27 - w28)
-    w30 = (w17 * rod_q1_dot + w18 * rod_q2_dot + w19 * rod_q3_dot + w20 * rod_q4_dot) * -2.0 + w21 * w27 + w14 * w28
-    w31 = w29 - w16 * w30
-    w32 = w6 * c10
-    w33 = w4 * c10
-    w34 = c19 - (rod_q3 * c20 + rod_q4 * c21)
-    w35 = w17 * w23 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w27 * w34
-    w36 = c22 - rod_q4 * c23
-    w37 = w18 * w23 + rod_q4_dot * c75 + w27 * w36
-    w38 = rod_q1 * c24
-    w39 = w4 * c8
-    w40 = w6 * c8
-    w41 = w19 * w23 + rod_q1_dot * c76 - w27 * w38
-    w42 = rod_q1 * c25 + rod_q2 * c26
-    w43 = w4 * c9
-    w44 = w6 * c9
-    w45 = w4 * c6
-    w46 = w6 * c6
-    w47 = w46 / w10
-    w48 = w20 * w23 + 2 * (rod_q1_dot * c25 + rod_q2_dot * c26) - w27 * w42 - w28 * w45 - w30 * w47
-    w49 = rod_theta_dot * -2.0
-    w50 = w17 * w49
-    w51 = w18 * w49
-    w52 = w19 * w49
-    w53 = w23 * w45 / w10
-    w54 = (w14 * w53 - w23 * w46) * c3
-    w55 = w20 * w49 + w21 * w53 + w14 * w54
+    w1 = ca.sin(rod_theta)
+    w2 = c7 + (rod_q3 * c8 + rod_q4 * c9)
+    w3 = ca.cos(rod_theta)
+    w4 = rod_q1 * c10
+    w5 = w1 * w2 + w3 * w4
+    w6 = c5 + rod_q4 * c6
+    w7 = w3 * w6
+    w8 = w0 / w7
+    w9 = w1 * c6
+    w10 = w9 / w7
+    w11 = w8 * crank_theta_dot + w10 * rod_q4_dot
+    w12 = 2 * w11
+    w13 = w8 * w12
+    w14 = rod_q3_dot * c8 + rod_q4_dot * c9
+    w15 = rod_q1_dot * c10
+    w16 = w3 * w14 - w1 * w15
+    w17 = 2 * -w8
+    w18 = ca.sin(crank_theta) * c1
+    w19 = 2 * crank_theta_dot
+    w20 = w18 * w19
+    w21 = w2 * w3 - w1 * w4
+    w22 = rod_q4_dot * c6
+    w23 = w3 * w22
+    w24 = w1 * w6
+    w25 = (w17 * w23 - w13 * w24 - w20) / w7
+    w26 = w1 * w14 + w3 * w15
+    w27 = w0 * w19
+    w28 = w1 * w22
+    w29 = (w24 * w25 - (w27 + (w7 * w13 + w17 * w28))) * c3
+    w30 = w0 * (w5 * w13 - w16 * w17 + (w20 * c2 + w21 * w25)) - w18 * (w13 * w21 + w17 * w26 - (w5 * w25 - w27 * c2) - w29)
+    w31 = rod_q1 * c12
+    w32 = rod_q2 * c13
+    w33 = c14 + (rod_q3 * c15 + rod_q4 * c16)
+    w34 = c17 + (rod_q3 * c16 + rod_q4 * c18)
+    w35 = rod_q1_dot * w31 + w32 * rod_q2_dot + rod_q3_dot * w33 + rod_q4_dot * w34
+    w36 = c11 + (rod_q1 * w31 + rod_q2 * w32 + rod_q3 * (c14 + w33) + rod_q4 * (c17 + w34))
+    w37 = w24 * w29 - (w35 * (w8 * -2.0) + (w5 * w27 - w20 * w21 - w25 * w36))
+    w38 = rod_q3_dot * c20 + rod_q4_dot * c21
+    w39 = w1 * c10
+    w40 = w3 * c10
+    w41 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w42 = rod_q4_dot * c23
+    w43 = c22 - rod_q4 * c23
+    w44 = rod_q1_dot * c24
+    w45 = rod_q1 * c24
+    w46 = w3 * c8
+    w47 = w1 * c8
+    w48 = rod_q1_dot * c25 + rod_q2_dot * c26
+    w49 = rod_q1 * c25 + rod_q2 * c26
+    w50 = w3 * c9
+    w51 = w1 * c9
+    w52 = w3 * c6
+    w53 = 2 * -w11
+    w54 = w11 * -2.0
+    w55 = w31 * w54
+    w56 = w32 * w54
+    w57 = w33 * w54
+    w58 = w10 * w12
+    w59 = 2 * -w10
+    w60 = (w23 * w59 + w52 * w53 - w24 * w58) / w7
+    w61 = (w24 * w60 - (w7 * w58 + (w28 * w59 + w9 * w53))) * c3
+    w62 = w0 * (w5 * w58 - (w16 * w59 + w50 * w53) + w21 * w60) - w18 * (w21 * w58 + (w26 * w59 + w51 * w53) - w5 * w60 - w61)
+    w63 = w24 * w61 - (w35 * (w10 * -2.0) + w34 * w54 - w36 * w60)
     dQ_hat_dq_i_dot = ca.vertcat(
-        w0 * (w3 * c2 - w8 * w11) - w1 * (w11 * w12 + w13 * c2 + w15) + w16 * w22 - w16 * w31,
-        -(w13 * w32 - w3 * w33 + w11 * w34 + w16 * w35),
-        -(w11 * w36 + w16 * w37),
-        w11 * w38 + (w13 * w39 + w3 * w40) - w16 * w41,
-        w11 * w42 + (w13 * w43 + w3 * w44) + w15 * w45 + w22 * w47 - w16 * w48,
-        w0 * (w23 * w32) - w1 * (w23 * w33) - w16 * w50,
+        w30 - w8 * w37,
+        w13 * w31 + w17 * w38 - (w27 * w39 - w20 * w40 - w25 * w41),
+        w13 * w32 + w17 * w42 + w25 * w43,
+        w13 * w33 + w17 * w44 - (w25 * w45 - (w27 * w46 + w20 * w47)),
+        w13 * w34 + w17 * w48 - (w25 * w49 - (w27 * w50 + w20 * w51)) - w29 * w52 - w10 * w37,
+        w0 * (w39 * w53) - w18 * (w40 * w53) + w8 * w55,
         0.0,
         0.0,
-        w23 * c24,
-        w23 * c25 - w47 * w50,
-        -(w16 * w51),
+        w53 * c24,
+        w53 * c25 + w10 * w55,
+        w8 * w56,
         0.0,
         0.0,
         0.0,
-        w23 * c26 - w47 * w51,
-        -(w0 * (w23 * w39) + w1 * (w23 * w40) + w16 * w52),
-        w23 * c20,
+        w53 * c26 + w10 * w56,
+        w8 * w57 - (w0 * (w46 * w53) + w18 * (w47 * w53)),
+        w53 * c20,
         0.0,
         0.0,
-        -(w47 * w52),
-        w0 * (w8 * w53 - w23 * w43) - w1 * (w23 * w44 - w12 * w53 - w54) - w16 * w55 - w31 * w47,
-        w23 * c21 + w34 * w53 - w35 * w47,
-        w23 * c23 + w36 * w53 - w37 * w47,
-        -(w38 * w53 + w41 * w47),
-        -(w42 * w53 + w45 * w54 + w47 * w55 + w47 * w48),
+        w10 * w57,
+        w62 - w8 * w63,
+        w31 * w58 + (w38 * w59 + w53 * c21) + w41 * w60,
+        w32 * w58 + (w42 * w59 + w53 * c23) + w43 * w60,
+        w33 * w58 + w44 * w59 - w45 * w60,
+        w34 * w58 + w48 * w59 - w49 * w60 - w52 * w61 - w10 * w63,
     )
     dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 5, 5)
     dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:

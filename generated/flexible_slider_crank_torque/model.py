@@ -751,7 +751,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 287 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 431 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
@@ -765,8 +765,12 @@ def augmented() -> ca.Function:
     rod_q1_dot = q_dot[6]
     rod_q2_dot = q_dot[7]
     c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
     c3 = c[3]
     c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -794,35 +798,46 @@ def augmented() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    w0 = ca.sin(crank_theta) * c32
-    w1 = -w0
-    w2 = ca.cos(crank_theta) * c32
-    w3 = ca.sin(rod_theta)
-    w4 = rod_q1 * c9 + rod_q2 * c10
-    w5 = rod_q1 * c11 + rod_q2 * c12
-    w6 = c8 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
-    w7 = ca.cos(rod_theta)
-    w8 = rod_q1 * c13
-    w9 = w3 * w6 + w7 * w8
-    w10 = -w9
-    w11 = -(w4 * w7 + w3 * c13)
-    w12 = -(w5 * w7)
-    w13 = w6 * w7 - w3 * w8
-    w14 = w7 * c13 - w3 * w4
-    w15 = w3 * w5
-    w16 = -w15
-    w17 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w18 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w19 = crank_theta_dot**2
-    w20 = rod_theta_dot**2
-    w21 = 2 * rod_theta_dot
-    w22 = rod_q1_dot * c13
-    w23 = w4 * rod_q1_dot + w5 * rod_q2_dot
-    w24 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w0 = ca.sin(crank_theta)
+    w1 = w0 * c32
+    w2 = -w1
+    w3 = ca.cos(crank_theta)
+    w4 = w3 * c32
+    w5 = ca.sin(rod_theta)
+    w6 = rod_q1 * c9 + rod_q2 * c10
+    w7 = rod_q1 * c11 + rod_q2 * c12
+    w8 = c8 - (rod_q1 * w6 + rod_q2 * w7) * 0.5
+    w9 = ca.cos(rod_theta)
+    w10 = rod_q1 * c13
+    w11 = w5 * w8 + w9 * w10
+    w12 = -w11
+    w13 = -(w6 * w9 + w5 * c13)
+    w14 = -(w7 * w9)
+    w15 = w8 * w9 - w5 * w10
+    w16 = w9 * c13 - w5 * w6
+    w17 = w5 * w7
+    w18 = -w17
+    w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w21 = crank_theta_dot**2
+    w22 = rod_theta_dot**2
+    w23 = 2 * rod_theta_dot
+    w24 = rod_q1_dot * c13
+    w25 = w6 * rod_q1_dot + w7 * rod_q2_dot
+    w26 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w27 = w0 * c1
+    w28 = w3 * c1
+    w29 = rod_q1 * c6
+    w30 = rod_q2 * c7
+    w31 = c2 - (rod_q1 * w29 + rod_q2 * w30) * 0.5
+    w32 = w5 * w31
+    w33 = w9 * w31
+    w34 = rod_q1_dot * w29 + rod_q2_dot * w30
+    w35 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
     M = ca.vertcat(
         c31,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
@@ -833,17 +848,17 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c31,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c0,
         0.0,
         0.0,
@@ -858,9 +873,9 @@ def augmented() -> ca.Function:
         0.0,
         c3,
         0.0,
-        w10,
-        w11,
         w12,
+        w13,
+        w14,
         0.0,
         0.0,
         0.0,
@@ -869,18 +884,18 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c3,
-        w13,
-        w14,
+        w15,
         w16,
+        w18,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w10,
-        w13,
-        c14 + (rod_q1 * w17 + rod_q2 * w18),
+        w12,
+        w15,
+        c14 + (rod_q1 * w19 + rod_q2 * w20),
         c21,
         c22,
         0.0,
@@ -889,8 +904,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w11,
-        w14,
+        w13,
+        w16,
         c21,
         c15,
         0.0,
@@ -900,8 +915,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w12,
-        w16,
+        w14,
+        w18,
         c22,
         0.0,
         c18,
@@ -945,21 +960,124 @@ def augmented() -> ca.Function:
     M = ca.reshape(M, 11, 11)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w19,
-        w0 * w19 + c34,
-        w2 * c23 + ca.if_else(t < 0.15, c25, 0),
-        w13 * w20 + w21 * (w7 * w22 - w3 * w23) + w7 * w24,
-        c26 + (w9 * w20 + w3 * w24 + w21 * (w7 * w23 + w3 * w22)),
-        rod_theta_dot * -2.0 * (w17 * rod_q1_dot + w18 * rod_q2_dot) + w13 * c23,
-        w17 * w20 - (rod_q1 * c27 + rod_q1_dot * c28) + w14 * c23,
-        w18 * w20 - (rod_q2 * c29 + rod_q2_dot * c30) - w15 * c23,
+        w4 * w21,
+        w1 * w21 + c34,
+        w4 * c23 + ca.if_else(t < 0.15, c25, 0),
+        w15 * w22 + w23 * (w9 * w24 - w5 * w25) + w9 * w26,
+        c26 + (w11 * w22 + w5 * w26 + w23 * (w9 * w25 + w5 * w24)),
+        rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w15 * c23,
+        w19 * w22 - (rod_q1 * c27 + rod_q1_dot * c28) + w16 * c23,
+        w20 * w22 - (rod_q2 * c29 + rod_q2_dot * c30) - w17 * c23,
         0.0,
         c35,
         0.0,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, t, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w27,
+        -w28,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w32,
+        -w33,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w9 * w29,
+        w5 * w29,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w9 * w30,
+        w5 * w30,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 11)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w21 * w28),
+        -(w21 * w27),
+        0.0,
+        0.0,
+        w23 * (w5 * w34) - (w9 * w35 + w22 * w33),
+        -(w5 * w35 + w23 * (w9 * w34) + w22 * w32),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

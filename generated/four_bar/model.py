@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 64 operations."""
+    """c: everything that depends on the parameters p only. 76 operations."""
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -25,34 +25,40 @@ def constants() -> ca.Function:
     ground_right_x = p[13]
     motor_value = p[14]
     w0 = crank_inertia + crank_mass * crank_center_of_mass_x**2
-    w1 = rocker_inertia + rocker_mass * rocker_center_of_mass_x**2
-    w2 = crank_mass * crank_center_of_mass_x
-    w3 = rocker_mass * rocker_center_of_mass_x
+    w1 = crank_tip_x * coupler_mass
+    w2 = rocker_inertia + rocker_mass * rocker_center_of_mass_x**2
+    w3 = coupler_mass * coupler_center_of_mass_x
+    w4 = crank_mass * crank_center_of_mass_x
+    w5 = rocker_mass * rocker_center_of_mass_x
     c = ca.vertcat(
         crank_tip_x,
         coupler_mass,
-        w0 + crank_tip_x * (crank_tip_x * coupler_mass),
+        w0 + crank_tip_x * w1,
         coupler_tip_x,
         rocker_tip_x,
-        w1,
-        coupler_mass * coupler_center_of_mass_x,
+        w2,
+        w3,
         coupler_inertia + coupler_mass * coupler_center_of_mass_x**2,
         gravity_y,
-        w2 * gravity_y,
+        w4 * gravity_y,
         motor_value,
         coupler_mass * gravity_y,
-        gravity_y * w3,
+        gravity_y * w5,
         ground_right_x,
         crank_mass,
         w0,
         rocker_mass,
-        w2,
-        w3,
+        w4,
+        w5,
         crank_mass * gravity_y,
         rocker_mass * gravity_y,
         coupler_tip_x * (2 * coupler_tip_x),
         rocker_tip_x * (2 * rocker_tip_x),
-        w1 + w1,
+        coupler_inertia + coupler_center_of_mass_x * w3,
+        rocker_inertia + rocker_center_of_mass_x * w5,
+        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),
+        w1 * coupler_center_of_mass_x,
+        w2 + w2,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -65,7 +71,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -127,7 +133,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 48 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -169,7 +175,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -206,7 +212,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -250,7 +256,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 154 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -390,17 +396,20 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 142 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 246 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
     crank_theta_dot = q_dot[2]
     coupler_theta_dot = q_dot[5]
     rocker_theta_dot = q_dot[8]
+    c0 = c[0]
     c1 = c[1]
+    c3 = c[3]
+    c4 = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
@@ -414,22 +423,34 @@ def augmented() -> ca.Function:
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
-    w0 = ca.sin(crank_theta) * c17
-    w1 = -w0
-    w2 = ca.cos(crank_theta) * c17
-    w3 = ca.sin(coupler_theta) * c6
-    w4 = -w3
-    w5 = ca.cos(coupler_theta) * c6
-    w6 = ca.sin(rocker_theta) * c18
+    w0 = ca.sin(crank_theta)
+    w1 = w0 * c17
+    w2 = -w1
+    w3 = ca.cos(crank_theta)
+    w4 = w3 * c17
+    w5 = ca.sin(coupler_theta)
+    w6 = w5 * c6
     w7 = -w6
-    w8 = ca.cos(rocker_theta) * c18
-    w9 = crank_theta_dot**2
-    w10 = coupler_theta_dot**2
-    w11 = rocker_theta_dot**2
+    w8 = ca.cos(coupler_theta)
+    w9 = w8 * c6
+    w10 = ca.sin(rocker_theta)
+    w11 = w10 * c18
+    w12 = -w11
+    w13 = ca.cos(rocker_theta)
+    w14 = w13 * c18
+    w15 = crank_theta_dot**2
+    w16 = coupler_theta_dot**2
+    w17 = rocker_theta_dot**2
+    w18 = w0 * c0
+    w19 = w3 * c0
+    w20 = w5 * c3
+    w21 = w8 * c3
+    w22 = w10 * c4
+    w23 = w13 * c4
     M = ca.vertcat(
         c14,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
@@ -438,15 +459,15 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c14,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c15,
         0.0,
         0.0,
@@ -459,7 +480,7 @@ def augmented() -> ca.Function:
         0.0,
         c1,
         0.0,
-        w4,
+        w7,
         0.0,
         0.0,
         0.0,
@@ -468,15 +489,15 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c1,
-        w5,
+        w9,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w4,
-        w5,
+        w7,
+        w9,
         c7,
         0.0,
         0.0,
@@ -489,7 +510,7 @@ def augmented() -> ca.Function:
         0.0,
         c16,
         0.0,
-        w7,
+        w12,
         0.0,
         0.0,
         0.0,
@@ -498,33 +519,120 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c16,
-        w8,
+        w14,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w7,
-        w8,
+        w12,
+        w14,
         c5,
     )
     M = ca.reshape(M, 9, 9)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w9,
-        w0 * w9 + c19,
-        c10 + w2 * c8,
-        w5 * w10,
-        c11 + w3 * w10,
-        w5 * c8,
-        w8 * w11,
-        w6 * w11 + c20,
-        w8 * c8,
+        w4 * w15,
+        w1 * w15 + c19,
+        c10 + w4 * c8,
+        w9 * w16,
+        c11 + w6 * w16,
+        w9 * c8,
+        w14 * w17,
+        w11 * w17 + c20,
+        w14 * c8,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w18,
+        -w19,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w20,
+        -w21,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -w22,
+        w23,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 9)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w15 * w19),
+        -(w15 * w18),
+        w17 * w23 - w16 * w21,
+        w17 * w22 - w16 * w20,
+        0.0,
+        0.0,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -532,7 +640,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -605,7 +713,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 109 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_y = q[1]
     crank_theta = q[2]
     coupler_y = q[4]
@@ -669,7 +777,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 48 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -713,7 +821,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -805,57 +913,47 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 119 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 78 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
     crank_theta_dot = q_i_dot[0]
-    coupler_theta_dot = q_d_dot[4]
-    rocker_theta_dot = q_d_dot[7]
     c0 = c[0]
-    c1 = c[1]
     c3 = c[3]
     c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    c21 = c[21]
-    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
     w0 = ca.cos(crank_theta) * c0
-    w1 = ca.cos(coupler_theta)
-    w2 = w1 * c6
-    w3 = ca.cos(rocker_theta) * c4
-    w4 = 2 * crank_theta_dot
-    w5 = w0 * w4
-    w6 = ca.sin(rocker_theta) * c4
-    w7 = ca.sin(crank_theta) * c0
-    w8 = w4 * w7
-    w9 = ca.sin(coupler_theta)
-    w10 = w9 * c3
-    w11 = w1 * c3
-    w12 = w3 * w10 - w6 * w11
-    w13 = (w3 * w5 + w6 * w8) / w12
-    w14 = w9 * c6
-    w15 = (w0 * w10 - w7 * w11) / w12
-    w16 = w0 * (w2 * w13 + w8 * c1) - w7 * (w5 * c1 - w13 * w14) + w15 * ((w5 * w11 + w8 * w10) / w12 * c5)
-    w17 = (w0 * w6 - w3 * w7) / w12
-    w18 = 2 * coupler_theta_dot
-    w19 = (w3 * (w11 * w18) + w6 * (w10 * w18)) / w12
-    w20 = w0 * (w14 * w18 + w2 * w19) - w7 * (w2 * w18 - w14 * w19) + w15 * (coupler_theta_dot * c21 / w12 * c5)
-    w21 = 2 * rocker_theta_dot
-    w22 = rocker_theta_dot * c22 / w12
-    w23 = w0 * (w2 * w22) + w7 * (w14 * w22) + w15 * ((w11 * (w3 * w21) + w10 * (w6 * w21)) / w12 * c5) + w17 * (w22 * c7)
+    w1 = ca.sin(rocker_theta) * c4
+    w2 = ca.cos(rocker_theta) * c4
+    w3 = ca.sin(crank_theta) * c0
+    w4 = ca.sin(coupler_theta) * c3
+    w5 = ca.cos(coupler_theta) * c3
+    w6 = w2 * w4 - w1 * w5
+    w7 = (w0 * w1 - w2 * w3) / w6
+    w8 = w7 * crank_theta_dot
+    w9 = w7 * (2 * w8)
+    w10 = (w0 * w4 - w3 * w5) / w6
+    w11 = w10 * (2 * (crank_theta_dot * w10))
+    w12 = 2 * crank_theta_dot
+    w13 = w2 * w11 - w5 * w9 - w0 * w12
+    w14 = w1 * w11 - w4 * w9 - w3 * w12
+    w15 = (w2 * w13 + w1 * w14) / w6
+    w16 = coupler_theta - crank_theta
+    w17 = ca.sin(w16) * c25
+    w18 = w17 * (crank_theta_dot * w7**2) - w8 * w17 - w7 * w15 * c23 - w10 * ((w5 * w13 + w4 * w14) / w6) * c24
     dQ_hat_dq_i_dot = ca.vertcat(
-        w16 - w17 * (w5 * w14 - w2 * w8 - w13 * c7) + (w17 * (w20 + w17 * (w19 * c7)) - w15 * w23),
+        w18 - w15 * (ca.cos(w16) * c26),
     )
     dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
@@ -863,7 +961,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 24)
+    c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -874,7 +972,7 @@ def dMa_dq_i() -> ca.Function:
     c4 = c[4]
     c6 = c[6]
     c7 = c[7]
-    c23 = c[23]
+    c27 = c[27]
     w0 = ca.sin(crank_theta) * c0
     w1 = ca.cos(crank_theta) * c0
     w2 = crank_theta_ddot * w1
@@ -899,7 +997,7 @@ def dMa_dq_i() -> ca.Function:
     w21 = (w1 * w8 - w0 * w10) / w11
     w22 = (w0 * w8 + w1 * w10) / w11
     w23 = crank_theta_ddot * w21
-    w24 = w0 * (w3 - w5 * w13) + w1 * (w15 + w18) - (w1 * (w15 + w13 * w19) + w0 * (w3 + w20)) - w22 * w23 * c23
+    w24 = w0 * (w3 - w5 * w13) + w1 * (w15 + w18) - (w1 * (w15 + w13 * w19) + w0 * (w3 + w20)) - w22 * w23 * c27
     w25 = w2 * w5
     w26 = w14 * w19
     w27 = w5 * w14 + w2 * w19 + w17 * c7
@@ -907,10 +1005,10 @@ def dMa_dq_i() -> ca.Function:
     w29 = w16 / w11 * w28
     w30 = crank_theta_ddot * w29
     w31 = w21 / w11
-    w32 = w0 * (w20 - w5 * w30) - w1 * (w18 + w19 * w30) + w23 * (w22 - w28 * w31) * c23 + (w16 * (w26 - w25 - w30 * c7) - w27 * w29)
+    w32 = w0 * (w20 - w5 * w30) - w1 * (w18 + w19 * w30) + w23 * (w22 - w28 * w31) * c27 + (w16 * (w26 - w25 - w30 * c7) - w27 * w29)
     w33 = w12 + w29
     w34 = crank_theta_ddot * w33
-    w35 = w21 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c23 + (w16 * (w34 * c7) + w27 * w33))
+    w35 = w21 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c27 + (w16 * (w34 * c7) + w27 * w33))
     dMa_dq_i = ca.vertcat(
         w24 + (w16 * (w25 - w26 - w13 * c7) - w12 * w27) + (w16 * w32 + w35),
     )

@@ -760,7 +760,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 293 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 345 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
@@ -931,8 +931,65 @@ def augmented() -> ca.Function:
         w18 * w19 - beam_q3 * c19,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, t, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 5, 9)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

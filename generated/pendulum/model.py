@@ -117,7 +117,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 30 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 39 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -151,8 +151,23 @@ def augmented() -> ca.Function:
         w2 * c4,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 2, 3)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

@@ -352,7 +352,7 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 127 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 225 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 26)
@@ -361,8 +361,10 @@ def augmented() -> ca.Function:
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
     c0 = c[0]
+    c1 = c[1]
     c2 = c[2]
     c3 = c[3]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -372,18 +374,26 @@ def augmented() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    w0 = ca.sin(crank_theta) * c12
-    w1 = -w0
-    w2 = ca.cos(crank_theta) * c12
-    w3 = ca.sin(rod_theta) * c6
-    w4 = -w3
-    w5 = ca.cos(rod_theta) * c6
-    w6 = crank_theta_dot**2
-    w7 = rod_theta_dot**2
+    w0 = ca.sin(crank_theta)
+    w1 = w0 * c12
+    w2 = -w1
+    w3 = ca.cos(crank_theta)
+    w4 = w3 * c12
+    w5 = ca.sin(rod_theta)
+    w6 = w5 * c6
+    w7 = -w6
+    w8 = ca.cos(rod_theta)
+    w9 = w8 * c6
+    w10 = crank_theta_dot**2
+    w11 = rod_theta_dot**2
+    w12 = w0 * c1
+    w13 = w3 * c1
+    w14 = w5 * c5
+    w15 = w8 * c5
     M = ca.vertcat(
         c11,
         0.0,
-        w1,
+        w2,
         0.0,
         0.0,
         0.0,
@@ -392,15 +402,15 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c11,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
         w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        w2,
+        w4,
         c0,
         0.0,
         0.0,
@@ -413,7 +423,7 @@ def augmented() -> ca.Function:
         0.0,
         c2,
         0.0,
-        w4,
+        w7,
         0.0,
         0.0,
         0.0,
@@ -422,15 +432,15 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         c2,
-        w5,
+        w9,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w4,
-        w5,
+        w7,
+        w9,
         c7,
         0.0,
         0.0,
@@ -466,19 +476,106 @@ def augmented() -> ca.Function:
     M = ca.reshape(M, 9, 9)
     M = ca.densify(M)
     Q_star = ca.vertcat(
-        w2 * w6,
-        w0 * w6 + c14,
-        w2 * c8,
-        w5 * w7,
-        c10 + w3 * w7,
-        w5 * c8,
+        w4 * w10,
+        w1 * w10 + c14,
+        w4 * c8,
+        w9 * w11,
+        c10 + w6 * w11,
+        w9 * c8,
         0.0,
         c15,
         0.0,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w12,
+        -w13,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w14,
+        -w15,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 9)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w10 * w13),
+        -(w10 * w12),
+        0.0,
+        0.0,
+        -(w11 * w15),
+        -(w11 * w14),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -699,16 +796,14 @@ def dQ_hat_dq_i() -> ca.Function:
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 72 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 58 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    q_d_dot = ca.SX.sym("q_d_dot", 8)
     c = ca.SX.sym("c", 26)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
-    rod_theta_dot = q_d_dot[4]
     c1 = c[1]
     c2 = c[2]
     c3 = c[3]
@@ -716,30 +811,27 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c6 = c[6]
     c7 = c[7]
     w0 = ca.cos(crank_theta) * c1
-    w1 = ca.cos(rod_theta)
-    w2 = w1 * c5
-    w3 = w0 / w2
-    w4 = ca.sin(rod_theta)
-    w5 = w4 * c6
-    w6 = 2 * crank_theta_dot
-    w7 = w0 * w6
-    w8 = w1 * c6
+    w1 = ca.sin(rod_theta)
+    w2 = w1 * c6
+    w3 = ca.cos(rod_theta)
+    w4 = w3 * c5
+    w5 = w0 / w4
+    w6 = w5 * (2 * (w5 * crank_theta_dot))
+    w7 = w3 * c6
+    w8 = w1 * c5
     w9 = ca.sin(crank_theta) * c1
-    w10 = w6 * w9
-    w11 = w10 / w2
-    w12 = w4 * c5
-    w13 = (w7 + w11 * w12) * c3
-    w14 = w3 * (w5 * w7 - w8 * w10 + w11 * c7 + w12 * w13) - (w0 * (w8 * w11 - w10 * c2) + w9 * (w13 + (w7 * c2 + w5 * w11)))
-    w15 = 2 * rod_theta_dot
-    w16 = w12 * w15 / w2
-    w17 = (w2 * w15 + w12 * w16) * c3
-    w18 = w3 * (w0 * (w5 * w15 - w8 * w16) - w9 * (w8 * w15 + w5 * w16 + w17) + w3 * (w16 * c7 + w12 * w17))
+    w10 = 2 * crank_theta_dot
+    w11 = w9 * w10
+    w12 = (w6 * w8 + w11) / w4
+    w13 = w0 * w10
+    w14 = (w13 + w4 * w6 + w8 * w12) * c3
+    w15 = w0 * (w2 * w6 - (w7 * w12 - w11 * c2)) - w9 * (w6 * w7 + (w13 * c2 + w2 * w12) + w14) + w5 * (w2 * w13 - w7 * w11 + w12 * c7 + w8 * w14)
     dQ_hat_dq_i_dot = ca.vertcat(
-        w14 - w18,
+        w15,
     )
     dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
-    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:

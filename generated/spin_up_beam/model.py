@@ -1461,9 +1461,10 @@ def constraints() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 450 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 491 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
+    t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 601)
     beam_theta = q[2]
     beam_q1 = q[3]
@@ -1488,7 +1489,10 @@ def augmented() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
+    c11 = c[11]
     c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
@@ -1667,8 +1671,42 @@ def augmented() -> ca.Function:
         w26 * w27 - beam_q5 * c41,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 3, 8)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        ca.if_else(t < c11, (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13, 0),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

@@ -66,7 +66,7 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M and Q* of the augmented form (Eq. 28). 19 operations."""
+    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 19 operations."""
     q = ca.SX.sym("q", 2)
     q_dot = ca.SX.sym("q_dot", 2)
     c = ca.SX.sym("c", 10)

@@ -1,7 +1,8 @@
 """C source of a step program: stages as straight-line code, split into chunks when long.
 
 One function with tens of thousands of locals makes a compiler slow and greedy (20,000 statements: 13 s); chunks of
-CHUNK statements that pass values through a work array compile in linear time and cost nothing at run time.
+CHUNK statements that pass values through a work array compile in linear time and cost nothing at run time. A
+compiler's passes take quadratic time in the loads and stores of a function, hence small chunks.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ import casadi as ca
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
-CHUNK = 500
+LONGEST = 4000  # statements of one function
+CHUNK = 100
 
 # the library's fmax and fmin are calls; these give the same values, NaN included
 HEADER = """#include <math.h>
@@ -78,7 +80,7 @@ def stage_source(name: str, tape: Tape) -> str:
     needed = _needed(tape, [node for _, node in stores])
     order = [k for k in range(len(tape.nodes)) if needed[k] and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
     writer = _Writer(tape, order, stores)
-    return writer.chunked(name) if len(order) > 2 * CHUNK else writer.single(name)
+    return writer.chunked(name) if len(order) > LONGEST else writer.single(name)
 
 
 def _is_same_entry(node: Node, entry: int) -> bool:

@@ -13,11 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.engine.c_source import CHUNK, program_source
+from runtime.engine.c_source import program_source
 from runtime.engine.program import Program
 
 # -ffp-contract=off keeps compiled code bit-identical to the CasADi virtual machine (no fused multiply-add)
 COMMON_FLAGS = ("-shared", "-fPIC", "-march=native", "-ffp-contract=off", "-fno-math-errno")
+LARGE_SOURCE = 10_000  # lines
 SMALL_FLAGS = ("-O3",)
 # of -O1, without the passes that take quadratic time on long straight-line code (a third of the time, same speed)
 LARGE_FLAGS = ("-O1", "-fno-dse", "-fno-tree-dse", "-fno-tree-pta", "-fno-ivopts", "-fno-schedule-insns2")
@@ -89,7 +90,7 @@ class CompiledProgram:
     def __init__(self, program: Program) -> None:
         source = program_source(program)
         self.source_lines = source.count("\n")
-        self.library = compile_source(source, large=self.source_lines > 20 * CHUNK)
+        self.library = compile_source(source, large=self.source_lines > LARGE_SOURCE)
         self._run = ctypes.CDLL(str(self.library)).run
         self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None

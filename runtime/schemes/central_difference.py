@@ -125,7 +125,7 @@ class CentralDifference:
         interpolate = INTERPOLATIONS[self.options.slow_interpolation]
         for g in range(level):
             for k in self.grid.groups[g]:
-                s = z["s"] - z["base_s"][g]
+                s = z["s"] - z["base_s"][g] if g else z["s"]  # the slowest group's step is the major step
                 q[k], v[k] = interpolate(z["base_q"][k], z["base_v"][k], z["base_a"][k], s, self.grid.h[level],
                                          self.grid.h[g], z["x"][k])
                 a[k] = z["base_a"][k]

@@ -18,7 +18,7 @@ MEANING = {
     "velocities": "q_d_dot (Eq. 36)",
     "accelerations": "q_d_ddot (Eq. 35)",
     "constraints": "C, C_q, C_t and gamma in all coordinates (Eqs. 21-27)",
-    "augmented": "M and Q* of the augmented form (Eq. 28)",
+    "augmented": "M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28)",
     "reactions": "Lagrange multipliers lam (Eq. 37)",
     "energy": "Energies in J and powers in W",
     "measures": "The scene's measures and their rates",

@@ -1,0 +1,71 @@
+"""A slider-crank ready to be stepped."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.models import model_of
+from benchmarks.scenes import MAJOR_STEP, RATIO, slider_crank
+from runtime.engine.choose import operations_per_step
+from runtime.engine.compiled import CompiledProgram
+from runtime.engine.prepare import prepare
+from runtime.engine.program import Program, stages
+from runtime.model import Model
+from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.grid import make_grid
+from runtime.schemes.options import Options
+from runtime.simulate import start_vector
+
+AGREEMENT = 1e-9
+
+
+@dataclass(frozen=True)
+class Case:
+    """A model with its scheme, step program, constants (c and the prepared ones the program reads) and start."""
+
+    model: Model
+    scheme: CentralDifference
+    program: Program
+    c: np.ndarray
+    ready: np.ndarray
+    start: np.ndarray
+
+
+def make_case(rod: dict, folder: Path) -> Case:
+    """A slider-crank with this rod, at its start."""
+    model = model_of(slider_crank(rod), folder)
+    scheme = CentralDifference(model, make_grid(model, MAJOR_STEP, [RATIO], False), Options())
+    c = model.constants(model.parameter_vector())
+    start = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    program, preparation = prepare(scheme.program(), scheme.c_size)
+    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    return Case(model, scheme, program, c, ready, start)
+
+
+def counts(case: Case) -> dict:
+    """Operations of a step, for the JSON file."""
+    return {"operations per major step": operations_per_step(case.program),
+            "stages": {stage.name(): stage.n_instructions() for stage in stages(case.program)}}
+
+
+def worker(case: Case, runner: CompiledProgram) -> Callable[[int], None]:
+    """n major steps from the start."""
+    z = case.start.copy()
+
+    def work(n: int) -> None:
+        z[:] = case.start
+        runner.run(z, case.ready, n)
+
+    return work
+
+
+def difference(value: np.ndarray, reference: np.ndarray, what: str) -> float:
+    """Largest relative difference. Raises AssertionError if two implementations disagree."""
+    error = float(np.max(np.abs(value - reference) / np.abs(reference)))
+    if not error < AGREEMENT:
+        raise AssertionError(f"{what} differ by {error:.1e}")
+    return error
