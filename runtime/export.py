@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from runtime.solution import Solution
 
 FORMAT = "symgen solution 1"
-ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "measures")
-NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "measures")
+ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "measures", "joint_forces")
+NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
@@ -94,12 +94,14 @@ def _plain(value: Any) -> Any:
 
 
 def table(solution: Solution) -> dict[str, np.ndarray]:
-    """Columns by name: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, energies, measures."""
+    """Columns by name: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, joint forces, the rest."""
     model = solution.model
     columns = {"t": solution.t}
     for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
         columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
     columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
+    columns |= {f"{joint}.{part}": solution.joint_forces[:, k, axis] for k, joint in enumerate(model.joints)
+                for axis, part in enumerate(("force_x", "force_y", "moment"))}
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
     return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
@@ -127,6 +129,7 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
         variables[key] = (("t", "coordinate"), values, {"units": units})
     variables["q_i"] = (("t", "independent"), solution.q_i)
     variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
+    variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N, N m"})
     for key, series in solution.energy.items():
         variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
     variables["constraint_error"] = ("t", solution.constraint_error)
@@ -136,6 +139,7 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
         variables,
         coords={"t": ("t", solution.t, {"units": "s"}), "coordinate": _labels(model.coordinates),
                 "independent": _labels(model.q_i), "constraint": _labels(model.constraints),
+                "joint": _labels(model.joints), "component": _labels(["force_x", "force_y", "moment"]),
                 "measure": _labels(model.measures), "parameter": _labels([entry.name for entry in model.parameters])},
         attrs={"model": model.name, "title": model.title, "scheme": solution.scheme, "dt": solution.dt,
                "m": np.array(solution.m, dtype=int), "status": str(solution.status)})

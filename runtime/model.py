@@ -57,6 +57,7 @@ class Model:
     loop_unknowns: list[str]
     groups: list[Group]
     constraints: list[str]
+    joints: list[str]
     measures: list[str]
     outlines: list[tuple[str, int]]
     parameters: list[Parameter]
@@ -182,7 +183,7 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType) -
     return Model(
         name=manifest["scene"], title=manifest["title"], coordinates=names, elastic=manifest["elastic"], q_i=q_i,
         q_d=manifest["q_d"], loop_unknowns=manifest["loop_unknowns"], groups=groups,
-        constraints=manifest["constraints"], measures=manifest["measures"],
+        constraints=manifest["constraints"], joints=manifest["joints"], measures=manifest["measures"],
         outlines=[(body, count) for body, count in manifest["outlines"]], parameters=parameters,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),

@@ -34,16 +34,18 @@ def assemble_solution(
     energy = {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), values, c).items()}
     n = len(t)
     lam, error, driven, measures = np.zeros((n, 0)), np.zeros(n), np.zeros(n), np.zeros((n, 0))
+    forces = np.zeros((n, 0, 3))
     if model.constraints:
         constraint = evaluate(model.kernel("constraints"), values, c)
-        lam = evaluate(model.kernel("reactions"), values, c)["lam"]
+        reactions = evaluate(model.kernel("reactions"), values, c)
+        lam, forces = reactions["lam"], reactions["joint_forces"].reshape(n, len(model.joints), 3)
         error = np.abs(constraint["C"]).max(axis=1)
         driven = np.sum(lam * constraint["C_t"], axis=1)
     if model.measures:
         measures = evaluate(model.kernel("measures"), values, c)["measures"]
     return Solution(model=model, scheme=name, dt=dt, m=list(m), parameters=p, t=t, q_i=q[:, model.independent_columns],
                     q=q, q_dot=q_dot, q_ddot=q_ddot, lam=lam, energy={**energy, "power_driven": driven},
-                    constraint_error=error, measures=measures, stats=stats, status=status)
+                    constraint_error=error, measures=measures, joint_forces=forces, stats=stats, status=status)
 
 
 def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import xarray
 
 STORED = ("kinetic", "elastic", "potential")
-SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "measures", "constraint_error")
+SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error")
 
 
 @dataclass
@@ -27,7 +27,8 @@ class Solution:
     t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
     power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C|;
-    measures (N, len(model.measures)); parameters: the vector p that was used; m: ratio of each next group's step.
+    measures (N, len(model.measures)); joint_forces (N, joints, 3): world force [N] and moment [N m] of each joint on
+    its body b, at marker b; parameters: the vector p that was used; m: ratio of each next group's step.
     """
 
     model: Model
@@ -44,6 +45,7 @@ class Solution:
     energy: dict[str, np.ndarray]
     constraint_error: np.ndarray
     measures: np.ndarray
+    joint_forces: np.ndarray
     stats: dict[str, float | int | str] = field(default_factory=dict)
     status: Status = field(default_factory=lambda: Status("completed", 0.0))
 
@@ -64,6 +66,10 @@ class Solution:
     def multiplier(self, row: str) -> np.ndarray:
         """(N,) multiplier of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
         return self.lam[:, self._column(row, self.model.constraints, "constraint")]
+
+    def joint_force(self, joint: str) -> np.ndarray:
+        """(N, 3) world force [N] and moment [N m] of a joint on the body of its marker b, at that marker."""
+        return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
 
     def _column(self, name: str, names: Sequence[str], kind: str) -> int:
         if name not in names:

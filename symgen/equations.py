@@ -55,6 +55,11 @@ class Equations:
     outlines: list[Outline] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
 
+    @property
+    def joints(self) -> list[str]:
+        """Names of the joints, in the order of their first constraint row."""
+        return list(dict.fromkeys(row.joint for row in self.constraints))
+
     def kinetic(self) -> ca.SX:
         """1/2 q_dot^T M q_dot."""
         momenta = [total(mul(value, self.q_dot[column]) for column, value in entries.items()) for entries in self.M]

@@ -29,16 +29,16 @@ class Graph:
         self.nodes: list[Node] = []
         self.of_p: list[bool] = []
         self.shared: set[int] = set()
-        self._number: dict[Node, int] = {}
+        self._number: dict[tuple, int] = {}
         self._monomials: dict[int, Monomial | None] = {}
         self._arguments = 1  # argument 0 is p
         self.one = self.constant(1.0)
 
-    def _add(self, node: Node, of_p: bool) -> int:
-        known = self._number.get(node)
+    def _add(self, key: tuple[int, int, int, float], of_p: bool) -> int:
+        known = self._number.get(key)  # a Node equals its plain tuple
         if known is None:
-            known = self._number[node] = len(self.nodes)
-            self.nodes.append(node)
+            known = self._number[key] = len(self.nodes)
+            self.nodes.append(Node(*key))
             self.of_p.append(of_p)
         return known
 
@@ -50,17 +50,20 @@ class Graph:
 
     def constant(self, value: float) -> int:
         """Node of a number."""
-        return self._add(Node(ca.OP_CONST, UNUSED, UNUSED, value), True)
+        return self._add((ca.OP_CONST, UNUSED, UNUSED, value), True)
 
     def entry(self, argument: int, position: int, of_p: bool) -> int:
         """Node of an input entry."""
-        return self._add(Node(ca.OP_INPUT, argument, position, 0.0), of_p)
+        return self._add((ca.OP_INPUT, argument, position, 0.0), of_p)
 
     def apply(self, op: int, a: int, b: int = UNUSED) -> int:
         """Node of op(a[, b]), simplified."""
         if op == ca.OP_SQ:
             op, b = ca.OP_MUL, a
         if op == ca.OP_MUL:
+            plain = not (self.of_p[a] or self.of_p[b]) and a != b
+            if plain and self.nodes[a].op != ca.OP_NEG and self.nodes[b].op != ca.OP_NEG:
+                return self._add((op, a, b, 0.0) if a < b else (op, b, a, 0.0), False)
             return self._mul(a, b)
         if op == ca.OP_ADD:
             return self._add_terms(a, b)
@@ -73,8 +76,9 @@ class Graph:
         return self._plain(op, a, b)
 
     def _plain(self, op: int, a: int, b: int) -> int:
-        of_p = self.of_p[a] and (b == UNUSED or self.of_p[b])
-        return self._add(Node(op, a, b if op in BINARY else UNUSED, 0.0), of_p)
+        if op not in BINARY:
+            b = UNUSED
+        return self._add((op, a, b, 0.0), self.of_p[a] and (b == UNUSED or self.of_p[b]))
 
     def _ends_in_p(self, k: int) -> bool:
         """Is k a product with a parameter factor, used only here?"""
@@ -200,7 +204,7 @@ class Graph:
         for factor in set(u):
             node = self.nodes[factor]
             if node.op == ca.OP_COS and u.count(factor) >= 2:
-                sine = self._number.get(Node(ca.OP_SIN, node.a, UNUSED, 0.0))
+                sine = self._number.get((ca.OP_SIN, node.a, UNUSED, 0.0))
                 if sine is not None and _without(u, factor) == _without(v, sine) and v.count(sine) >= 2:
                     return _without(u, factor) or (self.one,)
         return None

@@ -212,7 +212,10 @@ def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
 
 
 def _reactions(system: Condensed) -> Kernel:
-    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure."""
+    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
+
+    joint_forces (3 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
+    """
     eq, choice = system.equations, system.choice
     q_ddot = ca.SX.sym("q_ddot", len(eq.names))
     inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
@@ -228,7 +231,13 @@ def _reactions(system: Condensed) -> Kernel:
                 rest = rest - factor * value
         lam[row] = rest / eq.constraints[row].C_q[column]
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot, "t": eq.t}
-    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints))))})
+    forces = ca.SX(3, len(eq.joints))
+    for row, constraint in enumerate(eq.constraints):
+        for axis, factor in enumerate(constraint.on_b):
+            column = eq.joints.index(constraint.joint)
+            forces[axis, column] = forces[axis, column] - factor * lam[row]
+    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))),
+                           "joint_forces": forces})
 
 
 def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:

@@ -42,7 +42,7 @@ def test_examples_are_short(path: Path) -> None:
 def test_build_slider_crank(capsys, monkeypatch, tmp_path) -> None:
     text = output("build_slider_crank", capsys, monkeypatch, tmp_path)
     assert text.startswith("completed at t = 0.2 s")
-    assert numbers(text)[-1] < 0.05  # J, of an energy of about 25 J
+    assert numbers(text)[-1] < 0.05  # J, of an energy of about 20 J
 
 
 def test_the_slider_crank_takes_25_lines_to_build() -> None:

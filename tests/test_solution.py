@@ -34,6 +34,7 @@ def rod_model() -> Model:
         name="rod_on_hinge", title="Rod on a hinge", coordinates=["rod.x", "rod.y", "rod.theta", "rod.q1"],
         elastic=["rod.q1"], q_i=["rod.q1", "rod.theta"], q_d=["rod.x", "rod.y"], loop_unknowns=[],
         groups=[Group("slow", [1]), Group("fast", [0])], constraints=["hinge.x", "hinge.y"],
+        joints=["hinge"],
         measures=["tip", "tip_dot"], outlines=[("rod", 5), ("ground", 1)],
         parameters=[Parameter("length", "m", "of the rod", "declared", 2.0),
                     Parameter("rod.data.1", "", "", "data", 3.0)],
@@ -55,6 +56,7 @@ def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
     return Solution(
         model=rod_model(), scheme="printed", dt=0.01, m=[10], parameters=np.array([2.0, 3.0]), t=t, q_i=q[:, [3, 2]],
         q=q, q_dot=q_dot, q_ddot=q_ddot, lam=np.stack([t, -t], axis=1), energy=energy,
+        joint_forces=np.stack([-t, t, zero], axis=1)[:, None, :],
         constraint_error=np.full_like(t, 1e-15), measures=np.stack([2.0 * t, zero + 2.0], axis=1),
         stats={"steps": 200, "engine": "interpreted", "wall_seconds": np.float64(0.5)},
         status=status or Status("completed", 2.0))

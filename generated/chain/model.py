@@ -3147,7 +3147,7 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 278 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 329 operations."""
     q = ca.SX.sym("q", 30)
     q_dot = ca.SX.sym("q_dot", 30)
     q_ddot = ca.SX.sym("q_ddot", 30)
@@ -3271,40 +3271,76 @@ def reactions() -> ca.Function:
     w36 = w9 * w10 - (link4_x_ddot * c3 - w11 * link4_theta_ddot) + w35
     w37 = w6 * w7 - (link3_x_ddot * c2 - w8 * link3_theta_ddot) + w36
     w38 = w3 * w4 - (link2_x_ddot * c1 - w5 * link2_theta_ddot) + w37
-    w39 = c46 + w27 * w29 - (link10_y_ddot * c9 + w28 * link10_theta_ddot)
-    w40 = c45 + w24 * w26 - (link9_y_ddot * c8 + w25 * link9_theta_ddot) + w39
-    w41 = c44 + w21 * w23 - (link8_y_ddot * c7 + w22 * link8_theta_ddot) + w40
-    w42 = c43 + w18 * w20 - (link7_y_ddot * c6 + w19 * link7_theta_ddot) + w41
-    w43 = c42 + w15 * w17 - (link6_y_ddot * c5 + w16 * link6_theta_ddot) + w42
-    w44 = c41 + w12 * w14 - (link5_y_ddot * c4 + w13 * link5_theta_ddot) + w43
-    w45 = c40 + w9 * w11 - (link4_y_ddot * c3 + w10 * link4_theta_ddot) + w44
-    w46 = c39 + w6 * w8 - (link3_y_ddot * c2 + w7 * link3_theta_ddot) + w45
-    w47 = c38 + w3 * w5 - (link2_y_ddot * c1 + w4 * link2_theta_ddot) + w46
+    w39 = w0 * w1 - (link1_x_ddot * c47 - w2 * link1_theta_ddot) + w38
+    w40 = c46 + w27 * w29 - (link10_y_ddot * c9 + w28 * link10_theta_ddot)
+    w41 = c45 + w24 * w26 - (link9_y_ddot * c8 + w25 * link9_theta_ddot) + w40
+    w42 = c44 + w21 * w23 - (link8_y_ddot * c7 + w22 * link8_theta_ddot) + w41
+    w43 = c43 + w18 * w20 - (link7_y_ddot * c6 + w19 * link7_theta_ddot) + w42
+    w44 = c42 + w15 * w17 - (link6_y_ddot * c5 + w16 * link6_theta_ddot) + w43
+    w45 = c41 + w12 * w14 - (link5_y_ddot * c4 + w13 * link5_theta_ddot) + w44
+    w46 = c40 + w9 * w11 - (link4_y_ddot * c3 + w10 * link4_theta_ddot) + w45
+    w47 = c39 + w6 * w8 - (link3_y_ddot * c2 + w7 * link3_theta_ddot) + w46
+    w48 = c38 + w3 * w5 - (link2_y_ddot * c1 + w4 * link2_theta_ddot) + w47
+    w49 = c58 + w0 * w2 - (link1_y_ddot * c47 + w1 * link1_theta_ddot) + w48
     lam = ca.vertcat(
-        w0 * w1 - (link1_x_ddot * c47 - w2 * link1_theta_ddot) + w38,
-        c58 + w0 * w2 - (link1_y_ddot * c47 + w1 * link1_theta_ddot) + w47,
-        w38,
-        w47,
-        w37,
-        w46,
-        w36,
-        w45,
-        w35,
-        w44,
-        w34,
-        w43,
-        w33,
-        w42,
-        w32,
-        w41,
-        w31,
-        w40,
-        w30,
         w39,
+        w49,
+        w38,
+        w48,
+        w37,
+        w47,
+        w36,
+        w46,
+        w35,
+        w45,
+        w34,
+        w44,
+        w33,
+        w43,
+        w32,
+        w42,
+        w31,
+        w41,
+        w30,
+        w40,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w39,
+        -w49,
+        0.0,
+        -w38,
+        -w48,
+        0.0,
+        -w37,
+        -w47,
+        0.0,
+        -w36,
+        -w46,
+        0.0,
+        -w35,
+        -w45,
+        0.0,
+        -w34,
+        -w44,
+        0.0,
+        -w33,
+        -w43,
+        0.0,
+        -w32,
+        -w42,
+        0.0,
+        -w31,
+        -w41,
+        0.0,
+        -w30,
+        -w40,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 10)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:

@@ -331,7 +331,7 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 54 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 65 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
@@ -359,16 +359,28 @@ def reactions() -> ca.Function:
     w4 = ca.cos(lower_theta) * c9
     w5 = ca.sin(lower_theta) * c9
     w6 = w3 * w4 - (lower_x_ddot * c8 - w5 * lower_theta_ddot)
-    w7 = c13 + w3 * w5 - (lower_y_ddot * c8 + w4 * lower_theta_ddot)
+    w7 = w0 * w1 - (upper_x_ddot * c6 - w2 * upper_theta_ddot) + w6
+    w8 = c13 + w3 * w5 - (lower_y_ddot * c8 + w4 * lower_theta_ddot)
+    w9 = c14 + w0 * w2 - (upper_y_ddot * c6 + w1 * upper_theta_ddot) + w8
     lam = ca.vertcat(
-        w0 * w1 - (upper_x_ddot * c6 - w2 * upper_theta_ddot) + w6,
-        c14 + w0 * w2 - (upper_y_ddot * c6 + w1 * upper_theta_ddot) + w7,
-        w6,
         w7,
+        w9,
+        w6,
+        w8,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w7,
+        -w9,
+        0.0,
+        -w6,
+        -w8,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 2)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:

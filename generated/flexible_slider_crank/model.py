@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 164 operations."""
+    """c: everything that depends on the parameters p only. 162 operations."""
     p = ca.SX.sym("p", 68)
     omega = p[0]
     crank_mass = p[1]
@@ -118,7 +118,6 @@ def constants() -> ca.Function:
         -rod_phi_integral_1_0,
         -rod_phi_cross_phi_2_0,
         slider_inertia,
-        -slider_inertia,
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_2_3,
@@ -170,7 +169,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -284,7 +283,7 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     c1 = c[1]
@@ -322,7 +321,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -361,7 +360,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -405,7 +404,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -601,7 +600,7 @@ def augmented() -> ca.Function:
     """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 503 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1016,11 +1015,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 217 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 240 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1074,7 +1073,7 @@ def reactions() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    c40 = c[40]
+    c39 = c[39]
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta)
     w2 = w1 * c34
@@ -1093,40 +1092,63 @@ def reactions() -> ca.Function:
     w15 = rod_x_ddot * c36 - w14 * rod_theta_ddot - w8 * c20 * rod_q1_ddot + w6 * c25 * rod_q3_ddot + w6 * c27 * rod_q4_ddot
     w16 = slider_x_ddot * c13
     w17 = w5 * w10 + w11 * (w8 * w12 + w6 * w13) - w15 - w16
-    w18 = rod_y_ddot * c36 + w10 * rod_theta_ddot + rod_q1_ddot * (w6 * c20) + rod_q3_ddot * (w8 * c25) + rod_q4_ddot * (w8 * c27)
-    w19 = rod_q1 * c0
-    w20 = rod_q2 * c6
-    w21 = c17 + (rod_q3 * c9 + rod_q4 * c10)
-    w22 = c18 + (rod_q3 * c10 + rod_q4 * c12)
-    w23 = rod_theta_dot * -2.0 * (rod_q1_dot * w19 + w20 * rod_q2_dot + rod_q3_dot * w21 + rod_q4_dot * w22)
-    w24 = rod_theta_ddot * (c16 + (rod_q1 * w19 + rod_q2 * w20 + rod_q3 * (c17 + w21) + rod_q4 * (c18 + w22)))
-    w25 = w10 * rod_y_ddot - rod_x_ddot * w14 + w24 + rod_q1_ddot * (c3 - (rod_q3 * c4 + rod_q4 * c5)) + (c7 - rod_q4 * c8) * rod_q2_ddot
-    w26 = c2 + rod_q4 * c1
-    w27 = w23 - (w25 - rod_q3_ddot * (rod_q1 * c11) - rod_q4_ddot * (rod_q1 * c14 + rod_q2 * c15)) + w16 * (w8 * w26)
-    w28 = w27 / (w6 * w26)
-    w29 = w5 * w14 - w11 * (w6 * w12 - w8 * w13) - w18 - w28
-    w30 = w29 * (w1 * c21) - (w2 * crank_y_ddot - crank_x_ddot * w4 + crank_theta_ddot * c35) - w17 * (w3 * c21)
+    w18 = w0 * w2 - (crank_x_ddot * c33 - w4 * crank_theta_ddot) + w17
+    w19 = rod_y_ddot * c36 + w10 * rod_theta_ddot + rod_q1_ddot * (w6 * c20) + rod_q3_ddot * (w8 * c25) + rod_q4_ddot * (w8 * c27)
+    w20 = rod_q1 * c0
+    w21 = rod_q2 * c6
+    w22 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w23 = c18 + (rod_q3 * c10 + rod_q4 * c12)
+    w24 = rod_theta_dot * -2.0 * (rod_q1_dot * w20 + w21 * rod_q2_dot + rod_q3_dot * w22 + rod_q4_dot * w23)
+    w25 = rod_theta_ddot * (c16 + (rod_q1 * w20 + rod_q2 * w21 + rod_q3 * (c17 + w22) + rod_q4 * (c18 + w23)))
+    w26 = w10 * rod_y_ddot - rod_x_ddot * w14 + w25 + rod_q1_ddot * (c3 - (rod_q3 * c4 + rod_q4 * c5)) + (c7 - rod_q4 * c8) * rod_q2_ddot
+    w27 = c2 + rod_q4 * c1
+    w28 = w24 - (w26 - rod_q3_ddot * (rod_q1 * c11) - rod_q4_ddot * (rod_q1 * c14 + rod_q2 * c15)) + w16 * (w8 * w27)
+    w29 = w28 / (w6 * w27)
+    w30 = w5 * w14 - w11 * (w6 * w12 - w8 * w13) - w19 - w29
+    w31 = w0 * w4 - (crank_y_ddot * c33 + w2 * crank_theta_ddot) + w30
+    w32 = w29 - slider_y_ddot * c13
+    w33 = slider_theta_ddot * c39
+    w34 = w30 * (w1 * c21) - (w2 * crank_y_ddot - crank_x_ddot * w4 + crank_theta_ddot * c35) - w17 * (w3 * c21)
     lam = ca.vertcat(
-        w0 * w2 - (crank_x_ddot * c33 - w4 * crank_theta_ddot) + w17,
-        w0 * w4 - (crank_y_ddot * c33 + w2 * crank_theta_ddot) + w29,
+        w18,
+        w31,
         w17,
-        w29,
-        w28 - slider_y_ddot * c13,
-        slider_theta_ddot * c40,
-        -w16,
-        -w28,
         w30,
+        w32,
+        -w33,
+        -w16,
+        -w29,
+        w34,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w18,
+        -w31,
+        0.0,
+        -w17,
+        -w30,
+        0.0,
+        0.0,
+        -w32,
+        w33,
+        w16,
+        w29,
+        0.0,
+        0.0,
+        0.0,
+        -w34,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 5)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
     """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1174,9 +1196,9 @@ def energy() -> ca.Function:
     c35 = c[35]
     c36 = c[36]
     c39 = c[39]
+    c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    c43 = c[43]
     w0 = ca.sin(crank_theta) * c34
     w1 = ca.cos(crank_theta) * c34
     w2 = crank_x_dot * (crank_x_dot * c33 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c33 + crank_theta_dot * w1)
@@ -1194,7 +1216,7 @@ def energy() -> ca.Function:
     w14 = w3 * c25
     w15 = w3 * c27
     w16 = rod_y_dot * (rod_y_dot * c36 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
-    w17 = rod_q1 * (rod_q1 * c0) + rod_q2 * (rod_q2 * c6) + rod_q3 * (rod_q4 * c10 + (rod_q3 * c9 + c41)) + rod_q4 * (rod_q4 * c12 + (rod_q3 * c10 + c42))
+    w17 = rod_q1 * (rod_q1 * c0) + rod_q2 * (rod_q2 * c6) + rod_q3 * (rod_q4 * c10 + (rod_q3 * c9 + c40)) + rod_q4 * (rod_q4 * c12 + (rod_q3 * c10 + c41))
     w18 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w19 = c7 - rod_q4 * c8
     w20 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c16 + w17) + rod_q1_dot * w18 + w19 * rod_q2_dot
@@ -1205,7 +1227,7 @@ def energy() -> ca.Function:
     w25 = rod_q3_dot * (rod_x_dot * w9 + rod_y_dot * w14 - rod_theta_dot * w21 + rod_q3_dot * c9 + rod_q4_dot * c10)
     w26 = rod_q4_dot * (rod_q3_dot * c10 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c12)
     w27 = w24 + w25 + w26 + slider_x_dot * (slider_x_dot * c13) + slider_y_dot * (slider_y_dot * c13) + slider_theta_dot * (slider_theta_dot * c39)
-    w28 = rod_q3 * (rod_q3 * c23) + (rod_q2 * (rod_q2 * c22) + (rod_q1 * (rod_q1 * c19) + rod_q3 * rod_q4 * c43))
+    w28 = rod_q3 * (rod_q3 * c23) + (rod_q2 * (rod_q2 * c22) + (rod_q1 * (rod_q1 * c19) + rod_q3 * rod_q4 * c42))
     kinetic = ca.vertcat(
         w27 / 2.0,
     )
@@ -1234,7 +1256,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 192 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1250,6 +1272,7 @@ def drawing() -> ca.Function:
     c1 = c[1]
     c2 = c[2]
     c21 = c[21]
+    c43 = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
@@ -1282,27 +1305,26 @@ def drawing() -> ca.Function:
     c73 = c[73]
     c74 = c[74]
     c75 = c[75]
-    c76 = c[76]
     w0 = ca.cos(rod_theta)
     w1 = rod_q3 * exaggeration
     w2 = exaggeration * rod_q4
-    w3 = c44 + (w1 * c45 + w2 * c46)
+    w3 = c43 + (w1 * c44 + w2 * c45)
     w4 = ca.sin(rod_theta)
     w5 = exaggeration * rod_q1
     w6 = exaggeration * rod_q2
-    w7 = w5 * c47 + w6 * c48
-    w8 = c49 + (w1 * c50 + w2 * c51)
-    w9 = w5 * c52 + w6 * c53
-    w10 = c54 + (w1 * c55 + w2 * c56)
-    w11 = w5 * c57 + w6 * c58
-    w12 = c59 + w1 * c60
-    w13 = w5 * c61
-    w14 = c62 + (w1 * c63 + w2 * c64)
-    w15 = w5 * c65 + w6 * c66
-    w16 = c67 + (w1 * c68 + w2 * c69)
-    w17 = w5 * c70 + w6 * c71
-    w18 = c72 + (w1 * c73 + w2 * c74)
-    w19 = w5 * c75 + w6 * c76
+    w7 = w5 * c46 + w6 * c47
+    w8 = c48 + (w1 * c49 + w2 * c50)
+    w9 = w5 * c51 + w6 * c52
+    w10 = c53 + (w1 * c54 + w2 * c55)
+    w11 = w5 * c56 + w6 * c57
+    w12 = c58 + w1 * c59
+    w13 = w5 * c60
+    w14 = c61 + (w1 * c62 + w2 * c63)
+    w15 = w5 * c64 + w6 * c65
+    w16 = c66 + (w1 * c67 + w2 * c68)
+    w17 = w5 * c69 + w6 * c70
+    w18 = c71 + (w1 * c72 + w2 * c73)
+    w19 = w5 * c74 + w6 * c75
     w20 = c2 + w2 * c1
     xy = ca.vertcat(
         crank_x,
@@ -1342,7 +1364,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1386,9 +1408,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c28 = c[28]
     c29 = c[29]
     c38 = c[38]
+    c76 = c[76]
     c77 = c[77]
     c78 = c[78]
-    c79 = c[79]
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1435,7 +1457,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w43 = w15 * (w19 - w30 * w34) - (w13 * c5 + w30 * w36) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w30 * w37) * w42
     w44 = c7 - rod_q4 * c8
     w45 = rod_q1 * c11
-    w46 = w22 + w36 * w45 + w15 * (w34 * w45 - (w24 - w23)) + w42 * (w1 * w27 + rod_q1_dot * c78 - w37 * w45)
+    w46 = w22 + w36 * w45 + w15 * (w34 * w45 - (w24 - w23)) + w42 * (w1 * w27 + rod_q1_dot * c77 - w37 * w45)
     w47 = rod_q1 * c14 + rod_q2 * c15
     w48 = (w13 * w14 - w7 * w36 - w0 * w35) * c13
     w49 = w18 * (w5 * c27)
@@ -1468,12 +1490,12 @@ def dQ_hat_dq_i() -> ca.Function:
         w0 * c6 - c22,
         0.0,
         -(w13 * c15 + w15 * (w16 * (rod_q2_dot * c6) + w13 * (2 * w21))),
-        w13 * c79,
+        w13 * c78,
         0.0,
         w0 * c9 - c23,
         w29,
         w43,
-        w42 * (w1 * w21 + rod_q4_dot * c77 + w37 * w44) - (w13 * c8 + w36 * w44 + w15 * (w34 * w44)),
+        w42 * (w1 * w21 + rod_q4_dot * c76 + w37 * w44) - (w13 * c8 + w36 * w44 + w15 * (w34 * w44)),
         w46,
         w67 + w42 * w69,
     )
@@ -1488,7 +1510,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1572,7 +1594,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1599,8 +1621,8 @@ def dMa_dq_i() -> ca.Function:
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
+    c40 = c[40]
     c41 = c[41]
-    c42 = c[42]
     w0 = ca.sin(rod_theta)
     w1 = w0 * c1
     w2 = ca.cos(rod_theta)
@@ -1612,7 +1634,7 @@ def dMa_dq_i() -> ca.Function:
     w8 = rod_q2 * c6
     w9 = rod_q3 * c9
     w10 = rod_q4 * c10
-    w11 = w10 + (c41 + w9)
+    w11 = w10 + (c40 + w9)
     w12 = c3 - (rod_q3 * c4 + rod_q4 * c5)
     w13 = w5 / w4
     w14 = w2 * c1
@@ -1627,7 +1649,7 @@ def dMa_dq_i() -> ca.Function:
     w23 = rod_q1 * c14 + rod_q2 * c15
     w24 = rod_q3 * c10
     w25 = rod_q4 * c12
-    w26 = w25 + (c42 + w24)
+    w26 = w25 + (c41 + w24)
     w27 = c16 + (rod_q1 * w7 + rod_q2 * w8 + rod_q3 * w11 + rod_q4 * w26)
     w28 = (w6 * w17 + rod_q4_ddot * w14) * c13
     w29 = w1 * w28
@@ -1666,7 +1688,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 80)
+    c = ca.SX.sym("c", 79)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]

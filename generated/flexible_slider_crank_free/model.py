@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 160 operations."""
+    """c: everything that depends on the parameters p only. 158 operations."""
     p = ca.SX.sym("p", 67)
     crank_mass = p[0]
     crank_inertia = p[1]
@@ -115,7 +115,6 @@ def constants() -> ca.Function:
         -rod_phi_integral_1_0,
         -rod_phi_cross_phi_2_0,
         slider_inertia,
-        -slider_inertia,
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_2_3,
@@ -167,7 +166,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -315,7 +314,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 33 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -351,7 +350,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -389,7 +388,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -434,7 +433,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 187 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -612,7 +611,7 @@ def augmented() -> ca.Function:
     """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 489 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1013,11 +1012,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 203 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1069,7 +1068,7 @@ def reactions() -> ca.Function:
     c26 = c[26]
     c33 = c[33]
     c34 = c[34]
-    c38 = c[38]
+    c37 = c[37]
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c34
     w2 = ca.sin(crank_theta) * c34
@@ -1086,38 +1085,58 @@ def reactions() -> ca.Function:
     w13 = rod_x_ddot * c2 - w12 * rod_theta_ddot - w6 * c10 * rod_q1_ddot + w4 * c8 * rod_q3_ddot + w4 * c9 * rod_q4_ddot
     w14 = slider_x_ddot * c3
     w15 = w3 * w8 + w9 * (w6 * w10 + w4 * w11) - w13 - w14
-    w16 = rod_y_ddot * c2 + w8 * rod_theta_ddot + rod_q1_ddot * (w4 * c10) + rod_q3_ddot * (w6 * c8) + rod_q4_ddot * (w6 * c9)
-    w17 = rod_q1 * c12
-    w18 = rod_q2 * c13
-    w19 = c14 + (rod_q3 * c15 + rod_q4 * c16)
-    w20 = c17 + (rod_q3 * c16 + rod_q4 * c18)
-    w21 = rod_theta_dot * -2.0 * (rod_q1_dot * w17 + w18 * rod_q2_dot + rod_q3_dot * w19 + rod_q4_dot * w20)
-    w22 = rod_theta_ddot * (c11 + (rod_q1 * w17 + rod_q2 * w18 + rod_q3 * (c14 + w19) + rod_q4 * (c17 + w20)))
-    w23 = w8 * rod_y_ddot - rod_x_ddot * w12 + w22 + rod_q1_ddot * (c19 - (rod_q3 * c20 + rod_q4 * c21)) + (c22 - rod_q4 * c23) * rod_q2_ddot
-    w24 = c5 + rod_q4 * c6
-    w25 = w21 - (w23 - rod_q3_ddot * (rod_q1 * c24) - rod_q4_ddot * (rod_q1 * c25 + rod_q2 * c26)) + w14 * (w6 * w24)
-    w26 = w25 / (w4 * w24)
-    w27 = w3 * w12 - w9 * (w4 * w10 - w6 * w11) - w16 - w26
+    w16 = w0 * w1 - (crank_x_ddot * c33 - w2 * crank_theta_ddot) + w15
+    w17 = rod_y_ddot * c2 + w8 * rod_theta_ddot + rod_q1_ddot * (w4 * c10) + rod_q3_ddot * (w6 * c8) + rod_q4_ddot * (w6 * c9)
+    w18 = rod_q1 * c12
+    w19 = rod_q2 * c13
+    w20 = c14 + (rod_q3 * c15 + rod_q4 * c16)
+    w21 = c17 + (rod_q3 * c16 + rod_q4 * c18)
+    w22 = rod_theta_dot * -2.0 * (rod_q1_dot * w18 + w19 * rod_q2_dot + rod_q3_dot * w20 + rod_q4_dot * w21)
+    w23 = rod_theta_ddot * (c11 + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * (c14 + w20) + rod_q4 * (c17 + w21)))
+    w24 = w8 * rod_y_ddot - rod_x_ddot * w12 + w23 + rod_q1_ddot * (c19 - (rod_q3 * c20 + rod_q4 * c21)) + (c22 - rod_q4 * c23) * rod_q2_ddot
+    w25 = c5 + rod_q4 * c6
+    w26 = w22 - (w24 - rod_q3_ddot * (rod_q1 * c24) - rod_q4_ddot * (rod_q1 * c25 + rod_q2 * c26)) + w14 * (w6 * w25)
+    w27 = w26 / (w4 * w25)
+    w28 = w3 * w12 - w9 * (w4 * w10 - w6 * w11) - w17 - w27
+    w29 = w0 * w2 - (crank_y_ddot * c33 + w1 * crank_theta_ddot) + w28
+    w30 = w27 - slider_y_ddot * c3
+    w31 = slider_theta_ddot * c37
     lam = ca.vertcat(
-        w0 * w1 - (crank_x_ddot * c33 - w2 * crank_theta_ddot) + w15,
-        w0 * w2 - (crank_y_ddot * c33 + w1 * crank_theta_ddot) + w27,
+        w16,
+        w29,
         w15,
-        w27,
-        w26 - slider_y_ddot * c3,
-        slider_theta_ddot * c38,
+        w28,
+        w30,
+        -w31,
         -w14,
-        -w26,
+        -w27,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w16,
+        -w29,
+        0.0,
+        -w15,
+        -w28,
+        0.0,
+        0.0,
+        -w30,
+        w31,
+        w14,
+        w27,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
     """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1165,9 +1184,9 @@ def energy() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c37 = c[37]
+    c38 = c[38]
     c39 = c[39]
     c40 = c[40]
-    c41 = c[41]
     w0 = ca.sin(crank_theta) * c34
     w1 = ca.cos(crank_theta) * c34
     w2 = crank_x_dot * (crank_x_dot * c33 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c33 + crank_theta_dot * w1)
@@ -1185,8 +1204,8 @@ def energy() -> ca.Function:
     w14 = w3 * c8
     w15 = w3 * c9
     w16 = rod_y_dot * (rod_y_dot * c2 + rod_theta_dot * w12 + rod_q1_dot * w13 + rod_q3_dot * w14 + rod_q4_dot * w15)
-    w17 = rod_q1 * (rod_q1 * c12) + rod_q2 * (rod_q2 * c13) + rod_q3 * (rod_q4 * c16 + (rod_q3 * c15 + c39))
-    w18 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c11 + (w17 + rod_q4 * (rod_q4 * c18 + (rod_q3 * c16 + c40))))
+    w17 = rod_q1 * (rod_q1 * c12) + rod_q2 * (rod_q2 * c13) + rod_q3 * (rod_q4 * c16 + (rod_q3 * c15 + c38))
+    w18 = rod_y_dot * w12 - rod_x_dot * w7 + rod_theta_dot * (c11 + (w17 + rod_q4 * (rod_q4 * c18 + (rod_q3 * c16 + c39))))
     w19 = c19 - (rod_q3 * c20 + rod_q4 * c21)
     w20 = c22 - rod_q4 * c23
     w21 = rod_q1 * c24
@@ -1197,7 +1216,7 @@ def energy() -> ca.Function:
     w26 = rod_q3_dot * (rod_x_dot * w9 + rod_y_dot * w14 - rod_theta_dot * w21 + rod_q3_dot * c15 + rod_q4_dot * c16)
     w27 = rod_q4_dot * (rod_q3_dot * c16 + rod_x_dot * w10 + rod_y_dot * w15 - rod_theta_dot * w22 + rod_q4_dot * c18)
     w28 = w25 + w26 + w27 + slider_x_dot * (slider_x_dot * c3) + slider_y_dot * (slider_y_dot * c3) + slider_theta_dot * (slider_theta_dot * c37)
-    w29 = rod_q3 * (rod_q3 * c29) + (rod_q2 * (rod_q2 * c28) + (rod_q1 * (rod_q1 * c27) + rod_q3 * rod_q4 * c41))
+    w29 = rod_q3 * (rod_q3 * c29) + (rod_q2 * (rod_q2 * c28) + (rod_q1 * (rod_q1 * c27) + rod_q3 * rod_q4 * c40))
     kinetic = ca.vertcat(
         w28 / 2.0,
     )
@@ -1226,7 +1245,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 192 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1242,6 +1261,7 @@ def drawing() -> ca.Function:
     c1 = c[1]
     c5 = c[5]
     c6 = c[6]
+    c41 = c[41]
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
@@ -1274,27 +1294,26 @@ def drawing() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
     w0 = ca.cos(rod_theta)
     w1 = rod_q3 * exaggeration
     w2 = exaggeration * rod_q4
-    w3 = c42 + (w1 * c43 + w2 * c44)
+    w3 = c41 + (w1 * c42 + w2 * c43)
     w4 = ca.sin(rod_theta)
     w5 = exaggeration * rod_q1
     w6 = exaggeration * rod_q2
-    w7 = w5 * c45 + w6 * c46
-    w8 = c47 + (w1 * c48 + w2 * c49)
-    w9 = w5 * c50 + w6 * c51
-    w10 = c52 + (w1 * c53 + w2 * c54)
-    w11 = w5 * c55 + w6 * c56
-    w12 = c57 + w1 * c58
-    w13 = w5 * c59
-    w14 = c60 + (w1 * c61 + w2 * c62)
-    w15 = w5 * c63 + w6 * c64
-    w16 = c65 + (w1 * c66 + w2 * c67)
-    w17 = w5 * c68 + w6 * c69
-    w18 = c70 + (w1 * c71 + w2 * c72)
-    w19 = w5 * c73 + w6 * c74
+    w7 = w5 * c44 + w6 * c45
+    w8 = c46 + (w1 * c47 + w2 * c48)
+    w9 = w5 * c49 + w6 * c50
+    w10 = c51 + (w1 * c52 + w2 * c53)
+    w11 = w5 * c54 + w6 * c55
+    w12 = c56 + w1 * c57
+    w13 = w5 * c58
+    w14 = c59 + (w1 * c60 + w2 * c61)
+    w15 = w5 * c62 + w6 * c63
+    w16 = c64 + (w1 * c65 + w2 * c66)
+    w17 = w5 * c67 + w6 * c68
+    w18 = c69 + (w1 * c70 + w2 * c71)
+    w19 = w5 * c72 + w6 * c73
     w20 = c5 + w2 * c6
     xy = ca.vertcat(
         crank_x,
@@ -1334,7 +1353,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1378,9 +1397,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c36 = c[36]
+    c74 = c[74]
     c75 = c[75]
     c76 = c[76]
-    c77 = c[77]
     w0 = ca.cos(crank_theta) * c1
     w1 = crank_theta_dot**2
     w2 = w0 * w1
@@ -1462,7 +1481,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w78 = w76 - w57 * w77
     w79 = w15 * w39 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w63 * w77
     w80 = c22 - rod_q4 * c23
-    w81 = w15 * w40 + rod_q4_dot * c75 + w63 * w80
+    w81 = w15 * w40 + rod_q4_dot * c74 + w63 * w80
     w82 = w57 * w80
     w83 = rod_q1 * c24
     w84 = w6 * c8
@@ -1471,7 +1490,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w87 = w21 * w86
     w88 = w85 - w87
     w89 = w57 * w83 - (w87 - w85)
-    w90 = w15 * w43 + rod_q1_dot * c76 - w63 * w83
+    w90 = w15 * w43 + rod_q1_dot * c75 - w63 * w83
     w91 = rod_q1 * c25 + rod_q2 * c26
     w92 = w6 * c9
     w93 = w2 * w92
@@ -1509,7 +1528,7 @@ def dQ_hat_dq_i() -> ca.Function:
         0.0,
         -(w28 * c26 + w69 * w101),
         w0 * (w12 * w84 + w28 * w86) - w20 * (w12 * w86 - w28 * w84) - w38 * w102,
-        w28 * c77,
+        w28 * c76,
         0.0,
         w12 * c15 - c29,
         w103 - w69 * w102,
@@ -1530,7 +1549,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1669,7 +1688,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1704,8 +1723,8 @@ def dMa_dq_i() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
+    c38 = c[38]
     c39 = c[39]
-    c40 = c[40]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = c7 + (rod_q3 * c8 + rod_q4 * c9)
@@ -1751,10 +1770,10 @@ def dMa_dq_i() -> ca.Function:
     w42 = rod_q2 * c13
     w43 = rod_q3 * c15
     w44 = rod_q4 * c16
-    w45 = w44 + (c39 + w43)
+    w45 = w44 + (c38 + w43)
     w46 = rod_q3 * c16
     w47 = rod_q4 * c18
-    w48 = w47 + (c40 + w46)
+    w48 = w47 + (c39 + w46)
     w49 = c11 + (rod_q1 * w41 + rod_q2 * w42 + rod_q3 * w45 + rod_q4 * w48)
     w50 = w39 - w40 + w10 * w49 + w34 * w37
     w51 = c19 - (rod_q3 * c20 + rod_q4 * c21)
@@ -1830,7 +1849,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 78)
+    c = ca.SX.sym("c", 77)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 411 operations."""
+    """c: everything that depends on the parameters p only. 409 operations."""
     p = ca.SX.sym("p", 168)
     motor_torque = p[0]
     gravity_y = p[1]
@@ -202,7 +202,6 @@ def constants() -> ca.Function:
         slider_inertia,
         crank_mass * gravity_y,
         slider_mass * gravity_y,
-        -slider_inertia,
         rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
         beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
         beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
@@ -327,7 +326,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -452,7 +451,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 41 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -490,7 +489,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -533,7 +532,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -587,7 +586,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 192 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -755,7 +754,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1081,11 +1080,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 202 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 221 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1129,9 +1128,9 @@ def reactions() -> ca.Function:
     c26 = c[26]
     c31 = c[31]
     c32 = c[32]
+    c33 = c[33]
     c34 = c[34]
     c35 = c[35]
-    c36 = c[36]
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c32
     w2 = ca.sin(crank_theta) * c32
@@ -1151,27 +1150,47 @@ def reactions() -> ca.Function:
     w16 = rod_x_ddot * c3 - w15 * rod_theta_ddot - (w4 * w5 + w8 * c13) * rod_q1_ddot - w4 * w6 * rod_q2_ddot
     w17 = slider_x_ddot * c4
     w18 = w3 * w10 + w11 * (w4 * w12 - w8 * w13) + w4 * w14 - w16 - w17
-    w19 = rod_y_ddot * c3 + w10 * rod_theta_ddot + rod_q1_ddot * (w4 * c13 - w5 * w8) - rod_q2_ddot * (w6 * w8)
-    w20 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w21 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w22 = w10 * rod_y_ddot - rod_x_ddot * w15 + rod_theta_ddot * (c14 + (rod_q1 * w20 + rod_q2 * w21)) + rod_q1_ddot * c21
-    w23 = rod_theta_dot * -2.0 * (rod_q1_dot * w20 + rod_q2_dot * w21) + w10 * c23 - (w22 + rod_q2_ddot * c22)
-    w24 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
-    w25 = (w23 + w17 * (w8 * w24)) / (w4 * w24)
-    w26 = c26 + (w3 * w15 + w8 * w14 + w11 * (w4 * w13 + w8 * w12)) - w19 - w25
+    w19 = w0 * w1 - (crank_x_ddot * c31 - w2 * crank_theta_ddot) + w18
+    w20 = rod_y_ddot * c3 + w10 * rod_theta_ddot + rod_q1_ddot * (w4 * c13 - w5 * w8) - rod_q2_ddot * (w6 * w8)
+    w21 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w22 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w23 = w10 * rod_y_ddot - rod_x_ddot * w15 + rod_theta_ddot * (c14 + (rod_q1 * w21 + rod_q2 * w22)) + rod_q1_ddot * c21
+    w24 = rod_theta_dot * -2.0 * (rod_q1_dot * w21 + rod_q2_dot * w22) + w10 * c23 - (w23 + rod_q2_ddot * c22)
+    w25 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
+    w26 = (w24 + w17 * (w8 * w25)) / (w4 * w25)
+    w27 = c26 + (w3 * w15 + w8 * w14 + w11 * (w4 * w13 + w8 * w12)) - w20 - w26
+    w28 = c34 + w0 * w2 - (crank_y_ddot * c31 + w1 * crank_theta_ddot) + w27
+    w29 = w26 + (c35 - slider_y_ddot * c4)
+    w30 = slider_theta_ddot * c33
     lam = ca.vertcat(
-        w0 * w1 - (crank_x_ddot * c31 - w2 * crank_theta_ddot) + w18,
-        c34 + w0 * w2 - (crank_y_ddot * c31 + w1 * crank_theta_ddot) + w26,
+        w19,
+        w28,
         w18,
-        w26,
-        w25 + (c35 - slider_y_ddot * c4),
-        slider_theta_ddot * c36,
+        w27,
+        w29,
+        -w30,
         -w17,
-        -w25,
+        -w26,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w19,
+        -w28,
+        0.0,
+        -w18,
+        -w27,
+        0.0,
+        0.0,
+        -w29,
+        w30,
+        w17,
+        w26,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
@@ -1179,7 +1198,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -1275,7 +1294,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 509 operations."""
     q = ca.SX.sym("q", 11)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1290,6 +1309,7 @@ def drawing() -> ca.Function:
     c2 = c[2]
     c6 = c[6]
     c7 = c[7]
+    c36 = c[36]
     c37 = c[37]
     c38 = c[38]
     c39 = c[39]
@@ -1393,41 +1413,40 @@ def drawing() -> ca.Function:
     c137 = c[137]
     c138 = c[138]
     c139 = c[139]
-    c140 = c[140]
     w0 = ca.cos(rod_theta)
     w1 = rod_q1 * exaggeration
     w2 = exaggeration * rod_q2
-    w3 = c37 - (w1 * (w1 * c38 + w2 * c39) + w2 * (w1 * c40 + w2 * c41)) * 0.5
+    w3 = c36 - (w1 * (w1 * c37 + w2 * c38) + w2 * (w1 * c39 + w2 * c40)) * 0.5
     w4 = ca.sin(rod_theta)
-    w5 = w1 * c42 + w2 * c43
-    w6 = c44 - (w1 * (w1 * c45 + w2 * c46) + w2 * (w1 * c47 + w2 * c48)) * 0.5
-    w7 = w1 * c49 + w2 * c50
-    w8 = c51 - (w1 * (w1 * c52 + w2 * c53) + w2 * (w1 * c54 + w2 * c55)) * 0.5
-    w9 = w1 * c56 + w2 * c57
-    w10 = c58 - (w1 * (w1 * c59 + w2 * c60) + w2 * (w1 * c61 + w2 * c62)) * 0.5
-    w11 = w1 * c63 + w2 * c64
-    w12 = c65 - (w1 * (w1 * c66 + w2 * c67) + w2 * (w1 * c68 + w2 * c69)) * 0.5
-    w13 = w1 * c70 + w2 * c71
-    w14 = c72 - (w1 * (w1 * c73 + w2 * c74) + w2 * (w1 * c75 + w2 * c76)) * 0.5
-    w15 = w1 * c77 + w2 * c78
-    w16 = c79 - (w1 * (w1 * c80 + w2 * c81) + w2 * (w1 * c82 + w2 * c83)) * 0.5
-    w17 = w1 * c84 + w2 * c85
-    w18 = c86 - (w1 * (w1 * c87 + w2 * c88) + w2 * (w1 * c89 + w2 * c90)) * 0.5
-    w19 = w1 * c91
-    w20 = c92 - (w1 * (w1 * c93 + w2 * c94) + w2 * (w1 * c95 + w2 * c96)) * 0.5
-    w21 = w1 * c97 + w2 * c98
-    w22 = c99 - (w1 * (w1 * c100 + w2 * c101) + w2 * (w1 * c102 + w2 * c103)) * 0.5
-    w23 = w1 * c104 + w2 * c105
-    w24 = c106 - (w1 * (w1 * c107 + w2 * c108) + w2 * (w1 * c109 + w2 * c110)) * 0.5
-    w25 = w1 * c111 + w2 * c112
-    w26 = c113 - (w1 * (w1 * c114 + w2 * c115) + w2 * (w1 * c116 + w2 * c117)) * 0.5
-    w27 = w1 * c118 + w2 * c119
-    w28 = c120 - (w1 * (w1 * c121 + w2 * c122) + w2 * (w1 * c123 + w2 * c124)) * 0.5
-    w29 = w1 * c125 + w2 * c126
-    w30 = c127 - (w1 * (w1 * c128 + w2 * c129) + w2 * (w1 * c130 + w2 * c131)) * 0.5
-    w31 = w1 * c132 + w2 * c133
-    w32 = c134 - (w1 * (w1 * c135 + w2 * c136) + w2 * (w1 * c137 + w2 * c138)) * 0.5
-    w33 = w1 * c139 + w2 * c140
+    w5 = w1 * c41 + w2 * c42
+    w6 = c43 - (w1 * (w1 * c44 + w2 * c45) + w2 * (w1 * c46 + w2 * c47)) * 0.5
+    w7 = w1 * c48 + w2 * c49
+    w8 = c50 - (w1 * (w1 * c51 + w2 * c52) + w2 * (w1 * c53 + w2 * c54)) * 0.5
+    w9 = w1 * c55 + w2 * c56
+    w10 = c57 - (w1 * (w1 * c58 + w2 * c59) + w2 * (w1 * c60 + w2 * c61)) * 0.5
+    w11 = w1 * c62 + w2 * c63
+    w12 = c64 - (w1 * (w1 * c65 + w2 * c66) + w2 * (w1 * c67 + w2 * c68)) * 0.5
+    w13 = w1 * c69 + w2 * c70
+    w14 = c71 - (w1 * (w1 * c72 + w2 * c73) + w2 * (w1 * c74 + w2 * c75)) * 0.5
+    w15 = w1 * c76 + w2 * c77
+    w16 = c78 - (w1 * (w1 * c79 + w2 * c80) + w2 * (w1 * c81 + w2 * c82)) * 0.5
+    w17 = w1 * c83 + w2 * c84
+    w18 = c85 - (w1 * (w1 * c86 + w2 * c87) + w2 * (w1 * c88 + w2 * c89)) * 0.5
+    w19 = w1 * c90
+    w20 = c91 - (w1 * (w1 * c92 + w2 * c93) + w2 * (w1 * c94 + w2 * c95)) * 0.5
+    w21 = w1 * c96 + w2 * c97
+    w22 = c98 - (w1 * (w1 * c99 + w2 * c100) + w2 * (w1 * c101 + w2 * c102)) * 0.5
+    w23 = w1 * c103 + w2 * c104
+    w24 = c105 - (w1 * (w1 * c106 + w2 * c107) + w2 * (w1 * c108 + w2 * c109)) * 0.5
+    w25 = w1 * c110 + w2 * c111
+    w26 = c112 - (w1 * (w1 * c113 + w2 * c114) + w2 * (w1 * c115 + w2 * c116)) * 0.5
+    w27 = w1 * c117 + w2 * c118
+    w28 = c119 - (w1 * (w1 * c120 + w2 * c121) + w2 * (w1 * c122 + w2 * c123)) * 0.5
+    w29 = w1 * c124 + w2 * c125
+    w30 = c126 - (w1 * (w1 * c127 + w2 * c128) + w2 * (w1 * c129 + w2 * c130)) * 0.5
+    w31 = w1 * c131 + w2 * c132
+    w32 = c133 - (w1 * (w1 * c134 + w2 * c135) + w2 * (w1 * c136 + w2 * c137)) * 0.5
+    w33 = w1 * c138 + w2 * c139
     w34 = c2 - (w1 * (w1 * c6) + w2 * (w2 * c7)) * 0.5
     xy = ca.vertcat(
         crank_x,
@@ -1483,7 +1502,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1518,8 +1537,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c29 = c[29]
+    c140 = c[140]
     c141 = c[141]
-    c142 = c[142]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(rod_theta)
     w2 = rod_q1 * c9
@@ -1632,14 +1651,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w109 = w92 + w7 * w105
     w110 = (w10 * (w1 * w61) + w36 * w54 - (w20 * w108 - w37 * w69)) * c4
     w111 = w0 * (w54 * w106 + w10 * (w7 * w107) - (w14 * w108 - w69 * w109)) - w24 * (w69 * w106 + w9 * w108 - (w54 * w109 + w10 * (w1 * w107)) - w110)
-    w112 = w84 * (rod_q1_dot * c141 - rod_q2_dot * c19) - w109 * c23 - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c141 - rod_q2 * c19) + w32 * w108))
+    w112 = w84 * (rod_q1_dot * c140 - rod_q2_dot * c19) - w109 * c23 - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c140 - rod_q2 * c19) + w32 * w108))
     w113 = w112 + (w20 * w110 - w96)
     w114 = w36 * w41
     w115 = w1 * c6 / w21 + w36 * w39
     w116 = w36 * w46
     w117 = rod_q1_dot * w115 - crank_theta_dot * w114 + rod_q2_dot * w116 + w38 * w48
     w118 = w1 * c9
-    w119 = w54 * c141 - c27 - w118 * c23 - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
+    w119 = w54 * c140 - c27 - w118 * c23 - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
     w120 = w1 * c11
     w121 = w43 * w110 - (w54 * c19 + w120 * c23 + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
     w122 = w57 + rod_q1_dot * c10
@@ -1649,7 +1668,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w126 = w7 * w123
     w127 = (w10 * (w1 * w62) + w43 * w54 - (w20 * w125 - w44 * w69)) * c4
     w128 = w0 * (w10 * (w7 * w122) - w54 * w124 - (w14 * w125 - w69 * w126)) - w24 * (w9 * w125 - w69 * w124 - (w54 * w126 + w10 * (w1 * w122)) - w127)
-    w129 = w84 * (rod_q2_dot * c142 - rod_q1_dot * c17) - w126 * c23 - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c142 - rod_q1 * c17) + w32 * w125))
+    w129 = w84 * (rod_q2_dot * c141 - rod_q1_dot * c17) - w126 * c23 - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c141 - rod_q1 * c17) + w32 * w125))
     w130 = w129 + (w20 * w127 - w102)
     w131 = w41 * w43
     w132 = w39 * w43
@@ -1658,7 +1677,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w135 = w1 * c10
     w136 = w36 * w127 - (w54 * c17 + w135 * c23 + (w51 * (w7 * c10) + w67 * w135 + w125 * c21)) + (w38 * w130 + w85 * w132)
     w137 = w1 * c12
-    w138 = w54 * c142 - c29 - w137 * c23 - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
+    w138 = w54 * c141 - c29 - w137 * c23 - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
     dQ_hat_dq_i = ca.vertcat(
         w34 * w49 - (w81 + (w28 * w83 - w35 * w85) + w28 * w91),
         w36 * w72 - (w52 * c21 - w95) + w38 * w83 - w28 * w97 + w49 * w98,
@@ -1682,7 +1701,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1714,11 +1733,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c22 = c[22]
     c28 = c[28]
     c30 = c[30]
+    c142 = c[142]
     c143 = c[143]
     c144 = c[144]
     c145 = c[145]
     c146 = c[146]
-    c147 = c[147]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c6
@@ -1765,15 +1784,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w43 = w3 * w7
     w44 = w43 / w5
     w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
-    w46 = rod_q1_dot * c145 + rod_q2_dot * c146
-    w47 = rod_q1_dot * c143
+    w46 = rod_q1_dot * c144 + rod_q2_dot * c145
+    w47 = rod_q1_dot * c142
     w48 = (w7 * w47 + w25 * w36) / w5
     w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
     w50 = rod_theta_dot * -2.0
     w51 = w18 * w50 - w20 * w48 + w22 * w49
     w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
-    w53 = rod_q2_dot * c147 + rod_q1_dot * c146
-    w54 = rod_q2_dot * c144
+    w53 = rod_q2_dot * c146 + rod_q1_dot * c145
+    w54 = rod_q2_dot * c143
     w55 = (w7 * w54 + w25 * w42) / w5
     w56 = (w25 * w43 - w1 * w54 - w22 * w55) * c4
     w57 = w19 * w50 - w20 * w55 + w22 * w56
@@ -1800,7 +1819,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1829,8 +1848,8 @@ def dMa_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
+    c140 = c[140]
     c141 = c[141]
-    c142 = c[142]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c9
@@ -1915,7 +1934,7 @@ def dMa_dq_i() -> ca.Function:
     w81 = w1 * c6
     w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * c4
     w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
-    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c141 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
+    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c140 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
     w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
     w86 = w43 * w53
     w87 = w43 * w55
@@ -1931,7 +1950,7 @@ def dMa_dq_i() -> ca.Function:
     w97 = w1 * c7
     w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * c4
     w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
-    w100 = w26 * (w49 + rod_q2 * c142 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
+    w100 = w26 * (w49 + rod_q2 * c141 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
     w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
     dMa_dq_i = ca.vertcat(
         w45 - (w23 * w51 - w15 * w52) - w23 * w62,
@@ -1957,7 +1976,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 148)
+    c = ca.SX.sym("c", 147)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]

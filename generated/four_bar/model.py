@@ -636,7 +636,7 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 120 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 141 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
@@ -691,22 +691,42 @@ def reactions() -> ca.Function:
     w18 = w9 * w16 - w11 * w17
     w19 = (w9 * w10 + w11 * w15) / w18
     w20 = w3 * w5 - (coupler_x_ddot * c1 - w7 * coupler_theta_ddot) + w19
-    w21 = (w10 * w17 + w15 * w16) / w18
-    w22 = c11 + w3 * w7 - (coupler_y_ddot * c1 + w5 * coupler_theta_ddot) + w21
-    w23 = rocker_theta_dot**2
+    w21 = w0 * w1 - (crank_x_ddot * c14 - w2 * crank_theta_ddot) + w20
+    w22 = (w10 * w17 + w15 * w16) / w18
+    w23 = c11 + w3 * w7 - (coupler_y_ddot * c1 + w5 * coupler_theta_ddot) + w22
+    w24 = c19 + w0 * w2 - (crank_y_ddot * c14 + w1 * crank_theta_ddot) + w23
+    w25 = rocker_theta_dot**2
+    w26 = w12 * w25 - (rocker_x_ddot * c16 - w14 * rocker_theta_ddot) - w19
+    w27 = c20 + w14 * w25 - (rocker_y_ddot * c16 + w12 * rocker_theta_ddot) - w22
     lam = ca.vertcat(
-        w0 * w1 - (crank_x_ddot * c14 - w2 * crank_theta_ddot) + w20,
-        c19 + w0 * w2 - (crank_y_ddot * c14 + w1 * crank_theta_ddot) + w22,
-        w20,
-        w22,
-        w19,
         w21,
-        w12 * w23 - (rocker_x_ddot * c16 - w14 * rocker_theta_ddot) - w19,
-        c20 + w14 * w23 - (rocker_y_ddot * c16 + w12 * rocker_theta_ddot) - w21,
+        w24,
+        w20,
+        w23,
+        w19,
+        w22,
+        w26,
+        w27,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w21,
+        -w24,
+        0.0,
+        -w20,
+        -w23,
+        0.0,
+        -w19,
+        -w22,
+        0.0,
+        -w26,
+        -w27,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:

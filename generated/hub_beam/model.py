@@ -993,7 +993,7 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 225 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 237 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
@@ -1062,23 +1062,35 @@ def reactions() -> ca.Function:
     w14 = w5 * w6 + w1 * w7
     w15 = beam_x_ddot * c21 - w14 * beam_theta_ddot - (w1 * w2 + w6 * c34) * beam_q1_ddot - (w1 * w3 + w6 * c35) * beam_q2_ddot
     w16 = w0 * w8 + w9 * (w1 * w10 - w6 * w11) + w1 * w13 - (w15 - (w1 * w4 + w6 * c36) * beam_q3_ddot)
-    w17 = beam_y_ddot * c21 + w8 * beam_theta_ddot + beam_q1_ddot * (w1 * c34 - w2 * w6) + beam_q2_ddot * (w1 * c35 - w3 * w6)
-    w18 = w0 * w14 + w6 * w13 + w9 * (w1 * w11 + w6 * w10) - (w17 + beam_q3_ddot * (w1 * c36 - w4 * w6))
-    w19 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
-    w20 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
-    w21 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w22 = w8 * beam_y_ddot - beam_x_ddot * w14 + beam_theta_ddot * (c22 + (beam_q1 * w19 + beam_q2 * w20 + beam_q3 * w21))
-    w23 = beam_theta_dot * -2.0 * (beam_q1_dot * w19 + beam_q2_dot * w20 + beam_q3_dot * w21) - (w22 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
+    w17 = w16 - hub_x_ddot * c23
+    w18 = beam_y_ddot * c21 + w8 * beam_theta_ddot + beam_q1_ddot * (w1 * c34 - w2 * w6) + beam_q2_ddot * (w1 * c35 - w3 * w6)
+    w19 = w0 * w14 + w6 * w13 + w9 * (w1 * w11 + w6 * w10) - (w18 + beam_q3_ddot * (w1 * c36 - w4 * w6))
+    w20 = w19 - hub_y_ddot * c23
+    w21 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w22 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w23 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w24 = w8 * beam_y_ddot - beam_x_ddot * w14 + beam_theta_ddot * (c22 + (beam_q1 * w21 + beam_q2 * w22 + beam_q3 * w23))
+    w25 = beam_theta_dot * -2.0 * (beam_q1_dot * w21 + beam_q2_dot * w22 + beam_q3_dot * w23) - (w24 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
     lam = ca.vertcat(
-        w16 - hub_x_ddot * c23,
-        w18 - hub_y_ddot * c23,
+        w17,
+        w20,
         w16,
-        w18,
-        w23,
+        w19,
+        w25,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w17,
+        -w20,
+        0.0,
+        -w16,
+        -w19,
+        -w25,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 2)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:

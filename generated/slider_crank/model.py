@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 78 operations."""
+    """c: everything that depends on the parameters p only. 76 operations."""
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -45,7 +45,6 @@ def constants() -> ca.Function:
         slider_inertia,
         crank_mass * gravity_y,
         slider_mass * gravity_y,
-        -slider_inertia,
         w3,
         w3 + w4,
         slider_mass * (crank_tip_x * w1),
@@ -67,7 +66,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -118,7 +117,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     c1 = c[1]
@@ -151,7 +150,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -182,7 +181,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -218,7 +217,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 140 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -355,7 +354,7 @@ def augmented() -> ca.Function:
     """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 225 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -579,11 +578,11 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 88 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 107 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -606,9 +605,9 @@ def reactions() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c12
     w2 = ca.sin(crank_theta) * c12
@@ -619,28 +618,48 @@ def reactions() -> ca.Function:
     w7 = w6 * c6
     w8 = slider_x_ddot * c3
     w9 = w3 * w5 - (rod_x_ddot * c2 - w7 * rod_theta_ddot) - w8
-    w10 = (w5 * c8 - (w5 * rod_y_ddot - rod_x_ddot * w7 + rod_theta_ddot * c7) + w8 * (w6 * c5)) / (w4 * c5)
-    w11 = c10 + w3 * w7 - (rod_y_ddot * c2 + w5 * rod_theta_ddot) - w10
+    w10 = w0 * w1 - (crank_x_ddot * c11 - w2 * crank_theta_ddot) + w9
+    w11 = (w5 * c8 - (w5 * rod_y_ddot - rod_x_ddot * w7 + rod_theta_ddot * c7) + w8 * (w6 * c5)) / (w4 * c5)
+    w12 = c10 + w3 * w7 - (rod_y_ddot * c2 + w5 * rod_theta_ddot) - w11
+    w13 = c14 + w0 * w2 - (crank_y_ddot * c11 + w1 * crank_theta_ddot) + w12
+    w14 = w11 + (c15 - slider_y_ddot * c3)
+    w15 = slider_theta_ddot * c13
     lam = ca.vertcat(
-        w0 * w1 - (crank_x_ddot * c11 - w2 * crank_theta_ddot) + w9,
-        c14 + w0 * w2 - (crank_y_ddot * c11 + w1 * crank_theta_ddot) + w11,
+        w10,
+        w13,
         w9,
-        w11,
-        w10 + (c15 - slider_y_ddot * c3),
-        slider_theta_ddot * c16,
+        w12,
+        w14,
+        -w15,
         -w8,
-        -w10,
+        -w11,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w10,
+        -w13,
+        0.0,
+        -w9,
+        -w12,
+        0.0,
+        0.0,
+        -w14,
+        w15,
+        w8,
+        w11,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
     """Energies in J and powers in W. 92 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -700,7 +719,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 32 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -735,7 +754,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -800,7 +819,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -839,12 +858,13 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 26)
+    c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_ddot = q_i_ddot[0]
     c1 = c[1]
     c5 = c[5]
+    c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
@@ -853,7 +873,6 @@ def dMa_dq_i() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    c25 = c[25]
     w0 = ca.cos(crank_theta)
     w1 = ca.cos(rod_theta)
     w2 = ca.sin(crank_theta)
@@ -872,9 +891,9 @@ def dMa_dq_i() -> ca.Function:
     w15 = w4 * w5
     w16 = w7**2
     w17 = w8 * w12
-    w18 = w6 * (w13 * c17) + (crank_theta_ddot * (w0 * w2 * c19) + (w4 * (w9 * c17) + w7 * w9 * c21 * w10))
-    w19 = w10 * (w7 * w14 * c22) + (w4 * (w14 * c18) + (w12 * (w13 * c18) + w18)) - w11 * c17 * w12 - w6 * (w11 * c18)
-    w20 = w19 - w1 * w7 * c20 * (w5 * w12) - w15 * c23 - w15 * (w16 * c20) - w7 * w16 * c24 * w17 - w17 * (w7 * c25)
+    w18 = w6 * (w13 * c16) + (crank_theta_ddot * (w0 * w2 * c18) + (w4 * (w9 * c16) + w7 * w9 * c20 * w10))
+    w19 = w10 * (w7 * w14 * c21) + (w4 * (w14 * c17) + (w12 * (w13 * c17) + w18)) - w11 * c16 * w12 - w6 * (w11 * c17)
+    w20 = w19 - w1 * w7 * c19 * (w5 * w12) - w15 * c22 - w15 * (w16 * c19) - w7 * w16 * c23 * w17 - w17 * (w7 * c24)
     dMa_dq_i = ca.vertcat(
         w20,
     )

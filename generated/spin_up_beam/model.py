@@ -1710,7 +1710,7 @@ def augmented() -> ca.Function:
 
 
 def reactions() -> ca.Function:
-    """Lagrange multipliers lam (Eq. 37). 406 operations."""
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 416 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     q_ddot = ca.SX.sym("q_ddot", 8)
@@ -1826,24 +1826,37 @@ def reactions() -> ca.Function:
     w20 = w7 * w8 + w1 * w9
     w21 = beam_x_ddot * c47 - w20 * beam_theta_ddot - (w1 * w2 + w8 * c74) * beam_q1_ddot - (w1 * w3 + w8 * c75) * beam_q2_ddot
     w22 = w21 - (w1 * w4 + w8 * c76) * beam_q3_ddot - (w1 * w5 + w8 * c77) * beam_q4_ddot - (w1 * w6 + w8 * c78) * beam_q5_ddot
-    w23 = beam_y_ddot * c47 + w10 * beam_theta_ddot + beam_q1_ddot * (w1 * c74 - w2 * w8) + beam_q2_ddot * (w1 * c75 - w3 * w8)
-    w24 = w23 + beam_q3_ddot * (w1 * c76 - w4 * w8) + beam_q4_ddot * (w1 * c77 - w5 * w8) + beam_q5_ddot * (w1 * c78 - w6 * w8)
-    w25 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
-    w26 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
-    w27 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
-    w28 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
-    w29 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
-    w30 = beam_q1_dot * w25 + beam_q2_dot * w26 + beam_q3_dot * w27 + beam_q4_dot * w28 + beam_q5_dot * w29
-    w31 = beam_theta_ddot * (c79 + (beam_q1 * w25 + beam_q2 * w26 + beam_q3 * w27 + beam_q4 * w28 + beam_q5 * w29))
-    w32 = w10 * beam_y_ddot - beam_x_ddot * w20 + w31 + beam_q1_ddot * c12 + beam_q2_ddot * c21 + beam_q3_ddot * c28
+    w23 = w0 * w10 + w11 * (w1 * w12 - w8 * w13) + w1 * w19 - w22
+    w24 = beam_y_ddot * c47 + w10 * beam_theta_ddot + beam_q1_ddot * (w1 * c74 - w2 * w8) + beam_q2_ddot * (w1 * c75 - w3 * w8)
+    w25 = w24 + beam_q3_ddot * (w1 * c76 - w4 * w8) + beam_q4_ddot * (w1 * c77 - w5 * w8) + beam_q5_ddot * (w1 * c78 - w6 * w8)
+    w26 = w0 * w20 + w8 * w19 + w11 * (w1 * w13 + w8 * w12) - w25
+    w27 = beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)
+    w28 = beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19)
+    w29 = beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26)
+    w30 = beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33)
+    w31 = beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40)
+    w32 = beam_q1_dot * w27 + beam_q2_dot * w28 + beam_q3_dot * w29 + beam_q4_dot * w30 + beam_q5_dot * w31
+    w33 = beam_theta_ddot * (c79 + (beam_q1 * w27 + beam_q2 * w28 + beam_q3 * w29 + beam_q4 * w30 + beam_q5 * w31))
+    w34 = w10 * beam_y_ddot - beam_x_ddot * w20 + w33 + beam_q1_ddot * c12 + beam_q2_ddot * c21 + beam_q3_ddot * c28
+    w35 = beam_theta_dot * -2.0 * w32 - (w34 + beam_q4_ddot * c35 + beam_q5_ddot * c42)
     lam = ca.vertcat(
-        w0 * w10 + w11 * (w1 * w12 - w8 * w13) + w1 * w19 - w22,
-        w0 * w20 + w8 * w19 + w11 * (w1 * w13 + w8 * w12) - w24,
-        beam_theta_dot * -2.0 * w30 - (w32 + beam_q4_ddot * c35 + beam_q5_ddot * c42),
+        w23,
+        w26,
+        w35,
     )
     lam = ca.densify(lam)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam]
-    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam"])
+    joint_forces = ca.vertcat(
+        -w23,
+        -w26,
+        0.0,
+        0.0,
+        0.0,
+        -w35,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 2)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:

@@ -49,6 +49,7 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "groups": [{"name": group.name, "coordinates": [eq.names[choice.independent[k]] for k in group.positions]}
                    for group in derived.groups],
         "constraints": [row.label for row in eq.constraints],
+        "joints": eq.joints,
         "measures": list(eq.measures),
         "outlines": [[body, len(points)] for body, points in outline_references(scene, ParameterTable(scene))],
         "simulation": scene.simulation.model_dump(mode="json"),

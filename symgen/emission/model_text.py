@@ -19,7 +19,7 @@ MEANING = {
     "accelerations": "q_d_ddot (Eq. 35)",
     "constraints": "C, C_q, C_t and gamma in all coordinates (Eqs. 21-27)",
     "augmented": "M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28)",
-    "reactions": "Lagrange multipliers lam (Eq. 37)",
+    "reactions": "Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b",
     "energy": "Energies in J and powers in W",
     "measures": "The scene's measures and their rates",
     "drawing": "World points of the polylines that show the bodies",

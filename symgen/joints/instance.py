@@ -35,7 +35,10 @@ JOINT_TYPES: dict[str, Callable[[], JointType]] = {
 
 @dataclass(frozen=True)
 class ConstraintRow:
-    """One row of the constraints: C (m or rad), C_q by column, C_t, gamma; label `joint.row`."""
+    """One row of the constraints: C (m or rad), C_q by column, C_t, gamma; label `joint.row`.
+
+    on_b: dC/d(r_b_x, r_b_y, phi_b); the joint acts on body b with -lam times that, at marker b.
+    """
 
     label: str
     joint: str
@@ -43,6 +46,7 @@ class ConstraintRow:
     C_q: Row
     C_t: ca.SX
     gamma: ca.SX
+    on_b: tuple[ca.SX, ca.SX, ca.SX]
 
 
 def constraint_rows(name: str, kind: str, a: MarkerMotion, b: MarkerMotion, motion: list[ca.SX]) -> list[ConstraintRow]:
@@ -57,7 +61,9 @@ def constraint_rows(name: str, kind: str, a: MarkerMotion, b: MarkerMotion, moti
             factor = output[f"C_{k}_{slot}"]
             add_scaled(C_q, factor, jacobian)
             gamma = sub(gamma, mul(factor, bias))
-        rows.append(ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma))
+        on_b = output[f"C_{k}_r_b_x"], output[f"C_{k}_r_b_y"], output[f"C_{k}_phi_b"]
+        rows.append(ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma,
+                                  on_b))
     return rows
 
 

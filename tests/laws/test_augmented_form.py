@@ -43,3 +43,14 @@ def test_terms_are_run_time_inputs(model_of: Callable[[Scene], Model]) -> None:
     assert {"baumgarte.alpha", "baumgarte.beta"} <= {parameter.name for parameter in model.parameters}
     plain = SceneBuilder("plain").rigid("rod", mass=1.0, inertia=0.1).revolute("hinge", "ground.origin", "rod.origin")
     assert not any("baumgarte" in parameter.name for parameter in model_of(plain.build()).parameters)
+
+
+def test_joint_forces_carry_the_weight(model_of: Callable[[Scene], Model]) -> None:
+    """A hanging rod welded to the ground: the weld carries its weight and its moment about the marker."""
+    scene = SceneBuilder("shelf").gravity(0, -10.0)
+    scene.rigid("rod", mass=2.0, inertia=0.1, center_of_mass=(0.5, 0), markers={"tip": {"position": (1.0, 0)}})
+    scene.rigid("ball", mass=1.0, inertia=0.1)
+    scene.weld("wall", "ground.origin", "rod.origin").revolute("pin", "rod.tip", "ball.origin")
+    solution = reference_solution(model_of(scene.build()), t_end=0.1)
+    np.testing.assert_allclose(solution.joint_force("wall")[-1], [0.0, 30.0, 20.0 * 0.5 + 10.0 * 1.0], atol=1e-12)
+    np.testing.assert_allclose(solution.joint_force("pin")[-1], [0.0, 10.0, 0.0], atol=1e-12)
