@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from runtime.status import Status
 from runtime.watch import Watch
 
 MAX_SAMPLES = 10_000_000
+STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 Progress = Callable[[float, float], None]
 
@@ -44,7 +46,9 @@ def simulate(
     initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
     options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None,
 ) -> Solution:
-    """Simulate from t0 to t_end with major step dt and ratios m (None: the scene's own settings).
+    """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
+
+    The steps are all dt long, so the run ends at t_end or less than one step after it.
 
     scheme: a name of runtime.schemes.options.SCHEMES; options: changes to its Options by name. parameters and initial
     change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
@@ -77,6 +81,9 @@ def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] 
         raise SchemeError(f"there is no scheme {name!r}; choose one of {', '.join(SCHEMES)}")
     chosen = _with_changes(SCHEMES[name], options or {})
     single = name == "single_rate"
+    if single and m:
+        raise SchemeError(f"single_rate takes one step for all coordinates; leave m = {m!r} out, "
+                          "or choose another scheme")
     if m is None:
         m = list(defaults["m"]) if len(defaults["m"]) == len(model.groups) - 1 else [1] * (len(model.groups) - 1)
     grid = make_grid(model, float(defaults["dt"]) if dt is None else dt, [] if single else m, single)
@@ -86,7 +93,7 @@ def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] 
     every = int(defaults["save_every"]) if save_every is None else save_every
     if isinstance(every, bool) or not isinstance(every, int) or every < 1:
         raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {every!r}")
-    steps = max(1, round((end - t0) / grid.dt_L))
+    steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES:
         raise SchemeError(f"{steps // every} saved states are too many; raise save_every or dt")
     return Plan(CentralDifference(model, grid, chosen), grid, steps, every, t0)
@@ -135,7 +142,7 @@ def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
 
 
 def _next_batch(per_call: int, elapsed: float) -> int:
-    """Powers of two only: the interpreted engine builds one Function per batch length."""
+    """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
     if elapsed < CALL_SECONDS / 4:
         return min(per_call * 2, 1 << 20)
     return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call

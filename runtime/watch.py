@@ -74,6 +74,9 @@ class Watch:
     def _advice(self, name: str) -> str:
         if name == "iteration_failed":
             return "Use common_update = direct, a larger eps, or a smaller step."
+        if name == "constraints_lost":
+            return ("The mechanism may be at a dead centre, where the chosen independent coordinates do not determine "
+                    "it: choose others (partition.independent), or reduce the step.")
         assert self._good is not None
         observed = self.scheme.observe()(z=self._good, c=self.c)
         frequency = fastest_frequency(self.model, observed, self.c)

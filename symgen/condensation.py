@@ -147,7 +147,7 @@ def reduced_loop_rows(equations: Equations, choice: Choice,
 
 
 def _loop_substitutions(equations: Equations, choice: Choice, structural: list[Substitution]) -> list[Substitution]:
-    """x_loop'' = U^-1 (gamma - R x_i''): a small block, solved without a pivot that could vanish."""
+    """x_loop'' = U^-1 (gamma - R x_i''): a small block, solved whole, so that only a singular position is singular."""
     if not choice.loop_rows:
         return []
     rows = reduced_loop_rows(equations, choice, structural)

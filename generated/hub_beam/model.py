@@ -49,213 +49,213 @@ def constants() -> ca.Function:
     beam100_clamped_free3_xH_2_0 = p[37]
     beam100_clamped_free3_xH_2_1 = p[38]
     beam100_clamped_free3_xH_2_2 = p[39]
-    beam100_clamped_free3_0_0625_at_0_0 = p[40]
-    beam100_clamped_free3_0_0625_shape_1_0 = p[41]
-    beam100_clamped_free3_0_0625_shape_1_1 = p[42]
-    beam100_clamped_free3_0_0625_shape_1_2 = p[43]
-    beam100_clamped_free3_0_0625_H_0_0 = p[47]
-    beam100_clamped_free3_0_0625_H_0_1 = p[48]
-    beam100_clamped_free3_0_0625_H_0_2 = p[49]
-    beam100_clamped_free3_0_0625_H_1_0 = p[50]
-    beam100_clamped_free3_0_0625_H_1_1 = p[51]
-    beam100_clamped_free3_0_0625_H_1_2 = p[52]
-    beam100_clamped_free3_0_0625_H_2_0 = p[53]
-    beam100_clamped_free3_0_0625_H_2_1 = p[54]
-    beam100_clamped_free3_0_0625_H_2_2 = p[55]
-    beam100_clamped_free3_0_125_at_0_0 = p[56]
-    beam100_clamped_free3_0_125_shape_1_0 = p[57]
-    beam100_clamped_free3_0_125_shape_1_1 = p[58]
-    beam100_clamped_free3_0_125_shape_1_2 = p[59]
-    beam100_clamped_free3_0_125_H_0_0 = p[63]
-    beam100_clamped_free3_0_125_H_0_1 = p[64]
-    beam100_clamped_free3_0_125_H_0_2 = p[65]
-    beam100_clamped_free3_0_125_H_1_0 = p[66]
-    beam100_clamped_free3_0_125_H_1_1 = p[67]
-    beam100_clamped_free3_0_125_H_1_2 = p[68]
-    beam100_clamped_free3_0_125_H_2_0 = p[69]
-    beam100_clamped_free3_0_125_H_2_1 = p[70]
-    beam100_clamped_free3_0_125_H_2_2 = p[71]
-    beam100_clamped_free3_0_1875_at_0_0 = p[72]
-    beam100_clamped_free3_0_1875_shape_1_0 = p[73]
-    beam100_clamped_free3_0_1875_shape_1_1 = p[74]
-    beam100_clamped_free3_0_1875_shape_1_2 = p[75]
-    beam100_clamped_free3_0_1875_H_0_0 = p[79]
-    beam100_clamped_free3_0_1875_H_0_1 = p[80]
-    beam100_clamped_free3_0_1875_H_0_2 = p[81]
-    beam100_clamped_free3_0_1875_H_1_0 = p[82]
-    beam100_clamped_free3_0_1875_H_1_1 = p[83]
-    beam100_clamped_free3_0_1875_H_1_2 = p[84]
-    beam100_clamped_free3_0_1875_H_2_0 = p[85]
-    beam100_clamped_free3_0_1875_H_2_1 = p[86]
-    beam100_clamped_free3_0_1875_H_2_2 = p[87]
-    beam100_clamped_free3_0_25_at_0_0 = p[88]
-    beam100_clamped_free3_0_25_shape_1_0 = p[89]
-    beam100_clamped_free3_0_25_shape_1_1 = p[90]
-    beam100_clamped_free3_0_25_shape_1_2 = p[91]
-    beam100_clamped_free3_0_25_H_0_0 = p[95]
-    beam100_clamped_free3_0_25_H_0_1 = p[96]
-    beam100_clamped_free3_0_25_H_0_2 = p[97]
-    beam100_clamped_free3_0_25_H_1_0 = p[98]
-    beam100_clamped_free3_0_25_H_1_1 = p[99]
-    beam100_clamped_free3_0_25_H_1_2 = p[100]
-    beam100_clamped_free3_0_25_H_2_0 = p[101]
-    beam100_clamped_free3_0_25_H_2_1 = p[102]
-    beam100_clamped_free3_0_25_H_2_2 = p[103]
-    beam100_clamped_free3_0_3125_at_0_0 = p[104]
-    beam100_clamped_free3_0_3125_shape_1_0 = p[105]
-    beam100_clamped_free3_0_3125_shape_1_1 = p[106]
-    beam100_clamped_free3_0_3125_shape_1_2 = p[107]
-    beam100_clamped_free3_0_3125_H_0_0 = p[111]
-    beam100_clamped_free3_0_3125_H_0_1 = p[112]
-    beam100_clamped_free3_0_3125_H_0_2 = p[113]
-    beam100_clamped_free3_0_3125_H_1_0 = p[114]
-    beam100_clamped_free3_0_3125_H_1_1 = p[115]
-    beam100_clamped_free3_0_3125_H_1_2 = p[116]
-    beam100_clamped_free3_0_3125_H_2_0 = p[117]
-    beam100_clamped_free3_0_3125_H_2_1 = p[118]
-    beam100_clamped_free3_0_3125_H_2_2 = p[119]
-    beam100_clamped_free3_0_375_at_0_0 = p[120]
-    beam100_clamped_free3_0_375_shape_1_0 = p[121]
-    beam100_clamped_free3_0_375_shape_1_1 = p[122]
-    beam100_clamped_free3_0_375_shape_1_2 = p[123]
-    beam100_clamped_free3_0_375_H_0_0 = p[127]
-    beam100_clamped_free3_0_375_H_0_1 = p[128]
-    beam100_clamped_free3_0_375_H_0_2 = p[129]
-    beam100_clamped_free3_0_375_H_1_0 = p[130]
-    beam100_clamped_free3_0_375_H_1_1 = p[131]
-    beam100_clamped_free3_0_375_H_1_2 = p[132]
-    beam100_clamped_free3_0_375_H_2_0 = p[133]
-    beam100_clamped_free3_0_375_H_2_1 = p[134]
-    beam100_clamped_free3_0_375_H_2_2 = p[135]
-    beam100_clamped_free3_0_4375_at_0_0 = p[136]
-    beam100_clamped_free3_0_4375_shape_1_0 = p[137]
-    beam100_clamped_free3_0_4375_shape_1_1 = p[138]
-    beam100_clamped_free3_0_4375_shape_1_2 = p[139]
-    beam100_clamped_free3_0_4375_H_0_0 = p[143]
-    beam100_clamped_free3_0_4375_H_0_1 = p[144]
-    beam100_clamped_free3_0_4375_H_0_2 = p[145]
-    beam100_clamped_free3_0_4375_H_1_0 = p[146]
-    beam100_clamped_free3_0_4375_H_1_1 = p[147]
-    beam100_clamped_free3_0_4375_H_1_2 = p[148]
-    beam100_clamped_free3_0_4375_H_2_0 = p[149]
-    beam100_clamped_free3_0_4375_H_2_1 = p[150]
-    beam100_clamped_free3_0_4375_H_2_2 = p[151]
-    beam100_clamped_free3_0_5_at_0_0 = p[152]
-    beam100_clamped_free3_0_5_shape_1_0 = p[153]
-    beam100_clamped_free3_0_5_shape_1_1 = p[154]
-    beam100_clamped_free3_0_5_shape_1_2 = p[155]
-    beam100_clamped_free3_0_5_H_0_0 = p[159]
-    beam100_clamped_free3_0_5_H_0_1 = p[160]
-    beam100_clamped_free3_0_5_H_0_2 = p[161]
-    beam100_clamped_free3_0_5_H_1_0 = p[162]
-    beam100_clamped_free3_0_5_H_1_1 = p[163]
-    beam100_clamped_free3_0_5_H_1_2 = p[164]
-    beam100_clamped_free3_0_5_H_2_0 = p[165]
-    beam100_clamped_free3_0_5_H_2_1 = p[166]
-    beam100_clamped_free3_0_5_H_2_2 = p[167]
-    beam100_clamped_free3_0_5625_at_0_0 = p[168]
-    beam100_clamped_free3_0_5625_shape_1_0 = p[169]
-    beam100_clamped_free3_0_5625_shape_1_1 = p[170]
-    beam100_clamped_free3_0_5625_shape_1_2 = p[171]
-    beam100_clamped_free3_0_5625_H_0_0 = p[175]
-    beam100_clamped_free3_0_5625_H_0_1 = p[176]
-    beam100_clamped_free3_0_5625_H_0_2 = p[177]
-    beam100_clamped_free3_0_5625_H_1_0 = p[178]
-    beam100_clamped_free3_0_5625_H_1_1 = p[179]
-    beam100_clamped_free3_0_5625_H_1_2 = p[180]
-    beam100_clamped_free3_0_5625_H_2_0 = p[181]
-    beam100_clamped_free3_0_5625_H_2_1 = p[182]
-    beam100_clamped_free3_0_5625_H_2_2 = p[183]
-    beam100_clamped_free3_0_625_at_0_0 = p[184]
-    beam100_clamped_free3_0_625_shape_1_0 = p[185]
-    beam100_clamped_free3_0_625_shape_1_1 = p[186]
-    beam100_clamped_free3_0_625_shape_1_2 = p[187]
-    beam100_clamped_free3_0_625_H_0_0 = p[191]
-    beam100_clamped_free3_0_625_H_0_1 = p[192]
-    beam100_clamped_free3_0_625_H_0_2 = p[193]
-    beam100_clamped_free3_0_625_H_1_0 = p[194]
-    beam100_clamped_free3_0_625_H_1_1 = p[195]
-    beam100_clamped_free3_0_625_H_1_2 = p[196]
-    beam100_clamped_free3_0_625_H_2_0 = p[197]
-    beam100_clamped_free3_0_625_H_2_1 = p[198]
-    beam100_clamped_free3_0_625_H_2_2 = p[199]
-    beam100_clamped_free3_0_6875_at_0_0 = p[200]
-    beam100_clamped_free3_0_6875_shape_1_0 = p[201]
-    beam100_clamped_free3_0_6875_shape_1_1 = p[202]
-    beam100_clamped_free3_0_6875_shape_1_2 = p[203]
-    beam100_clamped_free3_0_6875_H_0_0 = p[207]
-    beam100_clamped_free3_0_6875_H_0_1 = p[208]
-    beam100_clamped_free3_0_6875_H_0_2 = p[209]
-    beam100_clamped_free3_0_6875_H_1_0 = p[210]
-    beam100_clamped_free3_0_6875_H_1_1 = p[211]
-    beam100_clamped_free3_0_6875_H_1_2 = p[212]
-    beam100_clamped_free3_0_6875_H_2_0 = p[213]
-    beam100_clamped_free3_0_6875_H_2_1 = p[214]
-    beam100_clamped_free3_0_6875_H_2_2 = p[215]
-    beam100_clamped_free3_0_75_at_0_0 = p[216]
-    beam100_clamped_free3_0_75_shape_1_0 = p[217]
-    beam100_clamped_free3_0_75_shape_1_1 = p[218]
-    beam100_clamped_free3_0_75_shape_1_2 = p[219]
-    beam100_clamped_free3_0_75_H_0_0 = p[223]
-    beam100_clamped_free3_0_75_H_0_1 = p[224]
-    beam100_clamped_free3_0_75_H_0_2 = p[225]
-    beam100_clamped_free3_0_75_H_1_0 = p[226]
-    beam100_clamped_free3_0_75_H_1_1 = p[227]
-    beam100_clamped_free3_0_75_H_1_2 = p[228]
-    beam100_clamped_free3_0_75_H_2_0 = p[229]
-    beam100_clamped_free3_0_75_H_2_1 = p[230]
-    beam100_clamped_free3_0_75_H_2_2 = p[231]
-    beam100_clamped_free3_0_8125_at_0_0 = p[232]
-    beam100_clamped_free3_0_8125_shape_1_0 = p[233]
-    beam100_clamped_free3_0_8125_shape_1_1 = p[234]
-    beam100_clamped_free3_0_8125_shape_1_2 = p[235]
-    beam100_clamped_free3_0_8125_H_0_0 = p[239]
-    beam100_clamped_free3_0_8125_H_0_1 = p[240]
-    beam100_clamped_free3_0_8125_H_0_2 = p[241]
-    beam100_clamped_free3_0_8125_H_1_0 = p[242]
-    beam100_clamped_free3_0_8125_H_1_1 = p[243]
-    beam100_clamped_free3_0_8125_H_1_2 = p[244]
-    beam100_clamped_free3_0_8125_H_2_0 = p[245]
-    beam100_clamped_free3_0_8125_H_2_1 = p[246]
-    beam100_clamped_free3_0_8125_H_2_2 = p[247]
-    beam100_clamped_free3_0_875_at_0_0 = p[248]
-    beam100_clamped_free3_0_875_shape_1_0 = p[249]
-    beam100_clamped_free3_0_875_shape_1_1 = p[250]
-    beam100_clamped_free3_0_875_shape_1_2 = p[251]
-    beam100_clamped_free3_0_875_H_0_0 = p[255]
-    beam100_clamped_free3_0_875_H_0_1 = p[256]
-    beam100_clamped_free3_0_875_H_0_2 = p[257]
-    beam100_clamped_free3_0_875_H_1_0 = p[258]
-    beam100_clamped_free3_0_875_H_1_1 = p[259]
-    beam100_clamped_free3_0_875_H_1_2 = p[260]
-    beam100_clamped_free3_0_875_H_2_0 = p[261]
-    beam100_clamped_free3_0_875_H_2_1 = p[262]
-    beam100_clamped_free3_0_875_H_2_2 = p[263]
-    beam100_clamped_free3_0_9375_at_0_0 = p[264]
-    beam100_clamped_free3_0_9375_shape_1_0 = p[265]
-    beam100_clamped_free3_0_9375_shape_1_1 = p[266]
-    beam100_clamped_free3_0_9375_shape_1_2 = p[267]
-    beam100_clamped_free3_0_9375_H_0_0 = p[271]
-    beam100_clamped_free3_0_9375_H_0_1 = p[272]
-    beam100_clamped_free3_0_9375_H_0_2 = p[273]
-    beam100_clamped_free3_0_9375_H_1_0 = p[274]
-    beam100_clamped_free3_0_9375_H_1_1 = p[275]
-    beam100_clamped_free3_0_9375_H_1_2 = p[276]
-    beam100_clamped_free3_0_9375_H_2_0 = p[277]
-    beam100_clamped_free3_0_9375_H_2_1 = p[278]
-    beam100_clamped_free3_0_9375_H_2_2 = p[279]
-    beam100_clamped_free3_1_0_shape_1_0 = p[280]
-    beam100_clamped_free3_1_0_shape_1_1 = p[281]
-    beam100_clamped_free3_1_0_shape_1_2 = p[282]
-    beam100_clamped_free3_1_0_H_0_0 = p[286]
-    beam100_clamped_free3_1_0_H_0_1 = p[287]
-    beam100_clamped_free3_1_0_H_0_2 = p[288]
-    beam100_clamped_free3_1_0_H_1_0 = p[289]
-    beam100_clamped_free3_1_0_H_1_1 = p[290]
-    beam100_clamped_free3_1_0_H_1_2 = p[291]
-    beam100_clamped_free3_1_0_H_2_0 = p[292]
-    beam100_clamped_free3_1_0_H_2_1 = p[293]
-    beam100_clamped_free3_1_0_H_2_2 = p[294]
+    beam100_clamped_free3_1_0_shape_1_0 = p[40]
+    beam100_clamped_free3_1_0_shape_1_1 = p[41]
+    beam100_clamped_free3_1_0_shape_1_2 = p[42]
+    beam100_clamped_free3_1_0_H_0_0 = p[46]
+    beam100_clamped_free3_1_0_H_0_1 = p[47]
+    beam100_clamped_free3_1_0_H_0_2 = p[48]
+    beam100_clamped_free3_1_0_H_1_0 = p[49]
+    beam100_clamped_free3_1_0_H_1_1 = p[50]
+    beam100_clamped_free3_1_0_H_1_2 = p[51]
+    beam100_clamped_free3_1_0_H_2_0 = p[52]
+    beam100_clamped_free3_1_0_H_2_1 = p[53]
+    beam100_clamped_free3_1_0_H_2_2 = p[54]
+    beam100_clamped_free3_0_0625_at_0_0 = p[55]
+    beam100_clamped_free3_0_0625_shape_1_0 = p[56]
+    beam100_clamped_free3_0_0625_shape_1_1 = p[57]
+    beam100_clamped_free3_0_0625_shape_1_2 = p[58]
+    beam100_clamped_free3_0_0625_H_0_0 = p[62]
+    beam100_clamped_free3_0_0625_H_0_1 = p[63]
+    beam100_clamped_free3_0_0625_H_0_2 = p[64]
+    beam100_clamped_free3_0_0625_H_1_0 = p[65]
+    beam100_clamped_free3_0_0625_H_1_1 = p[66]
+    beam100_clamped_free3_0_0625_H_1_2 = p[67]
+    beam100_clamped_free3_0_0625_H_2_0 = p[68]
+    beam100_clamped_free3_0_0625_H_2_1 = p[69]
+    beam100_clamped_free3_0_0625_H_2_2 = p[70]
+    beam100_clamped_free3_0_125_at_0_0 = p[71]
+    beam100_clamped_free3_0_125_shape_1_0 = p[72]
+    beam100_clamped_free3_0_125_shape_1_1 = p[73]
+    beam100_clamped_free3_0_125_shape_1_2 = p[74]
+    beam100_clamped_free3_0_125_H_0_0 = p[78]
+    beam100_clamped_free3_0_125_H_0_1 = p[79]
+    beam100_clamped_free3_0_125_H_0_2 = p[80]
+    beam100_clamped_free3_0_125_H_1_0 = p[81]
+    beam100_clamped_free3_0_125_H_1_1 = p[82]
+    beam100_clamped_free3_0_125_H_1_2 = p[83]
+    beam100_clamped_free3_0_125_H_2_0 = p[84]
+    beam100_clamped_free3_0_125_H_2_1 = p[85]
+    beam100_clamped_free3_0_125_H_2_2 = p[86]
+    beam100_clamped_free3_0_1875_at_0_0 = p[87]
+    beam100_clamped_free3_0_1875_shape_1_0 = p[88]
+    beam100_clamped_free3_0_1875_shape_1_1 = p[89]
+    beam100_clamped_free3_0_1875_shape_1_2 = p[90]
+    beam100_clamped_free3_0_1875_H_0_0 = p[94]
+    beam100_clamped_free3_0_1875_H_0_1 = p[95]
+    beam100_clamped_free3_0_1875_H_0_2 = p[96]
+    beam100_clamped_free3_0_1875_H_1_0 = p[97]
+    beam100_clamped_free3_0_1875_H_1_1 = p[98]
+    beam100_clamped_free3_0_1875_H_1_2 = p[99]
+    beam100_clamped_free3_0_1875_H_2_0 = p[100]
+    beam100_clamped_free3_0_1875_H_2_1 = p[101]
+    beam100_clamped_free3_0_1875_H_2_2 = p[102]
+    beam100_clamped_free3_0_25_at_0_0 = p[103]
+    beam100_clamped_free3_0_25_shape_1_0 = p[104]
+    beam100_clamped_free3_0_25_shape_1_1 = p[105]
+    beam100_clamped_free3_0_25_shape_1_2 = p[106]
+    beam100_clamped_free3_0_25_H_0_0 = p[110]
+    beam100_clamped_free3_0_25_H_0_1 = p[111]
+    beam100_clamped_free3_0_25_H_0_2 = p[112]
+    beam100_clamped_free3_0_25_H_1_0 = p[113]
+    beam100_clamped_free3_0_25_H_1_1 = p[114]
+    beam100_clamped_free3_0_25_H_1_2 = p[115]
+    beam100_clamped_free3_0_25_H_2_0 = p[116]
+    beam100_clamped_free3_0_25_H_2_1 = p[117]
+    beam100_clamped_free3_0_25_H_2_2 = p[118]
+    beam100_clamped_free3_0_3125_at_0_0 = p[119]
+    beam100_clamped_free3_0_3125_shape_1_0 = p[120]
+    beam100_clamped_free3_0_3125_shape_1_1 = p[121]
+    beam100_clamped_free3_0_3125_shape_1_2 = p[122]
+    beam100_clamped_free3_0_3125_H_0_0 = p[126]
+    beam100_clamped_free3_0_3125_H_0_1 = p[127]
+    beam100_clamped_free3_0_3125_H_0_2 = p[128]
+    beam100_clamped_free3_0_3125_H_1_0 = p[129]
+    beam100_clamped_free3_0_3125_H_1_1 = p[130]
+    beam100_clamped_free3_0_3125_H_1_2 = p[131]
+    beam100_clamped_free3_0_3125_H_2_0 = p[132]
+    beam100_clamped_free3_0_3125_H_2_1 = p[133]
+    beam100_clamped_free3_0_3125_H_2_2 = p[134]
+    beam100_clamped_free3_0_375_at_0_0 = p[135]
+    beam100_clamped_free3_0_375_shape_1_0 = p[136]
+    beam100_clamped_free3_0_375_shape_1_1 = p[137]
+    beam100_clamped_free3_0_375_shape_1_2 = p[138]
+    beam100_clamped_free3_0_375_H_0_0 = p[142]
+    beam100_clamped_free3_0_375_H_0_1 = p[143]
+    beam100_clamped_free3_0_375_H_0_2 = p[144]
+    beam100_clamped_free3_0_375_H_1_0 = p[145]
+    beam100_clamped_free3_0_375_H_1_1 = p[146]
+    beam100_clamped_free3_0_375_H_1_2 = p[147]
+    beam100_clamped_free3_0_375_H_2_0 = p[148]
+    beam100_clamped_free3_0_375_H_2_1 = p[149]
+    beam100_clamped_free3_0_375_H_2_2 = p[150]
+    beam100_clamped_free3_0_4375_at_0_0 = p[151]
+    beam100_clamped_free3_0_4375_shape_1_0 = p[152]
+    beam100_clamped_free3_0_4375_shape_1_1 = p[153]
+    beam100_clamped_free3_0_4375_shape_1_2 = p[154]
+    beam100_clamped_free3_0_4375_H_0_0 = p[158]
+    beam100_clamped_free3_0_4375_H_0_1 = p[159]
+    beam100_clamped_free3_0_4375_H_0_2 = p[160]
+    beam100_clamped_free3_0_4375_H_1_0 = p[161]
+    beam100_clamped_free3_0_4375_H_1_1 = p[162]
+    beam100_clamped_free3_0_4375_H_1_2 = p[163]
+    beam100_clamped_free3_0_4375_H_2_0 = p[164]
+    beam100_clamped_free3_0_4375_H_2_1 = p[165]
+    beam100_clamped_free3_0_4375_H_2_2 = p[166]
+    beam100_clamped_free3_0_5_at_0_0 = p[167]
+    beam100_clamped_free3_0_5_shape_1_0 = p[168]
+    beam100_clamped_free3_0_5_shape_1_1 = p[169]
+    beam100_clamped_free3_0_5_shape_1_2 = p[170]
+    beam100_clamped_free3_0_5_H_0_0 = p[174]
+    beam100_clamped_free3_0_5_H_0_1 = p[175]
+    beam100_clamped_free3_0_5_H_0_2 = p[176]
+    beam100_clamped_free3_0_5_H_1_0 = p[177]
+    beam100_clamped_free3_0_5_H_1_1 = p[178]
+    beam100_clamped_free3_0_5_H_1_2 = p[179]
+    beam100_clamped_free3_0_5_H_2_0 = p[180]
+    beam100_clamped_free3_0_5_H_2_1 = p[181]
+    beam100_clamped_free3_0_5_H_2_2 = p[182]
+    beam100_clamped_free3_0_5625_at_0_0 = p[183]
+    beam100_clamped_free3_0_5625_shape_1_0 = p[184]
+    beam100_clamped_free3_0_5625_shape_1_1 = p[185]
+    beam100_clamped_free3_0_5625_shape_1_2 = p[186]
+    beam100_clamped_free3_0_5625_H_0_0 = p[190]
+    beam100_clamped_free3_0_5625_H_0_1 = p[191]
+    beam100_clamped_free3_0_5625_H_0_2 = p[192]
+    beam100_clamped_free3_0_5625_H_1_0 = p[193]
+    beam100_clamped_free3_0_5625_H_1_1 = p[194]
+    beam100_clamped_free3_0_5625_H_1_2 = p[195]
+    beam100_clamped_free3_0_5625_H_2_0 = p[196]
+    beam100_clamped_free3_0_5625_H_2_1 = p[197]
+    beam100_clamped_free3_0_5625_H_2_2 = p[198]
+    beam100_clamped_free3_0_625_at_0_0 = p[199]
+    beam100_clamped_free3_0_625_shape_1_0 = p[200]
+    beam100_clamped_free3_0_625_shape_1_1 = p[201]
+    beam100_clamped_free3_0_625_shape_1_2 = p[202]
+    beam100_clamped_free3_0_625_H_0_0 = p[206]
+    beam100_clamped_free3_0_625_H_0_1 = p[207]
+    beam100_clamped_free3_0_625_H_0_2 = p[208]
+    beam100_clamped_free3_0_625_H_1_0 = p[209]
+    beam100_clamped_free3_0_625_H_1_1 = p[210]
+    beam100_clamped_free3_0_625_H_1_2 = p[211]
+    beam100_clamped_free3_0_625_H_2_0 = p[212]
+    beam100_clamped_free3_0_625_H_2_1 = p[213]
+    beam100_clamped_free3_0_625_H_2_2 = p[214]
+    beam100_clamped_free3_0_6875_at_0_0 = p[215]
+    beam100_clamped_free3_0_6875_shape_1_0 = p[216]
+    beam100_clamped_free3_0_6875_shape_1_1 = p[217]
+    beam100_clamped_free3_0_6875_shape_1_2 = p[218]
+    beam100_clamped_free3_0_6875_H_0_0 = p[222]
+    beam100_clamped_free3_0_6875_H_0_1 = p[223]
+    beam100_clamped_free3_0_6875_H_0_2 = p[224]
+    beam100_clamped_free3_0_6875_H_1_0 = p[225]
+    beam100_clamped_free3_0_6875_H_1_1 = p[226]
+    beam100_clamped_free3_0_6875_H_1_2 = p[227]
+    beam100_clamped_free3_0_6875_H_2_0 = p[228]
+    beam100_clamped_free3_0_6875_H_2_1 = p[229]
+    beam100_clamped_free3_0_6875_H_2_2 = p[230]
+    beam100_clamped_free3_0_75_at_0_0 = p[231]
+    beam100_clamped_free3_0_75_shape_1_0 = p[232]
+    beam100_clamped_free3_0_75_shape_1_1 = p[233]
+    beam100_clamped_free3_0_75_shape_1_2 = p[234]
+    beam100_clamped_free3_0_75_H_0_0 = p[238]
+    beam100_clamped_free3_0_75_H_0_1 = p[239]
+    beam100_clamped_free3_0_75_H_0_2 = p[240]
+    beam100_clamped_free3_0_75_H_1_0 = p[241]
+    beam100_clamped_free3_0_75_H_1_1 = p[242]
+    beam100_clamped_free3_0_75_H_1_2 = p[243]
+    beam100_clamped_free3_0_75_H_2_0 = p[244]
+    beam100_clamped_free3_0_75_H_2_1 = p[245]
+    beam100_clamped_free3_0_75_H_2_2 = p[246]
+    beam100_clamped_free3_0_8125_at_0_0 = p[247]
+    beam100_clamped_free3_0_8125_shape_1_0 = p[248]
+    beam100_clamped_free3_0_8125_shape_1_1 = p[249]
+    beam100_clamped_free3_0_8125_shape_1_2 = p[250]
+    beam100_clamped_free3_0_8125_H_0_0 = p[254]
+    beam100_clamped_free3_0_8125_H_0_1 = p[255]
+    beam100_clamped_free3_0_8125_H_0_2 = p[256]
+    beam100_clamped_free3_0_8125_H_1_0 = p[257]
+    beam100_clamped_free3_0_8125_H_1_1 = p[258]
+    beam100_clamped_free3_0_8125_H_1_2 = p[259]
+    beam100_clamped_free3_0_8125_H_2_0 = p[260]
+    beam100_clamped_free3_0_8125_H_2_1 = p[261]
+    beam100_clamped_free3_0_8125_H_2_2 = p[262]
+    beam100_clamped_free3_0_875_at_0_0 = p[263]
+    beam100_clamped_free3_0_875_shape_1_0 = p[264]
+    beam100_clamped_free3_0_875_shape_1_1 = p[265]
+    beam100_clamped_free3_0_875_shape_1_2 = p[266]
+    beam100_clamped_free3_0_875_H_0_0 = p[270]
+    beam100_clamped_free3_0_875_H_0_1 = p[271]
+    beam100_clamped_free3_0_875_H_0_2 = p[272]
+    beam100_clamped_free3_0_875_H_1_0 = p[273]
+    beam100_clamped_free3_0_875_H_1_1 = p[274]
+    beam100_clamped_free3_0_875_H_1_2 = p[275]
+    beam100_clamped_free3_0_875_H_2_0 = p[276]
+    beam100_clamped_free3_0_875_H_2_1 = p[277]
+    beam100_clamped_free3_0_875_H_2_2 = p[278]
+    beam100_clamped_free3_0_9375_at_0_0 = p[279]
+    beam100_clamped_free3_0_9375_shape_1_0 = p[280]
+    beam100_clamped_free3_0_9375_shape_1_1 = p[281]
+    beam100_clamped_free3_0_9375_shape_1_2 = p[282]
+    beam100_clamped_free3_0_9375_H_0_0 = p[286]
+    beam100_clamped_free3_0_9375_H_0_1 = p[287]
+    beam100_clamped_free3_0_9375_H_0_2 = p[288]
+    beam100_clamped_free3_0_9375_H_1_0 = p[289]
+    beam100_clamped_free3_0_9375_H_1_1 = p[290]
+    beam100_clamped_free3_0_9375_H_1_2 = p[291]
+    beam100_clamped_free3_0_9375_H_2_0 = p[292]
+    beam100_clamped_free3_0_9375_H_2_1 = p[293]
+    beam100_clamped_free3_0_9375_H_2_2 = p[294]
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = beam_length**2
@@ -321,6 +321,18 @@ def constants() -> ca.Function:
         w1 * beam100_clamped_free3_phi_y_1_0,
         w1 * beam100_clamped_free3_phi_y_2_0,
         beam_length,
+        beam100_clamped_free3_1_0_H_0_0 / beam_length,
+        beam100_clamped_free3_1_0_H_0_1 / beam_length,
+        beam100_clamped_free3_1_0_H_0_2 / beam_length,
+        beam100_clamped_free3_1_0_H_1_0 / beam_length,
+        beam100_clamped_free3_1_0_H_1_1 / beam_length,
+        beam100_clamped_free3_1_0_H_1_2 / beam_length,
+        beam100_clamped_free3_1_0_H_2_0 / beam_length,
+        beam100_clamped_free3_1_0_H_2_1 / beam_length,
+        beam100_clamped_free3_1_0_H_2_2 / beam_length,
+        beam100_clamped_free3_1_0_shape_1_0,
+        beam100_clamped_free3_1_0_shape_1_1,
+        beam100_clamped_free3_1_0_shape_1_2,
         beam_length * beam100_clamped_free3_0_0625_at_0_0,
         beam100_clamped_free3_0_0625_H_0_0 / beam_length,
         beam100_clamped_free3_0_0625_H_0_1 / beam_length,
@@ -516,18 +528,6 @@ def constants() -> ca.Function:
         beam100_clamped_free3_0_9375_shape_1_0,
         beam100_clamped_free3_0_9375_shape_1_1,
         beam100_clamped_free3_0_9375_shape_1_2,
-        beam100_clamped_free3_1_0_H_0_0 / beam_length,
-        beam100_clamped_free3_1_0_H_0_1 / beam_length,
-        beam100_clamped_free3_1_0_H_0_2 / beam_length,
-        beam100_clamped_free3_1_0_H_1_0 / beam_length,
-        beam100_clamped_free3_1_0_H_1_1 / beam_length,
-        beam100_clamped_free3_1_0_H_1_2 / beam_length,
-        beam100_clamped_free3_1_0_H_2_0 / beam_length,
-        beam100_clamped_free3_1_0_H_2_1 / beam_length,
-        beam100_clamped_free3_1_0_H_2_2 / beam_length,
-        beam100_clamped_free3_1_0_shape_1_0,
-        beam100_clamped_free3_1_0_shape_1_1,
-        beam100_clamped_free3_1_0_shape_1_2,
         w4 - w5,
         w8 - w10,
         w12 - w15,
@@ -1196,6 +1196,59 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def measures() -> ca.Function:
+    """The scene's measures and their rates. 117 operations."""
+    q = ca.SX.sym("q", 9)
+    q_dot = ca.SX.sym("q_dot", 9)
+    c = ca.SX.sym("c", 266)
+    beam_x = q[3]
+    beam_y = q[4]
+    beam_theta = q[5]
+    beam_q1 = q[6]
+    beam_q2 = q[7]
+    beam_q3 = q[8]
+    beam_x_dot = q_dot[3]
+    beam_y_dot = q_dot[4]
+    beam_theta_dot = q_dot[5]
+    beam_q1_dot = q_dot[6]
+    beam_q2_dot = q_dot[7]
+    beam_q3_dot = q_dot[8]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    w0 = ca.cos(beam_theta)
+    w1 = beam_q1 * c38 + beam_q2 * c39 + beam_q3 * c40
+    w2 = beam_q1 * c41 + beam_q2 * c42 + beam_q3 * c43
+    w3 = beam_q1 * c44 + beam_q2 * c45 + beam_q3 * c46
+    w4 = c37 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
+    w5 = ca.sin(beam_theta)
+    w6 = beam_q1 * c47 + beam_q2 * c48 + beam_q3 * c49
+    w7 = w5 * beam_theta_dot
+    w8 = w1 * beam_q1_dot + beam_q1 * (beam_q1_dot * c38 + beam_q2_dot * c39 + beam_q3_dot * c40) + (w2 * beam_q2_dot + beam_q2 * (beam_q1_dot * c41 + beam_q2_dot * c42 + beam_q3_dot * c43))
+    w9 = (w8 + (w3 * beam_q3_dot + beam_q3 * (beam_q1_dot * c44 + beam_q2_dot * c45 + beam_q3_dot * c46))) * 0.5
+    w10 = w0 * beam_theta_dot
+    w11 = beam_q1_dot * c47 + beam_q2_dot * c48 + beam_q3_dot * c49
+    measures = ca.vertcat(
+        beam_x + (w0 * w4 - w5 * w6),
+        beam_x_dot - (w4 * w7 + w0 * w9 + (w6 * w10 + w5 * w11)),
+        beam_y + (w4 * w5 + w0 * w6),
+        beam_y_dot + (w4 * w10 - w5 * w9 + (w0 * w11 - w6 * w7)),
+    )
+    measures = ca.densify(measures)
+    inputs, outputs = [q, q_dot, c], [measures]
+    return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
+
+
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 819 operations."""
     q = ca.SX.sym("q", 9)
@@ -1421,55 +1474,55 @@ def drawing() -> ca.Function:
     w1 = beam_q1 * exaggeration
     w2 = exaggeration * beam_q2
     w3 = exaggeration * beam_q3
-    w4 = w1 * (w1 * c39 + w2 * c40 + w3 * c41) + w2 * (w1 * c42 + w2 * c43 + w3 * c44) + w3 * (w1 * c45 + w2 * c46 + w3 * c47)
-    w5 = c38 - w4 * 0.5
+    w4 = w1 * (w1 * c51 + w2 * c52 + w3 * c53) + w2 * (w1 * c54 + w2 * c55 + w3 * c56) + w3 * (w1 * c57 + w2 * c58 + w3 * c59)
+    w5 = c50 - w4 * 0.5
     w6 = ca.sin(beam_theta)
-    w7 = w1 * c48 + w2 * c49 + w3 * c50
-    w8 = w1 * (w1 * c52 + w2 * c53 + w3 * c54) + w2 * (w1 * c55 + w2 * c56 + w3 * c57) + w3 * (w1 * c58 + w2 * c59 + w3 * c60)
-    w9 = c51 - w8 * 0.5
-    w10 = w1 * c61 + w2 * c62 + w3 * c63
-    w11 = w1 * (w1 * c65 + w2 * c66 + w3 * c67) + w2 * (w1 * c68 + w2 * c69 + w3 * c70) + w3 * (w1 * c71 + w2 * c72 + w3 * c73)
-    w12 = c64 - w11 * 0.5
-    w13 = w1 * c74 + w2 * c75 + w3 * c76
-    w14 = w1 * (w1 * c78 + w2 * c79 + w3 * c80) + w2 * (w1 * c81 + w2 * c82 + w3 * c83) + w3 * (w1 * c84 + w2 * c85 + w3 * c86)
-    w15 = c77 - w14 * 0.5
-    w16 = w1 * c87 + w2 * c88 + w3 * c89
-    w17 = w1 * (w1 * c91 + w2 * c92 + w3 * c93) + w2 * (w1 * c94 + w2 * c95 + w3 * c96) + w3 * (w1 * c97 + w2 * c98 + w3 * c99)
-    w18 = c90 - w17 * 0.5
-    w19 = w1 * c100 + w2 * c101 + w3 * c102
-    w20 = w1 * (w1 * c104 + w2 * c105 + w3 * c106) + w2 * (w1 * c107 + w2 * c108 + w3 * c109) + w3 * (w1 * c110 + w2 * c111 + w3 * c112)
-    w21 = c103 - w20 * 0.5
-    w22 = w1 * c113 + w2 * c114 + w3 * c115
-    w23 = w1 * (w1 * c117 + w2 * c118 + w3 * c119) + w2 * (w1 * c120 + w2 * c121 + w3 * c122) + w3 * (w1 * c123 + w2 * c124 + w3 * c125)
-    w24 = c116 - w23 * 0.5
-    w25 = w1 * c126 + w2 * c127 + w3 * c128
-    w26 = w1 * (w1 * c130 + w2 * c131 + w3 * c132) + w2 * (w1 * c133 + w2 * c134 + w3 * c135) + w3 * (w1 * c136 + w2 * c137 + w3 * c138)
-    w27 = c129 - w26 * 0.5
-    w28 = w1 * c139 + w2 * c140 + w3 * c141
-    w29 = w1 * (w1 * c143 + w2 * c144 + w3 * c145) + w2 * (w1 * c146 + w2 * c147 + w3 * c148) + w3 * (w1 * c149 + w2 * c150 + w3 * c151)
-    w30 = c142 - w29 * 0.5
-    w31 = w1 * c152 + w2 * c153 + w3 * c154
-    w32 = w1 * (w1 * c156 + w2 * c157 + w3 * c158) + w2 * (w1 * c159 + w2 * c160 + w3 * c161) + w3 * (w1 * c162 + w2 * c163 + w3 * c164)
-    w33 = c155 - w32 * 0.5
-    w34 = w1 * c165 + w2 * c166 + w3 * c167
-    w35 = w1 * (w1 * c169 + w2 * c170 + w3 * c171) + w2 * (w1 * c172 + w2 * c173 + w3 * c174) + w3 * (w1 * c175 + w2 * c176 + w3 * c177)
-    w36 = c168 - w35 * 0.5
-    w37 = w1 * c178 + w2 * c179 + w3 * c180
-    w38 = w1 * (w1 * c182 + w2 * c183 + w3 * c184) + w2 * (w1 * c185 + w2 * c186 + w3 * c187) + w3 * (w1 * c188 + w2 * c189 + w3 * c190)
-    w39 = c181 - w38 * 0.5
-    w40 = w1 * c191 + w2 * c192 + w3 * c193
-    w41 = w1 * (w1 * c195 + w2 * c196 + w3 * c197) + w2 * (w1 * c198 + w2 * c199 + w3 * c200) + w3 * (w1 * c201 + w2 * c202 + w3 * c203)
-    w42 = c194 - w41 * 0.5
-    w43 = w1 * c204 + w2 * c205 + w3 * c206
-    w44 = w1 * (w1 * c208 + w2 * c209 + w3 * c210) + w2 * (w1 * c211 + w2 * c212 + w3 * c213) + w3 * (w1 * c214 + w2 * c215 + w3 * c216)
-    w45 = c207 - w44 * 0.5
-    w46 = w1 * c217 + w2 * c218 + w3 * c219
-    w47 = w1 * (w1 * c221 + w2 * c222 + w3 * c223) + w2 * (w1 * c224 + w2 * c225 + w3 * c226) + w3 * (w1 * c227 + w2 * c228 + w3 * c229)
-    w48 = c220 - w47 * 0.5
-    w49 = w1 * c230 + w2 * c231 + w3 * c232
-    w50 = w1 * (w1 * c233 + w2 * c234 + w3 * c235) + w2 * (w1 * c236 + w2 * c237 + w3 * c238) + w3 * (w1 * c239 + w2 * c240 + w3 * c241)
+    w7 = w1 * c60 + w2 * c61 + w3 * c62
+    w8 = w1 * (w1 * c64 + w2 * c65 + w3 * c66) + w2 * (w1 * c67 + w2 * c68 + w3 * c69) + w3 * (w1 * c70 + w2 * c71 + w3 * c72)
+    w9 = c63 - w8 * 0.5
+    w10 = w1 * c73 + w2 * c74 + w3 * c75
+    w11 = w1 * (w1 * c77 + w2 * c78 + w3 * c79) + w2 * (w1 * c80 + w2 * c81 + w3 * c82) + w3 * (w1 * c83 + w2 * c84 + w3 * c85)
+    w12 = c76 - w11 * 0.5
+    w13 = w1 * c86 + w2 * c87 + w3 * c88
+    w14 = w1 * (w1 * c90 + w2 * c91 + w3 * c92) + w2 * (w1 * c93 + w2 * c94 + w3 * c95) + w3 * (w1 * c96 + w2 * c97 + w3 * c98)
+    w15 = c89 - w14 * 0.5
+    w16 = w1 * c99 + w2 * c100 + w3 * c101
+    w17 = w1 * (w1 * c103 + w2 * c104 + w3 * c105) + w2 * (w1 * c106 + w2 * c107 + w3 * c108) + w3 * (w1 * c109 + w2 * c110 + w3 * c111)
+    w18 = c102 - w17 * 0.5
+    w19 = w1 * c112 + w2 * c113 + w3 * c114
+    w20 = w1 * (w1 * c116 + w2 * c117 + w3 * c118) + w2 * (w1 * c119 + w2 * c120 + w3 * c121) + w3 * (w1 * c122 + w2 * c123 + w3 * c124)
+    w21 = c115 - w20 * 0.5
+    w22 = w1 * c125 + w2 * c126 + w3 * c127
+    w23 = w1 * (w1 * c129 + w2 * c130 + w3 * c131) + w2 * (w1 * c132 + w2 * c133 + w3 * c134) + w3 * (w1 * c135 + w2 * c136 + w3 * c137)
+    w24 = c128 - w23 * 0.5
+    w25 = w1 * c138 + w2 * c139 + w3 * c140
+    w26 = w1 * (w1 * c142 + w2 * c143 + w3 * c144) + w2 * (w1 * c145 + w2 * c146 + w3 * c147) + w3 * (w1 * c148 + w2 * c149 + w3 * c150)
+    w27 = c141 - w26 * 0.5
+    w28 = w1 * c151 + w2 * c152 + w3 * c153
+    w29 = w1 * (w1 * c155 + w2 * c156 + w3 * c157) + w2 * (w1 * c158 + w2 * c159 + w3 * c160) + w3 * (w1 * c161 + w2 * c162 + w3 * c163)
+    w30 = c154 - w29 * 0.5
+    w31 = w1 * c164 + w2 * c165 + w3 * c166
+    w32 = w1 * (w1 * c168 + w2 * c169 + w3 * c170) + w2 * (w1 * c171 + w2 * c172 + w3 * c173) + w3 * (w1 * c174 + w2 * c175 + w3 * c176)
+    w33 = c167 - w32 * 0.5
+    w34 = w1 * c177 + w2 * c178 + w3 * c179
+    w35 = w1 * (w1 * c181 + w2 * c182 + w3 * c183) + w2 * (w1 * c184 + w2 * c185 + w3 * c186) + w3 * (w1 * c187 + w2 * c188 + w3 * c189)
+    w36 = c180 - w35 * 0.5
+    w37 = w1 * c190 + w2 * c191 + w3 * c192
+    w38 = w1 * (w1 * c194 + w2 * c195 + w3 * c196) + w2 * (w1 * c197 + w2 * c198 + w3 * c199) + w3 * (w1 * c200 + w2 * c201 + w3 * c202)
+    w39 = c193 - w38 * 0.5
+    w40 = w1 * c203 + w2 * c204 + w3 * c205
+    w41 = w1 * (w1 * c207 + w2 * c208 + w3 * c209) + w2 * (w1 * c210 + w2 * c211 + w3 * c212) + w3 * (w1 * c213 + w2 * c214 + w3 * c215)
+    w42 = c206 - w41 * 0.5
+    w43 = w1 * c216 + w2 * c217 + w3 * c218
+    w44 = w1 * (w1 * c220 + w2 * c221 + w3 * c222) + w2 * (w1 * c223 + w2 * c224 + w3 * c225) + w3 * (w1 * c226 + w2 * c227 + w3 * c228)
+    w45 = c219 - w44 * 0.5
+    w46 = w1 * c229 + w2 * c230 + w3 * c231
+    w47 = w1 * (w1 * c233 + w2 * c234 + w3 * c235) + w2 * (w1 * c236 + w2 * c237 + w3 * c238) + w3 * (w1 * c239 + w2 * c240 + w3 * c241)
+    w48 = c232 - w47 * 0.5
+    w49 = w1 * c242 + w2 * c243 + w3 * c244
+    w50 = w1 * (w1 * c38 + w2 * c39 + w3 * c40) + w2 * (w1 * c41 + w2 * c42 + w3 * c43) + w3 * (w1 * c44 + w2 * c45 + w3 * c46)
     w51 = c37 - w50 * 0.5
-    w52 = w1 * c242 + w2 * c243 + w3 * c244
+    w52 = w1 * c47 + w2 * c48 + w3 * c49
     xy = ca.vertcat(
         hub_x,
         hub_y,
@@ -1789,6 +1842,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "measures": measures,
     "drawing": drawing,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

@@ -146,7 +146,7 @@ class _Writer:
             if k in chunk_of or self.tape.nodes[k].op == ca.OP_INPUT:
                 slots.setdefault(k, len(slots))
         chunks = range((len(self.order) - 1) // CHUNK + 1)
-        parts = [f"static double {name}_w[{max(1, len(slots))}];"]
+        parts = [f"static _Thread_local double {name}_w[{max(1, len(slots))}];"]
         parts += [self._chunk(name, chunk, chunk_of, slots) for chunk in chunks]
         stores = [self.stores[k:k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
         parts += [self._store_chunk(name, k, part, slots) for k, part in enumerate(stores)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from runtime.model import Model
 from runtime.schemes.options import SchemeError
 
-MAX_RATIO = 10**6
+MAX_RATIO = 10_000  # as in a scene
 
 
 @dataclass(frozen=True)

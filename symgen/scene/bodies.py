@@ -66,14 +66,14 @@ class RigidBody(Model):
 
 
 class LateralModes(Model):
-    """Which bending modes of the free-vibration problem are kept (Eq. 18)."""
+    """Which bending modes of the free-vibration problem are kept (Eq. 19)."""
 
     ends: LATERAL_ENDS
     modes: Modes
 
 
 class AxialModes(Model):
-    """Which axial modes of the free-vibration problem are kept (Eq. 18)."""
+    """Which axial modes of the free-vibration problem are kept (Eq. 19)."""
 
     ends: AXIAL_ENDS
     modes: Modes

@@ -14,6 +14,8 @@ def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> Scene:
         .revolute("pivot", "ground.origin", "hub.origin")
         .weld("clamp", "hub.origin", "beam.start")
         .torque("motor", "hub.origin", "where(t < 2, torque * sin(pi * t), 0)")
+        .measure("tip_x", "x", marker_b="beam.end")
+        .measure("tip_y", "y", marker_b="beam.end")
         .simulation(t_end=5.0, dt=1e-3, m=[1], scheme="single_rate", save_every=10)
         .build()
     )

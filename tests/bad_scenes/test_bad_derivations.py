@@ -145,6 +145,7 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
     ({"save_every": 1.5}, SchemeError, "save_every"),
     ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
     ({"scheme": "printed", "m": [2]}, SchemeError, "m needs 0 ratio"),
+    ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
     ({"engine": "fast"}, ValueError, "engine must be"),
     ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
     ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be finite"),

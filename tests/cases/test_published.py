@@ -77,6 +77,10 @@ def test_f2_hub_angle_and_tip_lag() -> None:
     for second, exact in theta.items():
         k = int(np.argmin(np.abs(solution.t - second)))
         assert abs(solution["hub.theta"][k] / exact - 1) < 5e-3
+    lag = _tip_lag(solution, "hub.theta")
+    for extreme, exact, when in ((lag.argmin(), -0.423492, 0.7025), (lag.argmax(), 0.497820, 1.400)):
+        assert abs(lag[extreme] / exact - 1) < 5e-3
+        assert abs(solution.t[extreme] - when) < 0.01
 
 
 @pytest.fixture(scope="module")
@@ -84,8 +88,9 @@ def spin_up() -> Solution:
     return simulate(model("spin_up_beam"), t_end=20.0, dt=1e-3, save_every=5)
 
 
-def _tip_lag(solution: Solution) -> np.ndarray:
-    theta = solution["beam.theta"]
+def _tip_lag(solution: Solution, angle: str = "beam.theta") -> np.ndarray:
+    """Deflection of the tip across the line that turns by `angle`."""
+    theta = solution[angle]
     return -solution["tip_x"] * np.sin(theta) + solution["tip_y"] * np.cos(theta)
 
 
