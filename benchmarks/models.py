@@ -11,7 +11,8 @@ from pathlib import Path
 import casadi as ca
 
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.model import Model, load_model
+from runtime.loading import load_model
+from runtime.model import Model
 from runtime.schemes.kernels import StepKernels
 from symgen.generate import generate
 from symgen.scene import Scene

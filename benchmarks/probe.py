@@ -17,7 +17,8 @@ from pathlib import Path  # noqa: E402
 from benchmarks.models import condensed_program, workplace  # noqa: E402
 from benchmarks.scenes import MAJOR_STEP, RATIO, pinned_rod, slider_crank  # noqa: E402
 from runtime.engine.compiled import CompiledProgram  # noqa: E402
-from runtime.model import Model, load_model  # noqa: E402
+from runtime.loading import load_model  # noqa: E402
+from runtime.model import Model  # noqa: E402
 from runtime.schemes.central_difference import CentralDifference  # noqa: E402
 from runtime.schemes.grid import make_grid  # noqa: E402
 from runtime.schemes.options import Options  # noqa: E402

@@ -2,7 +2,8 @@
 
 from runtime.augmented import augmented_solution
 from runtime.initial import InitialStateError
-from runtime.model import Group, Model, ModelError, load_model
+from runtime.loading import load_model
+from runtime.model import Group, Model, ModelError
 from runtime.reference import reference_solution
 from runtime.schemes.options import SCHEMES, Options, SchemeError
 from runtime.simulate import simulate

@@ -20,8 +20,8 @@ STATE = ("q_i", "q_d", "q_i_dot", "q_d_dot", "t")
 def coupled_frequencies(model: Model, state: Mapping[str, Any], c: np.ndarray) -> np.ndarray | None:
     """Frequencies [rad/s] in ascending order at a state (q_i, q_d, q_i_dot, q_d_dot, t).
 
-    None if the model was generated without dQ_hat_dq_i or the state is not finite. Unstable directions (negative
-    stiffness) count with their rate.
+    None if the model was generated without dQ_hat_dq_i or the state is not finite. Directions of negative stiffness
+    count as zero.
     """
     if not model.has("dQ_hat_dq_i"):
         return None
@@ -34,7 +34,7 @@ def coupled_frequencies(model: Model, state: Mapping[str, Any], c: np.ndarray) -
     M_hat, stiffness = call("condensed", "M_hat"), -call("dQ_hat_dq_i", "dQ_hat_dq_i")
     if not (np.all(np.isfinite(M_hat)) and np.all(np.isfinite(stiffness))):
         return None
-    return np.sort(np.sqrt(np.abs(scipy.linalg.eigvals(stiffness, M_hat))))
+    return np.sort(np.sqrt(np.maximum(scipy.linalg.eigvals(stiffness, M_hat).real, 0.0)))
 
 
 def fastest_frequency(model: Model, state: Mapping[str, Any], c: np.ndarray) -> float | None:

@@ -1,21 +1,18 @@
-"""A generated model in memory: names, partition, parameters, and its CasADi Functions (built on demand)."""
+"""A model in memory: names, partition, parameters, and its CasADi Functions (built on demand)."""
 
 from __future__ import annotations
 
-import hashlib
-import importlib.util
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-FORMAT = 1
+# parameters whose sign is part of their meaning, by the last part of their name
+POSITIVE = frozenset(("mass", "length", "density", "area", "youngs_modulus", "second_moment"))
+NOT_NEGATIVE = frozenset(("inertia", "stiffness", "damping", "damping_ratio", "free_length"))
 
 
 class ModelError(ValueError):
@@ -41,10 +38,11 @@ class Parameter:
     default: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Model:
     """The equations of one scene. `builders` maps a function name to what builds it from the emitted code.
 
+    initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -66,7 +64,12 @@ class Model:
     builders: Mapping[str, Callable[[], ca.Function]]
     simulation: Mapping[str, Any] = field(default_factory=dict)
     operations: Mapping[str, int] = field(default_factory=dict)
+    initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+
+    def __repr__(self) -> str:
+        return (f"<Model {self.name}: {len(self.coordinates)} coordinates, {len(self.q_i)} independent, "
+                f"{len(self.constraints)} constraints>")
 
     def kernel(self, name: str) -> ca.Function:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
@@ -119,9 +122,7 @@ class Model:
             if name not in index:
                 known = ", ".join(q.name for q in self.parameters if q.kind != "data")
                 raise ModelError(f"model {self.name} has no parameter {name!r}; it has {known}")
-            if not np.isfinite(value):
-                raise ModelError(f"parameter {name!r} must be finite, not {value}")
-            p[index[name]] = value
+            p[index[name]] = _checked_value(name, value)
         return p
 
     def constants(self, p: np.ndarray) -> np.ndarray:
@@ -132,60 +133,11 @@ class Model:
         return c
 
 
-def load_model(folder: str | Path) -> Model:
-    """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
-
-    Raises ModelError if files are missing, were edited since generation, or belong to another format.
-    """
-    path = Path(folder)
-    manifest = _manifest(path)
-    texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
-    data = json.loads(texts["data.json"])
-    module = _module(path / "model.py", manifest["files"]["model.py"])
-    return _model(manifest, data, module)
-
-
-def _manifest(path: Path) -> dict[str, Any]:
-    try:
-        manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise ModelError(f"{path} is not a generated model (manifest.json: {error}); "
-                         f"generate it with: symgen generate SCENE --out {path}") from error
-    if not isinstance(manifest, dict) or manifest.get("format") != FORMAT:
-        raise ModelError(f"{path} was generated in another format; regenerate it with: symgen generate {path}")
-    return manifest
-
-
-def _checked_text(path: Path, name: str, expected: str) -> str:
-    try:
-        text = (path / name).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ModelError(f"{path / name} cannot be read ({error}); regenerate with: symgen generate {path}") from error
-    if hashlib.sha256(text.encode()).hexdigest() != expected:
-        raise ModelError(f"{path / name} was edited since it was generated (its hash differs from manifest.json); "
-                         f"regenerate with: symgen generate {path}")
-    return text
-
-
-def _module(path: Path, digest: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"generated_model_{digest[:16]}", path)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType) -> Model:
-    q_i = manifest["q_i"]
-    groups = [Group(group["name"], [q_i.index(name) for name in group["coordinates"]]) for group in manifest["groups"]]
-    parameters = [Parameter(**entry, default=data["p"][entry["name"]]) for entry in manifest["parameters"]]
-    names = manifest["coordinates"]
-    return Model(
-        name=manifest["scene"], title=manifest["title"], coordinates=names, elastic=manifest["elastic"], q_i=q_i,
-        q_d=manifest["q_d"], loop_unknowns=manifest["loop_unknowns"], groups=groups,
-        constraints=manifest["constraints"], joints=manifest["joints"], measures=manifest["measures"],
-        outlines=[(body, count) for body, count in manifest["outlines"]], parameters=parameters,
-        initial_q=np.array([data["q"][name] for name in names]),
-        initial_q_dot=np.array([data["q_dot"][name] for name in names]),
-        builders=module.FUNCTIONS, simulation=manifest["simulation"],
-        operations={name: entry["operations"] for name, entry in manifest["functions"].items()})
+def _checked_value(name: str, value: float) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
+        raise ModelError(f"parameter {name!r} must be a finite number, not {value!r}")
+    kind = name.rpartition(".")[2] if "." in name else ""
+    if (kind in POSITIVE and value <= 0) or (kind in NOT_NEGATIVE and value < 0):
+        wanted = "positive" if kind in POSITIVE else "at least zero"
+        raise ModelError(f"parameter {name!r} must be {wanted}, not {value}")
+    return float(value)

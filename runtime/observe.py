@@ -10,7 +10,7 @@ from runtime.schemes.central_difference import CentralDifference
 from runtime.solution import Solution
 from runtime.status import Status
 
-ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
+BLOCK = 256  # samples a call
 
 
 def observe_samples(model: Model, scheme: CentralDifference, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
@@ -59,12 +59,17 @@ def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.nda
 def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """Outputs (N, size) of a Function at N samples (rows of each value), matrices flattened column by column."""
     n = next(iter(values.values())).shape[0]
-    columns = {name: c[:, None] if name == "c" else values[name].T for name in function.name_in()}
-    mapped = function.map("samples", "serial", n, [k for k, name in enumerate(function.name_in()) if name == "c"], [])
-    result = mapped(**columns)
-    shapes = {name: function.size_out(name) for name in function.name_out()}
-    output: dict[str, np.ndarray] = {}
-    for name, (rows, cols) in shapes.items():
-        table = np.asarray(result[name], dtype=float).reshape(rows, n, cols)
-        output[name] = table.transpose(1, 2, 0).reshape(n, rows * cols)
+    constant = [k for k, name in enumerate(function.name_in()) if name == "c"]
+    size = min(BLOCK, max(1, n))
+    mapped = function.map("samples", "serial", size, constant, [])  # building a map takes time for each sample
+    output = {name: np.zeros((n, function.numel_out(name))) for name in function.name_out()}
+    for first in range(0, n, size):
+        rows = np.minimum(np.arange(first, first + size), n - 1)
+        columns: dict[str, np.ndarray] = {name: c[:, None] if name == "c" else values[name][rows].T
+                                          for name in function.name_in()}
+        result = mapped(**columns)
+        for name, table in output.items():
+            height, width = function.size_out(name)
+            block = np.asarray(result[name], dtype=float).reshape(height, size, width)
+            table[first:first + size] = block.transpose(1, 2, 0).reshape(size, -1)[:n - first]
     return output

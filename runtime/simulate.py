@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass, fields, replace
 from math import ceil
+from numbers import Real
+from operator import index
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,7 @@ from runtime.status import Status
 from runtime.watch import Watch
 
 MAX_SAMPLES = 10_000_000
+MAX_STEPS = 1e15
 STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 Progress = Callable[[float, float], None]
@@ -44,7 +47,7 @@ def simulate(
     model: Model, *, t_end: float | None = None, dt: float | None = None, m: list[int] | None = None,
     scheme: str | None = None, parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
-    options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None,
+    options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None, force: bool = False,
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
 
@@ -52,8 +55,9 @@ def simulate(
 
     scheme: a name of runtime.schemes.options.SCHEMES; options: changes to its Options by name. parameters and initial
     change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
-    between native calls. Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError,
-    InitialStateError or CompilerError for arguments that cannot be used.
+    between native calls. A run whose step is above the stability limit at the start stops there, unless `force`.
+    Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError or
+    CompilerError for arguments that cannot be used.
     """
     plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
     p = model.parameter_vector(parameters)
@@ -65,10 +69,18 @@ def simulate(
     runner = choose_engine(engine, program, plan.scheme.layout.size, len(ready), plan.steps)
     prepared = time.perf_counter()
     z = start_vector(model, plan.scheme, state.q, state.q_dot, t0, c)
-    samples, status = _run(plan, runner, z, ready, Watch(model, plan.scheme, c), progress)
+    watch = Watch(model, plan.scheme, c, force=force)
+    samples, status = _run(plan, runner, z, ready, watch, progress)
     finished = time.perf_counter()
     name = scheme or str(model.simulation["scheme"])
     stats = _statistics(plan, program, runner, samples[-1], prepared - started, finished - prepared)
+    stats["options"] = ", ".join(f"{key} = {value}" for key, value in asdict(plan.scheme.options).items())
+    stats["initial_changes"] = ", ".join(f"{key}: {given:.9g} -> {used:.9g}"
+                                         for key, (given, used) in state.changed.items()) or "none"
+    if runner.note:
+        stats["engine_note"] = runner.note
+    if watch.step_limit is not None:
+        stats["step_limit_at_start"] = watch.step_limit
     return observe_samples(model, plan.scheme, np.array(samples), p, c, name, stats, status)
 
 
@@ -81,22 +93,46 @@ def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] 
         raise SchemeError(f"there is no scheme {name!r}; choose one of {', '.join(SCHEMES)}")
     chosen = _with_changes(SCHEMES[name], options or {})
     single = name == "single_rate"
+    if m is not None:
+        m = _whole_numbers(m)
     if single and m:
         raise SchemeError(f"single_rate takes one step for all coordinates; leave m = {m!r} out, "
                           "or choose another scheme")
     if m is None:
         m = list(defaults["m"]) if len(defaults["m"]) == len(model.groups) - 1 else [1] * (len(model.groups) - 1)
     grid = make_grid(model, float(defaults["dt"]) if dt is None else dt, [] if single else m, single)
+    if isinstance(t0, bool) or not isinstance(t0, int | float) or not np.isfinite(t0):
+        raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
     end = float(defaults["t_end"]) if t_end is None else t_end
-    if isinstance(end, bool) or not isinstance(end, int | float) or not np.isfinite(end) or end <= t0:
+    if isinstance(end, bool) or not isinstance(end, Real) or not np.isfinite(float(end)) or float(end) <= t0:
         raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
-    every = int(defaults["save_every"]) if save_every is None else save_every
-    if isinstance(every, bool) or not isinstance(every, int) or every < 1:
-        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {every!r}")
+    end = float(end)
+    every = _whole_number(int(defaults["save_every"]) if save_every is None else save_every)
+    if every is None or every < 1:
+        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {save_every!r}")
+    if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
+        raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
+    if (end - t0) / grid.dt_L > MAX_STEPS:
+        raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
     steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES:
-        raise SchemeError(f"{steps // every} saved states are too many; raise save_every or dt")
+        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt")
     return Plan(CentralDifference(model, grid, chosen), grid, steps, every, t0)
+
+
+def _whole_number(value: Any) -> int | None:
+    """An int, also from a NumPy integer; None for anything else (a bool, 2.0)."""
+    try:
+        return None if isinstance(value, bool) else index(value)
+    except TypeError:
+        return None
+
+
+def _whole_numbers(values: Any) -> list[Any]:
+    """m as a list, NumPy integers as int; what is not whole stays for the grid to refuse. Raises SchemeError."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise SchemeError(f"m must be a list with one ratio between each two groups, not {values!r}")
+    return [value if (whole := _whole_number(value)) is None else whole for value in values]
 
 
 def _with_changes(options: Options, changes: Mapping[str, Any]) -> Options:
@@ -130,7 +166,7 @@ def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
             elapsed = time.perf_counter() - began
             done += n
             per_call = _next_batch(per_call, elapsed)
-            status = watch.after(z)
+            status = watch.after(z, last=done == plan.steps)
             if status is None and (done % plan.save_every == 0 or done == plan.steps):
                 samples.append(z.copy())
             if progress is not None:
@@ -138,6 +174,8 @@ def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
     except KeyboardInterrupt:
         status = Status("interrupted", plan.t0 + done * plan.grid.dt_L, None, "stopped by the user",
                         "What was computed is kept.")
+    if status is not None:  # end with the last good state, which need not be one that was to be saved
+        samples = [sample for sample in samples if watch.steps_done(sample) < watch.steps_done(z)] + [z.copy()]
     return samples, status or Status("completed", plan.t0 + plan.steps * plan.grid.dt_L)
 
 

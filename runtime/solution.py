@@ -20,7 +20,7 @@ STORED = ("kinetic", "elastic", "potential")
 SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error")
 
 
-@dataclass
+@dataclass(repr=False)
 class Solution:
     """N saved samples of a model with n coordinates, n_i of them independent. SI units throughout.
 
@@ -49,10 +49,18 @@ class Solution:
     stats: dict[str, float | int | str] = field(default_factory=dict)
     status: Status = field(default_factory=lambda: Status("completed", 0.0))
 
+    def __repr__(self) -> str:
+        return (f"<Solution of {self.model.name}: {self.scheme}, {len(self.t)} samples from {self.t[0]:g} to "
+                f"{self.t[-1]:g} s, {self.status.name}>")
+
     def __getitem__(self, name: str) -> np.ndarray:
-        """(N,) a coordinate or a measure by name. Raises ModelError for an unknown name."""
-        if name in self.model.coordinates:
-            return self.q[:, self.model.coordinates.index(name)]
+        """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure by name.
+
+        Raises ModelError for an unknown name.
+        """
+        for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
+            if name.endswith(suffix) and name.removesuffix(suffix) in self.model.coordinates:
+                return values[:, self.model.coordinates.index(name.removesuffix(suffix))]
         return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
 
     def rate(self, name: str) -> np.ndarray:

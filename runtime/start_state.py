@@ -20,7 +20,7 @@ def start_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float,
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults):
-        return ConsistentState(model.initial_q, model.initial_q_dot, {})
+        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes))
     if not model.constraints:
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
         for k, name in enumerate(model.coordinates):
@@ -33,8 +33,8 @@ def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float]
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
     for name, value in changes.items():
-        if not np.isfinite(value):
-            raise InitialStateError(f"initial value of {name} must be finite, not {value}")
+        if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
+            raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
         if name in model.coordinates:
             coordinates[name] = float(value)
         elif name.endswith("_dot") and name[:-4] in model.coordinates:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-StatusName = Literal["completed", "interrupted", "not_finite", "diverged", "constraints_lost", "iteration_failed"]
+StatusName = Literal["completed", "interrupted", "step_too_long", "not_finite", "diverged", "constraints_lost",
+                     "mass_not_positive", "iteration_failed"]
 
 
 @dataclass(frozen=True)

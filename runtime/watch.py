@@ -11,18 +11,30 @@ from runtime.schemes.central_difference import CentralDifference
 from runtime.status import Status, StatusName
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
-CLOSURE_LIMIT = 1e-2  # C before the last Newton step [m, rad]; quadratic convergence leaves its square
+CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
+CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
+FULL_CHECKS = 16
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
 class Watch:
-    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on."""
+    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on.
 
-    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
-        self.model, self.scheme, self.c = model, scheme, c
+    step_limit is the stability limit 2 / (fastest coupled frequency) at the start [s], None if it is not known.
+    """
+
+    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray, force: bool = False) -> None:
+        self.model, self.scheme, self.c, self.force = model, scheme, c, force
         self._good: np.ndarray | None = None
         self._scale = 1.0
         self._energy = _EnergyCheck(model, scheme, c)
+        self._constraints = _ConstraintCheck(model, scheme, c)
+        self.step_limit: float | None = None
+        self._calls = 0
+
+    def steps_done(self, z: np.ndarray) -> float:
+        """Major steps of a state."""
+        return float(z[self.scheme.layout.slice("n")][0])
 
     def first(self, z: np.ndarray) -> Status | None:
         """Check the start and remember its scale."""
@@ -34,18 +46,28 @@ class Watch:
         self._scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
         self._good = z.copy()
         self._energy.grows(z)
+        self._constraints.start(z)
+        self.step_limit = self._limit()
+        h = self.scheme.grid.h[-1]
+        if self.step_limit is not None and h > self.step_limit and not self.force:
+            return self._stop("step_too_long", None, f"the step {h:.3g} s of the fastest group is above its limit")
         return None
 
-    def after(self, z: np.ndarray) -> Status | None:
-        """Status that ends the run, or None to go on. z is put back to the last good state when it ends."""
-        status = self._problem(z)
-        if status is None:
-            self._good = z.copy()
-        elif self._good is not None:
+    def after(self, z: np.ndarray, last: bool = False) -> Status | None:
+        """Status that ends the run, or None to go on. z is put back to the last good state when it ends.
+
+        Cheap checks follow every call; the others the first FULL_CHECKS calls, then every FULL_CHECKS-th and the last.
+        """
+        self._calls += 1
+        full = last or self._calls <= FULL_CHECKS or self._calls % FULL_CHECKS == 0
+        status = self._cheap_problem(z) or (self._problem(z) if full else None)
+        if status is not None and self._good is not None:
             z[:] = self._good
+        elif full:
+            self._good = z.copy()
         return status
 
-    def _problem(self, z: np.ndarray) -> Status | None:
+    def _cheap_problem(self, z: np.ndarray) -> Status | None:
         layout = self.scheme.layout
         x, d = z[layout.slice("x")], z[layout.slice("d")]
         if not np.all(np.isfinite(z)):
@@ -54,11 +76,19 @@ class Watch:
         # angles may turn for ever, so growth is judged on increments
         if np.abs(d).max(initial=0.0) > GROWTH_LIMIT * self._scale:
             return self._stop("diverged", int(np.abs(d).argmax()), "the coordinate grows without bound")
-        if z[layout.slice("closure_error")][0] > CLOSURE_LIMIT:
+        if z[layout.slice("closure_error")][0] > CLOSURE_LIMIT * self._constraints.length:
             return self._stop("constraints_lost", None, "the loop closure moves too far in one step for Newton")
         if z[layout.slice("failures")][0] > 0:
             limit = self.scheme.options.max_iterations
             return self._stop("iteration_failed", None, f"the sweep (52)-(57) did not converge in {limit} iterations")
+        return None
+
+    def _problem(self, z: np.ndarray) -> Status | None:
+        d = z[self.scheme.layout.slice("d")]
+        if self._constraints.violated(z):
+            return self._stop("constraints_lost", None, "a constraint no longer holds")
+        if not self._constraints.positive_mass(z):
+            return self._stop("mass_not_positive", None, "M_hat is no longer positive definite")
         if self._energy.grows(z):
             return self._stop("diverged", int(np.abs(d / self.scheme.step_sizes).argmax()),
                               "energy grows although nothing feeds the mechanism")
@@ -66,33 +96,98 @@ class Watch:
 
     def _stop(self, name: StatusName, k: int | None, cause: str) -> Status:
         assert self._good is not None
-        layout, grid = self.scheme.layout, self.scheme.grid
-        time = float(self._good[0] + self._good[layout.slice("n")][0] * grid.dt_L)
+        time = float(self._good[0] + self.steps_done(self._good) * self.scheme.grid.dt_L)
         coordinate = None if k is None else self.model.q_i[k]
         return Status(name, time, coordinate, cause, self._advice(name))
 
-    def _advice(self, name: str) -> str:
-        if name == "iteration_failed":
-            return "Use common_update = direct, a larger eps, or a smaller step."
-        if name == "constraints_lost":
-            return ("The mechanism may be at a dead centre, where the chosen independent coordinates do not determine "
-                    "it: choose others (partition.independent), or reduce the step.")
+    def _limit(self) -> float | None:
+        """2 / (fastest coupled frequency) at the last good state [s]: central difference is unstable above it."""
         assert self._good is not None
         observed = self.scheme.observe()(z=self._good, c=self.c)
         frequency = fastest_frequency(self.model, observed, self.c)
-        h = self.scheme.grid.h[-1]
-        if not frequency:
+        return 2 / frequency if frequency else None
+
+    def _advice(self, name: str) -> str:
+        if name == "mass_not_positive":
+            return ("A deflection is too large for second-order geometric stiffening, or a mass is not positive: "
+                    "use more or stiffer bodies, smaller loads, or a shorter step if it grew by instability.")
+        if name == "iteration_failed":
+            return "Use common_update = direct, a larger eps, or a smaller step."
+        limit, h = self._limit(), self.scheme.grid.h[-1]
+        if limit is None:
             return "Reduce the step."
-        limit = 2 / frequency
-        text = (f"The fastest coupled frequency at the last good state is {frequency:.4g} rad/s: central difference "
+        text = (f"The fastest coupled frequency at the last good state is {2 / limit:.4g} rad/s: central difference "
                 f"needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s.")
         if h > limit:
             return text
+        if name == "constraints_lost":
+            return text + (" So the mechanism may be at a dead centre, where the chosen independent coordinates do not "
+                           "determine it: choose others (partition.independent), or reduce the step.")
         if len(self.scheme.grid.groups) > 1:
             return text + (" So the sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): "
                            "reduce m or dt, add damping, or use single_rate.")
         return text + (" So the growth may be physical: a spinning beam without geometric stiffening diverges, "
                        "for instance.")
+
+
+class _ConstraintCheck:
+    """C and M_hat of the observed state; C in units of the mechanism: metres of its size, or radians."""
+
+    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
+        self.c, self.length = c, 1.0
+        self._turning = np.array([name.endswith(".theta") for name in model.coordinates], dtype=bool)
+        self._angles = np.array([label.endswith(".angle") for label in model.constraints], dtype=bool)
+        active = bool(model.constraints) and model.has("constraints")
+        self._function = _constraints(model, scheme) if active else None
+        self._mass = _mass(model, scheme)
+
+    def start(self, z: np.ndarray) -> None:
+        """Take the mechanism's size from the lever arms in C_q."""
+        if self._function is not None:
+            C_q = np.abs(np.asarray(self._function(z, self.c)[1]))
+            arms = C_q[np.ix_(~self._angles, self._turning)]
+            self.length = float(arms.max(initial=0.0)) or 1.0
+
+    def violated(self, z: np.ndarray) -> bool:
+        """Is a constraint off by more than CONSTRAINT_LIMIT?"""
+        if self._function is None:
+            return False
+        C = np.abs(np.asarray(self._function(z, self.c)[0]).ravel())
+        return bool((C > CONSTRAINT_LIMIT * np.where(self._angles, 1.0, self.length)).any())
+
+
+    def positive_mass(self, z: np.ndarray) -> bool:
+        """Is M_hat positive definite?"""
+        return bool(np.linalg.eigvalsh(np.asarray(self._mass(z, self.c)))[0] > 0)
+
+
+def _mass(model: Model, scheme: CentralDifference) -> ca.Function:
+    """(z, c) -> M_hat."""
+    z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+    seen = {**scheme.observe()(z=z, c=c), "c": c}
+    kernel = model.kernel("condensed")
+    result = kernel.call({key: seen[key] for key in kernel.name_in()})
+    return ca.Function("mass", [z, c], [result["M_hat"]])
+
+
+def _observed(model: Model, scheme: CentralDifference, name: str) -> tuple[list[ca.SX], dict[str, ca.SX]]:
+    """([z, c], outputs of a kernel of (q, q_dot, t) at the state that z shows)."""
+    z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+    seen = scheme.observe()(z=z, c=c)
+    q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
+    for columns, suffix in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
+        for position, column in enumerate(columns):
+            q[int(column)] = seen[f"q_{suffix}"][position]
+            q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
+    kernel = model.kernel(name)
+    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c}
+    return [z, c], dict(kernel.call({key: values[key] for key in kernel.name_in()}))
+
+
+def _constraints(model: Model, scheme: CentralDifference) -> ca.Function:
+    """(z, c) -> C, C_q."""
+    arguments, outputs = _observed(model, scheme, "constraints")
+    return ca.Function("constraints", arguments, [outputs["C"], outputs["C_q"]])
 
 
 class _EnergyCheck:
@@ -119,17 +214,8 @@ class _EnergyCheck:
 
 def _energies(model: Model, scheme: CentralDifference) -> ca.Function:
     """(z, c) -> kinetic plus elastic energy, potential energy."""
-    z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = scheme.observe()(z=z, c=c)
-    q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
-    for columns, suffix in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-        for position, column in enumerate(columns):
-            q[int(column)] = seen[f"q_{suffix}"][position]
-            q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
-    kernel = model.kernel("energy")
-    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c}
-    energy = kernel.call({name: values[name] for name in kernel.name_in()})
-    return ca.Function("energies", [z, c], [energy["kinetic"] + energy["elastic"], energy["potential"]])
+    arguments, energy = _observed(model, scheme, "energy")
+    return ca.Function("energies", arguments, [energy["kinetic"] + energy["elastic"], energy["potential"]])
 
 
 def _is_closed(model: Model) -> bool:

@@ -18,6 +18,10 @@ from symgen.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 from symgen.scene import Scene
 
 
+class NoInertia(Exception):
+    """An independent coordinate (its column) has no inertia at all."""
+
+
 def is_tree(system: Condensed) -> bool:
     """Does the scene have bodies and no loop closures?"""
     return bool(system.equations.body_columns) and not system.choice.loop_rows
@@ -60,6 +64,8 @@ def _pivot(M: list[Row], force: Row, k: int) -> tuple[int, Row, ca.SX, ca.SX]:
     """Gauss elimination of column k: (k, its row, 1 / pivot, its force) for the way back."""
     row = M[k]
     M[k] = {}
+    if k not in row:
+        raise NoInertia(k)
     inverse = div(ONE, row.pop(k))
     value = force.pop(k)
     for column in row:

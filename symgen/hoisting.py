@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isfinite
 
 import casadi as ca
 
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape, uses
 from symgen.expansion import shorter_form
 from symgen.graph import Graph
+from symgen.scene import SceneError
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,10 @@ class _Graphed:
 
     def _place(self, node: Node, numbers: list[int]) -> int:
         if node.op == ca.OP_CONST:
+            if not isfinite(node.value):
+                raise SceneError("expressions", "a motion, load or quantity contains a division by zero or a logarithm "
+                                 "of a number that is not positive", "correct the expression, also in the branches of "
+                                 "where() that are not taken")
             return self.graph.constant(node.value)
         if node.op == ca.OP_INPUT:
             argument = self.arguments[node.a]

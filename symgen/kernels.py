@@ -16,7 +16,7 @@ from symgen.condensation import Condensed, reduced_loop_rows, solve_small
 from symgen.drawing import drawing
 from symgen.elimination import constraint_jacobian
 from symgen.equations import Equations, matrix_times
-from symgen.forward_dynamics import is_tree, tree_accelerations
+from symgen.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
 from symgen.joints.instance import ConstraintRow
@@ -95,7 +95,11 @@ def _independent(system: Condensed, vector: ca.SX) -> dict[int, ca.SX]:
 def _condensed(system: Condensed, a: Arguments) -> Kernel:
     """M_hat and Q_hat (Eq. 38)."""
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
-    return Kernel(inputs, {"M_hat": system.M_hat(), "Q_hat": system.generalised_force({})})
+    M_hat = system.M_hat()
+    for k, column in enumerate(system.choice.independent):
+        if M_hat[k, k].is_zero():
+            raise NoInertia(column)
+    return Kernel(inputs, {"M_hat": M_hat, "Q_hat": system.generalised_force({})})
 
 
 def _forward_dynamics(system: Condensed, scene: Scene, a: Arguments) -> Kernel:

@@ -21,6 +21,7 @@ from runtime.initial import ConsistentState, GivenValues, InitialStateError, con
 from symgen.condensation import Condensed, condense
 from symgen.elimination import choose_loops, structural_pivots
 from symgen.equations import Equations, build_equations
+from symgen.forward_dynamics import NoInertia
 from symgen.hoisting import hoist
 from symgen.kernels import arguments_of, build_kernels
 from symgen.parameters import ParameterEntry, ParameterTable
@@ -56,7 +57,11 @@ def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
                          "remove a joint or a prescribed motion, or give a body modes")
     system = condense(equations, choice)
     groups = choose_groups(scene, equations, choice.independent)
-    kernels = build_kernels(system, scene, [group.positions for group in groups], functions)
+    try:
+        kernels = build_kernels(system, scene, [group.positions for group in groups], functions)
+    except NoInertia as error:
+        raise SceneError(equations.names[error.args[0]], "has no inertia, so its acceleration is not determined",
+                         "give the body an inertia, or join it so that it cannot move that way") from error
     tapes = hoist(kernels, table.vector())
     return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
 

@@ -7,6 +7,8 @@ compiler's passes take quadratic time in the loads and stores of a function, hen
 
 from __future__ import annotations
 
+from math import isinf, isnan
+
 import casadi as ca
 
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
@@ -15,7 +17,7 @@ from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 LONGEST = 4000  # statements of one function
 CHUNK = 100
 
-# the library's fmax and fmin are calls; these give the same values, NaN included
+# the library's fmax and fmin are calls; these give the same values, NaN included (but either zero of +0 and -0)
 HEADER = """#include <math.h>
 #include <string.h>
 
@@ -33,7 +35,7 @@ _BINARY = {
 }
 _UNARY = {
     ca.OP_NEG: "-{a}", ca.OP_SQ: "{a} * {a}", ca.OP_TWICE: "2 * {a}", ca.OP_INV: "1 / {a}", ca.OP_NOT: "!{a}",
-    ca.OP_SIGN: "({a} > 0) - ({a} < 0)", ca.OP_ASSIGN: "{a}",
+    ca.OP_SIGN: "{a} > 0 ? 1 : {a} < 0 ? -1 : {a}", ca.OP_ASSIGN: "{a}",
     **{op: name + "({a})" for op, name in (
         (ca.OP_SQRT, "sqrt"), (ca.OP_EXP, "exp"), (ca.OP_LOG, "log"), (ca.OP_SIN, "sin"), (ca.OP_COS, "cos"),
         (ca.OP_TAN, "tan"), (ca.OP_ASIN, "asin"), (ca.OP_ACOS, "acos"), (ca.OP_ATAN, "atan"), (ca.OP_SINH, "sinh"),
@@ -100,6 +102,14 @@ def _needed(tape: Tape, roots: list[int]) -> list[bool]:
     return needed
 
 
+def _number(value: float) -> str:
+    if isnan(value):
+        return "NAN"
+    if isinf(value):
+        return "INFINITY" if value > 0 else "(-INFINITY)"
+    return f"({value!r})" if value < 0 else repr(value)
+
+
 class _Writer:
     """Statements of one stage. All loads of z precede its stores, so the update can be in place."""
 
@@ -109,7 +119,7 @@ class _Writer:
     def _operand(self, k: int, names: dict[int, str]) -> str:
         node = self.tape.nodes[k]
         if node.op == ca.OP_CONST:
-            return f"({node.value!r})" if node.value < 0 else repr(node.value)
+            return _number(node.value)
         if node.op == ca.OP_INPUT:
             return f"{'zc'[node.a]}[{node.b}]"
         return names[k]

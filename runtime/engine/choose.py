@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from runtime.engine.compiled import CompiledProgram, find_compiler
+from runtime.engine.compiled import CompiledProgram, CompilerError, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 
@@ -17,9 +17,10 @@ TYPICAL_SWEEPS = 8
 
 
 class Engine(Protocol):
-    """Runs a program n times on z in place."""
+    """Runs a program n times on z in place. note says why it was chosen where that is worth knowing."""
 
     name: str
+    note: str
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z."""
@@ -48,4 +49,11 @@ def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: 
         size = sum(stage.n_instructions() for stage in stages(program))
         pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
         wish = "compiled" if pays and find_compiler() else "interpreted"
+        if wish == "compiled":
+            try:
+                return CompiledProgram(program)
+            except CompilerError as error:
+                interpreted_instead = InterpretedProgram(program, z_size, c_size)
+                interpreted_instead.note = f"compiling failed, so the run was interpreted: {error}"
+                return interpreted_instead
     return CompiledProgram(program) if wish == "compiled" else InterpretedProgram(program, z_size, c_size)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -29,11 +30,11 @@ class CompilerError(RuntimeError):
 
 
 def find_compiler() -> str | None:
-    """The C compiler to use: $CC, cc, gcc or clang; None if there is none."""
-    for name in (os.environ.get("CC"), "cc", "gcc", "clang"):
-        if name and (path := shutil.which(name)):
-            return path
-    return None
+    """The command of the C compiler to use: $CC alone if set, else cc, gcc or clang; None if there is none."""
+    chosen = os.environ.get("CC")
+    if chosen:
+        return chosen if shutil.which(shlex.split(chosen)[0]) else None
+    return next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
 
 
 def cache_folder() -> Path:
@@ -47,8 +48,11 @@ def cache_folder() -> Path:
 @cache
 def _identity(compiler: str) -> str:
     """Compiler version and what -march=native means on this processor."""
-    command = [compiler, "-march=native", "-E", "-v", "-x", "c", os.devnull]
-    result = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    command = [*shlex.split(compiler), "-march=native", "-E", "-v", "-x", "c", os.devnull]
+    try:
+        result = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise CompilerError(f"{compiler} does not answer: {error}") from error
     kept = [line for line in result.stderr.splitlines() if "-march" in line or "version" in line]
     return "\n".join(line for line in kept if "/tmp" not in line)
 
@@ -69,11 +73,11 @@ def compile_source(source: str, large: bool = False) -> Path:
 
 def _build(compiler: str, flags: tuple[str, ...], source: str, folder: Path, target: Path) -> None:
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder) as work:
             source_file, library = Path(work) / "program.c", Path(work) / "program.so"
             source_file.write_text(source, encoding="utf-8")
-            command = [compiler, *flags, "-o", str(library), str(source_file), "-lm"]
+            command = [*shlex.split(compiler), *flags, "-o", str(library), str(source_file), "-lm"]
             result = subprocess.run(command, capture_output=True, text=True)
             if result.returncode != 0:
                 raise CompilerError(f"{compiler} failed: {result.stderr.strip()[:2000]}")
@@ -88,10 +92,20 @@ class CompiledProgram:
     name = "compiled"
 
     def __init__(self, program: Program) -> None:
+        self.note = ""
         source = program_source(program)
         self.source_lines = source.count("\n")
-        self.library = compile_source(source, large=self.source_lines > LARGE_SOURCE)
-        self._run = ctypes.CDLL(str(self.library)).run
+        large = self.source_lines > LARGE_SOURCE
+        self.library = compile_source(source, large)
+        try:
+            self._run = ctypes.CDLL(str(self.library)).run
+        except (OSError, AttributeError):  # a damaged file in the cache: build it again, once
+            self.library.unlink(missing_ok=True)
+            self.library = compile_source(source, large)
+            try:
+                self._run = ctypes.CDLL(str(self.library)).run
+            except (OSError, AttributeError) as error:
+                raise CompilerError(f"the compiled program cannot be loaded: {error}") from error
         self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None
 

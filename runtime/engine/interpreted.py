@@ -60,6 +60,7 @@ class InterpretedProgram:
     name = "interpreted"
 
     def __init__(self, program: Program, z_size: int, c_size: int) -> None:
+        self.note = ""
         self._composer = _Composer(z_size, c_size)
         self._step = self._composer.function(program)
         self._batches: dict[int, tuple] = {}

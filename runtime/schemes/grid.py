@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from numbers import Real
 
 from runtime.model import Model
 from runtime.schemes.options import SchemeError
@@ -37,7 +38,7 @@ def make_grid(model: Model, dt: float, m: list[int], single: bool) -> Grid:
 
     Raises SchemeError for steps that are not positive, ratios that are not whole, or a wrong number of ratios.
     """
-    if isinstance(dt, bool) or not isinstance(dt, int | float) or not 0 < dt < float("inf"):
+    if isinstance(dt, bool) or not isinstance(dt, Real) or not 0 < float(dt) < float("inf"):
         raise SchemeError(f"the step dt must be a positive number of seconds, not {dt!r}")
     if single:
         return Grid([list(range(len(model.q_i)))], [float(dt)], [])

@@ -22,7 +22,9 @@ class Options:
     slow_interpolation: how slow variables move during sub-steps, see slow_interpolation.py.
     sub_step_velocity: `predictor` takes q_S_dot with the last acceleration (explicit, second order); `newton` solves
         (43) with the emitted Jacobian.
-    eps: one tolerance per group, slow to fast (eps_L, eps_S), in the coordinates' own unit; a single one serves all.
+    eps: one tolerance per group, slow to fast (eps_L, eps_S); a single one serves all.
+    stopping: `relative` compares the change of q(t + h) by a sweep with the group's largest h^2 q_ddot, so that
+        small steps converge too; `absolute` is (56)-(57) as printed, in the coordinates' own unit.
     """
 
     common_update: Literal["fixed_point", "direct"] = "direct"
@@ -30,6 +32,7 @@ class Options:
     slow_interpolation: str = "end_point_sum"
     sub_step_velocity: Literal["predictor", "newton"] = "predictor"
     eps: tuple[float, ...] = (1e-13,)
+    stopping: Literal["relative", "absolute"] = "relative"
     max_iterations: int = 500
     newton_iterations: int = 1
     closure_iterations: int = 2
@@ -37,6 +40,7 @@ class Options:
     def checked(self, groups: int) -> Options:
         """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
         choices = {"common_update": ("fixed_point", "direct"), "guess": ("taylor", "previous"),
+                   "stopping": ("relative", "absolute"),
                    "sub_step_velocity": ("predictor", "newton"), "slow_interpolation": tuple(INTERPOLATIONS)}
         for name, allowed in choices.items():
             if getattr(self, name) not in allowed:
@@ -45,7 +49,11 @@ class Options:
             value = getattr(self, name)
             if not isinstance(value, int) or value < 1:
                 raise SchemeError(f"{name} must be a whole number of at least 1, not {value!r}")
-        eps = tuple(self.eps) * groups if len(self.eps) == 1 else tuple(self.eps)
+        try:
+            given = tuple(float(value) for value in (self.eps if isinstance(self.eps, tuple | list) else (self.eps,)))
+        except (TypeError, ValueError):
+            given = ()
+        eps = given * groups if len(given) == 1 else given
         if len(eps) != groups or not all(value > 0 for value in eps):
             raise SchemeError(f"eps needs one positive tolerance per group ({groups}), not {self.eps}")
         return replace(self, eps=eps)

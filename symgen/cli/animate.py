@@ -43,7 +43,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 def _solution(arguments: argparse.Namespace) -> tuple[Solution, Path]:
     """The solution and where its GIF goes unless told otherwise."""
-    from runtime.model import load_model
+    from runtime.loading import load_model
     from runtime.solution import Solution
     from symgen.cli.running import MODEL_FOLDER, SOLUTION_FILE, run_model
     from symgen.cli.sources import builtin_name, opened_model

@@ -27,7 +27,7 @@ def add(subparsers: Any) -> None:
 def run(arguments: argparse.Namespace) -> Outcome:
     """The whole path; a scene without bodies to draw gets no animation."""
     from runtime.animation import animate
-    from runtime.model import load_model
+    from runtime.loading import load_model
     from runtime.report import run_report
     from symgen.cli.running import MODEL_FOLDER, exit_code, leave_pictures, leave_results, run_model, summary
     from symgen.cli.sources import find_source

@@ -88,7 +88,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
 
     keep: folder that gets the model's files. Raises ModelError or SceneError.
     """
-    from runtime.model import load_model
+    from runtime.loading import load_model
 
     folder = Path(word)
     if not folder.is_dir() or builtin_name(word) is not None or made_with:
@@ -103,7 +103,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
 
 
 def _generated(scene: Scene, keep: Path | None) -> Model:
-    from runtime.model import load_model
+    from runtime.loading import load_model
     from symgen.generate import generate
 
     if keep is not None:

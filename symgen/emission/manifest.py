@@ -7,6 +7,7 @@ import json
 from collections.abc import Mapping
 from importlib.metadata import version
 
+from runtime.loading import manifest_digest
 from symgen.bodies.outlines import outline_references
 from symgen.emission.model_text import meaning
 from symgen.parameters import ParameterTable
@@ -60,7 +61,7 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "files": {name: sha256(text) for name, text in files.items()},
         "versions": {package: version(package) for package in ("casadi", "sympy", "symgen")},
     }
-    return json.dumps(manifest, indent=1) + "\n"
+    return json.dumps({**manifest, "sha256": manifest_digest(manifest)}, indent=1) + "\n"
 
 
 def sha256(text: str) -> str:

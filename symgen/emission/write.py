@@ -81,7 +81,8 @@ def _comparable_manifest(text: str) -> str:
         return text
     if not isinstance(manifest, dict):
         return text
-    manifest.pop("versions", None)
+    for machine_dependent in ("versions", "sha256"):
+        manifest.pop(machine_dependent, None)
     manifest.get("files", {}).pop("data.json", None)
     return json.dumps(manifest, indent=1) + "\n"
 

@@ -92,6 +92,14 @@ def ratios_without_groups() -> SceneBuilder:
     return pendulum().simulation(t_end=1.0, dt=0.1, m=[2, 3])
 
 
+def point_that_may_turn() -> SceneBuilder:
+    return SceneBuilder("point").rigid("p", mass=1.0, inertia=0.0, free=True)
+
+
+def no_inertia_in_a_loop() -> SceneBuilder:
+    return four_bar().rigid("disc", mass=1.0, inertia=0.0).revolute("E", "crank.tip", "disc.origin")
+
+
 BAD: list[tuple[Callable[[], SceneBuilder], str, str]] = [
     (doubled_hinge, "joints", "again"),
     (welded, "joints", "no degree of freedom"),
@@ -103,6 +111,8 @@ BAD: list[tuple[Callable[[], SceneBuilder], str, str]] = [
     (too_few_chosen, "partition.independent", "b.theta must be independent too"),
     (uncovered_group, "partition.groups", "b.theta"),
     (dependent_group, "partition.groups", "no independent coordinate"),
+    (point_that_may_turn, "p.theta", "no inertia"),
+    (no_inertia_in_a_loop, "disc.theta", "no inertia"),
     (ratios_without_groups, "simulation.m", "2 step ratios for 1 groups"),
 ]
 
@@ -148,9 +158,17 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
     ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
     ({"engine": "fast"}, ValueError, "engine must be"),
     ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
-    ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be finite"),
+    ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be a finite number"),
+    ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
+    ({"parameters": {"rod.mass": -1.0}}, ModelError, "must be positive"),
+    ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
+    ({"m": 3}, SchemeError, "m must be a list"),
+    ({"t0": float("nan")}, SchemeError, "t0 must be a time"),
+    ({"t0": "a"}, SchemeError, "t0 must be a time"),
+    ({"t_end": 1e300, "dt": 1e-300}, SchemeError, "raise dt"),
+    ({"options": {"eps": "a"}}, SchemeError, "eps"),
     ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
-    ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be finite"),
+    ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be a finite number"),
     ({"initial": {"rod.x": 1.0}}, InitialStateError, "cannot all be satisfied"),
     ({"options": {"eps": (0.0,)}}, SchemeError, "eps"),
     ({"options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
@@ -175,11 +193,15 @@ def test_step_too_long_ends_with_status_time_coordinate_and_advice(tmp_path: Pat
     stiff = SceneBuilder("stiff").structure(coordinates=["x"], mass=[[1.0]], stiffness=[[1e4]]).initial({"x": 1.0})
     stiff.simulation(t_end=10.0, dt=0.05, scheme="single_rate")
     solution = simulate(load_model(generate(stiff.build(), tmp_path / "stiff")))
-    assert solution.status.name == "diverged"
-    assert solution.status.coordinate == "x"
-    assert solution.status.time == solution.t[-1] < 10.0
+    assert solution.status.name == "step_too_long"
+    assert solution.status.time == solution.t[-1] == 0.0
     assert "0.02 s" in solution.status.advice  # the limit 2 / 100
-    assert np.all(np.isfinite(solution.q))
+    forced = simulate(load_model(tmp_path / "stiff"), force=True)
+    assert forced.status.name == "diverged"
+    assert forced.status.coordinate == "x"
+    assert forced.status.time == forced.t[-1] < 10.0
+    assert "0.02 s" in forced.status.advice
+    assert np.all(np.isfinite(forced.q))
 
 
 def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:

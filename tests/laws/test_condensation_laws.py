@@ -169,3 +169,15 @@ def test_jacobians_equal_central_differences(built_in: Load, name: str) -> None:
             difference = (ahead - behind) / (2 * h)
             np.testing.assert_allclose(emitted[:, j], difference, rtol=1e-5,
                                        atol=1e-6 * np.max(np.abs(emitted[:, j])) + 100 * noise)
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "hub_beam", "chain"])
+def test_tree_elimination_gives_the_condensed_accelerations(built_in: Callable[[str], Model], name: str) -> None:
+    """forward_dynamics never forms M_hat; its accelerations must be those of (38)."""
+    model = built_in(name)
+    for state in random_states(model, STATES):
+        condensed = evaluate(model, "condensed", **state.values())
+        n = len(model.q_i)
+        expected = np.linalg.solve(condensed["M_hat"].reshape(n, n), condensed["Q_hat"].ravel())
+        found = evaluate(model, "forward_dynamics", **state.values())["q_i_ddot"].ravel()
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 * np.abs(expected).max())

@@ -1,0 +1,156 @@
+"""How runs fail: the named status, the last good state kept, and what happens without a working compiler."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import load_model, simulate
+from runtime.engine import c_source
+from runtime.engine.compiled import CompiledProgram, CompilerError, compile_source, find_compiler
+from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.prepare import prepare
+from runtime.model import Model
+from runtime.simulate import make_plan, start_vector
+from symgen.generate import generate
+from symgen.scene import Scene, SceneBuilder
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+
+
+def scaled_slider_crank(size: float) -> Scene:
+    """Crank and rod of the given size, spun so fast that a step turns the crank by most of a radian."""
+    scene = SceneBuilder("small")
+    for name, length in (("crank", size), ("rod", 2 * size)):
+        scene.rigid(name, mass=1.0, inertia=size**2 / 12, center_of_mass=(length / 2, 0),
+                    markers={"tip": {"position": (length, 0)}})
+    scene.rigid("slider", mass=1.0, inertia=size**2)
+    scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
+    scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
+    scene.independent("crank.theta").initial({"crank.theta": 0.3}).rates({"crank.theta": 40.0})
+    return scene.simulation(t_end=2.0, dt=2e-2, scheme="single_rate").build()
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-2, 1e-4])
+def test_lost_constraints_are_seen_at_every_size(model_of: Build, size: float) -> None:
+    solution = simulate(model_of(scaled_slider_crank(size)))
+    assert solution.status.name == "constraints_lost"
+    assert solution.constraint_error.max() < 1e-6 * size * 2
+    assert solution.t[-1] == solution.status.time
+
+
+def test_last_good_state_is_kept_though_it_was_not_to_be_saved(built_in: Load) -> None:
+    model = built_in("two_oscillators")
+    solution = simulate(model, parameters={"zeta": 0.0}, scheme="printed", m=[4], t_end=20.0, save_every=10**6)
+    assert solution.status.name == "diverged"
+    assert len(solution.t) == 2
+    assert solution.t[-1] == solution.status.time > 0
+    assert solution.stats["steps"] == round(solution.t[-1] / solution.dt)
+
+
+def test_driven_mechanism_above_its_limit_does_not_start(built_in: Load) -> None:
+    model = built_in("flexible_slider_crank")
+    solution = simulate(model, scheme="single_rate", dt=1e-4, t_end=1.5e-3)
+    assert solution.status.name == "step_too_long"
+    assert solution.stats["step_limit_at_start"] == pytest.approx(8.2e-5, rel=0.1)
+    assert simulate(model, scheme="single_rate", dt=8e-5, t_end=1.6e-3).status.ok
+
+
+def test_sweep_that_cannot_converge_is_named(built_in: Load) -> None:
+    solution = simulate(built_in("hub_beam"), scheme="printed", m=[1], t_end=0.1, options={"max_iterations": 5})
+    assert solution.status.name == "iteration_failed"
+    assert "direct" in solution.status.advice
+
+
+def test_start_that_is_not_finite(tmp_path: Path) -> None:
+    """M_hat is singular for the changed parameter, which no sign rule catches."""
+    scene = SceneBuilder("pair").parameter("c", 0.5).structure(
+        coordinates=["a", "b"], mass=[[1.0, "c"], ["c", 1.0]], stiffness=[[1.0, 0.0], [0.0, 1.0]])
+    model = load_model(generate(scene.initial({"a": 1.0}).build(), tmp_path / "pair"))
+    solution = simulate(model, parameters={"c": 1.0}, scheme="single_rate", t_end=1.0, dt=0.1)
+    assert solution.status.name == "not_finite"
+    assert "M_hat" in solution.status.advice
+
+
+@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals reach the main thread")
+def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
+    calls = 0
+
+    def progress(t: float, t_end: float) -> None:
+        nonlocal calls
+        calls += 1
+        if calls == 20:
+            signal.raise_signal(signal.SIGINT)
+
+    solution = simulate(built_in("pendulum"), t_end=1000.0, dt=1e-3, save_every=1, progress=progress)
+    assert solution.status.name == "interrupted"
+    assert solution.t[-1] == pytest.approx(solution.status.time)
+    assert len(solution.t) >= 20
+
+
+def test_auto_interprets_where_compiling_fails(built_in: Load, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "file"))
+    settings = {"t_end": 2.0, "dt": 1e-6, "save_every": 10**6}
+    model = built_in("pendulum")
+    if find_compiler():
+        solution = simulate(model, **settings)  # type: ignore[arg-type]
+        assert solution.stats["engine"] == "interpreted"
+        assert "compiling failed" in str(solution.stats["engine_note"])
+        with pytest.raises(CompilerError):
+            simulate(model, engine="compiled", **settings)  # type: ignore[arg-type]
+    monkeypatch.setenv("CC", "/no/such/compiler")
+    assert simulate(model, t_end=0.1).status.ok
+    with pytest.raises(CompilerError, match="no C compiler"):
+        simulate(model, engine="compiled", t_end=0.1)
+
+
+@needs_compiler
+def test_damaged_cache_is_built_again(built_in: Load, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
+    program = make_plan(built_in("pendulum"), 1.0, 1e-3, None, "single_rate", 1, None, 0.0).scheme.program()
+    compile_source(c_source.program_source(program)).write_bytes(b"")  # not loaded yet: a loader remembers paths
+    assert CompiledProgram(program).library.stat().st_size > 0
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", ["flexible_slider_crank", "chain"])
+def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Long stages are split; small limits split short ones too. Four threads must not disturb each other."""
+    monkeypatch.setattr(c_source, "LONGEST", 20)
+    monkeypatch.setattr(c_source, "CHUNK", 7)
+    model = built_in(name)
+    plan = make_plan(model, 0.01, None, None, "single_rate", 1, None, 0.0)
+    c = model.constants(model.parameter_vector())
+    program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
+    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    start = start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    expected = start.copy()
+    InterpretedProgram(program, len(start), len(ready)).run(expected, ready, 200)
+    compiled = CompiledProgram(program)
+    states = [start.copy() for _ in range(4)]
+    threads = [threading.Thread(target=compiled.run, args=(state, ready, 200)) for state in states]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for state in states:
+        assert np.array_equal(state, expected)
+
+
+def test_printed_scheme_with_default_tolerance_keeps_its_order(built_in: Load) -> None:
+    """m = 1 with strong inertia coupling: the stopping test must not spoil small steps."""
+    model = built_in("hub_beam")
+    exact = simulate(model, scheme="single_rate", dt=1e-5, t_end=0.2, save_every=10**6).q_i[-1]
+    steps = np.array([8e-4, 4e-4, 2e-4])
+    errors = [np.abs(simulate(model, scheme="printed", m=[1], dt=float(dt), t_end=0.2, save_every=10**6).q_i[-1]
+                     - exact).max() for dt in steps]
+    assert abs(np.polyfit(np.log(steps), np.log(errors), 1)[0] - 2.0) < 0.1
+    assert errors[-1] < 5e-8
