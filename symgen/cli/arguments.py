@@ -64,9 +64,30 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
                        help="change a parameter; may be repeated")
     group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
                        help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
+    group.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
+                       help="change a reading or tolerance of the scheme, for instance common_update=direct; repeatable")
+    group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")
     group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
     group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
                        help="interpreted by CasADi or compiled C (default: auto)")
+
+
+def option(text: str) -> tuple[str, Any]:
+    """NAME=VALUE with a word, a number, or numbers separated by commas as the value."""
+    name, equals, value = text.partition("=")
+    if not equals or not name:
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    parsed = [_word_or_number(part) for part in value.split(",")]
+    return name, parsed[0] if len(parsed) == 1 else tuple(parsed)
+
+
+def _word_or_number(text: str) -> str | int | float:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text
 
 
 def number(text: str) -> float:

@@ -26,7 +26,8 @@ def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
         with Progress(f"symgen {model.name}") as progress:
             return simulate(model, t_end=arguments.t_end, dt=arguments.dt, m=arguments.m, scheme=arguments.scheme,
                             parameters=dict(arguments.set), initial=dict(arguments.initial),
-                            save_every=arguments.save_every, engine=arguments.engine, progress=progress)
+                            save_every=arguments.save_every, engine=arguments.engine, progress=progress,
+                            options=dict(arguments.option), force=arguments.force)
     except CompilerError as error:  # asked for --engine compiled where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
@@ -68,6 +69,10 @@ def summary(solution: Solution) -> list[str]:
              f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
              f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, "
              f"largest energy balance error {balance:.3g} J (total {float(solution.total_energy[-1]):.6g} J)"]
+    if stats.get("initial_changes", "none") != "none":
+        lines.append(f"the initial state was corrected: {stats['initial_changes']}")
+    if "engine_note" in stats:
+        lines.append(str(stats["engine_note"]))
     final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in model.q_i[:6])
     more = ", ..." if len(model.q_i) > 6 else ""
     return [*lines, f"at t = {float(solution.t[-1]):.6g} s: {final}{more}"]

@@ -95,7 +95,8 @@ coordinates."rod.theta" = -1.0
 
 # --- How to step it -------------------------------------------------------------------------------------------
 # scheme "single_rate" steps everything with dt. With "printed" (the paper's sub-cycling) dt is the step of the slow
-# group and m = [10] gives the next group ten sub-steps in it.
+# group and m = [10] gives the next group ten sub-steps in it; this rod is coupled so strongly to its angle that the
+# paper's sweep hardly converges, so solve its equations at once: --option common_update=direct
 [simulation]
 t_end = 1.0
 dt = 2e-4
