@@ -22,11 +22,11 @@ from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.linear_solve import solve_general, solve_symmetric
-from runtime.schemes.options import Options
+from runtime.schemes.options import LARGE_SYSTEM, Options
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 
 START_CLOSURE_ITERATIONS = 4
-OBSERVE_NEWTON_ITERATIONS = 2
+OBSERVE_ITERATIONS = 2  # Newton steps, or sweeps from the predictor
 ROUNDING = 4e-16
 
 
@@ -52,7 +52,15 @@ class CentralDifference:
     def newton(self) -> bool:
         """Does the common update iterate on velocities?"""
         kernels = StepKernels(self.model, ca.SX.sym("c", self.c_size))
-        return self.options.common_update == "direct" and kernels.velocity_dependent
+        chosen = self.options.common_velocity
+        wanted = chosen == "newton" or (chosen == "auto" and len(self.model.q_i) <= LARGE_SYSTEM)
+        return self.options.common_update == "direct" and wanted and kernels.velocity_dependent
+
+    @property
+    def _by_tree(self) -> bool:
+        """A large tree in one group: its accelerations come from the O(N) elimination."""
+        large = len(self.model.q_i) > LARGE_SYSTEM and len(self.grid.groups) == 1
+        return large and self.model.has("forward_dynamics") and not self.newton
 
     # ---- the flow chart -------------------------------------------------------------------------------------
 
@@ -152,7 +160,8 @@ class CentralDifference:
         motion = self._motion(z, kernels, q, self._now(z, level))
         active = self.grid.from_level(level)
         v = ca.SX(v_half)
-        newton = kernels.velocity_dependent and (level == 0 or self.options.sub_step_velocity == "newton")
+        newton = self.newton if level == 0 else (
+            kernels.velocity_dependent and self.options.sub_step_velocity == "newton")
         for _ in range(self.options.newton_iterations if newton else 1):
             for k in active:
                 v[k] = v_half[k] + self._h[k] / 2 * a[k]
@@ -167,6 +176,8 @@ class CentralDifference:
                       newton: bool) -> ca.SX:
         """(M_hat - h/2 dQ/dv) (a_new - a) = Q - M_hat a on the active rows; M_hat a_new = Q without Newton."""
         active, slow = self.grid.from_level(level), self.grid.first_of(level)
+        if level == 0 and self._by_tree:
+            return kernels.accelerations(motion, v)
         if level == 0:
             M_hat, force = kernels.condensed(motion, v)
         else:
@@ -210,8 +221,7 @@ class CentralDifference:
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
         kernels = StepKernels(self.model, c)
         motion = kernels.close(q_i, loop, t0, START_CLOSURE_ITERATIONS)
-        M_hat, Q_hat = kernels.condensed(motion, q_i_dot)
-        a = solve_symmetric(M_hat, Q_hat)  # (68)
+        a = self._solve_active(kernels, motion, q_i_dot, ca.SX.zeros(len(self.model.q_i)), 0, newton=False)  # (68)
         d = self._h * q_i_dot - self._h**2 / 2 * a  # (69)-(71): q(t) - q(t - h)
         zero = ca.SX.zeros(len(self.model.q_i))
         closed = kernels.loop_part(motion.q_d)
@@ -229,8 +239,8 @@ class CentralDifference:
         fields, kernels = self.layout.unpack(z), StepKernels(self.model, c)
         q, v_half, a = self._slow_state(fields, 0)
         motion = self._motion(fields, kernels, q, self._now(fields, 0))
-        newton = kernels.velocity_dependent
-        for _ in range(OBSERVE_NEWTON_ITERATIONS if newton else 1):
+        newton = self.newton
+        for _ in range(OBSERVE_ITERATIONS if kernels.velocity_dependent else 1):
             a = self._solve_active(kernels, motion, v_half + self._h / 2 * a, a, 0, newton)
         v = v_half + self._h / 2 * a
         v_d = kernels.rates(motion, v)

@@ -62,6 +62,10 @@ class StepKernels:
         result = self.call("condensed", **self._arguments(motion, q_i_dot))
         return result["M_hat"], result["Q_hat"]
 
+    def accelerations(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+        """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
+        return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
+
     def substep(self, level: int, motion: Motion, q_i_dot: ca.SX, q_L_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
         """(M_hat_SS, right-hand side) of the groups from `level` on (0 = slowest), slower ones given (Eq. 64)."""
         arguments = self._arguments(motion, q_i_dot)

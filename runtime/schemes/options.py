@@ -7,6 +7,8 @@ from typing import Literal
 
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 
+LARGE_SYSTEM = 12  # independent coordinates beyond which the Jacobian by velocity costs more than it gives
+
 
 class SchemeError(ValueError):
     """A scheme, step or option that cannot be used."""
@@ -19,6 +21,8 @@ class Options:
     common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
         Newton on dQ_hat/dq_i_dot where forces depend on velocity.
     guess: `taylor` (50)-(51) or `previous` (48)-(49).
+    common_velocity: `newton` solves (41), (43) for q_dot with the emitted Jacobian, `predictor` takes the last q_ddot
+        (explicit, second order); `auto` is newton up to LARGE_SYSTEM independent coordinates, predictor beyond.
     slow_interpolation: how slow variables move during sub-steps, see slow_interpolation.py.
     sub_step_velocity: `predictor` takes q_S_dot with the last acceleration (explicit, second order); `newton` solves
         (43) with the emitted Jacobian.
@@ -29,6 +33,7 @@ class Options:
 
     common_update: Literal["fixed_point", "direct"] = "direct"
     guess: Literal["taylor", "previous"] = "taylor"
+    common_velocity: Literal["auto", "newton", "predictor"] = "auto"
     slow_interpolation: str = "end_point_sum"
     sub_step_velocity: Literal["predictor", "newton"] = "predictor"
     eps: tuple[float, ...] = (1e-13,)
@@ -41,6 +46,7 @@ class Options:
         """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
         choices = {"common_update": ("fixed_point", "direct"), "guess": ("taylor", "previous"),
                    "stopping": ("relative", "absolute"),
+                   "common_velocity": ("auto", "newton", "predictor"),
                    "sub_step_velocity": ("predictor", "newton"), "slow_interpolation": tuple(INTERPOLATIONS)}
         for name, allowed in choices.items():
             if getattr(self, name) not in allowed:

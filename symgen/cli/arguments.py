@@ -65,7 +65,7 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
                        help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
     group.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
-                       help="change a reading or tolerance of the scheme, for instance common_update=direct; repeatable")
+                       help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable")
     group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")
     group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
     group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
