@@ -6,10 +6,9 @@ import casadi as ca
 
 from symgen.equations import Equations
 from symgen.hoisting import Kernel
-from symgen.scene import Scene
 
 
-def drawing(equations: Equations, scene: Scene) -> Kernel:
+def drawing(equations: Equations) -> Kernel:
     """xy (2 x points) of all polylines one after another; `outline_sizes` says how many points each has."""
     exaggeration = ca.SX.sym("exaggeration")
     scaled = ca.vertcat(*(value * exaggeration if column in equations.elastic_columns else value

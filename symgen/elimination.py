@@ -127,7 +127,7 @@ def choose_loops(
     elastic = [k for k, c in enumerate(free) if c not in keep and c in equations.elastic_columns]
     picked = _pivot(reduced, rigid, elastic)
     if len(picked) < len(loop_rows):
-        _refuse(equations, scene, reduced, loop_rows, bool(keep))
+        _refuse(equations, reduced, loop_rows, bool(keep))
     loop_columns = sorted(free[k] for k in picked)
     independent = [c for c in free if c not in loop_columns]
     if scene.partition.independent and keep != set(independent):
@@ -168,7 +168,7 @@ def _pivot(matrix: np.ndarray, rigid: list[int], elastic: list[int]) -> list[int
     return picked
 
 
-def _refuse(equations: Equations, scene: Scene, reduced: np.ndarray, rows: list[int], user: bool) -> None:
+def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int], user: bool) -> None:
     left = np.linalg.svd(reduced)[0][:, -1] if reduced.size else np.ones(len(rows))
     names = sorted({equations.constraints[row].joint for row, weight in zip(rows, left, strict=True)
                     if abs(weight) > 1e-6})

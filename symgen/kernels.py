@@ -69,7 +69,7 @@ def build_kernels(
         "reactions": lambda: _reactions(system),
         "energy": lambda: _energy(system),
         "measures": lambda: _measures(system),
-        "drawing": lambda: drawing(system.equations, scene),
+        "drawing": lambda: drawing(system.equations),
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
@@ -83,7 +83,7 @@ def build_kernels(
             if any(output.numel() for output in kernel.outputs.values())}
 
 
-def _column(system: Condensed, arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:
+def _column(arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:
     entries = [values.get(c, ca.SX(0)) for c in arguments.dependent]
     return ca.densify(ca.vertcat(*entries)) if entries else ca.SX(0, 1)
 
@@ -165,20 +165,20 @@ def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca
 
 def _placed(system: Condensed, a: Arguments) -> ca.SX:
     known = {c: system.equations.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
-    return _column(system, a, _structural_positions(system, known))
+    return _column(a, _structural_positions(system, known))
 
 
 def _velocities(system: Condensed, a: Arguments) -> Kernel:
     """q_d_dot (Eq. 36)."""
     values = system.dependent_velocities(_independent(system, a.q_i_dot))
-    return Kernel(a.select("q_i", "q_d", "q_i_dot"), {"q_d_dot": _column(system, a, values)})
+    return Kernel(a.select("q_i", "q_d", "q_i_dot"), {"q_d_dot": _column(a, values)})
 
 
 def _accelerations(system: Condensed, a: Arguments) -> Kernel:
     """q_d_ddot (Eq. 35)."""
     values = system.accelerations(_independent(system, a.q_i_ddot))
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_i_ddot=a.q_i_ddot)
-    return Kernel(inputs, {"q_d_ddot": _column(system, a, values)})
+    return Kernel(inputs, {"q_d_ddot": _column(a, values)})
 
 
 def _constraints(system: Condensed) -> Kernel:

@@ -19,7 +19,7 @@ import numpy as np
 from runtime.engine.tape import Tape
 from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
 from symgen.condensation import Condensed, condense
-from symgen.elimination import choose_loops, structural_pivots
+from symgen.elimination import choose_loops, constraint_jacobian, structural_pivots
 from symgen.equations import Equations, build_equations
 from symgen.forward_dynamics import NoInertia
 from symgen.hoisting import hoist
@@ -70,11 +70,7 @@ def _initial(scene: Scene, equations: Equations, table: ParameterTable) -> tuple
     """Consistent state with default parameters, and C_q there."""
     rows = equations.constraints
     q, p = ca.vertcat(*equations.q), table.vector()
-    C_q = ca.SX(len(rows), len(equations.names))
-    for row, constraint in enumerate(rows):
-        for column, value in constraint.C_q.items():
-            C_q[row, column] = value
-    outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(C_q),
+    outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(constraint_jacobian(equations)),
                ca.densify(ca.vertcat(*(row.C_t for row in rows)))]
     function = ca.Function("constraints", [q, equations.t, p], outputs)
     defaults = np.array([entry.default for entry in table.entries])

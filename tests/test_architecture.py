@@ -26,7 +26,7 @@ RUNTIME_IMPORTS = {
     "symgen.pipeline": {"runtime.initial", "runtime.engine.tape"},
     "symgen.hoisting": {"runtime.engine.tape"},
     "symgen.graph": {"runtime.engine.tape"},
-    "symgen.emission": {"runtime.engine.tape", "runtime.loading"},
+    "symgen.emission": {"runtime.engine.tape", "runtime.files", "runtime.loading"},
     "symgen.cli": {"runtime"},
 }
 

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from symgen.cli.arguments import add_command, add_run_options, add_scene, number
+from symgen.cli.arguments import UsageError, add_command, add_run_options, add_scene, number
 from symgen.cli.outcome import Outcome
 
 if TYPE_CHECKING:
@@ -50,6 +50,11 @@ def _solution(arguments: argparse.Namespace) -> tuple[Solution, Path]:
 
     folder = Path(arguments.scene)
     if (folder / SOLUTION_FILE).is_file() and builtin_name(arguments.scene) is None:
+        given = [name for name in ("t_end", "dt", "m", "scheme", "set", "initial", "option", "save_every")
+                 if getattr(arguments, name)]
+        if given:
+            raise UsageError(f"{arguments.scene} holds results that are there already; --{given[0].replace('_', '-')} "
+                             "needs a SCENE to simulate")
         model = load_model(folder / MODEL_FOLDER)
         return Solution.load(folder / SOLUTION_FILE, model), folder / "motion.gif"
     model = opened_model(arguments.scene, arguments.made_with)

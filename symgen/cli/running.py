@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from runtime.model import Model
     from runtime.solution import Solution
 
+BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 
 
@@ -69,6 +70,11 @@ def summary(solution: Solution) -> list[str]:
              f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
              f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, "
              f"largest energy balance error {balance:.3g} J (total {float(solution.total_energy[-1]):.6g} J)"]
+    scale = float(solution.energy["kinetic"].max() + solution.energy["elastic"].max())
+    if balance > BALANCE_REMARK * scale:
+        lines.append(f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
+                     "(work is integrated over the saved samples), or compare with --scheme single_rate and a smaller "
+                     "step")
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
     if "engine_note" in stats:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import difflib
 import json
 import math
-import os
-import tempfile
 from pathlib import Path
 
+from runtime.files import OutputError, write_text
 from symgen.emission.manifest import data_text, manifest_text
 from symgen.emission.model_page import model_page
 from symgen.emission.model_text import model_text
@@ -36,20 +35,10 @@ def write_model(files: dict[str, str], folder: Path) -> None:
     Raises SceneError if the folder cannot be written.
     """
     try:
-        folder.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
-            handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{name}.")
-            try:
-                with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-                    stream.write(text)
-                os.chmod(temporary, 0o644)
-                os.replace(temporary, folder / name)
-            except BaseException:
-                Path(temporary).unlink(missing_ok=True)
-                raise
-    except OSError as error:
-        raise SceneError(str(folder), f"cannot be written ({error.strerror or error})",
-                         "choose another output folder or change its permissions") from error
+            write_text(folder / name, text)
+    except OutputError as error:
+        raise SceneError(str(folder), str(error), "choose another output folder or change its permissions") from error
 
 
 def compare_model(files: dict[str, str], folder: Path) -> str:

@@ -10,7 +10,6 @@ from pydantic import Field, ValidationError
 from . import toml_io
 from .bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from .checks import check_scene
-from .checks.partition import matching
 from .errors import SceneError, did_you_mean, raise_all, show
 from .expressions import Expression, parse_expression
 from .fields import Meaning, Model, Name, Quantity, Text
@@ -131,10 +130,6 @@ class Scene(Model):
             for body in self.moving_bodies
             for part in ("x", "y", "theta", *(f"q{k + 1}" for k in range(body.nf)))
         ]
-
-    def matching_coordinates(self, pattern: str) -> list[str]:
-        """The coordinates that a name or a pattern with * and ? stands for, in scene order."""
-        return matching(pattern, self.coordinates())
 
     def parameter_defaults(self) -> dict[str, float]:
         """Parameter names and their default values, in SI units."""
