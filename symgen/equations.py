@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import casadi as ca
 
@@ -19,7 +20,7 @@ from symgen.loads import instance as effects
 from symgen.loads.instance import LoadEffect
 from symgen.parameters import ParameterTable
 from symgen.rows import Row, add_to
-from symgen.scalar import add, dot, mul, total
+from symgen.scalar import ZERO, add, dot, mul, sub, total
 from symgen.scene import Scene
 
 
@@ -35,7 +36,7 @@ class Outline:
 class Equations:
     """Eqs. (20)-(28) of a scene. Columns follow `names`; M is symmetric with both triangles stored.
 
-    Q_star = Q_F + Q_v - K q. Energies [J] and powers [W] are scalars.
+    Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
     """
 
     names: list[str]
@@ -43,7 +44,9 @@ class Equations:
     q_dot: list[ca.SX]
     t: ca.SX
     M: list[Row]
-    Q_star: list[ca.SX]
+    K: list[Row]
+    Q_v: list[ca.SX]
+    Q_F: list[ca.SX]
     constraints: list[ConstraintRow]
     elastic: ca.SX = field(default_factory=lambda: ca.SX(0))
     potential: ca.SX = field(default_factory=lambda: ca.SX(0))
@@ -54,6 +57,13 @@ class Equations:
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     outlines: list[Outline] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
+
+    @cached_property
+    def Q_star(self) -> list[ca.SX]:
+        """Q_v - K q + Q_F, per coordinate."""
+        springs = matrix_times(self.K, dict(enumerate(self.q)))
+        return [add(sub(Q_v, springs.get(row, ZERO)), Q_F)
+                for row, (Q_v, Q_F) in enumerate(zip(self.Q_v, self.Q_F, strict=True))]
 
     @property
     def joints(self) -> list[str]:
@@ -76,7 +86,8 @@ def build_equations(scene: Scene, table: ParameterTable) -> Equations:
 def _blank(names: list[str]) -> Equations:
     q = [ca.SX.sym(name) for name in names]
     q_dot = [ca.SX.sym(f"{name}_dot") for name in names]
-    return Equations(names, q, q_dot, ca.SX.sym("t"), [{} for _ in names], [ca.SX(0) for _ in names], [])
+    n = len(names)
+    return Equations(names, q, q_dot, ca.SX.sym("t"), [{} for _ in q], [{} for _ in q], [ZERO] * n, [ZERO] * n, [])
 
 
 class _Structure:
@@ -94,15 +105,15 @@ class _Structure:
                 for column, value in enumerate(rows[row]) if value != 0} for row in range(len(eq.names))]
 
         eq.M = matrix(structure.mass, "M", "kg")
-        K = matrix(structure.stiffness, "K", "N/m")
+        eq.K = matrix(structure.stiffness, "K", "N/m")
         D = matrix(structure.damping, "D", "N s/m")
         for row in range(len(eq.names)):
-            spring = total(mul(value, eq.q[column]) for column, value in K[row].items())
+            spring = total(mul(value, eq.q[column]) for column, value in eq.K[row].items())
             damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
             load = ca.SX(0)
             if structure.force is not None:
                 load = scene.expression(structure.force[row], f"force[{row}]", ("t",)).to_casadi(env)
-            eq.Q_star[row] = load - spring - damper
+            eq.Q_F[row] = load - damper
             eq.elastic = eq.elastic + eq.q[row] * spring / 2
             eq.dissipated = eq.dissipated + eq.q_dot[row] * damper
             eq.applied = eq.applied + eq.q_dot[row] * load
@@ -155,8 +166,11 @@ class _Assembly:
             add_to(eq.M[row], column, value)
             if row != column:
                 add_to(eq.M[column], row, value)
-        self._add_force(body.quadratic_velocity_force())
-        self._add_force(body.elastic_force())
+        for row, column, value in body.stiffness_entries():
+            add_to(eq.K[row], column, value)
+        for column, value in body.quadratic_velocity_force().items():
+            eq.Q_v[column] = add(eq.Q_v[column], value)
+        self._add_force(body.damping_force())
         self._add_force(body.gravity_force(self.gravity))
         elastic, dissipated = body.elastic_energy()
         eq.elastic, eq.dissipated = eq.elastic + elastic, eq.dissipated + dissipated
@@ -164,7 +178,7 @@ class _Assembly:
 
     def _add_force(self, force: Row) -> None:
         for column, value in force.items():
-            self.equations.Q_star[column] = add(self.equations.Q_star[column], value)
+            self.equations.Q_F[column] = add(self.equations.Q_F[column], value)
 
     def _add_effect(self, effect: LoadEffect) -> None:
         eq = self.equations

@@ -20,7 +20,8 @@ from symgen.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
 from symgen.joints.instance import ConstraintRow
-from symgen.rows import Row
+from symgen.partition import Group
+from symgen.rows import Row, to_matrix
 from symgen.scene import Scene
 
 
@@ -55,10 +56,11 @@ def arguments_of(system: Condensed) -> Arguments:
 
 
 def build_kernels(
-    system: Condensed, scene: Scene, groups: list[list[int]], wanted: frozenset[str] | None = None
+    system: Condensed, scene: Scene, named_groups: list[Group], wanted: frozenset[str] | None = None
 ) -> dict[str, Kernel]:
-    """All kernels of a system; `groups` are positions in q_i, slow to fast. `wanted` limits them by name."""
+    """All kernels of a system with its groups, slow to fast. `wanted` limits them by name."""
     arguments = arguments_of(system)
+    groups = [group.positions for group in named_groups]
     builders: dict[str, Callable[[], Kernel]] = {
         "condensed": lambda: _condensed(system, arguments),
         "closure": lambda: _closure(system, arguments),
@@ -75,6 +77,8 @@ def build_kernels(
         builders[name] = build
     if is_tree(system):
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
+    if len(groups) > 1:
+        builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
         builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
     chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
@@ -107,6 +111,16 @@ def _forward_dynamics(system: Condensed, scene: Scene, a: Arguments) -> Kernel:
     found = tree_accelerations(system, scene)
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
     return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(found[c] for c in system.choice.independent)))})
+
+
+def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:
+    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39); long names get an underscore."""
+    M_hat, Q_hat = system.M_hat(), system.generalised_force({})
+    between = "" if all(len(group.name) == 1 for group in groups) else "_"
+    outputs = {f"M_hat_{row.name}{between}{column.name}": M_hat[row.positions, column.positions]
+               for row in groups for column in groups}
+    outputs |= {f"Q_hat_{group.name}": Q_hat[group.positions] for group in groups}
+    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), outputs)
 
 
 def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:
@@ -182,27 +196,25 @@ def _accelerations(system: Condensed, a: Arguments) -> Kernel:
 
 
 def _constraints(system: Condensed) -> Kernel:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27); nu = -C_t."""
+    """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
     outputs = {"C": ca.vertcat(*(row.C for row in eq.constraints)), "C_q": constraint_jacobian(eq),
                "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
+               "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
                "gamma": ca.vertcat(*(row.gamma for row in eq.constraints))}
     return Kernel(inputs, outputs)
 
 
 def _augmented(system: Condensed) -> Kernel:
-    """M, Q*, C_q and the right-hand side of the constraints of Eq. (28) in all coordinates.
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates.
 
     gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
     """
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    M = ca.SX(len(eq.names), len(eq.names))
-    for row, entries in enumerate(eq.M):
-        for column, value in entries.items():
-            M[row, column] = value
-    outputs = {"M": M, "Q_star": ca.vertcat(*eq.Q_star)}
+    outputs = {"M": to_matrix(eq.M), "K": to_matrix(eq.K), "Q_v": ca.vertcat(*eq.Q_v), "Q_F": ca.vertcat(*eq.Q_F),
+               "Q_star": ca.vertcat(*eq.Q_star)}
     if eq.constraints:
         outputs["C_q"] = constraint_jacobian(eq)
         outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))

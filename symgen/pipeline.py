@@ -58,7 +58,7 @@ def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
     system = condense(equations, choice)
     groups = choose_groups(scene, equations, choice.independent)
     try:
-        kernels = build_kernels(system, scene, [group.positions for group in groups], functions)
+        kernels = build_kernels(system, scene, groups, functions)
     except NoInertia as error:
         raise SceneError(equations.names[error.args[0]], "has no inertia, so its acceleration is not determined",
                          "give the body an inertia, or join it so that it cannot move that way") from error

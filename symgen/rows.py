@@ -22,6 +22,15 @@ def add_scaled(target: Row, factor: ca.SX, source: Row) -> None:
         add_to(target, column, mul(factor, value))
 
 
+def to_matrix(rows: list[Row]) -> ca.SX:
+    """Square SX matrix of sparse rows."""
+    matrix = ca.SX(len(rows), len(rows))
+    for row, entries in enumerate(rows):
+        for column, value in entries.items():
+            matrix[row, column] = value
+    return matrix
+
+
 def nonzero(row: Row) -> Row:
     """The row without entries that are zero."""
     return {column: value for column, value in row.items() if not value.is_zero()}

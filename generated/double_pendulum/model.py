@@ -144,7 +144,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 60 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 19)
@@ -200,6 +200,13 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -207,12 +214,12 @@ def constraints() -> ca.Function:
         -(w1 * w2),
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 114 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 162 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 19)
@@ -239,9 +246,15 @@ def augmented() -> ca.Function:
     w6 = -w5
     w7 = ca.cos(lower_theta) * c9
     w8 = upper_theta_dot**2
-    w9 = lower_theta_dot**2
-    w10 = w0 * c5
-    w11 = w3 * c5
+    w9 = w4 * w8
+    w10 = w1 * w8
+    w11 = lower_theta_dot**2
+    w12 = w7 * w11
+    w13 = w5 * w11
+    w14 = w4 * c12
+    w15 = w7 * c12
+    w16 = w0 * c5
+    w17 = w3 * c5
     M = ca.vertcat(
         c6,
         0.0,
@@ -282,13 +295,71 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 6, 6)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 6, 6)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w9,
+        w10,
+        0.0,
+        w12,
+        w13,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c14,
+        w14,
+        0.0,
+        c13,
+        w15,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w4 * w8,
-        w1 * w8 + c14,
-        w4 * c12,
-        w7 * w9,
-        c13 + w5 * w9,
-        w7 * c12,
+        w9,
+        w10 + c14,
+        w14,
+        w12,
+        c13 + w13,
+        w15,
     )
     Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
@@ -302,8 +373,8 @@ def augmented() -> ca.Function:
         -1.0,
         0.0,
         0.0,
-        w10,
-        -w11,
+        w16,
+        -w17,
         0.0,
         0.0,
         1.0,
@@ -322,12 +393,12 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w8 * w11),
-        -(w8 * w10),
+        -(w8 * w17),
+        -(w8 * w16),
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

@@ -74,7 +74,7 @@ def condensed() -> ca.Function:
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 46 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 61 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -91,6 +91,8 @@ def augmented() -> ca.Function:
     w0 = bob_x**2 + bob_y**2
     w1 = 1.0 - c2 / ca.sqrt(w0)
     w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    w3 = -(bob_x * w1 * c3 + bob_x * w2 / w0)
+    w4 = c5 - (bob_y * w1 * c3 + bob_y * w2 / w0)
     M = ca.vertcat(
         c0,
         0.0,
@@ -104,14 +106,39 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 3, 3)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 3, 3)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        w3,
+        w4,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        -(bob_x * w1 * c3 + bob_x * w2 / w0),
-        c5 - (bob_y * w1 * c3 + bob_y * w2 / w0),
+        w3,
+        w4,
         0.0,
     )
     Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, Q_star]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star"])
 
 
 def energy() -> ca.Function:

@@ -400,7 +400,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 208 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 217 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
@@ -580,6 +580,18 @@ def constraints() -> ca.Function:
         c32,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c29,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -592,12 +604,12 @@ def constraints() -> ca.Function:
         0.0,
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, t, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "t", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, t, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "t", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 503 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 698 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 79)
@@ -677,17 +689,25 @@ def augmented() -> ca.Function:
     w24 = rod_q1 * c38
     w25 = -(rod_q1 * c14 + rod_q2 * c15)
     w26 = crank_theta_dot**2
-    w27 = rod_theta_dot**2
-    w28 = 2 * rod_theta_dot
-    w29 = rod_q3_dot * c25 + rod_q4_dot * c27
-    w30 = rod_q1_dot * c20
-    w31 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
-    w32 = w0 * c21
-    w33 = w3 * c21
-    w34 = c2 + rod_q4 * c1
-    w35 = w5 * w34
-    w36 = w7 * w34
-    w37 = rod_q4_dot * c1
+    w27 = w4 * w26
+    w28 = w1 * w26
+    w29 = rod_theta_dot**2
+    w30 = 2 * rod_theta_dot
+    w31 = rod_q3_dot * c25 + rod_q4_dot * c27
+    w32 = rod_q1_dot * c20
+    w33 = w14 * w29 + w30 * (w5 * w31 + w7 * w32)
+    w34 = w9 * w29 - w30 * (w7 * w31 - w5 * w32)
+    w35 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
+    w36 = w18 * w29 + w30 * (rod_q3_dot * c4 + rod_q4_dot * c5)
+    w37 = w19 * w29 + w30 * (rod_q4_dot * c8)
+    w38 = w20 * w29 + w30 * (rod_q1_dot * c11)
+    w39 = w21 * w29 + w30 * (rod_q1_dot * c14 + rod_q2_dot * c15)
+    w40 = w0 * c21
+    w41 = w3 * c21
+    w42 = c2 + rod_q4 * c1
+    w43 = w5 * w42
+    w44 = w7 * w42
+    w45 = rod_q4_dot * c1
     M = ca.vertcat(
         c33,
         0.0,
@@ -861,17 +881,222 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
-    Q_star = ca.vertcat(
-        w4 * w26,
-        w1 * w26,
+    K = ca.vertcat(
         0.0,
-        w14 * w27 + w28 * (w5 * w29 + w7 * w30),
-        w9 * w27 - w28 * (w7 * w29 - w5 * w30),
-        w31,
-        w18 * w27 + w28 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19,
-        w19 * w27 + w28 * (rod_q4_dot * c8) - rod_q2 * c22,
-        w20 * w27 + w28 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24),
-        w21 * w27 + w28 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c19,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c22,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c23,
+        c24,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c24,
+        c26,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 13, 13)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w27,
+        w28,
+        0.0,
+        w33,
+        w34,
+        w35,
+        w36,
+        w37,
+        w38,
+        w39,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
+    Q_star = ca.vertcat(
+        w27,
+        w28,
+        0.0,
+        w33,
+        w34,
+        w35,
+        w36 - rod_q1 * c19,
+        w37 - rod_q2 * c22,
+        w38 - (rod_q3 * c23 + rod_q4 * c24),
+        w39 - (rod_q3 * c24 + rod_q4 * c26),
         0.0,
         0.0,
         0.0,
@@ -898,8 +1123,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w32,
-        -w33,
+        w40,
+        -w41,
         0.0,
         0.0,
         0.0,
@@ -929,8 +1154,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w35,
-        -w36,
+        w43,
+        -w44,
         0.0,
         0.0,
         0.0,
@@ -1001,17 +1226,17 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w26 * w33),
-        -(w26 * w32),
+        -(w26 * w41),
+        -(w26 * w40),
         0.0,
         0.0,
-        -(w27 * w36 + w28 * (w5 * w37)),
-        w28 * (w7 * w37) - w27 * w35,
+        -(w29 * w44 + w30 * (w5 * w45)),
+        w30 * (w7 * w45) - w29 * w43,
         0.0,
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1681,6 +1906,136 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 236 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_d = ca.SX.sym("q_d", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 9)
+    c = ca.SX.sym("c", 79)
+    rod_q1 = q_i[0]
+    rod_q2 = q_i[1]
+    rod_q3 = q_i[2]
+    rod_q4 = q_i[3]
+    crank_theta = q_d[2]
+    rod_theta = q_d[5]
+    rod_q1_dot = q_i_dot[0]
+    rod_q2_dot = q_i_dot[1]
+    rod_q3_dot = q_i_dot[2]
+    rod_q4_dot = q_i_dot[3]
+    crank_theta_dot = q_d_dot[2]
+    rod_theta_dot = q_d_dot[5]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    w0 = ca.sin(rod_theta)
+    w1 = ca.cos(rod_theta)
+    w2 = c2 + rod_q4 * c1
+    w3 = w1 * w2
+    w4 = w0 * c1 / w3
+    w5 = c3 - (rod_q3 * c4 + rod_q4 * c5)
+    w6 = -(w4 * w5)
+    w7 = c7 - rod_q4 * c8
+    w8 = -(w4 * w7)
+    w9 = rod_q1 * c11
+    w10 = c10 + w4 * w9
+    w11 = w1 * c1
+    w12 = w11 * c13
+    w13 = rod_q1 * c14 + rod_q2 * c15
+    w14 = w0 * w2
+    w15 = w13 + w12 * w14
+    w16 = rod_q1 * c0
+    w17 = rod_q2 * c6
+    w18 = c17 + (rod_q3 * c9 + rod_q4 * c10)
+    w19 = c18 + (rod_q3 * c10 + rod_q4 * c12)
+    w20 = c16 + (rod_q1 * w16 + rod_q2 * w17 + rod_q3 * (c17 + w18) + rod_q4 * (c18 + w19))
+    w21 = rod_theta_dot**2
+    w22 = 2 * rod_theta_dot
+    w23 = crank_theta_dot**2
+    w24 = w23 * (ca.cos(crank_theta) * c21)
+    w25 = w23 * (ca.sin(crank_theta) * c21)
+    w26 = rod_q4_dot * c1
+    w27 = (w22 * (w1 * w26) - w14 * w21 - w25) / w3
+    w28 = w16 * w21 + w22 * (rod_q3_dot * c4 + rod_q4_dot * c5) - rod_q1 * c19 - (w0 * c20 * w24 - w1 * c20 * w25 - w5 * w27)
+    w29 = w18 * w21 + w22 * (rod_q1_dot * c11) - (rod_q3 * c23 + rod_q4 * c24) - (w9 * w27 - (w24 * (w1 * c25) + w25 * (w0 * c25)))
+    w30 = w19 * w21 + w22 * (rod_q1_dot * c14 + rod_q2_dot * c15) - (rod_q3 * c24 + rod_q4 * c26) - (w13 * w27 - (w24 * (w1 * c27) + w25 * (w0 * c27)))
+    w31 = (w14 * w27 - (w24 + (w3 * w21 + w22 * (w0 * w26)))) * c13
+    w32 = rod_theta_dot * -2.0 * (w16 * rod_q1_dot + w17 * rod_q2_dot + w18 * rod_q3_dot + w19 * rod_q4_dot)
+    w33 = c28 + (rod_q3 * c25 + rod_q4 * c27)
+    w34 = rod_q1 * c20
+    w35 = w30 - w11 * w31 - w4 * (w32 - (w24 * (w0 * w33 + w1 * w34) - w25 * (w1 * w33 - w0 * w34) - w20 * w27) + w14 * w31)
+    M_hat_LL = ca.vertcat(
+        c0,
+        0.0,
+        0.0,
+        c6,
+    )
+    M_hat_LL = ca.reshape(M_hat_LL, 2, 2)
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        0.0,
+        0.0,
+        w6,
+        w8,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 2, 2)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        0.0,
+        w6,
+        0.0,
+        w8,
+    )
+    M_hat_SL = ca.reshape(M_hat_SL, 2, 2)
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c9,
+        w10,
+        w10,
+        c12 + w11 * w12 + (w4 * (w15 + w4 * (w20 + w14 * (w14 * c13))) + w4 * w15),
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w28,
+        w17 * w21 + w22 * (rod_q4_dot * c8) - rod_q2 * c22 + w7 * w27,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w29,
+        w35,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
 def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 197 operations."""
     q_i = ca.SX.sym("q_i", 4)
@@ -1792,5 +2147,6 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "blocks": blocks,
     "substep_2": substep_2,
 }

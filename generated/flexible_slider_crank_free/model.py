@@ -430,7 +430,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 187 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 195 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 77)
@@ -592,6 +592,17 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -603,12 +614,12 @@ def constraints() -> ca.Function:
         w9 * (w2 * w10) - w6 * w8,
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 489 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 684 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 77)
@@ -688,17 +699,25 @@ def augmented() -> ca.Function:
     w24 = rod_q1 * c36
     w25 = -(rod_q1 * c25 + rod_q2 * c26)
     w26 = crank_theta_dot**2
-    w27 = rod_theta_dot**2
-    w28 = 2 * rod_theta_dot
-    w29 = rod_q3_dot * c8 + rod_q4_dot * c9
-    w30 = rod_q1_dot * c10
-    w31 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
-    w32 = w0 * c1
-    w33 = w3 * c1
-    w34 = c5 + rod_q4 * c6
-    w35 = w5 * w34
-    w36 = w7 * w34
-    w37 = rod_q4_dot * c6
+    w27 = w4 * w26
+    w28 = w1 * w26
+    w29 = rod_theta_dot**2
+    w30 = 2 * rod_theta_dot
+    w31 = rod_q3_dot * c8 + rod_q4_dot * c9
+    w32 = rod_q1_dot * c10
+    w33 = w14 * w29 + w30 * (w5 * w31 + w7 * w32)
+    w34 = w9 * w29 - w30 * (w7 * w31 - w5 * w32)
+    w35 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot + w20 * rod_q3_dot + w21 * rod_q4_dot)
+    w36 = w18 * w29 + w30 * (rod_q3_dot * c20 + rod_q4_dot * c21)
+    w37 = w19 * w29 + w30 * (rod_q4_dot * c23)
+    w38 = w20 * w29 + w30 * (rod_q1_dot * c24)
+    w39 = w21 * w29 + w30 * (rod_q1_dot * c25 + rod_q2_dot * c26)
+    w40 = w0 * c1
+    w41 = w3 * c1
+    w42 = c5 + rod_q4 * c6
+    w43 = w5 * w42
+    w44 = w7 * w42
+    w45 = rod_q4_dot * c6
     M = ca.vertcat(
         c33,
         0.0,
@@ -872,17 +891,222 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 13, 13)
     M = ca.densify(M)
-    Q_star = ca.vertcat(
-        w4 * w26,
-        w1 * w26,
+    K = ca.vertcat(
         0.0,
-        w14 * w27 + w28 * (w5 * w29 + w7 * w30),
-        w9 * w27 - w28 * (w7 * w29 - w5 * w30),
-        w31,
-        w18 * w27 + w28 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27,
-        w19 * w27 + w28 * (rod_q4_dot * c23) - rod_q2 * c28,
-        w20 * w27 + w28 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30),
-        w21 * w27 + w28 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c27,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c28,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c29,
+        c30,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c30,
+        c31,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 13, 13)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w27,
+        w28,
+        0.0,
+        w33,
+        w34,
+        w35,
+        w36,
+        w37,
+        w38,
+        w39,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
+    Q_star = ca.vertcat(
+        w27,
+        w28,
+        0.0,
+        w33,
+        w34,
+        w35,
+        w36 - rod_q1 * c27,
+        w37 - rod_q2 * c28,
+        w38 - (rod_q3 * c29 + rod_q4 * c30),
+        w39 - (rod_q3 * c30 + rod_q4 * c31),
         0.0,
         0.0,
         0.0,
@@ -907,8 +1131,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w32,
-        -w33,
+        w40,
+        -w41,
         0.0,
         0.0,
         0.0,
@@ -935,8 +1159,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w35,
-        -w36,
+        w43,
+        -w44,
         0.0,
         0.0,
         0.0,
@@ -999,16 +1223,16 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w26 * w33),
-        -(w26 * w32),
+        -(w26 * w41),
+        -(w26 * w40),
         0.0,
         0.0,
-        -(w27 * w36 + w28 * (w5 * w37)),
-        w28 * (w7 * w37) - w27 * w35,
+        -(w29 * w44 + w30 * (w5 * w45)),
+        w30 * (w7 * w45) - w29 * w43,
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1842,6 +2066,169 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 316 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 77)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_q3 = q_i[3]
+    rod_q4 = q_i[4]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_q3_dot = q_i_dot[3]
+    rod_q4_dot = q_i_dot[4]
+    rod_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = ca.cos(rod_theta)
+    w3 = c5 + rod_q4 * c6
+    w4 = w2 * w3
+    w5 = w0 / w4
+    w6 = c7 + (rod_q3 * c8 + rod_q4 * c9)
+    w7 = ca.sin(rod_theta)
+    w8 = rod_q1 * c10
+    w9 = w2 * w6 - w7 * w8
+    w10 = w6 * w7 + w2 * w8
+    w11 = w3 * w7
+    w12 = w11 * c3
+    w13 = w0 * w9 + w1 * (w10 + w12)
+    w14 = rod_q1 * c12
+    w15 = rod_q2 * c13
+    w16 = c14 + (rod_q3 * c15 + rod_q4 * c16)
+    w17 = c17 + (rod_q3 * c16 + rod_q4 * c18)
+    w18 = c11 + (rod_q1 * w14 + rod_q2 * w15 + rod_q3 * (c14 + w16) + rod_q4 * (c17 + w17))
+    w19 = w18 + w11 * w12
+    w20 = w2 * c10
+    w21 = w7 * c10
+    w22 = c19 - (rod_q3 * c20 + rod_q4 * c21)
+    w23 = w0 * w20 + w1 * w21 - w5 * w22
+    w24 = c22 - rod_q4 * c23
+    w25 = -(w5 * w24)
+    w26 = w7 * c8
+    w27 = w2 * c8
+    w28 = rod_q1 * c24
+    w29 = w0 * w26 - w1 * w27 + w5 * w28
+    w30 = w7 * c9
+    w31 = w2 * c9
+    w32 = w2 * c6
+    w33 = w32 * c3
+    w34 = rod_q1 * c25 + rod_q2 * c26
+    w35 = w34 + w11 * w33
+    w36 = w7 * c6 / w4
+    w37 = w35 + w19 * w36
+    w38 = w0 * w30 - w1 * (w31 + w33) + (w5 * w37 - w13 * w36)
+    w39 = -(w22 * w36)
+    w40 = -(w24 * w36)
+    w41 = c16 + w28 * w36
+    w42 = rod_theta_dot**2
+    w43 = 2 * rod_theta_dot
+    w44 = rod_q3_dot * c8 + rod_q4_dot * c9
+    w45 = rod_q1_dot * c10
+    w46 = crank_theta_dot**2
+    w47 = w1 * w46
+    w48 = rod_q4_dot * c6
+    w49 = (w43 * (w2 * w48) - w11 * w42 - w47) / w4
+    w50 = w0 * w46
+    w51 = (w11 * w49 - (w50 + (w4 * w42 + w43 * (w7 * w48)))) * c3
+    w52 = w0 * (w10 * w42 - w43 * (w2 * w44 - w7 * w45) + (w47 * c2 + w9 * w49)) - w1 * (w9 * w42 + w43 * (w7 * w44 + w2 * w45) - (w10 * w49 - w50 * c2) - w51)
+    w53 = rod_theta_dot * -2.0 * (w14 * rod_q1_dot + w15 * rod_q2_dot + w16 * rod_q3_dot + w17 * rod_q4_dot)
+    w54 = w53 - (w10 * w50 - w9 * w47 - w18 * w49) + w11 * w51
+    w55 = w14 * w42 + w43 * (rod_q3_dot * c20 + rod_q4_dot * c21) - rod_q1 * c27 - (w21 * w50 - w20 * w47 - w22 * w49)
+    w56 = w16 * w42 + w43 * (rod_q1_dot * c24) - (rod_q3 * c29 + rod_q4 * c30) - (w28 * w49 - (w27 * w50 + w26 * w47))
+    w57 = w17 * w42 + w43 * (rod_q1_dot * c25 + rod_q2_dot * c26) - (rod_q3 * c30 + rod_q4 * c31) - (w34 * w49 - (w31 * w50 + w30 * w47))
+    M_hat_LL = ca.vertcat(
+        c0 + w0 * (w0 * c2) + w1 * (w1 * c4) - (w5 * (w13 - w5 * w19) + w5 * w13),
+    )
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        w23,
+        w25,
+        w29,
+        w38,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 1, 4)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        w23,
+        w25,
+        w29,
+        w38,
+    )
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c12,
+        0.0,
+        0.0,
+        w39,
+        0.0,
+        c13,
+        0.0,
+        w40,
+        0.0,
+        0.0,
+        c15,
+        w41,
+        w39,
+        w40,
+        w41,
+        c18 + w32 * w33 + (w36 * w37 + w35 * w36),
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w52 - w5 * w54,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w55,
+        w15 * w42 + w43 * (rod_q4_dot * c23) - rod_q2 * c28 + w24 * w49,
+        w56,
+        w57 - w32 * w51 - w36 * w54,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
 def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 244 operations."""
     q_i = ca.SX.sym("q_i", 5)
@@ -1976,5 +2363,6 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "blocks": blocks,
     "substep_2": substep_2,
 }

@@ -422,8 +422,8 @@ def condensed() -> ca.Function:
     w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
     w54 = w53 + w16 * w52
     w55 = w50 - w2 * (w14 * w40 + w42 * (w3 * w44 - w12 * w43) + w3 * w41 + (w51 * c3 + w15 * w49) - w52) - w8 * w54
-    w56 = w19 * w40 - (rod_q1 * c27 + rod_q1_dot * c28) + w23 * c23 - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
-    w57 = w20 * w40 - (rod_q2 * c29 + rod_q2_dot * c30) - w34 * c23 - (w31 * w51 + w34 * w48 + w49 * c22) + w32 * w52
+    w56 = w19 * w40 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
+    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * c23) - (w31 * w51 + w34 * w48 + w49 * c22) + w32 * w52
     M_hat = ca.vertcat(
         c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18),
         w30,
@@ -583,7 +583,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 192 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 200 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     c = ca.SX.sym("c", 147)
@@ -734,6 +734,17 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -745,12 +756,12 @@ def constraints() -> ca.Function:
         -(w7 * w12 + w10 * (w2 * w11) + w8 * w13),
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 431 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 575 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
@@ -819,20 +830,31 @@ def augmented() -> ca.Function:
     w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w21 = crank_theta_dot**2
-    w22 = rod_theta_dot**2
-    w23 = 2 * rod_theta_dot
-    w24 = rod_q1_dot * c13
-    w25 = w6 * rod_q1_dot + w7 * rod_q2_dot
-    w26 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
-    w27 = w0 * c1
-    w28 = w3 * c1
-    w29 = rod_q1 * c6
-    w30 = rod_q2 * c7
-    w31 = c2 - (rod_q1 * w29 + rod_q2 * w30) * 0.5
-    w32 = w5 * w31
-    w33 = w9 * w31
-    w34 = rod_q1_dot * w29 + rod_q2_dot * w30
-    w35 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w22 = w4 * w21
+    w23 = w1 * w21
+    w24 = rod_theta_dot**2
+    w25 = 2 * rod_theta_dot
+    w26 = rod_q1_dot * c13
+    w27 = w6 * rod_q1_dot + w7 * rod_q2_dot
+    w28 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w29 = w15 * w24 + w25 * (w9 * w26 - w5 * w27) + w9 * w28
+    w30 = w11 * w24 + w5 * w28 + w25 * (w9 * w27 + w5 * w26)
+    w31 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot)
+    w32 = w19 * w24
+    w33 = w20 * w24
+    w34 = w4 * c23 + ca.if_else(t < 0.15, c25, 0)
+    w35 = w15 * c23
+    w36 = w16 * c23 - rod_q1_dot * c28
+    w37 = rod_q2_dot * c30 + w17 * c23
+    w38 = w0 * c1
+    w39 = w3 * c1
+    w40 = rod_q1 * c6
+    w41 = rod_q2 * c7
+    w42 = c2 - (rod_q1 * w40 + rod_q2 * w41) * 0.5
+    w43 = w5 * w42
+    w44 = w9 * w42
+    w45 = rod_q1_dot * w40 + rod_q2_dot * w41
+    w46 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
     M = ca.vertcat(
         c31,
         0.0,
@@ -958,15 +980,168 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 11, 11)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c27,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c29,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 11, 11)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w22,
+        w23,
+        0.0,
+        w29,
+        w30,
+        w31,
+        w32,
+        w33,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c34,
+        w34,
+        0.0,
+        c26,
+        w35,
+        w36,
+        -w37,
+        0.0,
+        c35,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w4 * w21,
-        w1 * w21 + c34,
-        w4 * c23 + ca.if_else(t < 0.15, c25, 0),
-        w15 * w22 + w23 * (w9 * w24 - w5 * w25) + w9 * w26,
-        c26 + (w11 * w22 + w5 * w26 + w23 * (w9 * w25 + w5 * w24)),
-        rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w15 * c23,
-        w19 * w22 - (rod_q1 * c27 + rod_q1_dot * c28) + w16 * c23,
-        w20 * w22 - (rod_q2 * c29 + rod_q2_dot * c30) - w17 * c23,
+        w22,
+        w23 + c34,
+        w34,
+        w29,
+        c26 + w30,
+        w31 + w35,
+        w36 + (w32 - rod_q1 * c27),
+        w33 - rod_q2 * c29 - w37,
         0.0,
         c35,
         0.0,
@@ -991,8 +1166,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w27,
-        -w28,
+        w38,
+        -w39,
         0.0,
         0.0,
         0.0,
@@ -1019,24 +1194,24 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w32,
-        -w33,
+        w43,
+        -w44,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w9 * w29,
-        w5 * w29,
+        w9 * w40,
+        w5 * w40,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
         0.0,
-        w9 * w30,
-        w5 * w30,
+        w9 * w41,
+        w5 * w41,
         0.0,
         0.0,
         0.0,
@@ -1067,16 +1242,16 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w21 * w28),
-        -(w21 * w27),
+        -(w21 * w39),
+        -(w21 * w38),
         0.0,
         0.0,
-        w23 * (w5 * w34) - (w9 * w35 + w22 * w33),
-        -(w5 * w35 + w23 * (w9 * w34) + w22 * w32),
+        w25 * (w5 * w45) - (w9 * w46 + w24 * w44),
+        -(w5 * w46 + w25 * (w9 * w45) + w24 * w43),
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1969,6 +2144,147 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 308 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 147)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    w0 = ca.cos(crank_theta)
+    w1 = w0 * c1
+    w2 = ca.sin(crank_theta) * c1
+    w3 = ca.cos(rod_theta)
+    w4 = rod_q1 * c6
+    w5 = rod_q2 * c7
+    w6 = c2 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
+    w7 = w3 * w6
+    w8 = w1 / w7
+    w9 = rod_q1 * c9 + rod_q2 * c10
+    w10 = rod_q1 * c11 + rod_q2 * c12
+    w11 = c8 - (rod_q1 * w9 + rod_q2 * w10) * 0.5
+    w12 = ca.sin(rod_theta)
+    w13 = rod_q1 * c13
+    w14 = w3 * w11 - w12 * w13
+    w15 = w11 * w12 + w3 * w13
+    w16 = w6 * w12
+    w17 = w16 * c4
+    w18 = w1 * w14 + w2 * (w15 + w17)
+    w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w21 = c14 + (rod_q1 * w19 + rod_q2 * w20)
+    w22 = w21 + w16 * w17
+    w23 = w3 * c13 - w9 * w12
+    w24 = w3 * w9 + w12 * c13
+    w25 = w3 * w4
+    w26 = w25 * c4
+    w27 = w4 * w12 / w7
+    w28 = c21 + w16 * w26
+    w29 = w28 + w22 * w27
+    w30 = w1 * w23 + w2 * (w24 + w26) + (w18 * w27 - w8 * w29)
+    w31 = w3 * w10
+    w32 = w3 * w5
+    w33 = w32 * c4
+    w34 = w10 * w12
+    w35 = w5 * w12 / w7
+    w36 = c22 + w16 * w33
+    w37 = w36 + w22 * w35
+    w38 = w2 * (w31 + w33) - w1 * w34 + (w18 * w35 - w8 * w37)
+    w39 = w25 * w33 + (w27 * w37 + w28 * w35)
+    w40 = rod_theta_dot**2
+    w41 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w42 = 2 * rod_theta_dot
+    w43 = w9 * rod_q1_dot + w10 * rod_q2_dot
+    w44 = rod_q1_dot * c13
+    w45 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w46 = w4 * rod_q1_dot + w5 * rod_q2_dot
+    w47 = crank_theta_dot**2
+    w48 = w2 * w47
+    w49 = (w12 * w45 + w42 * (w3 * w46) + w16 * w40 + w48) / w7
+    w50 = w0 * c24 + ca.if_else(t < 0.15, c25, 0) + w1 * (c26 + (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44)) - (w14 * w49 - w48 * c3))
+    w51 = w1 * w47
+    w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * c4
+    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
+    w54 = w53 + w16 * w52
+    w55 = w50 - w2 * (w14 * w40 + w42 * (w3 * w44 - w12 * w43) + w3 * w41 + (w51 * c3 + w15 * w49) - w52) - w8 * w54
+    w56 = w19 * w40 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
+    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * c23) - (w31 * w51 + w34 * w48 + w49 * c22) + w32 * w52
+    M_hat_LL = ca.vertcat(
+        c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18),
+    )
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        w30,
+        w38,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 1, 2)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        w30,
+        w38,
+    )
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c15 + w25 * w26 + (w27 * w29 + w27 * w28),
+        w39,
+        w39,
+        c18 + w32 * w33 + (w35 * w37 + w35 * w36),
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w55,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w56 + w27 * w54,
+        w57 + w35 * w54,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, t, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
 def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 220 operations."""
     q_i = ca.SX.sym("q_i", 3)
@@ -2045,7 +2361,7 @@ def substep_2() -> ca.Function:
     w31 = 2 * rod_theta_dot
     w32 = w1 * rod_q1_dot + w5 * rod_q2_dot
     w33 = (w28 + (w4 * w30 + w31 * (w0 * w32) + w9 * w21)) / w7 - crank_theta_ddot * (w25 / w7)
-    w34 = w11 * w21 - (rod_q1 * c27 + rod_q1_dot * c28) + w23 * c23 - ((w0 * w22 + w4 * c13) * w27 + w23 * w29 + w33 * c21)
+    w34 = w11 * w21 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - ((w0 * w22 + w4 * c13) * w27 + w23 * w29 + w33 * c21)
     w35 = (w31 * (w4 * w32) - (w0 * w30 + w7 * w21) - w27 - w9 * w33) * c4
     w36 = rod_q1 * c11 + rod_q2 * c12
     w37 = c8 - (rod_q1 * w22 + rod_q2 * w36) * 0.5
@@ -2054,7 +2370,7 @@ def substep_2() -> ca.Function:
     w40 = rod_theta_dot * -2.0 * (w11 * rod_q1_dot + w12 * rod_q2_dot) + w39 * c23 - (w27 * (w4 * w37 + w0 * w38) + w29 * w39 + w13 * w33)
     w41 = w40 + w9 * w35
     w42 = w4 * w36
-    w43 = w12 * w21 - (rod_q2 * c29 + rod_q2_dot * c30) - w42 * c23 - (w27 * (w0 * w36) - w29 * w42 + w33 * c22)
+    w43 = w12 * w21 - rod_q2 * c29 - (rod_q2_dot * c30 + w42 * c23) - (w27 * (w0 * w36) - w29 * w42 + w33 * c22)
     M_hat_SS = ca.vertcat(
         c15 + w2 * w3 + (w8 * (w10 + w8 * w14) + w8 * w10),
         w20,
@@ -2086,5 +2402,6 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "blocks": blocks,
     "substep_2": substep_2,
 }

@@ -253,7 +253,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 154 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 162 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 28)
@@ -380,6 +380,17 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -391,12 +402,12 @@ def constraints() -> ca.Function:
         0.0,
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 246 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 345 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 28)
@@ -439,14 +450,23 @@ def augmented() -> ca.Function:
     w13 = ca.cos(rocker_theta)
     w14 = w13 * c18
     w15 = crank_theta_dot**2
-    w16 = coupler_theta_dot**2
-    w17 = rocker_theta_dot**2
-    w18 = w0 * c0
-    w19 = w3 * c0
-    w20 = w5 * c3
-    w21 = w8 * c3
-    w22 = w10 * c4
-    w23 = w13 * c4
+    w16 = w4 * w15
+    w17 = w1 * w15
+    w18 = coupler_theta_dot**2
+    w19 = w9 * w18
+    w20 = w6 * w18
+    w21 = rocker_theta_dot**2
+    w22 = w14 * w21
+    w23 = w11 * w21
+    w24 = c10 + w4 * c8
+    w25 = w9 * c8
+    w26 = w14 * c8
+    w27 = w0 * c0
+    w28 = w3 * c0
+    w29 = w5 * c3
+    w30 = w8 * c3
+    w31 = w10 * c4
+    w32 = w13 * c4
     M = ca.vertcat(
         c14,
         0.0,
@@ -532,16 +552,125 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 9, 9)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 9, 9)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w16,
+        w17,
+        0.0,
+        w19,
+        w20,
+        0.0,
+        w22,
+        w23,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c19,
+        w24,
+        0.0,
+        c11,
+        w25,
+        0.0,
+        c20,
+        w26,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w4 * w15,
-        w1 * w15 + c19,
-        c10 + w4 * c8,
-        w9 * w16,
-        c11 + w6 * w16,
-        w9 * c8,
-        w14 * w17,
-        w11 * w17 + c20,
-        w14 * c8,
+        w16,
+        w17 + c19,
+        w24,
+        w19,
+        c11 + w20,
+        w25,
+        w22,
+        w23 + c20,
+        w26,
     )
     Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
@@ -563,8 +692,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w18,
-        -w19,
+        w27,
+        -w28,
         0.0,
         0.0,
         0.0,
@@ -589,8 +718,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w20,
-        -w21,
+        w29,
+        -w30,
         0.0,
         0.0,
         0.0,
@@ -613,8 +742,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        -w22,
-        w23,
+        -w31,
+        w32,
         0.0,
         0.0,
     )
@@ -623,16 +752,16 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w15 * w19),
-        -(w15 * w18),
-        w17 * w23 - w16 * w21,
-        w17 * w22 - w16 * w20,
+        -(w15 * w28),
+        -(w15 * w27),
+        w21 * w32 - w18 * w30,
+        w21 * w31 - w18 * w29,
         0.0,
         0.0,
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

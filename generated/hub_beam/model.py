@@ -674,7 +674,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 72 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 77 operations."""
     q = ca.SX.sym("q", 9)
     hub_x = q[0]
     hub_y = q[1]
@@ -747,6 +747,14 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -755,12 +763,12 @@ def constraints() -> ca.Function:
         0.0,
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 345 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 444 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
@@ -834,6 +842,13 @@ def augmented() -> ca.Function:
     w22 = w1 * beam_q1_dot + w2 * beam_q2_dot + w3 * beam_q3_dot
     w23 = beam_q1_dot * (beam_q1_dot * c25 + beam_q2_dot * c26 + beam_q3_dot * c27) + beam_q2_dot * (beam_q1_dot * c28 + beam_q2_dot * c29 + beam_q3_dot * c30)
     w24 = w23 + beam_q3_dot * (beam_q1_dot * c31 + beam_q2_dot * c32 + beam_q3_dot * c33)
+    w25 = w12 * w19 + w20 * (w5 * w21 - w0 * w22) + w5 * w24
+    w26 = w7 * w19 + w0 * w24 + w20 * (w5 * w22 + w0 * w21)
+    w27 = beam_theta_dot * -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot)
+    w28 = w16 * w19
+    w29 = w17 * w19
+    w30 = w18 * w19
+    w31 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0)
     M = ca.vertcat(
         c23,
         0.0,
@@ -919,16 +934,125 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 9, 9)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c17,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c18,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c19,
+    )
+    K = ca.reshape(K, 9, 9)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w25,
+        w26,
+        w27,
+        w28,
+        w29,
+        w30,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        w31,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
         0.0,
         0.0,
-        ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0),
-        w12 * w19 + w20 * (w5 * w21 - w0 * w22) + w5 * w24,
-        w7 * w19 + w0 * w24 + w20 * (w5 * w22 + w0 * w21),
-        beam_theta_dot * -2.0 * (w16 * beam_q1_dot + w17 * beam_q2_dot + w18 * beam_q3_dot),
-        w16 * w19 - beam_q1 * c17,
-        w17 * w19 - beam_q2 * c18,
-        w18 * w19 - beam_q3 * c19,
+        w31,
+        w25,
+        w26,
+        w27,
+        w28 - beam_q1 * c17,
+        w29 - beam_q2 * c18,
+        w30 - beam_q3 * c19,
     )
     Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
@@ -988,8 +1112,8 @@ def augmented() -> ca.Function:
         0.0,
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
@@ -1776,6 +1900,89 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["q_i_ddot"])
 
 
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 102 operations."""
+    q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 5)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 266)
+    beam_q1 = q_i[1]
+    beam_q2 = q_i[2]
+    beam_q3 = q_i[3]
+    beam_q1_dot = q_i_dot[1]
+    beam_q2_dot = q_i_dot[2]
+    beam_q3_dot = q_i_dot[3]
+    beam_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
+    w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
+    w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
+    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
+    w4 = beam_theta_dot**2
+    M_hat_LL = ca.vertcat(
+        beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)),
+    )
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        c13,
+        c14,
+        c15,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 1, 3)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        c13,
+        c14,
+        c15,
+    )
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        c8,
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 3, 3)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w3,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w0 * w4 - beam_q1 * c17,
+        w1 * w4 - beam_q2 * c18,
+        w2 * w4 - beam_q3 * c19,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
 def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 67 operations."""
     q_i = ca.SX.sym("q_i", 4)
@@ -1848,5 +2055,6 @@ FUNCTIONS = {
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "blocks": blocks,
     "substep_2": substep_2,
 }

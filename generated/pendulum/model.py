@@ -83,7 +83,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 16 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 18 operations."""
     q = ca.SX.sym("q", 3)
     rod_x = q[0]
     rod_y = q[1]
@@ -107,17 +107,22 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 39 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 54 operations."""
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -132,6 +137,9 @@ def augmented() -> ca.Function:
     w1 = -w0
     w2 = ca.cos(rod_theta) * c3
     w3 = rod_theta_dot**2
+    w4 = w2 * w3
+    w5 = w0 * w3
+    w6 = w2 * c4
     M = ca.vertcat(
         c2,
         0.0,
@@ -145,10 +153,35 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 3, 3)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 3, 3)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w4,
+        w5,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c5,
+        w6,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w2 * w3,
-        w0 * w3 + c5,
-        w2 * c4,
+        w4,
+        w5 + c5,
+        w6,
     )
     Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
@@ -166,8 +199,8 @@ def augmented() -> ca.Function:
         0.0,
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

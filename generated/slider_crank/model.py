@@ -214,7 +214,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 140 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 148 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 25)
@@ -335,6 +335,17 @@ def constraints() -> ca.Function:
         0.0,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
@@ -346,12 +357,12 @@ def constraints() -> ca.Function:
         -(w3 * w5),
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 225 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 324 operations."""
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 25)
@@ -384,11 +395,17 @@ def augmented() -> ca.Function:
     w8 = ca.cos(rod_theta)
     w9 = w8 * c6
     w10 = crank_theta_dot**2
-    w11 = rod_theta_dot**2
-    w12 = w0 * c1
-    w13 = w3 * c1
-    w14 = w5 * c5
-    w15 = w8 * c5
+    w11 = w4 * w10
+    w12 = w1 * w10
+    w13 = rod_theta_dot**2
+    w14 = w9 * w13
+    w15 = w6 * w13
+    w16 = w4 * c8
+    w17 = w9 * c8
+    w18 = w0 * c1
+    w19 = w3 * c1
+    w20 = w5 * c5
+    w21 = w8 * c5
     M = ca.vertcat(
         c11,
         0.0,
@@ -474,13 +491,122 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 9, 9)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 9, 9)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w11,
+        w12,
+        0.0,
+        w14,
+        w15,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c14,
+        w16,
+        0.0,
+        c10,
+        w17,
+        0.0,
+        c15,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w4 * w10,
-        w1 * w10 + c14,
-        w4 * c8,
-        w9 * w11,
-        c10 + w6 * w11,
-        w9 * c8,
+        w11,
+        w12 + c14,
+        w16,
+        w14,
+        c10 + w15,
+        w17,
         0.0,
         c15,
         0.0,
@@ -505,8 +631,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w12,
-        -w13,
+        w18,
+        -w19,
         0.0,
         0.0,
         0.0,
@@ -533,8 +659,8 @@ def augmented() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        w14,
-        -w15,
+        w20,
+        -w21,
         0.0,
         0.0,
         0.0,
@@ -565,16 +691,16 @@ def augmented() -> ca.Function:
     gamma_b = ca.vertcat(
         0.0,
         0.0,
-        -(w10 * w13),
-        -(w10 * w12),
+        -(w10 * w19),
+        -(w10 * w18),
         0.0,
         0.0,
-        -(w11 * w15),
-        -(w11 * w14),
+        -(w13 * w21),
+        -(w13 * w20),
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

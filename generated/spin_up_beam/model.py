@@ -1391,7 +1391,7 @@ def accelerations() -> ca.Function:
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t and gamma in all coordinates (Eqs. 21-27). 77 operations."""
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 80 operations."""
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 601)
@@ -1410,6 +1410,7 @@ def constraints() -> ca.Function:
     w2 = ca.cos(w1)
     w3 = ca.logic_not(w0)
     w4 = beam_theta - (ca.if_else(w0, (t**2 / 2.0 + (w2 - 1.0) * c44) * c13, 0) + ca.if_else(w3, (t - c45) * c43, 0))
+    w5 = ca.if_else(w0, (t - ca.sin(w1) * c46) * c13, 0) + ca.if_else(w3, c43, 0)
     C = ca.vertcat(
         beam_x,
         beam_y,
@@ -1447,21 +1448,27 @@ def constraints() -> ca.Function:
     C_t = ca.vertcat(
         0.0,
         0.0,
-        -(ca.if_else(w0, (t - ca.sin(w1) * c46) * c13, 0) + ca.if_else(w3, c43, 0)),
+        -w5,
     )
     C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        w5,
+    )
+    nu = ca.densify(nu)
     gamma = ca.vertcat(
         0.0,
         0.0,
         ca.if_else(w0, (1.0 - w2 * c14) * c13, 0),
     )
     gamma = ca.densify(gamma)
-    inputs, outputs = [q, t, c], [C, C_q, C_t, gamma]
-    return ca.Function("constraints", inputs, outputs, ["q", "t", "c"], ["C", "C_q", "C_t", "gamma"])
+    inputs, outputs = [q, t, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "t", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, Q*, C_q and gamma (with Baumgarte terms) of the augmented form (Eq. 28). 491 operations."""
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 571 operations."""
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     t = ca.SX.sym("t", 1)
@@ -1591,7 +1598,15 @@ def augmented() -> ca.Function:
     w34 = beam_q1_dot * c64 + beam_q2_dot * c65 + beam_q3_dot * c66 + beam_q4_dot * c67 + beam_q5_dot * c68
     w35 = beam_q1_dot * c69 + beam_q2_dot * c70 + beam_q3_dot * c71 + beam_q4_dot * c72 + beam_q5_dot * c73
     w36 = beam_q1_dot * w31 + beam_q2_dot * w32 + beam_q3_dot * w33 + beam_q4_dot * w34 + beam_q5_dot * w35
-    w37 = w22 * beam_q1_dot + w23 * beam_q2_dot + w24 * beam_q3_dot + w25 * beam_q4_dot + w26 * beam_q5_dot
+    w37 = w16 * w27 + w28 * (w7 * w29 - w0 * w30) + w7 * w36
+    w38 = w9 * w27 + w0 * w36 + w28 * (w7 * w30 + w0 * w29)
+    w39 = w22 * beam_q1_dot + w23 * beam_q2_dot + w24 * beam_q3_dot + w25 * beam_q4_dot + w26 * beam_q5_dot
+    w40 = beam_theta_dot * -2.0 * w39
+    w41 = w22 * w27
+    w42 = w23 * w27
+    w43 = w24 * w27
+    w44 = w25 * w27
+    w45 = w26 * w27
     M = ca.vertcat(
         c47,
         0.0,
@@ -1660,15 +1675,105 @@ def augmented() -> ca.Function:
     )
     M = ca.reshape(M, 8, 8)
     M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c10,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c20,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c27,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c34,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c41,
+    )
+    K = ca.reshape(K, 8, 8)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w37,
+        w38,
+        w40,
+        w41,
+        w42,
+        w43,
+        w44,
+        w45,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w16 * w27 + w28 * (w7 * w29 - w0 * w30) + w7 * w36,
-        w9 * w27 + w0 * w36 + w28 * (w7 * w30 + w0 * w29),
-        beam_theta_dot * -2.0 * w37,
-        w22 * w27 - beam_q1 * c10,
-        w23 * w27 - beam_q2 * c20,
-        w24 * w27 - beam_q3 * c27,
-        w25 * w27 - beam_q4 * c34,
-        w26 * w27 - beam_q5 * c41,
+        w37,
+        w38,
+        w40,
+        w41 - beam_q1 * c10,
+        w42 - beam_q2 * c20,
+        w43 - beam_q3 * c27,
+        w44 - beam_q4 * c34,
+        w45 - beam_q5 * c41,
     )
     Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
@@ -1705,8 +1810,8 @@ def augmented() -> ca.Function:
         ca.if_else(t < c11, (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13, 0),
     )
     gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, Q_star, C_q, gamma_b]
-    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "Q_star", "C_q", "gamma_b"])
+    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:

@@ -97,12 +97,16 @@ class PlanarBody:
             force[column] = template.body_template().evaluate(moments.values(a), ["Q_v_f"])["Q_v_f"]
         return force
 
-    def elastic_force(self) -> Row:
-        """-K_ff q_f - D_ff q_f_dot by system column (K of Eq. 20, modal damping)."""
-        integrals, coordinates = self._require_mass(), self.coordinates
-        K_ff, D_ff = entries(integrals.K_ff), entries(integrals.D_ff)
-        return {column: sub(neg(dot(K_ff[a], coordinates.q_f)), dot(D_ff[a], coordinates.q_f_dot))
-                for a, column in enumerate(coordinates.columns[3:])}
+    def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
+        """K of Eq. (20), non-zero in K_ff only, as (row, column, value) in system columns."""
+        K_ff, modes = entries(self._require_mass().K_ff), self.coordinates.columns[3:]
+        return [(row, column, K_ff[a][b]) for a, row in enumerate(modes) for b, column in enumerate(modes)
+                if not K_ff[a][b].is_zero()]
+
+    def damping_force(self) -> Row:
+        """-D_ff q_f_dot by system column (modal damping)."""
+        D_ff, coordinates = entries(self._require_mass().D_ff), self.coordinates
+        return {column: neg(dot(D_ff[a], coordinates.q_f_dot)) for a, column in enumerate(coordinates.columns[3:])}
 
     def gravity_force(self, gravity: list[ca.SX]) -> Row:
         """Generalised force of a uniform field of acceleration `gravity` (m/s^2)."""

@@ -181,3 +181,31 @@ def test_tree_elimination_gives_the_condensed_accelerations(built_in: Callable[[
         expected = np.linalg.solve(condensed["M_hat"].reshape(n, n), condensed["Q_hat"].ravel())
         found = evaluate(model, "forward_dynamics", **state.values())["q_i_ddot"].ravel()
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("name", ["flexible_slider_crank", "hub_beam", "two_oscillators"])
+def test_blocks_of_the_partition(built_in: Callable[[str], Model], name: str) -> None:
+    """(39): the emitted blocks are those of M_hat and Q_hat."""
+    model = built_in(name)
+    n = len(model.q_i)
+    for state in random_states(model, STATES):
+        condensed, blocks = evaluate(model, "condensed", **state.values()), evaluate(model, "blocks", **state.values())
+        M_hat = condensed["M_hat"].reshape(n, n)
+        for row in model.groups:
+            np.testing.assert_allclose(blocks[f"Q_hat_{row.name}"].ravel(), condensed["Q_hat"].ravel()[row.positions],
+                                       rtol=1e-12, atol=1e-12)
+            for column in model.groups:
+                block = blocks[f"M_hat_{row.name}{column.name}"].reshape(len(row.positions), len(column.positions))
+                expected = M_hat[np.ix_(row.positions, column.positions)]
+                np.testing.assert_allclose(block, expected, rtol=1e-12, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", ["flexible_slider_crank_torque", "hub_beam", "two_oscillators"])
+def test_forces_of_the_augmented_form_add_up(built_in: Callable[[str], Model], name: str) -> None:
+    """Q* = Q_F + Q_v - K q (28)."""
+    model = built_in(name)
+    n = len(model.coordinates)
+    for state in random_states(model, STATES):
+        found = evaluate(model, "augmented", **state.values())
+        total = found["Q_F"].ravel() + found["Q_v"].ravel() - found["K"].reshape(n, n) @ state.values()["q"]
+        np.testing.assert_allclose(found["Q_star"].ravel(), total, rtol=1e-12, atol=1e-9)
