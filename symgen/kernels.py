@@ -14,14 +14,11 @@ import casadi as ca
 
 from symgen.condensation import Condensed, reduced_loop_rows, solve_small
 from symgen.drawing import drawing
-from symgen.elimination import constraint_jacobian
-from symgen.equations import Equations, matrix_times
 from symgen.forward_dynamics import NoInertia, is_tree, tree_accelerations
+from symgen.full_kernels import augmented, constraints, energy, measures, reactions
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
-from symgen.joints.instance import ConstraintRow
 from symgen.partition import Group
-from symgen.rows import Row, to_matrix
 from symgen.scene import Scene
 
 
@@ -66,11 +63,11 @@ def build_kernels(
         "closure": lambda: _closure(system, arguments),
         "velocities": lambda: _velocities(system, arguments),
         "accelerations": lambda: _accelerations(system, arguments),
-        "constraints": lambda: _constraints(system),
-        "augmented": lambda: _augmented(system),
-        "reactions": lambda: _reactions(system),
-        "energy": lambda: _energy(system),
-        "measures": lambda: _measures(system),
+        "constraints": partial(constraints, system),
+        "augmented": partial(augmented, system),
+        "reactions": partial(reactions, system),
+        "energy": partial(energy, system),
+        "measures": partial(measures, system),
         "drawing": lambda: drawing(system.equations),
     }
     for name, build in jacobian_kernels(system, arguments).items():
@@ -193,95 +190,3 @@ def _accelerations(system: Condensed, a: Arguments) -> Kernel:
     values = system.accelerations(_independent(system, a.q_i_ddot))
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_i_ddot=a.q_i_ddot)
     return Kernel(inputs, {"q_d_ddot": _column(a, values)})
-
-
-def _constraints(system: Condensed) -> Kernel:
-    """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
-    eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    outputs = {"C": ca.vertcat(*(row.C for row in eq.constraints)), "C_q": constraint_jacobian(eq),
-               "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
-               "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
-               "gamma": ca.vertcat(*(row.gamma for row in eq.constraints))}
-    return Kernel(inputs, outputs)
-
-
-def _augmented(system: Condensed) -> Kernel:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates.
-
-    gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
-    """
-    eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    outputs = {"M": to_matrix(eq.M), "K": to_matrix(eq.K), "Q_v": ca.vertcat(*eq.Q_v), "Q_F": ca.vertcat(*eq.Q_F),
-               "Q_star": ca.vertcat(*eq.Q_star)}
-    if eq.constraints:
-        outputs["C_q"] = constraint_jacobian(eq)
-        outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))
-    return Kernel(inputs, outputs)
-
-
-def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
-    alpha, beta = eq.baumgarte
-    rate = row.C_t + sum((value * eq.q_dot[column] for column, value in row.C_q.items()), ca.SX(0))
-    return row.gamma - 2 * alpha * rate - beta**2 * row.C
-
-
-def _reactions(system: Condensed) -> Kernel:
-    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
-
-    joint_forces (3 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
-    """
-    eq, choice = system.equations, system.choice
-    q_ddot = ca.SX.sym("q_ddot", len(eq.names))
-    inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
-    force = {c: eq.Q_star[c] - inertia.get(c, ca.SX(0)) for c in range(len(eq.names))}
-    lam: dict[int, ca.SX] = {}
-    if choice.loop_rows:
-        lam |= _loop_reactions(system, force)
-    for row, column in reversed(choice.structural):
-        rest = force[column]
-        for other, value in lam.items():
-            factor = eq.constraints[other].C_q.get(column)
-            if factor is not None:
-                rest = rest - factor * value
-        lam[row] = rest / eq.constraints[row].C_q[column]
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot, "t": eq.t}
-    forces = ca.SX(3, len(eq.joints))
-    for row, constraint in enumerate(eq.constraints):
-        for axis, factor in enumerate(constraint.on_b):
-            column = eq.joints.index(constraint.joint)
-            forces[axis, column] = forces[axis, column] - factor * lam[row]
-    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))),
-                           "joint_forces": forces})
-
-
-def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
-    """U^T lam_loop = the force on the loop unknowns after all structural coordinates are substituted."""
-    eq, choice = system.equations, system.choice
-    structural = [s for s in system.substitutions if s.column not in choice.loop_columns]
-    work = dict(force)
-    for substitution in reversed(structural):
-        value = work.pop(substitution.column)
-        for column, factor in substitution.e.items():
-            work[column] = work[column] + factor * value
-    rows = reduced_loop_rows(eq, choice, structural)
-    transposed = [[entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in choice.loop_columns]
-    solved = solve_small(transposed, [[work[column] for column in choice.loop_columns]])[0]
-    return dict(zip(choice.loop_rows, solved, strict=True))
-
-
-def _energy(system: Condensed) -> Kernel:
-    """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
-    eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    return Kernel(inputs, {"kinetic": eq.kinetic(), "elastic": eq.elastic, "potential": eq.potential,
-                           "power_dissipated": eq.dissipated, "power_applied": eq.applied})
-
-
-def _measures(system: Condensed) -> Kernel:
-    """The scene's measures and their rates, in scene order."""
-    eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    values = list(eq.measures.values())
-    return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})
