@@ -47,6 +47,8 @@ class Watch:
         self._good = z.copy()
         self._energy.grows(z)
         self._constraints.start(z)
+        if not self._constraints.positive_mass(z):
+            return self._stop("mass_not_positive", None, "M_hat is not positive definite at the start")
         self.step_limit = self._limit()
         h = self.scheme.grid.h[-1]
         if self.step_limit is not None and h > self.step_limit and not self.force:

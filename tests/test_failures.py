@@ -79,6 +79,18 @@ def test_start_that_is_not_finite(tmp_path: Path) -> None:
     assert "M_hat" in solution.status.advice
 
 
+def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
+    """The truncated kinetic energy loses its sign at about a fifth of the length; a run says so instead of exploding."""
+    arm = SceneBuilder("arm").beam("arm", length=0.6, density=2700.0, area=4e-5, second_moment=1.3e-11,
+                                   youngs_modulus=7e10, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
+    arm.revolute("hinge", "ground.origin", "arm.start").simulation(t_end=0.1, dt=2e-5, scheme="single_rate")
+    model = model_of(arm.build())
+    assert simulate(model, initial={"arm.q1": 0.05}, t_end=0.01).status.ok
+    solution = simulate(model, initial={"arm.q1": 0.2})
+    assert solution.status.name == "mass_not_positive"
+    assert "stiffening" in solution.status.advice
+
+
 @pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals reach the main thread")
 def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
     calls = 0
