@@ -80,7 +80,7 @@ def test_start_that_is_not_finite(tmp_path: Path) -> None:
 
 
 def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
-    """The truncated kinetic energy loses its sign at about a fifth of the length; a run says so instead of exploding."""
+    """The truncated kinetic energy loses its sign at about a fifth of the length; a run says so."""
     arm = SceneBuilder("arm").beam("arm", length=0.6, density=2700.0, area=4e-5, second_moment=1.3e-11,
                                    youngs_modulus=7e10, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
     arm.revolute("hinge", "ground.origin", "arm.start").simulation(t_end=0.1, dt=2e-5, scheme="single_rate")
