@@ -1,4 +1,4 @@
-"""What is checked between native calls: finiteness, growth, energy, closure, sweeps. A failure gets a named status."""
+"""What is checked between native calls: finiteness, growth, closure, sweeps, constraints, mass, energy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from runtime.status import Status, StatusName
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
 CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
-FULL_CHECKS = 16
+FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
@@ -155,12 +155,13 @@ class _ConstraintCheck:
         if self._function is None:
             return False
         C = np.abs(np.asarray(self._function(z, self.c)[0]).ravel())
-        return bool((C > CONSTRAINT_LIMIT * np.where(self._angles, 1.0, self.length)).any())
+        return not bool((C <= CONSTRAINT_LIMIT * np.where(self._angles, 1.0, self.length)).all())  # NaN is off too
 
 
     def positive_mass(self, z: np.ndarray) -> bool:
-        """Is M_hat positive definite?"""
-        return bool(np.linalg.eigvalsh(np.asarray(self._mass(z, self.c)))[0] > 0)
+        """Is M_hat finite and positive definite?"""
+        M_hat = np.asarray(self._mass(z, self.c))
+        return bool(np.isfinite(M_hat).all()) and bool(np.linalg.eigvalsh(M_hat)[0] > 0)
 
 
 def _mass(model: Model, scheme: CentralDifference) -> ca.Function:
@@ -211,7 +212,7 @@ class _EnergyCheck:
         self._largest = max(self._largest, moving)
         if self._start is None:
             self._start = moving + potential
-        return moving + potential - self._start > ENERGY_LIMIT * self._largest
+        return not moving + potential - self._start <= ENERGY_LIMIT * self._largest  # NaN has grown too
 
 
 def _energies(model: Model, scheme: CentralDifference) -> ca.Function:

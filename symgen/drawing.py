@@ -9,7 +9,7 @@ from symgen.hoisting import Kernel
 
 
 def drawing(equations: Equations) -> Kernel:
-    """xy (2 x points) of all polylines one after another; `outline_sizes` says how many points each has."""
+    """xy (2 x points) of all polylines one after another; `outlines` in the manifest says how many each has."""
     exaggeration = ca.SX.sym("exaggeration")
     scaled = ca.vertcat(*(value * exaggeration if column in equations.elastic_columns else value
                           for column, value in enumerate(equations.q)))

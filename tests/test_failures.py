@@ -17,6 +17,7 @@ from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import prepare
 from runtime.model import Model
 from runtime.simulate import make_plan, start_vector
+from runtime.watch import Watch
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 
@@ -91,7 +92,6 @@ def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
     assert "stiffening" in solution.status.advice
 
 
-@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals reach the main thread")
 def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
     calls = 0
 
@@ -166,3 +166,15 @@ def test_printed_scheme_with_default_tolerance_keeps_its_order(built_in: Load) -
                      - exact).max() for dt in steps]
     assert abs(np.polyfit(np.log(steps), np.log(errors), 1)[0] - 2.0) < 0.1
     assert errors[-1] < 5e-8
+
+
+def test_nan_behind_a_finite_state_is_seen(built_in: Load) -> None:
+    """The state of the scheme is finite, what follows from it is not: that must not pass as good."""
+    model = built_in("four_bar")
+    scheme = make_plan(model, 0.1, 1e-3, None, "single_rate", 1, None, 0.0).scheme
+    c = model.constants(model.parameter_vector())
+    z = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    assert Watch(model, scheme, c).first(z) is None
+    status = Watch(model, scheme, np.full_like(c, np.nan)).first(z)
+    assert status is not None
+    assert status.name == "mass_not_positive"

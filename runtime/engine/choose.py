@@ -48,12 +48,15 @@ def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: 
         interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
         size = sum(stage.n_instructions() for stage in stages(program))
         pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
-        wish = "compiled" if pays and find_compiler() else "interpreted"
-        if wish == "compiled":
-            try:
-                return CompiledProgram(program)
-            except CompilerError as error:
-                interpreted_instead = InterpretedProgram(program, z_size, c_size)
-                interpreted_instead.note = f"compiling failed, so the run was interpreted: {error}"
-                return interpreted_instead
+        return _compiled_if_possible(program, z_size, c_size) if pays and find_compiler() else InterpretedProgram(
+            program, z_size, c_size)
     return CompiledProgram(program) if wish == "compiled" else InterpretedProgram(program, z_size, c_size)
+
+
+def _compiled_if_possible(program: Program, z_size: int, c_size: int) -> Engine:
+    try:
+        return CompiledProgram(program)
+    except CompilerError as error:
+        engine = InterpretedProgram(program, z_size, c_size)
+        engine.note = f"compiling failed, so the run was interpreted: {error}"
+        return engine

@@ -49,18 +49,23 @@ class CentralDifference:
         return next(g for g, group in enumerate(self.grid.groups) if k in group)
 
     @property
-    def newton(self) -> bool:
-        """Does the common update iterate on velocities?"""
+    def _solves_velocity(self) -> bool:
+        """Is q_dot of (41), (43) found by Newton where forces depend on it, rather than predicted?"""
         kernels = StepKernels(self.model, ca.SX.sym("c", self.c_size))
         chosen = self.options.common_velocity
         wanted = chosen == "newton" or (chosen == "auto" and len(self.model.q_i) <= LARGE_SYSTEM)
-        return self.options.common_update == "direct" and wanted and kernels.velocity_dependent
+        return wanted and kernels.velocity_dependent
+
+    @property
+    def newton(self) -> bool:
+        """Does the common update take Newton steps? (The printed sweep does not.)"""
+        return self.options.common_update == "direct" and self._solves_velocity
 
     @property
     def _by_tree(self) -> bool:
         """A large tree in one group: its accelerations come from the O(N) elimination."""
         large = len(self.model.q_i) > LARGE_SYSTEM and len(self.grid.groups) == 1
-        return large and self.model.has("forward_dynamics") and not self.newton
+        return large and self.model.has("forward_dynamics") and not self._solves_velocity
 
     # ---- the flow chart -------------------------------------------------------------------------------------
 
@@ -239,7 +244,7 @@ class CentralDifference:
         fields, kernels = self.layout.unpack(z), StepKernels(self.model, c)
         q, v_half, a = self._slow_state(fields, 0)
         motion = self._motion(fields, kernels, q, self._now(fields, 0))
-        newton = self.newton
+        newton = self._solves_velocity
         for _ in range(OBSERVE_ITERATIONS if kernels.velocity_dependent else 1):
             a = self._solve_active(kernels, motion, v_half + self._h / 2 * a, a, 0, newton)
         v = v_half + self._h / 2 * a

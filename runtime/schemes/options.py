@@ -16,7 +16,7 @@ class SchemeError(ValueError):
 
 @dataclass(frozen=True)
 class Options:
-    """Readings of the paper (method.md, 2) and tolerances.
+    """Readings of the paper (docs/schemes.md lists them) and tolerances.
 
     common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
         Newton on dQ_hat/dq_i_dot where forces depend on velocity.
@@ -53,7 +53,7 @@ class Options:
                 raise SchemeError(f"{name} must be one of {', '.join(allowed)}, not {getattr(self, name)!r}")
         for name in ("max_iterations", "newton_iterations", "closure_iterations"):
             value = getattr(self, name)
-            if not isinstance(value, int) or value < 1:
+            if isinstance(value, bool) or not isinstance(value, int) or value < 1:
                 raise SchemeError(f"{name} must be a whole number of at least 1, not {value!r}")
         try:
             given = tuple(float(value) for value in (self.eps if isinstance(self.eps, tuple | list) else (self.eps,)))

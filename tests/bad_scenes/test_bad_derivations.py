@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -133,11 +132,13 @@ def test_output_folder_that_is_a_file(tmp_path: Path) -> None:
     assert (tmp_path / "taken").read_text() == "mine"
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
-def test_output_folder_without_permission(tmp_path: Path) -> None:
-    tmp_path.chmod(0o500)
+@pytest.mark.parametrize("place", ["taken/below", "n" * 300])
+def test_output_folder_that_nobody_can_make(tmp_path: Path, place: str) -> None:
+    """Below a file, or with a name too long for a folder: refused for every user, root included."""
+    (tmp_path / "taken").write_text("mine")
     with pytest.raises(SceneError, match="cannot be written"):
-        generate(pendulum().build(), tmp_path / "new")
+        generate(pendulum().build(), tmp_path / place)
+    assert [path.name for path in tmp_path.iterdir()] == ["taken"]
 
 
 @pytest.fixture(scope="module")

@@ -24,7 +24,7 @@ Printed sub-cycling, dt_L = m dt_S:
   q_L enters the S row through c q_L'' only: K and D are diagonal, so the interpolation of q_L (Eqs. 60, 63)
   plays no part here.
 
-Growth law (method.md section 3; k_L = zeta = 0, w_c dt_L small): a frozen q_L'' lags by (m - 1) dt_S / 2 on
+Growth law (docs/schemes.md; k_L = zeta = 0, w_c dt_L small): a frozen q_L'' lags by (m - 1) dt_S / 2 on
 average, which is negative damping; the amplitude grows like exp(sigma t) with
 sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L.
 
@@ -92,7 +92,7 @@ def growth_rate(matrix: Array, step: float) -> float:
 
 
 def growth_rate_law(c: float, w: float, m: int, dt_L: float) -> float:
-    """sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L (method.md section 3), leading order in w_c dt_L."""
+    """sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L (docs/schemes.md), leading order in w_c dt_L."""
     return 0.25 * c**2 * (1 - 1 / m) * w**2 / (1 - c**2) * dt_L
 
 
@@ -101,6 +101,6 @@ def stabilising_damping_law(c: float, w: float, m: int, dt_L: float) -> float:
 
     Leading order, k_L = 0. Row L gives q_L'' = -c q_S'', so (1 - c^2) q_S'' + 2 zeta w q_S' + w^2 q_S = 0
     decays at zeta w / (1 - c^2); setting this equal to the growth rate gives the law. The damping ratio of
-    the coupled mode is zeta w_c / w; for it the law reads 1/4 c^2 (1 - 1/m) w_c dt_L, the form of method.md.
+    the coupled mode is zeta w_c / w; for it the law reads 1/4 c^2 (1 - 1/m) w_c dt_L, the form often quoted.
     """
     return 0.25 * c**2 * (1 - 1 / m) * w * dt_L

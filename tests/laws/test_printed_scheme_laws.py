@@ -183,7 +183,7 @@ def test_equation_13_as_printed_costs_an_order(model_of: Build) -> None:
 
 @pytest.mark.parametrize("reading", ["end_point_sum", "constant_acceleration", "chord", "chord_ahead"])
 def test_three_groups_with_inertia_coupling_are_first_order(model_of: Build, reading: str) -> None:
-    """The printed scheme freezes slow accelerations; no reading of the interpolation mends that (method.md, 3)."""
+    """The printed scheme freezes slow accelerations; no reading of the interpolation mends that (docs/schemes.md)."""
     slope, error = three_group_slope(model_of(three_oscillators(0.3, 0.0)), slow_interpolation=reading)
     assert slope == pytest.approx(1.0, abs=0.1)
     assert error < 1.2e-3
