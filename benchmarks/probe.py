@@ -19,9 +19,7 @@ from benchmarks.scenes import MAJOR_STEP, RATIO, pinned_rod, slider_crank  # noq
 from runtime.engine.compiled import CompiledProgram  # noqa: E402
 from runtime.loading import load_model  # noqa: E402
 from runtime.model import Model  # noqa: E402
-from runtime.schemes.central_difference import CentralDifference  # noqa: E402
-from runtime.schemes.grid import make_grid  # noqa: E402
-from runtime.schemes.options import Options  # noqa: E402
+from runtime.schemes.catalogue import scheme_kind  # noqa: E402
 from symgen.emission.write import emit, write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402
 from symgen.scene import Scene  # noqa: E402
@@ -33,7 +31,7 @@ HOTTEST = 15
 
 
 def _step(model: Model) -> None:
-    scheme = CentralDifference(model, make_grid(model, MAJOR_STEP, [RATIO], False), Options())
+    scheme = scheme_kind("printed").build("printed", model, MAJOR_STEP, [RATIO], {"common_update": "direct"})
     CompiledProgram(scheme.program())
 
 

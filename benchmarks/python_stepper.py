@@ -7,13 +7,13 @@ from typing import Any, Self
 import numpy as np
 
 from runtime.model import Model
-from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.scheme import Scheme
 
 
 class PythonStepper:
     """Two groups, one Newton step on velocities in the common update, predictor in sub-steps; no time dependence."""
 
-    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
         self.model, self.scheme, self.c = model, scheme, c
         self.slow, self.fast = scheme.grid.groups
         self.h = np.array([scheme.grid.h[0 if k in self.slow else 1] for k in range(len(model.q_i))])

@@ -15,9 +15,8 @@ from runtime.engine.compiled import CompiledProgram
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program, stages
 from runtime.model import Model
-from runtime.schemes.central_difference import CentralDifference
-from runtime.schemes.grid import make_grid
-from runtime.schemes.options import Options
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.scheme import Scheme
 from runtime.simulate import start_vector
 
 AGREEMENT = 1e-9
@@ -28,7 +27,7 @@ class Case:
     """A model with its scheme, step program, constants (c and the prepared ones the program reads) and start."""
 
     model: Model
-    scheme: CentralDifference
+    scheme: Scheme
     program: Program
     c: np.ndarray
     ready: np.ndarray
@@ -38,11 +37,11 @@ class Case:
 def make_case(rod: dict, folder: Path) -> Case:
     """A slider-crank with this rod, at its start."""
     model = model_of(slider_crank(rod), folder)
-    scheme = CentralDifference(model, make_grid(model, MAJOR_STEP, [RATIO], False), Options())
+    scheme = scheme_kind("printed").build("printed", model, MAJOR_STEP, [RATIO], {"common_update": "direct"})
     c = model.constants(model.parameter_vector())
     start = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
     program, preparation = prepare(scheme.program(), scheme.c_size)
-    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    ready = np.asarray(preparation(scheme.constants(c)), dtype=float).ravel().copy()
     return Case(model, scheme, program, c, ready, start)
 
 

@@ -5,7 +5,8 @@ from runtime.initial import InitialStateError
 from runtime.loading import load_model
 from runtime.model import Group, Model, ModelError
 from runtime.reference import reference_solution
-from runtime.schemes.options import SCHEMES, Options, SchemeError
+from runtime.schemes.catalogue import SCHEMES
+from runtime.schemes.options import Options, SchemeError
 from runtime.simulate import simulate
 from runtime.solution import Solution
 from runtime.status import Status

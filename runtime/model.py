@@ -105,6 +105,11 @@ class Model:
         return bool(ca.SX(values[kernel.name_out().index(output)]).is_zero())
 
     @cached_property
+    def c_size(self) -> int:
+        """Length of c."""
+        return int(self.kernel("constants").size1_out(0))
+
+    @cached_property
     def independent_columns(self) -> np.ndarray:
         """Columns of q_i in q."""
         return np.array([self.coordinates.index(name) for name in self.q_i], dtype=int)

@@ -6,17 +6,17 @@ import casadi as ca
 import numpy as np
 
 from runtime.model import Model
-from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.scheme import Scheme
 from runtime.solution import Solution
 from runtime.status import Status
 
 BLOCK = 256  # samples a call
 
 
-def observe_samples(model: Model, scheme: CentralDifference, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
+def observe_samples(model: Model, scheme: Scheme, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
                     name: str, stats: dict[str, float | int | str], status: Status) -> Solution:
     """Solution of the samples (N, len(z)) of a scheme's state between major steps."""
-    observed = evaluate(scheme.observe(), {"z": samples}, c)
+    observed = evaluate(scheme.observe(), {"z": samples}, scheme.constants(c))
     q = join(model, observed["q_i"], observed["q_d"])
     q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])
     q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import dataclass
 from math import ceil
 from numbers import Real
 from operator import index
@@ -17,9 +17,10 @@ from runtime.engine.prepare import prepare
 from runtime.engine.program import Program
 from runtime.model import Model
 from runtime.observe import observe_samples
-from runtime.schemes.central_difference import CentralDifference
-from runtime.schemes.grid import Grid, make_grid
-from runtime.schemes.options import SCHEMES, Options, SchemeError
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.grid import Grid
+from runtime.schemes.options import SchemeError
+from runtime.schemes.scheme import Scheme
 from runtime.solution import Solution
 from runtime.start_state import start_state
 from runtime.status import Status
@@ -36,11 +37,15 @@ Progress = Callable[[float, float], None]
 class Plan:
     """Checked arguments of a run."""
 
-    scheme: CentralDifference
-    grid: Grid
+    scheme: Scheme
     steps: int
     save_every: int
     t0: float
+
+    @property
+    def grid(self) -> Grid:
+        """Groups and steps."""
+        return self.scheme.grid
 
 
 def simulate(
@@ -53,7 +58,7 @@ def simulate(
 
     The steps are all dt long, so the run ends at t_end or less than one step after it.
 
-    scheme: a name of runtime.schemes.options.SCHEMES; options: changes to its Options by name. parameters and initial
+    scheme: a name of runtime.schemes.catalogue.SCHEMES; options: changes to its Options by name. parameters and initial
     change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
     between native calls. A run whose step is above the stability limit at the start stops there, unless `force`.
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError or
@@ -65,7 +70,7 @@ def simulate(
     state = start_state(model, p, c, t0, initial)
     started = time.perf_counter()
     program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
-    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    ready = np.asarray(preparation(plan.scheme.constants(c)), dtype=float).ravel().copy()
     runner = choose_engine(engine, program, plan.scheme.layout.size, len(ready), plan.steps)
     prepared = time.perf_counter()
     z = start_vector(model, plan.scheme, state.q, state.q_dot, t0, c)
@@ -74,7 +79,7 @@ def simulate(
     finished = time.perf_counter()
     name = scheme or str(model.simulation["scheme"])
     stats = _statistics(plan, program, runner, samples[-1], prepared - started, finished - prepared)
-    stats["options"] = ", ".join(f"{key} = {value}" for key, value in asdict(plan.scheme.options).items())
+    stats["options"] = ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in scheme_kind(name).takes)
     stats["initial_changes"] = ", ".join(f"{key}: {given:.9g} -> {used:.9g}"
                                          for key, (given, used) in state.changed.items()) or "none"
     if runner.note:
@@ -89,18 +94,9 @@ def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] 
     """Resolve defaults and check every number of a run. Raises SchemeError."""
     defaults = model.simulation
     name = scheme or str(defaults["scheme"])
-    if name not in SCHEMES:
-        raise SchemeError(f"there is no scheme {name!r}; choose one of {', '.join(SCHEMES)}")
-    chosen = _with_changes(SCHEMES[name], options or {})
-    single = name == "single_rate"
-    if m is not None:
-        m = _whole_numbers(m)
-    if single and m:
-        raise SchemeError(f"single_rate takes one step for all coordinates; leave m = {m!r} out, "
-                          "or choose another scheme")
-    if m is None:
-        m = list(defaults["m"]) if len(defaults["m"]) == len(model.groups) - 1 else [1] * (len(model.groups) - 1)
-    grid = make_grid(model, float(defaults["dt"]) if dt is None else dt, [] if single else m, single)
+    ratios = None if m is None else _whole_numbers(m)
+    built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
+    grid = built.grid
     if isinstance(t0, bool) or not isinstance(t0, int | float) or not np.isfinite(t0):
         raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
     end = float(defaults["t_end"]) if t_end is None else t_end
@@ -117,7 +113,7 @@ def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] 
     steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
     if steps / every > MAX_SAMPLES:
         raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt")
-    return Plan(CentralDifference(model, grid, chosen), grid, steps, every, t0)
+    return Plan(built, steps, every, t0)
 
 
 def _whole_number(value: Any) -> int | None:
@@ -135,20 +131,13 @@ def _whole_numbers(values: Any) -> list[Any]:
     return [value if (whole := _whole_number(value)) is None else whole for value in values]
 
 
-def _with_changes(options: Options, changes: Mapping[str, Any]) -> Options:
-    known = {field.name for field in fields(Options)}
-    for name in changes:
-        if name not in known:
-            raise SchemeError(f"there is no option {name!r}; options are {', '.join(sorted(known))}")
-    return replace(options, **changes)
-
-
-def start_vector(model: Model, scheme: CentralDifference, q: np.ndarray, q_dot: np.ndarray, t0: float,
+def start_vector(model: Model, scheme: Scheme, q: np.ndarray, q_dot: np.ndarray, t0: float,
                  c: np.ndarray) -> np.ndarray:
-    """z of a scheme at a consistent state (Eqs. 68-71)."""
+    """z of a scheme at a consistent state (Eqs. 68-71), with the model's constants c."""
     columns = model.independent_columns
     loop = np.array([q[model.coordinates.index(name)] for name in model.loop_unknowns])
-    return np.asarray(scheme.start()(t0, q[columns], q_dot[columns], loop, c), dtype=float).ravel().copy()
+    z = scheme.start()(t0, q[columns], q_dot[columns], loop, scheme.constants(c))
+    return np.asarray(z, dtype=float).ravel().copy()
 
 
 def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
@@ -188,17 +177,14 @@ def _next_batch(per_call: int, elapsed: float) -> int:
 
 def _statistics(plan: Plan, program: Program, runner: Engine, z: np.ndarray, setup: float,
                 wall: float) -> dict[str, float | int | str]:
-    layout, grid = plan.scheme.layout, plan.grid
+    layout = plan.scheme.layout
     steps = int(z[layout.slice("n")][0])
-    per_step = [1]
-    for ratio in grid.m:
-        per_step.append(per_step[-1] * ratio)
-    sweeps = int(z[layout.slice("iterations")][0])
-    newton = plan.scheme.options.newton_iterations if plan.scheme.newton else 0
+    iterations = int(z[layout.slice("iterations")][0])
+    full, partial = plan.scheme.evaluations()
+    full_evaluations, sub_steps = iterations or steps * full, steps * partial
     return {
-        "steps": steps, "sub_steps": steps * (per_step[-1] - 1), "full_evaluations": sweeps or steps * max(1, newton),
-        "evaluations": (sweeps or steps * max(1, newton)) + steps * (per_step[-1] - 1),
-        "newton_iterations": steps * newton, "sweeps": sweeps, "engine": runner.name,
+        "steps": steps, "sub_steps": sub_steps, "full_evaluations": full_evaluations,
+        "evaluations": full_evaluations + sub_steps, "iterations": iterations, "engine": runner.name,
         "operations_per_step": operations_per_step(program),
         "setup_seconds": setup, "wall_seconds": wall,
         "seconds_per_step": wall / max(1, steps),

@@ -7,7 +7,7 @@ import numpy as np
 
 from runtime.coupled_frequencies import fastest_frequency
 from runtime.model import Model
-from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.scheme import Scheme
 from runtime.status import Status, StatusName
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
@@ -23,8 +23,8 @@ class Watch:
     step_limit is the stability limit 2 / (fastest coupled frequency) at the start [s], None if it is not known.
     """
 
-    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray, force: bool = False) -> None:
-        self.model, self.scheme, self.c, self.force = model, scheme, c, force
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False) -> None:
+        self.model, self.scheme, self.c, self.force = model, scheme, scheme.constants(c), force
         self._good: np.ndarray | None = None
         self._scale = 1.0
         self._energy = _EnergyCheck(model, scheme, c)
@@ -42,7 +42,7 @@ class Watch:
             return Status("not_finite", float(z[0]), None, "the accelerations at the start are not finite",
                           "M_hat may be singular: check masses, inertias and the initial position.")
         layout = self.scheme.layout
-        x, d = z[layout.slice("x")], z[layout.slice("d")]
+        x, d = z[layout.slice("x")], self._increments(z)
         self._scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
         self._good = z.copy()
         self._energy.grows(z)
@@ -69,9 +69,13 @@ class Watch:
             self._good = z.copy()
         return status
 
+    def _increments(self, z: np.ndarray) -> np.ndarray:
+        """About what each coordinate moves in a step."""
+        return np.asarray(self.scheme.rates(z) * self.scheme.step_sizes)
+
     def _cheap_problem(self, z: np.ndarray) -> Status | None:
         layout = self.scheme.layout
-        x, d = z[layout.slice("x")], z[layout.slice("d")]
+        x, d = z[layout.slice("x")], self._increments(z)
         if not np.all(np.isfinite(z)):
             bad = ~np.isfinite(x) | ~np.isfinite(d)
             return self._stop("not_finite", int(np.argmax(bad)), "a coordinate became infinite or NaN")
@@ -103,11 +107,12 @@ class Watch:
         return Status(name, time, coordinate, cause, self._advice(name))
 
     def _limit(self) -> float | None:
-        """2 / (fastest coupled frequency) at the last good state [s]: central difference is unstable above it."""
-        assert self._good is not None
+        """reach / (fastest coupled frequency) at the last good state [s]: an explicit scheme is unstable above it."""
+        if self._good is None or self.scheme.reach is None:
+            return None
         observed = self.scheme.observe()(z=self._good, c=self.c)
-        frequency = fastest_frequency(self.model, observed, self.c)
-        return 2 / frequency if frequency else None
+        frequency = fastest_frequency(self.model, observed, self.c[:self.model.c_size])
+        return self.scheme.reach / frequency if frequency else None
 
     def _advice(self, name: str) -> str:
         if name == "mass_not_positive":
@@ -116,10 +121,10 @@ class Watch:
         if name == "iteration_failed":
             return "Use common_update = direct, a larger eps, or a smaller step."
         limit, h = self._limit(), self.scheme.grid.h[-1]
-        if limit is None:
+        if limit is None or self.scheme.reach is None:
             return "Reduce the step."
-        text = (f"The fastest coupled frequency at the last good state is {2 / limit:.4g} rad/s: central difference "
-                f"needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s.")
+        text = (f"The fastest coupled frequency at the last good state is {self.scheme.reach / limit:.4g} rad/s: "
+                f"the scheme needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s.")
         if h > limit:
             return text
         if name == "constraints_lost":
@@ -135,8 +140,8 @@ class Watch:
 class _ConstraintCheck:
     """C and M_hat of the observed state; C in units of the mechanism: metres of its size, or radians."""
 
-    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
-        self.c, self.length = c, 1.0
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
+        self.c, self.length = scheme.constants(c), 1.0
         self._turning = np.array([name.endswith(".theta") for name in model.coordinates], dtype=bool)
         self._angles = np.array([label.endswith(".angle") for label in model.constraints], dtype=bool)
         active = bool(model.constraints) and model.has("constraints")
@@ -164,16 +169,16 @@ class _ConstraintCheck:
         return bool(np.isfinite(M_hat).all()) and bool(np.linalg.eigvalsh(M_hat)[0] > 0)
 
 
-def _mass(model: Model, scheme: CentralDifference) -> ca.Function:
+def _mass(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> M_hat."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = {**scheme.observe()(z=z, c=c), "c": c}
+    seen = {**scheme.observe()(z=z, c=c), "c": c[:model.c_size]}
     kernel = model.kernel("condensed")
     result = kernel.call({key: seen[key] for key in kernel.name_in()})
     return ca.Function("mass", [z, c], [result["M_hat"]])
 
 
-def _observed(model: Model, scheme: CentralDifference, name: str) -> tuple[list[ca.SX], dict[str, ca.SX]]:
+def _observed(model: Model, scheme: Scheme, name: str) -> tuple[list[ca.SX], dict[str, ca.SX]]:
     """([z, c], outputs of a kernel of (q, q_dot, t) at the state that z shows)."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     seen = scheme.observe()(z=z, c=c)
@@ -183,11 +188,11 @@ def _observed(model: Model, scheme: CentralDifference, name: str) -> tuple[list[
             q[int(column)] = seen[f"q_{suffix}"][position]
             q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
     kernel = model.kernel(name)
-    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c}
+    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c[:model.c_size]}
     return [z, c], dict(kernel.call({key: values[key] for key in kernel.name_in()}))
 
 
-def _constraints(model: Model, scheme: CentralDifference) -> ca.Function:
+def _constraints(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> C, C_q."""
     arguments, outputs = _observed(model, scheme, "constraints")
     return ca.Function("constraints", arguments, [outputs["C"], outputs["C_q"]])
@@ -196,8 +201,8 @@ def _constraints(model: Model, scheme: CentralDifference) -> ca.Function:
 class _EnergyCheck:
     """Energy of a mechanism that no load and no prescribed motion feeds can only stay or fall."""
 
-    def __init__(self, model: Model, scheme: CentralDifference, c: np.ndarray) -> None:
-        self.c = c
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
+        self.c = scheme.constants(c)
         needed = ("energy", "constraints") if model.constraints else ("energy",)
         active = all(model.has(name) for name in needed) and _is_closed(model)
         self._energies = _energies(model, scheme) if active else None
@@ -215,7 +220,7 @@ class _EnergyCheck:
         return not moving + potential - self._start <= ENERGY_LIMIT * self._largest  # NaN has grown too
 
 
-def _energies(model: Model, scheme: CentralDifference) -> ca.Function:
+def _energies(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> kinetic plus elastic energy, potential energy."""
     arguments, energy = _observed(model, scheme, "energy")
     return ca.Function("energies", arguments, [energy["kinetic"] + energy["elastic"], energy["potential"]])

@@ -12,7 +12,8 @@ from typing import get_args
 
 import pytest
 
-from runtime.schemes.options import SCHEMES, Options
+from runtime.schemes.catalogue import SCHEMES
+from runtime.schemes.options import Options
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from runtime.status import StatusName
 from symgen.cli import main

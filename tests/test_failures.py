@@ -142,7 +142,7 @@ def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch:
     plan = make_plan(model, 0.01, None, None, "single_rate", 1, None, 0.0)
     c = model.constants(model.parameter_vector())
     program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
-    ready = np.asarray(preparation(c), dtype=float).ravel().copy()
+    ready = np.asarray(preparation(plan.scheme.constants(c)), dtype=float).ravel().copy()
     start = start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c)
     expected = start.copy()
     InterpretedProgram(program, len(start), len(ready)).run(expected, ready, 200)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from numbers import Real
+from typing import Any
 
-from runtime.model import Model
 from runtime.schemes.options import SchemeError
 
 MAX_RATIO = 10_000  # as in a scene
@@ -13,7 +13,10 @@ MAX_RATIO = 10_000  # as in a scene
 
 @dataclass(frozen=True)
 class Grid:
-    """Groups as positions in q_i, slow to fast, the step h[g] of each [s], and ratios m[g] = h[g] / h[g + 1]."""
+    """Groups as positions in q_i, slow to fast, the steps h [s], and ratios m[g] = h[g] / h[g + 1].
+
+    Group g has step h[g]. A scheme that sub-steps all coordinates has one group and two steps.
+    """
 
     groups: list[list[int]]
     h: list[float]
@@ -33,20 +36,16 @@ class Grid:
         return [k for group in self.groups[level:] for k in group]
 
 
-def make_grid(model: Model, dt: float, m: list[int], single: bool) -> Grid:
-    """Grid of a model's groups with major step dt, or of one group for a single-rate scheme.
+def make_grid(groups: list[list[int]], dt: Any, m: list[Any], ratios: int, names: str) -> Grid:
+    """Grid with major step dt and one more step for each ratio in m. names: what the ratios belong to, for errors.
 
     Raises SchemeError for steps that are not positive, ratios that are not whole, or a wrong number of ratios.
     """
     if isinstance(dt, bool) or not isinstance(dt, Real) or not 0 < float(dt) < float("inf"):
         raise SchemeError(f"the step dt must be a positive number of seconds, not {dt!r}")
-    if single:
-        return Grid([list(range(len(model.q_i)))], [float(dt)], [])
-    groups = [list(group.positions) for group in model.groups]
-    if len(m) != len(groups) - 1:
-        names = ", ".join(group.name for group in model.groups)
-        raise SchemeError(f"m needs {len(groups) - 1} ratio(s), one between each two of the groups {names}; "
-                          f"got {len(m)}: {m}")
+    if len(m) != ratios:
+        between = f"one between each two of the groups {names}" if len(groups) > 1 else f"{names} has no other groups"
+        raise SchemeError(f"m needs {ratios} ratio(s), {between}; got {len(m)}: {m}")
     for ratio in m:
         if isinstance(ratio, bool) or not isinstance(ratio, int) or not 1 <= ratio <= MAX_RATIO:
             raise SchemeError(f"m must hold whole numbers from 1 to {MAX_RATIO}, not {ratio!r}")

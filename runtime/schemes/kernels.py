@@ -20,10 +20,10 @@ class Motion:
 
 
 class StepKernels:
-    """SX evaluations of a model's kernels for the stages of a scheme."""
+    """SX evaluations of a model's kernels for the stages of a scheme; h holds the steps of the groups [s]."""
 
     def __init__(self, model: Model, c: ca.SX) -> None:
-        self.model, self.c = model, c
+        self.model, self.c, self.h = model, c[:model.c_size], c[model.c_size:]
         self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
 
     def call(self, name: str, **arguments: ca.SX) -> dict[str, ca.SX]:
@@ -74,19 +74,18 @@ class StepKernels:
 
     def damping(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
         """dQ_hat/dq_i_dot, total; all zero where no force depends on velocity."""
-        if not self.velocity_dependent:
+        if not velocity_dependent(self.model):
             return ca.SX.zeros(len(self.model.q_i), len(self.model.q_i))
         return self.call("dQ_hat_dq_i_dot", **self._arguments(motion, q_i_dot))["dQ_hat_dq_i_dot"]
-
-    @property
-    def velocity_dependent(self) -> bool:
-        """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
-        kernel = self.model.kernel("condensed")
-        return any(name in kernel.name_in() for name in ("q_i_dot", "q_d_dot"))
 
     def loop_part(self, q_d: ca.SX) -> ca.SX:
         """Entries of a dependent vector that belong to loop unknowns."""
         return ca.vertcat(*(q_d[k] for k in self.loops)) if self.loops else ca.SX(0, 1)
+
+
+def velocity_dependent(model: Model) -> bool:
+    """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
+    return any(name in model.kernel("condensed").name_in() for name in ("q_i_dot", "q_d_dot"))
 
 
 def _largest(vector: ca.SX) -> ca.SX:

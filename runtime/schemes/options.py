@@ -63,9 +63,3 @@ class Options:
         if len(eps) != groups or not all(value > 0 for value in eps):
             raise SchemeError(f"eps needs one positive tolerance per group ({groups}), not {self.eps}")
         return replace(self, eps=eps)
-
-
-SCHEMES: dict[str, Options] = {
-    "single_rate": Options(),
-    "printed": Options(common_update="fixed_point"),
-}

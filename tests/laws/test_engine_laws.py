@@ -36,8 +36,9 @@ def test_state_vectors_agree_bit_for_bit(built_in: Load) -> None:
     """Not only what is observed: the whole state of the scheme, over 500 steps of the loop closure."""
     model = built_in("four_bar")
     plan = make_plan(model, 1.0, 1e-3, None, "single_rate", 1, None, 0.0)
-    c = model.constants(model.parameter_vector())
-    z = [start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c) for _ in range(2)]
+    constants = model.constants(model.parameter_vector())
+    c = plan.scheme.constants(constants)
+    z = [start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, constants) for _ in range(2)]
     CompiledProgram(plan.scheme.program()).run(z[0], c, 500)
     interpreted = InterpretedProgram(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
     for n in (1, 2, 4, 493):

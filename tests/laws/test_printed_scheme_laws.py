@@ -76,7 +76,7 @@ def amplification(model: Model, params: Params, dt_S: float, m: int, **options: 
     layout = plan.scheme.layout
     step = program_function(plan.scheme.program(), layout.size, plan.scheme.c_size)
     values = {"c": params.c, "w": params.w, "k_L": params.k_L, "zeta": params.zeta}
-    c = model.constants(model.parameter_vector(values))
+    c = plan.scheme.constants(model.constants(model.parameter_vector(values)))
     columns = []
     for L_before, L, S_before, S in np.eye(4):
         z = np.zeros(layout.size)

@@ -1,0 +1,76 @@
+"""The schemes by name: class, options, what m means, order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from runtime.model import Model
+from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.grid import make_grid
+from runtime.schemes.options import Options, SchemeError
+from runtime.schemes.scheme import Scheme
+
+Ratios = Literal["none", "groups", "sub_steps"]
+CENTRAL = ("common_velocity", "newton_iterations", "closure_iterations")
+SWEEP = ("common_update", "guess", "slow_interpolation", "sub_step_velocity", "eps", "stopping", "max_iterations")
+
+
+@dataclass(frozen=True)
+class SchemeKind:
+    """A scheme that can be asked for by name.
+
+    ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
+    sub-steps for all coordinates; `none`: no m. takes: the options that change anything. defaults: its Options.
+    default_m: m where neither the user nor the scene gives one that fits.
+    """
+
+    make: type[Scheme]
+    title: str
+    ratios: Ratios
+    takes: tuple[str, ...]
+    defaults: Options = field(default_factory=Options)
+    default_m: int = 1
+
+    def build(self, name: str, model: Model, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
+        """The scheme on a model. Raises SchemeError for a step, ratios or options that cannot be used."""
+        for option in changes:
+            if option not in self.takes:
+                raise SchemeError(f"{name} has no option {option!r}; its options are {', '.join(sorted(self.takes))}")
+        if self.ratios == "none" and m:
+            raise SchemeError(f"{name} takes one step for all coordinates; leave m = {m!r} out, "
+                              "or choose another scheme")
+        if m is None:
+            m = self._usual_m(model)
+        groups = [list(group.positions) for group in model.groups]
+        if self.ratios != "groups":
+            groups = [list(range(len(model.q_i)))]
+        names = ", ".join(group.name for group in model.groups) if self.ratios == "groups" else name
+        grid = make_grid(groups, dt, m, 0 if self.ratios == "none" else
+                         1 if self.ratios == "sub_steps" else len(groups) - 1, names)
+        return self.make(model, grid, replace(self.defaults, **changes))
+
+    def _usual_m(self, model: Model) -> list[int]:
+        """m of the scene where it has the right number of ratios, else default_m."""
+        if self.ratios == "none":
+            return []
+        if self.ratios == "sub_steps":
+            return [self.default_m]
+        given = list(model.simulation.get("m", []))
+        needed = len(model.groups) - 1
+        return given if len(given) == needed else [self.default_m] * needed
+
+
+SCHEMES: dict[str, SchemeKind] = {
+    "single_rate": SchemeKind(CentralDifference, "central difference, one step for all coordinates", "none", CENTRAL),
+    "printed": SchemeKind(CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP,
+                          Options(common_update="fixed_point")),
+}
+
+
+def scheme_kind(name: str) -> SchemeKind:
+    """A kind by name. Raises SchemeError."""
+    if name not in SCHEMES:
+        raise SchemeError(f"there is no scheme {name!r}; choose one of {', '.join(SCHEMES)}")
+    return SCHEMES[name]
