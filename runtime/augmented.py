@@ -42,6 +42,7 @@ def augmented_accelerations(model: Model) -> ca.Function:
 def augmented_solution(
     model: Model, *, t_end: float, times: np.ndarray, rtol: float = 1e-9, atol: float = 1e-11,
     parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
+    start: str | None = None,
 ) -> Solution:
     """Integrate (28) in all coordinates from 0 to t_end with DOP853, reporting at `times`.
 
@@ -49,7 +50,7 @@ def augmented_solution(
     """
     p = model.parameter_vector(parameters)
     c = model.constants(p)
-    state = start_state(model, p, c, 0.0, initial)
+    state = start_state(model, p, c, 0.0, initial, start)
     n = len(model.coordinates)
     function: Any = augmented_accelerations(model)
 

@@ -49,6 +49,7 @@ def right_hand_side(model: Model) -> tuple[ca.Function, ca.Function]:
 def reference_solution(
     model: Model, *, t_end: float, times: np.ndarray | None = None, rtol: float = 1e-11, atol: float = 1e-13,
     parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
+    start: str | None = None,
 ) -> Solution:
     """Integrate the condensed equations from 0 to t_end with DOP853 at the given tolerances.
 
@@ -56,7 +57,7 @@ def reference_solution(
     """
     p = model.parameter_vector(parameters)
     c = model.constants(p)
-    state = start_state(model, p, c, 0.0, initial)
+    state = start_state(model, p, c, 0.0, initial, start)
     columns = model.independent_columns
     loop = [state.q[model.coordinates.index(name)] for name in model.loop_unknowns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])

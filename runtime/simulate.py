@@ -53,6 +53,7 @@ def simulate(
     scheme: str | None = None, parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
     options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None, force: bool = False,
+    start: str | None = None,
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
 
@@ -60,14 +61,15 @@ def simulate(
 
     scheme: a name of runtime.schemes.catalogue.SCHEMES; options: changes to its Options by name. parameters and initial
     change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
-    between native calls. A run whose step is above the stability limit at the start stops there, unless `force`.
+    between native calls. start: `given` or `quasi_static` (elastic coordinates in equilibrium). A run whose step is
+    above the stability limit at the start stops there, unless `force`.
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError or
     CompilerError for arguments that cannot be used.
     """
     plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
     p = model.parameter_vector(parameters)
     c = model.constants(p)
-    state = start_state(model, p, c, t0, initial)
+    state = start_state(model, p, c, t0, initial, start)
     started = time.perf_counter()
     program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
     ready = np.asarray(preparation(plan.scheme.constants(c)), dtype=float).ravel().copy()

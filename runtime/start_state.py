@@ -9,14 +9,33 @@ import numpy as np
 
 from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
 from runtime.model import Model
+from runtime.quasi_static import quasi_static_state
+
+STARTS = ("given", "quasi_static")
 
 
-def start_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float,
-                changes: Mapping[str, float] | None) -> ConsistentState:
+def start_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None,
+                start: str | None = None) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
 
-    changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. Raises InitialStateError.
+    changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of STARTS, the scene's
+    own by default; elastic coordinates that the user changed are `given`. Raises InitialStateError.
     """
+    chosen = start or str(model.simulation.get("start", "given"))
+    if chosen not in STARTS:
+        raise InitialStateError(f"start must be one of {', '.join(STARTS)}, not {chosen!r}")
+    state = _given_state(model, p, c, t0, changes)
+    if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
+        return state
+    return quasi_static_state(model, c, t0, state)
+
+
+def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:
+    return any(name.removesuffix("_dot") in model.elastic for name in changes)
+
+
+def _given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float,
+                 changes: Mapping[str, float] | None) -> ConsistentState:
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults):

@@ -90,13 +90,12 @@ class Watch:
         return None
 
     def _problem(self, z: np.ndarray) -> Status | None:
-        d = z[self.scheme.layout.slice("d")]
         if self._constraints.violated(z):
             return self._stop("constraints_lost", None, "a constraint no longer holds")
         if not self._constraints.positive_mass(z):
             return self._stop("mass_not_positive", None, "M_hat is no longer positive definite")
         if self._energy.grows(z):
-            return self._stop("diverged", int(np.abs(d / self.scheme.step_sizes).argmax()),
+            return self._stop("diverged", int(np.abs(self.scheme.rates(z)).argmax()),
                               "energy grows although nothing feeds the mechanism")
         return None
 

@@ -8,8 +8,11 @@ from typing import Any, Literal
 
 from runtime.model import Model
 from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.exponential import Exponential
 from runtime.schemes.grid import make_grid
+from runtime.schemes.linearised import Linearised
 from runtime.schemes.options import Options, SchemeError
+from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.scheme import Scheme
 
 Ratios = Literal["none", "groups", "sub_steps"]
@@ -66,6 +69,14 @@ SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(CentralDifference, "central difference, one step for all coordinates", "none", CENTRAL),
     "printed": SchemeKind(CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP,
                           Options(common_update="fixed_point")),
+    "linearised": SchemeKind(Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps",
+                             ("propagation", "closure_iterations"), default_m=4),
+    "exponential": SchemeKind(Exponential, "exponential Rosenbrock, order 4", "sub_steps",
+                              ("propagation", "closure_iterations"), default_m=4),
+    "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", ("closure_iterations",),
+                      Options(closure_iterations=1)),
+    "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", ("closure_iterations",),
+                         Options(closure_iterations=1)),
 }
 
 

@@ -184,7 +184,7 @@ class CentralDifference(Scheme):
         """(M_hat - h/2 dQ/dv) (a_new - a) = Q - M_hat a on the active rows; M_hat a_new = Q without Newton."""
         active, slow = self.grid.from_level(level), self.grid.first_of(level)
         if level == 0 and self._by_tree:
-            return kernels.accelerations(motion, v)
+            return kernels.tree_accelerations(motion, v)
         if level == 0:
             M_hat, force = kernels.condensed(motion, v)
         else:

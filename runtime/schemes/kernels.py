@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from runtime.model import Model
+from runtime.schemes.linear_solve import solve_symmetric
 
 
 @dataclass(frozen=True)
@@ -17,6 +18,17 @@ class Motion:
     q_d: ca.SX
     t: ca.SX
     C_loop: ca.SX
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """M_hat dv' = Q_hat - M_hat a + J_q dq + J_v dv about a state with q_i_ddot = a; J_q is d(Q_hat - M_hat a)/dq_i."""
+
+    M_hat: ca.SX
+    Q_hat: ca.SX
+    a: ca.SX
+    J_q: ca.SX
+    J_v: ca.SX
 
 
 class StepKernels:
@@ -63,8 +75,34 @@ class StepKernels:
         return result["M_hat"], result["Q_hat"]
 
     def accelerations(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+        """q_i_ddot by the shorter of two routes: O(N) elimination along a tree, or a factorisation of M_hat."""
+        n, counts = len(self.model.q_i), self.model.operations
+        if self.model.has("forward_dynamics") and (
+                not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2):
+            return self.tree_accelerations(motion, q_i_dot)
+        return solve_symmetric(*self.condensed(motion, q_i_dot))
+
+    def tree_accelerations(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
+
+    def linearised(self, motion: Motion, q_i_dot: ca.SX) -> Linearised:
+        """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
+        M_hat, Q_hat = self.condensed(motion, q_i_dot)
+        a = solve_symmetric(M_hat, Q_hat)
+        arguments = {**self._arguments(motion, q_i_dot), "q_i_ddot": a}
+        J_q = self.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - self.call("dMa_dq_i", **arguments)["dMa_dq_i"]
+        return Linearised(M_hat, Q_hat, a, J_q, self.damping(motion, q_i_dot))
+
+    def force_rate(self, motion: Motion, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
+        """d(Q_hat - M_hat q_i_ddot)/dt at fixed q_i and q_i_dot, q_d = f(q_i, t) included."""
+        names = ("condensed", "closure", "velocities")
+        if not any(self.model.has(name) and "t" in self.model.kernel(name).name_in() for name in names):
+            return ca.SX.zeros(len(self.model.q_i))
+        t = ca.SX.sym("time")
+        M_hat, Q_hat = self.condensed(self.close(motion.q_i, self.loop_part(motion.q_d), t, 1), q_i_dot)
+        rate = ca.jacobian(Q_hat - ca.mtimes(M_hat, q_i_ddot), t)
+        return ca.densify(ca.substitute(rate, t, motion.t))
 
     def substep(self, level: int, motion: Motion, q_i_dot: ca.SX, q_L_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
         """(M_hat_SS, right-hand side) of the groups from `level` on (0 = slowest), slower ones given (Eq. 64)."""

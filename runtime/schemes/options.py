@@ -29,6 +29,8 @@ class Options:
     eps: one tolerance per group, slow to fast (eps_L, eps_S); a single one serves all.
     stopping: `relative` compares the change of q(t + h) by a sweep with the group's largest h^2 q_ddot, so that
         small steps converge too; `absolute` is (56)-(57) as printed, in the coordinates' own unit.
+    propagation: sub-steps of a linearised system, `rational` (of order 6, stable for any stiffness) or
+        `central_difference`.
     """
 
     common_update: Literal["fixed_point", "direct"] = "direct"
@@ -41,11 +43,12 @@ class Options:
     max_iterations: int = 500
     newton_iterations: int = 1
     closure_iterations: int = 2
+    propagation: Literal["rational", "central_difference"] = "rational"
 
     def checked(self, groups: int) -> Options:
         """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
         choices = {"common_update": ("fixed_point", "direct"), "guess": ("taylor", "previous"),
-                   "stopping": ("relative", "absolute"),
+                   "propagation": ("rational", "central_difference"), "stopping": ("relative", "absolute"),
                    "common_velocity": ("auto", "newton", "predictor"),
                    "sub_step_velocity": ("predictor", "newton"), "slow_interpolation": tuple(INTERPOLATIONS)}
         for name, allowed in choices.items():

@@ -64,6 +64,8 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
                        help="change a parameter; may be repeated")
     group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
                        help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
+    group.add_argument("--start", choices=("given", "quasi_static"),
+                       help="elastic coordinates as given, or in equilibrium with the rigid motion")
     group.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
                        help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable")
     group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")

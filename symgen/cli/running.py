@@ -28,7 +28,7 @@ def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
             return simulate(model, t_end=arguments.t_end, dt=arguments.dt, m=arguments.m, scheme=arguments.scheme,
                             parameters=dict(arguments.set), initial=dict(arguments.initial),
                             save_every=arguments.save_every, engine=arguments.engine, progress=progress,
-                            options=dict(arguments.option), force=arguments.force)
+                            options=dict(arguments.option), force=arguments.force, start=arguments.start)
     except CompilerError as error:  # asked for --engine compiled where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 

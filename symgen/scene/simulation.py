@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, Strict
 
@@ -59,10 +59,14 @@ class Baumgarte(Model):
 
 
 class Simulation(Model):
-    """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name."""
+    """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
+
+    start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into equilibrium with it.
+    """
 
     t_end: Number = 1.0
     dt: Number = 1e-3
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
     scheme: Name = "printed"
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
+    start: Literal["given", "quasi_static"] = "given"

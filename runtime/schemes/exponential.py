@@ -1,0 +1,84 @@
+"""Exponential Rosenbrock steps of order 4: two evaluations and one Jacobian a major step, whatever the stiffness.
+
+Luan and Ostermann's (2014) exprb42, for y' = F(y) linearised at the start of the step, N(y) = F(y) - A y:
+
+    Y = y_n + c h phi_1(c h A) F(y_n),  c = 3/4
+    y_{n+1} = y_n + h phi_1(h A) F(y_n) + (32/9) h phi_3(h A) (N(Y) - N(y_n))
+
+Both lines are the motion of the linear system of linear_propagation.py, the second with the force
+G2 tau^2 / 2, G2 = (32/9) M (N(Y) - N(y_n)) / h^2, run by m sub-steps. Forces that depend on time enter by
+G1 = d(Q_hat - M_hat a)/dt. So the linear part of the motion, stiff modes included, is free of the major step's error,
+and what limits the major step is the nonlinearity of the mechanism.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+
+from runtime.engine.program import Fields, Program, Repeat, Sequence
+from runtime.schemes.kernels import StepKernels
+from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.linear_sub_steps import LinearSubSteps
+
+NODE = 0.75  # c
+WEIGHT = 32 / 9
+
+
+class Exponential(LinearSubSteps):
+    """exprb42 with m sub-steps; the inner stage, which needs less accuracy, takes half as many."""
+
+    order = 4
+    sets = ("inner", "outer")
+
+    def work_fields(self) -> dict[str, int]:
+        """And the rates of the loop unknowns at the start of the step."""
+        return {**super().work_fields(), "loop_dot": len(self.model.loop_unknowns)}
+
+    @property
+    def inner_steps(self) -> int:
+        """Sub-steps of the inner stage; central differences need as many to the second as to the full step."""
+        m = self.grid.m[0]
+        return m if self.by_central_difference else (m + 1) // 2
+
+    def length(self, name: str, kernels: StepKernels) -> ca.SX:
+        """c h / (inner steps) or h / m."""
+        return NODE * kernels.h[0] / self.inner_steps if name == "inner" else kernels.h[1]
+
+    def program(self) -> Program:
+        """Linearise, run to 3/4 of the step, correct, run to its end."""
+        return Sequence((self.stage("linearise", self._linearise), Repeat(self.sub_step("inner"), self.inner_steps),
+                         self.stage("correct", self._correct), Repeat(self.sub_step("outer"), self.grid.m[0]),
+                         self.stage("finish", self._finish)))
+
+    def evaluations(self) -> tuple[int, int]:
+        """Two, and the sub-steps."""
+        return 2, self.inner_steps + self.grid.m[0]
+
+    def _linearise(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        v, t = z["v"], self.now(z, kernels)
+        motion = kernels.close(z["x"], z["loop"], t, self.options.closure_iterations)
+        found = kernels.linearised(motion, v)
+        G0 = found.Q_hat - ca.mtimes(found.J_v, v)
+        return {**self.begin(z, kernels, found, G0, kernels.force_rate(motion, v, found.a)),
+                "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
+                "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+
+    def _correct(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        h, system = kernels.h[0], self.stored.unpack(z)
+        tau = NODE * h
+        motion = kernels.close(z["x"] + z["w"], z["loop"] + tau * z["loop_dot"], self.now(z, kernels) + tau,
+                               self.options.closure_iterations)
+        a = kernels.accelerations(motion, z["u"])
+        linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
+        bend = kernels.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
+        out = {"G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear), "w": ca.SX.zeros(len(self.model.q_i)),
+               "u": z["v"], "tau": ca.SX(0), "loop": z["loop"] + h * z["loop_dot"] + bend / NODE**2,
+               "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+        if self.by_central_difference:
+            out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
+        return out
+
+    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1}

@@ -1,0 +1,128 @@
+"""Sub-steps of the linear system  M w'' = G(tau) + J_q w + J_v w',  G(tau) = G0 + G1 tau + G2 tau^2 / 2.
+
+With A = [0 1; M^-1 J_q, M^-1 J_v] and y = (w, w'), one sub-step h is, for constant A exactly,
+
+    y(tau + h) = y + h phi_1(h A) y'(tau) + h^2 phi_2(h A) (0, M^-1 G'(tau)) + h^3 phi_3(h A) (0, M^-1 G2).
+
+phi_k is replaced by its rational approximation with the denominator of the diagonal Pade approximation of exp:
+of order 2 DEGREE, |R(i x)| = 1 for undamped modes and bounded for damped ones however stiff, so that the price does
+not grow with the stiffness. In partial fractions each sub-step is one real and (DEGREE - 1) / 2 complex solves with
+
+    r^2 M - r h J_v - h^2 J_q,
+
+whose factors serve all sub-steps of a major step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import casadi as ca
+from numpy.polynomial import Polynomial
+
+from runtime.schemes.sparse_lu import Complex, Entries, Number, Real, factor, pattern, solve
+
+DEGREE = 3
+PHI = 3  # phi_1 to phi_3
+
+
+@dataclass(frozen=True)
+class Pole:
+    """r with weights such that phi_k(z) is about sum_j weights[k - 1] / (r - z), conjugates counted in `share`."""
+
+    r: complex
+    weights: tuple[complex, ...]
+    share: float
+
+
+@cache
+def poles(degree: int = DEGREE) -> tuple[Pole, ...]:
+    """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair."""
+    coefficients = [1.0]
+    for k in range(1, degree + 1):
+        coefficients.append(coefficients[-1] * (degree - k + 1) / ((2 * degree - k + 1) * k))
+    numerator = Polynomial(coefficients)
+    denominator = Polynomial([c * (-1) ** k for k, c in enumerate(coefficients)])
+    numerators, current = [], numerator
+    factorial = 1.0
+    for k in range(1, PHI + 1):
+        current = Polynomial((current - denominator / factorial).coef[1:])  # (phi_{k-1} - 1/(k-1)!) / z
+        numerators.append(current)
+        factorial *= k
+    slope = denominator.deriv()
+    found = []
+    for root in map(complex, denominator.roots()):
+        if root.imag >= -1e-9:
+            r = root if root.imag > 1e-9 else complex(root.real)
+            weights = tuple(complex(-p(r) / slope(r)) for p in numerators)
+            found.append(Pole(r, weights, 2.0 if r.imag else 1.0))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class LinearSystem:
+    """M, J_q and J_v as expressions."""
+
+    M: ca.SX
+    J_q: ca.SX
+    J_v: ca.SX
+
+
+Factors = tuple[Entries, ...]
+
+
+def factors_of(system: LinearSystem, h: ca.SX) -> Factors:
+    """Factors of every pole's matrix for sub-steps h."""
+    return tuple(factor(_shifted(system, h, pole.r), system.M.shape[0]) for pole in poles())
+
+
+def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Entries:
+    entries: Entries = {}
+    for i, j in sorted({*pattern(system.M), *pattern(system.J_q), *pattern(system.J_v)}):
+        m, k, d = system.M[i, j], h * h * system.J_q[i, j], h * system.J_v[i, j]
+        square = r * r
+        if r.imag:
+            entries[i, j] = Complex(square.real * m - r.real * d - k, square.imag * m - r.imag * d)
+        else:
+            entries[i, j] = Real(square.real * m - r.real * d - k)
+    return entries
+
+
+def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tuple[ca.SX, ca.SX, ca.SX],
+              tau: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """(w, w') after a sub-step from (w, u) at tau; G holds G0, G1, G2."""
+    Mu, Jv_u = ca.mtimes(system.M, u), ca.mtimes(system.J_v, u)
+    slope = G[1] + tau * G[2]
+    force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + Jv_u
+    new_w, new_u = w, u
+    for pole, entries in zip(poles(), factors, strict=True):
+        x, y = _solved(pole, entries, (force, slope, G[2]), (u, Mu, Jv_u), h)
+        new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
+    return new_w, new_u
+
+
+def _solved(pole: Pole, factors: Entries, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX],
+            h: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G''."""
+    r, (w1, w2, w3) = pole.r, pole.weights
+    (force, slope, bend), (u, Mu, Jv_u) = forces, rates
+    n = u.numel()
+    rw = r * w1
+
+    def real_or_imaginary(part: str) -> ca.SX:
+        first, second, third, mass = (getattr(value, part) for value in (w1, w2, w3, rw))
+        return h * h * (first * (force - Jv_u) + h * (second * slope + h * third * bend)) + h * mass * Mu
+
+    if r.imag:
+        re, im = real_or_imaginary("real"), real_or_imaginary("imag")
+        b: list[Number] = [Complex(re[k], im[k]) for k in range(n)]
+    else:
+        re = real_or_imaginary("real")
+        b = [Real(re[k]) for k in range(n)]
+    x = solve(factors, b)
+    X = ca.vertcat(*(value.re for value in x))
+    turned = r.real * X
+    if r.imag:
+        turned = turned - r.imag * ca.vertcat(*(value.im for value in x if isinstance(value, Complex)))
+    return X, turned / h - w1.real * u

@@ -1,0 +1,76 @@
+"""Schemes whose sub-steps run on the linear system of the major step: what `linearised` and `exponential` share.
+
+Fields: w = q_i - x and u = q_i_dot since the start of the major step, tau the time since then, G0 to G2 the forces,
+and the linear system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+
+from runtime.engine.program import Call, Fields
+from runtime.model import Model
+from runtime.schemes.grid import Grid
+from runtime.schemes.kernels import Linearised, StepKernels
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
+from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.one_step import OneStep
+from runtime.schemes.options import Options
+from runtime.schemes.stored_system import StoredSystem
+
+
+class LinearSubSteps(OneStep):
+    """m sub-steps of all coordinates in a major step; grid.h is (major step, sub-step).
+
+    A subclass names the sizes of sub-steps that it uses: `sets` are the names under which factors are kept.
+    """
+
+    sets: tuple[str, ...] = ("lu",)
+
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        self.by_central_difference = options.propagation == "central_difference"
+        self.stored = StoredSystem(model, () if self.by_central_difference else self.sets)
+        if self.by_central_difference:
+            self.reach = 2.0
+        super().__init__(model, grid, options)
+
+    def work_fields(self) -> dict[str, int]:
+        """See the module's text; `acceleration` is what a central difference goes by."""
+        n = len(self.model.q_i)
+        sizes = {"w": n, "u": n, "tau": 1, "G0": n, "G1": n, "G2": n, **self.stored.fields()}
+        return {**sizes, "acceleration": n} if self.by_central_difference else sizes
+
+    def begin(self, z: Fields, kernels: StepKernels, found: Linearised, G0: ca.SX, G1: ca.SX) -> dict[str, ca.SX]:
+        """The linear system at the start of a major step."""
+        system = LinearSystem(found.M_hat, found.J_q, found.J_v)
+        zero = ca.SX.zeros(len(self.model.q_i))
+        out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), "G0": G0, "G1": G1, "G2": zero}
+        for name in self.stored.sets:
+            out |= self.stored.pack_factors(name, factors_of(system, self.length(name, kernels)))
+        if self.by_central_difference:
+            out["acceleration"] = solve_symmetric(found.M_hat, G0 + ca.mtimes(found.J_v, z["v"]))
+        return out
+
+    def length(self, name: str, kernels: StepKernels) -> ca.SX:
+        """The sub-step of a set of factors [s]."""
+        return kernels.h[1]
+
+    def sub_step(self, name: str) -> Call:
+        """One sub-step of w and u, of the length that belongs to a set of factors."""
+        return self.stage(f"sub_step_{name}", lambda z, kernels: self._sub_step(z, kernels, name))
+
+    def _sub_step(self, z: Fields, kernels: StepKernels, name: str) -> Mapping[str, ca.SX]:
+        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), self.length(name, kernels)
+        tau = z["tau"] + h
+        if not self.by_central_difference:
+            factors = self.stored.unpack_factors(name, z)
+            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], h)
+            return {"w": w, "u": u, "tau": tau}
+        half = z["u"] + h / 2 * z["acceleration"]
+        w = z["w"] + h * half
+        predicted = half + h / 2 * z["acceleration"]
+        force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + ca.mtimes(system.J_v, predicted)
+        a = solve_symmetric(system.M, force)
+        return {"w": w, "u": half + h / 2 * a, "tau": tau, "acceleration": a}

@@ -1,0 +1,64 @@
+"""Linearised sub-steps: one evaluation and one Jacobian a major step, at its predicted midpoint. Order 2.
+
+The midpoint is predicted by running the linear system of the last step half a step further, so stiff modes are
+predicted as well as slow ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+
+from runtime.engine.program import Fields, Program, Repeat, Sequence
+from runtime.model import Model
+from runtime.schemes.grid import Grid
+from runtime.schemes.kernels import StepKernels
+from runtime.schemes.linear_sub_steps import LinearSubSteps
+from runtime.schemes.options import Options, SchemeError
+
+
+class Linearised(LinearSubSteps):
+    """m sub-steps on the system linearised at the midpoint, m even."""
+
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        if grid.m[0] % 2:
+            raise SchemeError(f"linearised needs an even number of sub-steps m, not {grid.m[0]}: half of them lead to "
+                              "the next midpoint")
+        super().__init__(model, grid, options)
+
+    def work_fields(self) -> dict[str, int]:
+        """And the start of the step, its predicted midpoint, and the loop unknowns there."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {**super().work_fields(), "x_start": n, "x_mid": n, "v_mid": n, "loop_dot": loops}
+
+    def program(self) -> Program:
+        """Linearise at the midpoint, run to the end of the step, predict the next midpoint."""
+        m = self.grid.m[0]
+        return Sequence((self.stage("linearise", self._linearise), Repeat(self.sub_step("lu"), m),
+                         self.stage("finish", self._finish), Repeat(self.sub_step("lu"), m // 2),
+                         self.stage("predict", self._predict)))
+
+    def evaluations(self) -> tuple[int, int]:
+        """One, and the sub-steps."""
+        return 1, 3 * self.grid.m[0] // 2
+
+    def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        """The first midpoint is taken along the velocity: an acceleration may belong to a mode that has long turned."""
+        fields = super().started(t0, q_i, q_i_dot, loop, kernels)
+        return {**fields, "x_mid": q_i + kernels.h[0] / 2 * q_i_dot, "v_mid": q_i_dot}
+
+    def _linearise(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        q, v, t = z["x_mid"], z["v_mid"], self.now(z, kernels) + kernels.h[0] / 2
+        motion = kernels.close(q, z["loop"], t, self.options.closure_iterations)
+        found = kernels.linearised(motion, v)
+        G0 = found.Q_hat - ca.mtimes(found.J_q, q - z["x"]) - ca.mtimes(found.J_v, v)
+        return {**self.begin(z, kernels, found, G0, ca.SX.zeros(len(self.model.q_i))),
+                "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
+                "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+
+    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"]}
+
+    def _predict(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        return {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"], "loop": z["loop"] + kernels.h[0] * z["loop_dot"]}

@@ -1,0 +1,68 @@
+"""Explicit Runge-Kutta steps of one size: the classical method of order 4 and Dormand and Prince's of order 8.
+
+Opponents of the multirate schemes, compiled like them. The tableau of order 8 is SciPy's (E. Hairer's dop853).
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+from scipy.integrate import DOP853
+
+from runtime.engine.program import Fields, Program
+from runtime.schemes.kernels import StepKernels
+from runtime.schemes.one_step import OneStep
+
+
+class ExplicitRungeKutta(OneStep):
+    """A fixed step of the tableau (A, b, nodes) of a subclass."""
+
+    A: np.ndarray
+    b: np.ndarray
+    nodes: np.ndarray
+
+    def program(self) -> Program:
+        """One stage, all slopes inside."""
+        return self.stage("runge_kutta", self._step)
+
+    def evaluations(self) -> tuple[int, int]:
+        """One for each slope."""
+        return len(self.b), 0
+
+    def _step(self, z: Fields, kernels: StepKernels) -> dict[str, ca.SX]:
+        h, t, n = kernels.h[0], self.now(z, kernels), len(self.model.q_i)
+        y = ca.vertcat(z["x"], z["v"], z["loop"])
+        slopes: list[ca.SX] = []
+        error = ca.SX(0)
+        for k, row in enumerate(self.A):
+            at = y + h * _combined(row[:k], slopes)
+            motion = kernels.close(at[:n], at[2 * n:], t + float(self.nodes[k]) * h, self.options.closure_iterations)
+            a, v = kernels.accelerations(motion, at[n:2 * n]), at[n:2 * n]
+            slopes.append(ca.vertcat(v, a, kernels.loop_part(kernels.rates(motion, v))))
+            error = ca.fmax(error, motion.C_loop)
+        y = y + h * _combined(self.b, slopes)
+        return {"x": y[:n], "v": y[n:2 * n], "loop": y[2 * n:], "n": z["n"] + 1,
+                "closure_error": ca.fmax(z["closure_error"], error)}
+
+
+class ClassicalRungeKutta(ExplicitRungeKutta):
+    """Order 4, four evaluations; an undamped mode is stable to h w = 2 sqrt(2)."""
+
+    reach, order = 2.8284, 4
+    A = np.array([[0, 0, 0, 0], [0.5, 0, 0, 0], [0, 0.5, 0, 0], [0, 0, 1.0, 0]])
+    b, nodes = np.array([1, 2, 2, 1]) / 6, np.array([0, 0.5, 0.5, 1.0])
+
+
+class DormandPrince8(ExplicitRungeKutta):
+    """Order 8, twelve evaluations; an undamped mode is stable to h w = 5.96."""
+
+    reach, order = 5.96, 8
+    A, b, nodes = DOP853.A, DOP853.B, DOP853.C
+
+
+def _combined(weights: np.ndarray, slopes: list[ca.SX]) -> ca.SX:
+    total = ca.SX(0)
+    for weight, slope in zip(weights, slopes, strict=True):
+        if weight:
+            total = total + float(weight) * slope
+    return total
