@@ -40,9 +40,9 @@ def make_case(rod: dict, folder: Path) -> Case:
     scheme = scheme_kind("printed").build("printed", model, MAJOR_STEP, [RATIO], {"common_update": "direct"})
     c = model.constants(model.parameter_vector())
     start = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
-    program, preparation = prepare(scheme.program(), scheme.c_size)
-    ready = np.asarray(preparation(scheme.constants(c)), dtype=float).ravel().copy()
-    return Case(model, scheme, program, c, ready, start)
+    prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
+    ready = prepared.ready(scheme.constants(c))
+    return Case(model, scheme, prepared.program, c, ready, prepared.widened(start))
 
 
 def counts(case: Case) -> dict:

@@ -71,16 +71,16 @@ def simulate(
     c = model.constants(p)
     state = start_state(model, p, c, t0, initial, start)
     started = time.perf_counter()
-    program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
-    ready = np.asarray(preparation(plan.scheme.constants(c)), dtype=float).ravel().copy()
-    runner = choose_engine(engine, program, plan.scheme.layout.size, len(ready), plan.steps)
-    prepared = time.perf_counter()
-    z = start_vector(model, plan.scheme, state.q, state.q_dot, t0, c)
+    prepared = prepare(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
+    ready = prepared.ready(plan.scheme.constants(c))
+    runner = choose_engine(engine, prepared.program, prepared.z_size, len(ready), plan.steps)
+    set_up = time.perf_counter()
+    z = prepared.widened(start_vector(model, plan.scheme, state.q, state.q_dot, t0, c))
     watch = Watch(model, plan.scheme, c, force=force)
     samples, status = _run(plan, runner, z, ready, watch, progress)
     finished = time.perf_counter()
     name = scheme or str(model.simulation["scheme"])
-    stats = _statistics(plan, program, runner, samples[-1], prepared - started, finished - prepared)
+    stats = _statistics(plan, prepared.program, runner, samples[-1], set_up - started, finished - set_up)
     stats["options"] = ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in scheme_kind(name).takes)
     stats["initial_changes"] = ", ".join(f"{key}: {given:.9g} -> {used:.9g}"
                                          for key, (given, used) in state.changed.items()) or "none"
@@ -145,8 +145,9 @@ def start_vector(model: Model, scheme: Scheme, q: np.ndarray, q_dot: np.ndarray,
 def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
          progress: Progress | None) -> tuple[list[np.ndarray], Status]:
     """Samples of z, the last one good, and the status."""
-    samples = [z.copy()]
-    status = watch.first(z)
+    state = z[:plan.scheme.layout.size]  # what the scheme knows of z; the rest is the program's own
+    samples = [state.copy()]
+    status = watch.first(state)
     done, per_call = 0, 1
     try:
         while done < plan.steps and status is None:
@@ -157,16 +158,16 @@ def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
             elapsed = time.perf_counter() - began
             done += n
             per_call = _next_batch(per_call, elapsed)
-            status = watch.after(z, last=done == plan.steps)
+            status = watch.after(state, last=done == plan.steps)
             if status is None and (done % plan.save_every == 0 or done == plan.steps):
-                samples.append(z.copy())
+                samples.append(state.copy())
             if progress is not None:
                 progress(plan.t0 + done * plan.grid.dt_L, plan.t0 + plan.steps * plan.grid.dt_L)
     except KeyboardInterrupt:
         status = Status("interrupted", plan.t0 + done * plan.grid.dt_L, None, "stopped by the user",
                         "What was computed is kept.")
     if status is not None:  # end with the last good state, which need not be one that was to be saved
-        samples = [sample for sample in samples if watch.steps_done(sample) < watch.steps_done(z)] + [z.copy()]
+        samples = [one for one in samples if watch.steps_done(one) < watch.steps_done(state)] + [state.copy()]
     return samples, status or Status("completed", plan.t0 + plan.steps * plan.grid.dt_L)
 
 

@@ -141,12 +141,12 @@ def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch:
     model = built_in(name)
     plan = make_plan(model, 0.01, None, None, "single_rate", 1, None, 0.0)
     c = model.constants(model.parameter_vector())
-    program, preparation = prepare(plan.scheme.program(), plan.scheme.c_size)
-    ready = np.asarray(preparation(plan.scheme.constants(c)), dtype=float).ravel().copy()
-    start = start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    prepared = prepare(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
+    ready = prepared.ready(plan.scheme.constants(c))
+    start = prepared.widened(start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c))
     expected = start.copy()
-    InterpretedProgram(program, len(start), len(ready)).run(expected, ready, 200)
-    compiled = CompiledProgram(program)
+    InterpretedProgram(prepared.program, len(start), len(ready)).run(expected, ready, 200)
+    compiled = CompiledProgram(prepared.program)
     states = [start.copy() for _ in range(4)]
     threads = [threading.Thread(target=compiled.run, args=(state, ready, 200)) for state in states]
     for thread in threads:

@@ -10,22 +10,45 @@ from collections import Counter
 from dataclasses import dataclass
 
 import casadi as ca
+import numpy as np
 
+from runtime.engine.invariants import hoist_invariants
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until, stages
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 C_ARGUMENT = 1  # stages are functions of (z, c)
 
 
-def prepare(program: Program, c_size: int) -> tuple[Program, ca.Function]:
-    """(the program reading prepared constants, c -> prepared constants, whose first c_size entries are c)."""
+@dataclass(frozen=True)
+class Prepared:
+    """A program as it is run: z has z_size entries, the first of which are the scheme's; constants(c) is what it reads.
+
+    The first entries of constants(c) are c.
+    """
+
+    program: Program
+    z_size: int
+    constants: ca.Function
+
+    def widened(self, z: np.ndarray) -> np.ndarray:
+        """A scheme's z with room for what the program keeps besides."""
+        return np.concatenate([z, np.zeros(self.z_size - len(z))])
+
+    def ready(self, c: np.ndarray) -> np.ndarray:
+        """The constants as an array for an engine."""
+        return np.asarray(self.constants(c), dtype=float).ravel().copy()
+
+
+def prepare(program: Program, z_size: int, c_size: int) -> Prepared:
+    """The program with what a repetition or the run's constants fix taken out of its stages."""
+    program, z_size = hoist_invariants(program, z_size)
     pool = _Pool(c_size)
     tapes = {stage.name(): read_tape(stage) for stage in stages(program)}
     found = {name: pool.collect(tape) for name, tape in tapes.items()}
     size = c_size + len(pool.values)
     rebuilt = {name: _rebuilt(name, tape, found[name], size) for name, tape in tapes.items()}
     prepared = ca.Function("prepare", [pool.c], [ca.densify(ca.vertcat(pool.c, *pool.values))])
-    return _with_stages(program, rebuilt), prepared
+    return Prepared(_with_stages(program, rebuilt), z_size, prepared)
 
 
 @dataclass(frozen=True)

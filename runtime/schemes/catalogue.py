@@ -8,6 +8,8 @@ from typing import Any, Literal
 
 from runtime.model import Model
 from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.coupled import Coupled
+from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linearised import Linearised
@@ -69,6 +71,9 @@ SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(CentralDifference, "central difference, one step for all coordinates", "none", CENTRAL),
     "printed": SchemeKind(CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP,
                           Options(common_update="fixed_point")),
+    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", ("closure_iterations",)),
+    "decoupled": SchemeKind(Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups",
+                            ("closure_iterations",)),
     "linearised": SchemeKind(Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps",
                              ("propagation", "closure_iterations"), default_m=4),
     "exponential": SchemeKind(Exponential, "exponential Rosenbrock, order 4", "sub_steps",

@@ -1,0 +1,27 @@
+"""Coupled sub-steps: the whole condensed system is solved in each, with the slow coordinates held.
+
+The solution eliminates q_L: (M_SS - M_SL M_LL^-1 M_LS) a_S = Q_S - M_SL M_LL^-1 Q_L, a_L = M_LL^-1 (Q_L - M_LS a_S).
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from runtime.engine.program import Fields
+from runtime.schemes.held_slow import HeldSlow
+from runtime.schemes.kernels import Motion, StepKernels
+from runtime.schemes.linear_solve import solve_symmetric
+
+
+class Coupled(HeldSlow):
+    """Schur complement in every sub-step."""
+
+    def accelerations(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX) -> ca.SX:
+        """All accelerations from M_hat and Q_hat of this sub-step."""
+        M_hat, Q_hat = kernels.condensed(motion, v)
+        order = [*self.fast, *self.slow]  # the last are eliminated first: q_L
+        solved = solve_symmetric(M_hat[order, order], Q_hat[order])
+        a = ca.SX(len(order), 1)
+        for position, k in enumerate(order):
+            a[k] = solved[position]
+        return a

@@ -1,0 +1,130 @@
+"""Sub-steps on held slow coordinates: what `coupled` and `decoupled` share.
+
+In a major step the equations see the slow coordinates q_L where they will be at the middle of the sub-steps; so what
+depends on them only is computed once (runtime/engine/invariants.py takes it out of the sub-step). All coordinates are
+advanced by every sub-step with its own acceleration:
+
+    v_half = v + h a / 2,   x = x + h v_half,   a = accelerations(held q_L, x_S, v_half + h a_last / 2),
+    v = v_half + h a / 2
+
+so q_L moves with the sum of the sub-step accelerations, and the momentum of the fast coordinates is not lost. With
+one sub-step this is central difference up to the held position.
+
+The middle is extrapolated along the secant of the last major step: second order for what the step resolves, and
+bounded for what it does not (a velocity or acceleration would be multiplied by the step).
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from functools import partial
+
+import casadi as ca
+
+from runtime.engine.program import Fields, Program, Repeat, Sequence
+from runtime.schemes.kernels import Motion, StepKernels
+from runtime.schemes.one_step import OneStep
+
+
+class HeldSlow(OneStep):
+    """Any number of nested groups: each is held over the sub-steps of the next faster one."""
+
+    reach = 2.0
+
+    def work_fields(self) -> dict[str, int]:
+        """Held positions, ends of the secants, and s: time since the start of the major step."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {"s": 1, "a": n, "hold_q": n, "x_last": n, "v_last": n, "loop_old": loops, "loop_dot": loops}
+
+    @property
+    def slow(self) -> list[int]:
+        """Coordinates that are held: those with a longer step than the fastest group."""
+        return [k for g, group in enumerate(self.grid.groups) for k in group if self.grid.h[g] > self.grid.h[-1]]
+
+    @property
+    def fast(self) -> list[int]:
+        """The others."""
+        return [k for k in range(len(self.model.q_i)) if k not in self.slow]
+
+    def program(self) -> Program:
+        """One major step."""
+        last = len(self.grid.groups) - 1
+        body: Program = self.stage("sub_step", self._sub_step)
+        for level in reversed(range(last)):
+            hold = self.stage(f"hold_{level + 1}", partial(self._hold, level=level))
+            body = Sequence((hold, Repeat(body, self.grid.m[level])))
+        return Sequence((body, self.stage("finish", self._finish)))
+
+    def evaluations(self) -> tuple[int, int]:
+        """Holds and sub-steps."""
+        per_step, holds = 1, 0
+        for ratio in self.grid.m:
+            holds += per_step
+            per_step *= ratio
+        return holds, per_step
+
+    def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        """Accelerations at the start, and secants along the rates and accelerations there."""
+        fields = super().started(t0, q_i, q_i_dot, loop, kernels)
+        motion = kernels.close(q_i, fields["loop"], t0, 1)
+        a, H = kernels.accelerations(motion, q_i_dot), self._own_steps(kernels)
+        loop_dot = kernels.loop_part(kernels.rates(motion, q_i_dot))
+        return {**fields, "a": a, "x_last": q_i - H * q_i_dot + H * H / 2 * a, "v_last": q_i_dot - H * a,
+                "loop_dot": loop_dot, "loop_old": fields["loop"] - kernels.h[0] * loop_dot}
+
+    def _own_steps(self, kernels: StepKernels) -> ca.SX:
+        """Time between two holds of each coordinate; the fastest group's secant is the slowest one's."""
+        last = len(self.grid.groups) - 1
+        groups = (self.group_of(k) for k in range(len(self.model.q_i)))
+        return ca.vertcat(*(kernels.h[0 if g == last else g] for g in groups))
+
+    def _hold(self, z: Fields, kernels: StepKernels, level: int) -> Mapping[str, ca.SX]:
+        """Hold a group where it will be at the mean time of its sub-steps' evaluations, (H + h) / 2 from now."""
+        ahead = (kernels.h[level] + kernels.h[level + 1]) / 2
+        share = ahead / kernels.h[level]
+        members = list(self.grid.groups[level])
+        if level == 0:
+            members = members + self.grid.groups[-1]
+        x_ahead, v_ahead = ca.SX(z["hold_q"]), ca.SX(z["v"])
+        out = {name: ca.SX(z[name]) for name in ("x_last", "v_last")}
+        for k in members:
+            x_ahead[k] = z["x"][k] + share * (z["x"][k] - z["x_last"][k])
+            v_ahead[k] = z["v"][k] + share * (z["v"][k] - z["v_last"][k])
+            out["x_last"][k], out["v_last"][k] = z["x"][k], z["v"][k]
+        held = {**out, "hold_q": x_ahead}
+        if level > 0:
+            return held
+        motion = kernels.close(x_ahead, z["loop_old"] + 2 * kernels.h[0] * z["loop_dot"], self.now(z, kernels) + ahead,
+                               self.options.closure_iterations)
+        held |= {"s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
+        if kernels.loops:
+            held |= {"loop_old": z["loop"], "loop": kernels.loop_part(motion.q_d),
+                     "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)),
+                     "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+        return held
+
+    def renewed(self, kernels: StepKernels, motion: Motion, v: ca.SX) -> dict[str, ca.SX]:
+        """What else is computed once a major step, at the state ahead."""
+        return {}
+
+    def _sub_step(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        h = kernels.h[-1]
+        half = z["v"] + h / 2 * z["a"]
+        x, v, s = z["x"] + h * half, half + h / 2 * z["a"], z["s"] + h
+        seen = ca.SX(x)
+        for k in self.slow:
+            seen[k] = z["hold_q"][k]
+        motion = kernels.close(seen, z["loop"], self.now(z, kernels) + s, self.options.closure_iterations)
+        a = self.accelerations(z, kernels, motion, v)
+        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
+        if kernels.loops:
+            out |= {"loop": kernels.loop_part(motion.q_d), "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+        return out
+
+    @abstractmethod
+    def accelerations(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX) -> ca.SX:
+        """q_i_ddot at the seen motion and the rates of the sub-step."""
+
+    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        return {"n": z["n"] + 1}
