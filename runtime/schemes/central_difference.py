@@ -33,6 +33,7 @@ class CentralDifference(Scheme):
     """Program, start-up and observation of a central-difference scheme on one model and grid."""
 
     reach = 2.0
+    memory = ("x", "d", "a", "loop", "loop_old", "loop_dot")
 
     def fields(self) -> dict[str, int]:
         """See the module's text."""

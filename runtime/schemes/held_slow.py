@@ -31,6 +31,7 @@ class HeldSlow(OneStep):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
     reach = 2.0
+    memory = ("x", "v", "loop", "a", "x_last", "v_last", "loop_old", "loop_dot")
 
     def work_fields(self) -> dict[str, int]:
         """Held positions, ends of the secants, and s: time since the start of the major step."""
@@ -82,22 +83,19 @@ class HeldSlow(OneStep):
     def _hold(self, z: Fields, kernels: StepKernels, level: int) -> Mapping[str, ca.SX]:
         """Hold a group where it will be at the mean time of its sub-steps' evaluations, (H + h) / 2 from now."""
         ahead = (kernels.h[level] + kernels.h[level + 1]) / 2
-        share = ahead / kernels.h[level]
-        members = list(self.grid.groups[level])
-        if level == 0:
-            members = members + self.grid.groups[-1]
-        x_ahead, v_ahead = ca.SX(z["hold_q"]), ca.SX(z["v"])
-        out = {name: ca.SX(z[name]) for name in ("x_last", "v_last")}
-        for k in members:
-            x_ahead[k] = z["x"][k] + share * (z["x"][k] - z["x_last"][k])
-            v_ahead[k] = z["v"][k] + share * (z["v"][k] - z["v_last"][k])
+        share = ahead / self._own_steps(kernels)
+        x_ahead = z["x"] + share * (z["x"] - z["x_last"])
+        v_ahead = z["v"] + share * (z["v"] - z["v_last"])
+        out = {name: ca.SX(z[name]) for name in ("hold_q", "x_last", "v_last")}
+        for k in self.grid.groups[level]:
+            out["hold_q"][k] = x_ahead[k]
+        for k in [*self.grid.groups[level], *(self.grid.groups[-1] if level == 0 else [])]:
             out["x_last"][k], out["v_last"][k] = z["x"][k], z["v"][k]
-        held = {**out, "hold_q": x_ahead}
         if level > 0:
-            return held
+            return out
         motion = kernels.close(x_ahead, z["loop_old"] + 2 * kernels.h[0] * z["loop_dot"], self.now(z, kernels) + ahead,
                                self.options.closure_iterations)
-        held |= {"s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
+        held = {**out, "s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
         if kernels.loops:
             held |= {"loop_old": z["loop"], "loop": kernels.loop_part(motion.q_d),
                      "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)),

@@ -21,6 +21,8 @@ from runtime.schemes.options import Options, SchemeError
 class Linearised(LinearSubSteps):
     """m sub-steps on the system linearised at the midpoint, m even."""
 
+    memory = ("x", "v", "loop", "x_mid", "v_mid")
+
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         if grid.m[0] % 2:
             raise SchemeError(f"linearised needs an even number of sub-steps m, not {grid.m[0]}: half of them lead to "

@@ -20,6 +20,8 @@ START_CLOSURE_ITERATIONS = 4
 class OneStep(Scheme):
     """Start, observation and evaluation of one-step schemes. Field v holds q_i_dot."""
 
+    memory: tuple[str, ...] = ("x", "v", "loop")
+
     def fields(self) -> dict[str, int]:
         """The velocities, and what a scheme adds."""
         return {"v": len(self.model.q_i), **self.work_fields()}

@@ -37,6 +37,8 @@ class ExplicitRungeKutta(OneStep):
         for k, row in enumerate(self.A):
             at = y + h * _combined(row[:k], slopes)
             motion = kernels.close(at[:n], at[2 * n:], t + float(self.nodes[k]) * h, self.options.closure_iterations)
+            if k == 0:  # start from the closed position: a guess that was never corrected would drift
+                y = ca.vertcat(y[:2 * n], kernels.loop_part(motion.q_d))
             a, v = kernels.accelerations(motion, at[n:2 * n]), at[n:2 * n]
             slopes.append(ca.vertcat(v, a, kernels.loop_part(kernels.rates(motion, v))))
             error = ca.fmax(error, motion.C_loop)

@@ -31,6 +31,7 @@ class Scheme(ABC):
 
     reach: float | None = None  # the largest stable h w of an undamped mode w on the finest step; None: no limit
     order: int = 2
+    memory: tuple[str, ...] = ()  # the fields of z through which one major step acts on the next, bookkeeping aside
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model, self.grid = model, grid

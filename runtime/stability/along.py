@@ -1,0 +1,24 @@
+"""States along a trajectory, at which stability and frequencies are looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from runtime.model import Model
+from runtime.reference import reference_solution
+from runtime.stability.modes import State
+
+RTOL, ATOL = 1e-7, 1e-10
+
+
+def states_along(model: Model, *, t_end: float, count: int = 9, parameters: Mapping[str, float] | None = None,
+                 initial: Mapping[str, float] | None = None, start: str | None = None) -> list[State]:
+    """`count` states from 0 to t_end, evenly spaced but for a shift that keeps them off multiples of the motion."""
+    places = (np.arange(count) + 0.5 * np.sin(np.arange(count)) ** 2) / max(1, count - 0.5)
+    solution = reference_solution(model, t_end=t_end, times=places * t_end, rtol=RTOL, atol=ATOL,
+                                  parameters=parameters, initial=initial, start=start)
+    loops = [model.coordinates.index(name) for name in model.loop_unknowns]
+    rates = solution.q_dot[:, model.independent_columns]
+    return [State(float(t), solution.q_i[k], rates[k], solution.q[k, loops]) for k, t in enumerate(solution.t)]
