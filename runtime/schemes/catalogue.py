@@ -38,6 +38,11 @@ class SchemeKind:
     defaults: Options = field(default_factory=Options)
     default_m: int = 1
 
+    @property
+    def multirate(self) -> bool:
+        """Does it take sub-steps?"""
+        return self.ratios != "none"
+
     def build(self, name: str, model: Model, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
         """The scheme on a model. Raises SchemeError for a step, ratios or options that cannot be used."""
         for option in changes:

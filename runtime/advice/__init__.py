@@ -1,0 +1,1 @@
+"""Advice: which method, step and groups suit a model, with the reasons."""

@@ -1,0 +1,1 @@
+"""Methods compared on one problem: error against CPU time, with an independent reference."""

@@ -1,0 +1,91 @@
+"""A reference path by compiled one-step methods refined until they agree with themselves: fast, for choosing a method.
+
+It is no judge of the methods that made it; reports take an independent solver (reference_path.py).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from math import ceil
+
+import numpy as np
+
+from runtime.compare.reference_path import ReferenceError
+from runtime.engine.choose import choose_engine
+from runtime.engine.prepare import prepare
+from runtime.initial import ConsistentState
+from runtime.model import Model
+from runtime.schemes.catalogue import scheme_kind
+
+MARGIN = 30.0  # the path is this much more accurate than the tolerance asked for
+FIRST_STEPS, SAMPLES = 64, 50
+METHODS = (("exponential", [2]), ("dop853", None))
+
+
+class TooLong(ReferenceError):
+    """The motion is too long for the time allowed."""
+
+
+class OneStepPath:
+    """q_i at any times, by steps of at most `step` that end there."""
+
+    def __init__(self, model: Model, c: np.ndarray, state: ConsistentState, method: str, m: list[int] | None) -> None:
+        self.model, self.c, self.state = model, c, state
+        self.scheme = scheme_kind(method).build(method, model, 1.0, m, {})
+        self._prepared = prepare(self.scheme.program(), self.scheme.layout.size, self.scheme.c_size)
+        self._engine = choose_engine("auto", self._prepared.program, self._prepared.z_size,
+                                     int(self._prepared.constants.size1_out(0)), 10**9)
+        self._shares = np.array(self.scheme.grid.h)
+        self.step = np.inf
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        """(N, n) at ascending times from 0 on."""
+        columns, layout = self.model.independent_columns, self.scheme.layout
+        loop = np.array([self.state.q[self.model.coordinates.index(name)] for name in self.model.loop_unknowns])
+        c = np.concatenate([self.c, self._shares])
+        start = self.scheme.start()(0.0, self.state.q[columns], self.state.q_dot[columns], loop, c)
+        z = self._prepared.widened(np.asarray(start).ravel())
+        t0, n, x = (layout.slice(name) for name in ("t0", "n", "x"))
+        rows, reached, ready, last = [], 0.0, None, 0.0
+        for t in times:
+            if t > reached:
+                steps = max(1, ceil((t - reached) / self.step * (1 - 1e-9)))
+                dt = (t - reached) / steps
+                if ready is None or abs(dt - last) > 1e-12 * dt:
+                    ready, last = self._prepared.ready(np.concatenate([self.c, self._shares * dt])), dt
+                z[t0], z[n] = reached, 0.0  # the clock of a scheme counts steps of one size
+                self._engine.run(z, ready, steps)
+                reached = float(t)
+            rows.append(z[x].copy())
+        return np.array(rows)
+
+
+def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float,
+                   seconds: float) -> Callable[[np.ndarray], np.ndarray]:
+    """A path that does not change by more than tolerance / MARGIN when its step is halved.
+
+    Raises TooLong if that takes longer than `seconds`, ReferenceError if no method gets there.
+    """
+    times, late = np.linspace(0.0, t_end, SAMPLES + 1), False
+    for method, m in METHODS:
+        if method == "exponential" and not model.has("dQ_hat_dq_i"):
+            continue
+        path = OneStepPath(model, c, state, method, m)
+        path.step, previous = t_end / FIRST_STEPS, None
+        began = time.perf_counter()
+        while time.perf_counter() - began < seconds:
+            values = path(times)
+            if np.isfinite(values).all():
+                if previous is not None and _distance(values, previous) < tolerance / MARGIN:
+                    return path
+                previous = values
+            path.step /= 2
+        late = True
+    raise TooLong("the motion is too long for the time allowed") if late else ReferenceError("no reference path")
+
+
+def _distance(values: np.ndarray, previous: np.ndarray) -> float:
+    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
+    off = np.sqrt(np.mean((values - previous) ** 2, axis=0))
+    return float((off / np.where(spread > 0, spread, 1.0)).max())
