@@ -7,7 +7,7 @@ product with its reciprocal.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
@@ -126,4 +126,4 @@ def _with_stages(node: Program, rebuilt: dict[str, ca.Function]) -> Program:
         return Sequence(tuple(_with_stages(part, rebuilt) for part in node.parts))
     if isinstance(node, Repeat):
         return Repeat(_with_stages(node.body, rebuilt), node.count)
-    return Until(_with_stages(node.body, rebuilt), node.flag, node.limit)
+    return replace(node, body=_with_stages(node.body, rebuilt))
