@@ -9,6 +9,7 @@ from typing import Any, Literal
 from runtime.model import Model
 from runtime.schemes.central_difference import CentralDifference
 from runtime.schemes.exponential import Exponential
+from runtime.schemes.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linearised import Linearised
 from runtime.schemes.options import Options, SchemeError
@@ -81,6 +82,10 @@ SCHEMES: dict[str, SchemeKind] = {
                          Options(closure_iterations=1)),
     "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", NEWTON + ("closure_iterations",),
                         Options(eps=(1e-10,), max_iterations=15, closure_iterations=1)),
+    "generalized_alpha": SchemeKind(GeneralizedAlpha, "generalized-alpha on all coordinates, order 2", "none",
+                                    (*NEWTON, "rho_inf"), Options(eps=(1e-7,), max_iterations=15)),
+    "hht": SchemeKind(HilberHughesTaylor, "Hilber-Hughes-Taylor on all coordinates, order 2", "none",
+                      (*NEWTON, "alpha"), Options(eps=(1e-7,), max_iterations=15)),
 }
 
 
