@@ -11,7 +11,9 @@ pair, split the matrix: with A^-1 = T diag(r) T^-1, each iteration is one real a
 
     (r^2 M - r h J_v - h^2 J_q) k = r^2 (T^-1 R),    K <- K + T k.
 
-The first guess is the last step's polynomial of K, extrapolated.
+The first guess is the last step's polynomial of K, extrapolated. Iterations stop, as in RADAU5, when
+eta = theta / (1 - theta) times the last correction is small enough, theta being the ratio of the last two corrections;
+after the first correction of a step, eta is that of the step before to the power 0.8.
 """
 
 from __future__ import annotations
@@ -38,6 +40,8 @@ A = np.array([[(88 - 7 * S) / 360, (296 - 169 * S) / 1800, (-2 + 3 * S) / 225],
 STAGES = 3
 USUAL_ITERATIONS = 3
 ROUNDING = 4e-16
+SLOWEST = 0.99  # theta at most
+TINY = 1e-300
 
 
 def lagrange(nodes: np.ndarray, at: np.ndarray) -> np.ndarray:
@@ -73,6 +77,7 @@ class Radau(OneStep):
         """See above, and the factors."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {"K": STAGES * n, "loops": STAGES * loops, "loop_last": loops, "unconverged": 1, "stage_error": 1,
+                "eta": 1, "correction": 1,
                 **self.stored.fields()}
 
     def program(self) -> Program:
@@ -93,7 +98,7 @@ class Radau(OneStep):
         motion = kernels.close(q_i, fields["loop"], t0, 1)
         a, rate = kernels.accelerations(motion, q_i_dot), kernels.loop_part(kernels.rates(motion, q_i_dot))
         at = [fields["loop"] + (float(node) - 1) * kernels.h[0] * rate for node in NODES]
-        return {**fields, "K": ca.repmat(a, STAGES, 1), "loops": ca.vertcat(*at),
+        return {**fields, "eta": ca.SX(1), "K": ca.repmat(a, STAGES, 1), "loops": ca.vertcat(*at),
                 "loop_last": fields["loop"] - kernels.h[0] * rate}
 
     def _begin(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
@@ -103,7 +108,7 @@ class Radau(OneStep):
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         return {**self.stored.pack(system), **self.stored.pack_factors("lu", factors_of(system, h, SHIFTS)),
                 "K": _stacked(AHEAD, K), "loops": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
-                "loop_last": kernels.loop_part(motion.q_d), "unconverged": ca.SX(1),
+                "loop_last": kernels.loop_part(motion.q_d), "unconverged": ca.SX(1), "correction": ca.SX(0),
                 "iterations": z["iterations"] + 1}
 
     def _columns(self, stacked: ca.SX) -> list[ca.SX]:
@@ -122,7 +127,7 @@ class Radau(OneStep):
         change = self._solved(self.stored.unpack_factors("lu", z), residuals)
         new = [old + delta for old, delta in zip(K, change, strict=True)]
         return {"K": ca.vertcat(*new), "loops": ca.vertcat(*closed), "stage_error": error,
-                "unconverged": self._excess(z, new, change, h), "iterations": z["iterations"] + STAGES}
+                **self._progress(z, new, change, h), "iterations": z["iterations"] + STAGES}
 
     def _positions(self, z: Fields, K: list[ca.SX], h: ca.SX) -> list[ca.SX]:
         return [z["x"] + h * (float(c) * z["v"] + h * _combined(row, K)) for c, row in zip(NODES, A @ A, strict=True)]
@@ -142,11 +147,14 @@ class Radau(OneStep):
                 change[i] = change[i] + float(back.real) * re - (float(back.imag) * im if r.imag else 0)
         return change
 
-    def _excess(self, z: Fields, new: list[ca.SX], change: list[ca.SX], h: ca.SX) -> ca.SX:
-        """By how much the accelerations changed more than eps allows, or than positions and velocities can show."""
+    def _progress(self, z: Fields, new: list[ca.SX], change: list[ca.SX], h: ca.SX) -> dict[str, ca.SX]:
+        """unconverged: by how much K may be wrong more than eps allows, and more than positions can show."""
+        size = ca.norm_inf(ca.vertcat(*change))
+        theta = ca.fmin(size / ca.fmax(z["correction"], TINY), SLOWEST)
+        eta = ca.if_else(z["correction"] > 0, theta / (1 - theta), z["eta"] ** 0.8)
         allowed = self.options.eps[0] * ca.norm_inf(ca.vertcat(*new))
         allowed = allowed + ROUNDING * (ca.norm_inf(z["x"]) / h + ca.norm_inf(z["v"])) / h
-        return ca.norm_inf(ca.vertcat(*change)) - allowed
+        return {"unconverged": eta * size - allowed, "eta": ca.fmax(eta, ROUNDING), "correction": size}
 
     def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         K, h = self._columns(z["K"]), kernels.h[0]
