@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from runtime.engine.program import Call, Program, Repeat, Sequence, Until, stages
+from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 C_ARGUMENT = 1  # stages are functions of (z, c)

@@ -1,4 +1,4 @@
-"""Established adaptive integrators on the same emitted equations, compiled where possible: what schemes compete with."""
+"""Established adaptive integrators on the same emitted equations, compiled where possible: opponents of the schemes."""
 
 from runtime.opponents.scipy_methods import scipy_solution
 from runtime.opponents.sundials import sundials_solution

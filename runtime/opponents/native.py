@@ -1,4 +1,4 @@
-"""CasADi Functions as native code: C by CasADi, the project's compiler flags and cache, loaded as external Functions."""
+"""CasADi Functions as native code: C by CasADi, the project's flags and cache, loaded as external Functions."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def buffered(function: ca.Function, c: np.ndarray) -> Call:
     clock, state = np.zeros(1), np.zeros(function.numel_in(1))
     constants, result = np.array(c, dtype=float), np.zeros(function.numel_out(0))
     for k, array in enumerate((clock, state, constants)):
-        buffer.set_arg(k, memoryview(array))
-    buffer.set_res(0, memoryview(result))
+        buffer.set_arg(k, array.data)
+    buffer.set_res(0, result.data)
 
     def evaluate(t: float, y: np.ndarray, keep: tuple[Any, ...] = (function, buffer, constants)) -> np.ndarray:
         clock[0], state[:] = t, y  # the buffer holds no references: hence keep

@@ -94,9 +94,10 @@ def _integrator(method: str, system: dict[str, ca.SX], t: np.ndarray, options: d
     if compiler is None:
         return ca.integrator("opponent", method, system, 0.0, t, options)
     # CasADi writes its C file to the working folder; once loaded, the library is not needed on disk any more
-    jit = {"jit": True, "compiler": "shell", "jit_temp_suffix": False, "jit_name": "opponent", "jit_cleanup": False,
-           "jit_options": {"compiler": compiler, "linker": compiler, "flags": list(FLAGS), "verbose": False,
-                           "cleanup": False}}
+    jit: dict[str, Any] = {
+        "jit": True, "compiler": "shell", "jit_name": "opponent", "jit_temp_suffix": False, "jit_cleanup": False,
+        "jit_options": {"compiler": compiler, "linker": compiler, "flags": list(FLAGS), "verbose": False,
+                        "cleanup": False}}
     with tempfile.TemporaryDirectory() as folder, chdir(folder):
         try:
             return ca.integrator("opponent", method, system, 0.0, t, {**options, **jit})
