@@ -86,7 +86,7 @@ class Watch:
             return self._stop("constraints_lost", None, "the loop closure moves too far in one step for Newton")
         if z[layout.slice("failures")][0] > 0:
             limit = self.scheme.options.max_iterations
-            return self._stop("iteration_failed", None, f"the sweep (52)-(57) did not converge in {limit} iterations")
+            return self._stop("iteration_failed", None, f"the update of a step did not converge in {limit} iterations")
         return None
 
     def _problem(self, z: np.ndarray) -> Status | None:
@@ -118,7 +118,7 @@ class Watch:
             return ("A deflection is too large for second-order geometric stiffening, or a mass is not positive: "
                     "use more or stiffer bodies, smaller loads, or a shorter step if it grew by instability.")
         if name == "iteration_failed":
-            return "Use common_update = direct, a larger eps, or a smaller step."
+            return "Use a smaller step, a larger eps, or (printed) common_update = direct."
         limit, h = self._limit(), self.scheme.grid.h[-1]
         if limit is None or self.scheme.reach is None:
             return "Reduce the step."

@@ -67,7 +67,7 @@ def candidates(model: Model) -> list[Spec]:
     n, found = len(model.q_i), []
     if model.has("dQ_hat_dq_i") and 40 * n**3 < MOST_OPERATIONS:
         found += [Spec("exponential", (1,)), Spec("exponential", (2,)), Spec("exponential", (4,)),
-                  Spec("linearised", (2,))]
+                  Spec("linearised", (2,)), Spec("radau", None, {"eps": (1e-6,)})]
     found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
@@ -80,9 +80,9 @@ def candidates(model: Model) -> list[Spec]:
 def advise(model: Model, *, tolerance: float = 1e-3, graded: list[str] | None = None, t_end: float | None = None,
            parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
            start: str | None = None, note: Note = lambda text: None) -> Advice:
-    """Advice for a motion of t_end [s]: RMS error over the motion of every graded coordinate, relative to its amplitude.
+    """Advice for a motion of t_end [s].
 
-    graded: names in q_i (all by default). note is told what is being done. Raises ModelError, InitialStateError,
+    tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names in q_i (all by default). note is told what is being done. Raises ModelError, InitialStateError,
     ReferenceError or NoAdvice.
     """
     if not 0 < tolerance < 1:
@@ -170,4 +170,5 @@ def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float) -> str:
         return f"use one step for all coordinates: {spec.label} is the fastest here ({step}{bound})"
     if not np.isfinite(gain):
         return f"{spec.label}: {step}{bound}; no method with one step for all coordinates got there in useful time"
-    return f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates ({step}{bound})"
+    return (f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates "
+            f"({step}{bound})")

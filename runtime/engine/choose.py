@@ -13,7 +13,6 @@ from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 VM_SECONDS_PER_OPERATION = 5e-9
 COMPILE_SECONDS_PER_OPERATION = 1.5e-4
 COMPILE_SECONDS = 0.1
-TYPICAL_SWEEPS = 8
 
 
 class Engine(Protocol):
@@ -27,14 +26,14 @@ class Engine(Protocol):
 
 
 def operations_per_step(program: Program) -> int:
-    """Operations of one application (each Until body counted TYPICAL_SWEEPS times)."""
+    """Operations of one application (each Until body counted as often as is usual)."""
     if isinstance(program, Call):
         return int(program.stage.n_instructions())
     if isinstance(program, Sequence):
         return sum(operations_per_step(part) for part in program.parts)
     if isinstance(program, Repeat):
         return program.count * operations_per_step(program.body)
-    return TYPICAL_SWEEPS * operations_per_step(program.body)
+    return program.usual * operations_per_step(program.body)
 
 
 def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:

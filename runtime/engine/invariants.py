@@ -7,6 +7,8 @@ repetition. What follows from c alone is left to prepare.py, which computes it o
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import casadi as ca
 
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until, stages
@@ -33,7 +35,7 @@ class _Hoister:
         if isinstance(node, Sequence):
             return Sequence(tuple(self.visit(part) for part in node.parts))
         if isinstance(node, Until):
-            return Until(self.visit(node.body), node.flag, node.limit)
+            return replace(node, body=self.visit(node.body))
         if node.count < 2 or not _only_calls(node.body):
             return Repeat(self.visit(node.body), node.count)
         return self._repeat(node)
@@ -133,4 +135,4 @@ def _replaced(node: Program, functions: dict[str, ca.Function]) -> Program:
         return Sequence(tuple(_replaced(part, functions) for part in node.parts))
     if isinstance(node, Repeat):
         return Repeat(_replaced(node.body, functions), node.count)
-    return Until(_replaced(node.body, functions), node.flag, node.limit)
+    return replace(node, body=_replaced(node.body, functions))

@@ -7,13 +7,13 @@ product with its reciprocal.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
 
 from runtime.engine.invariants import hoist_invariants
-from runtime.engine.program import Call, Program, Repeat, Sequence, Until, stages
+from runtime.engine.program import Call, Program, Repeat, Sequence, stages
 from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 C_ARGUMENT = 1  # stages are functions of (z, c)
@@ -149,4 +149,4 @@ def _with_stages(node: Program, rebuilt: dict[str, ca.Function]) -> Program:
         return Sequence(tuple(_with_stages(part, rebuilt) for part in node.parts))
     if isinstance(node, Repeat):
         return Repeat(_with_stages(node.body, rebuilt), node.count)
-    return Until(_with_stages(node.body, rebuilt), node.flag, node.limit)
+    return replace(node, body=_with_stages(node.body, rebuilt))

@@ -35,11 +35,15 @@ class Repeat:
 
 @dataclass(frozen=True)
 class Until:
-    """Apply the body until z[flag] <= 0, at most `limit` times; tested before each time."""
+    """Apply the body until z[flag] <= 0, at most `limit` times; tested before each time.
+
+    usual: how often it is expected to be applied, for estimates of the price.
+    """
 
     body: Program
     flag: int
     limit: int
+    usual: int = 8
 
 
 Program = Call | Sequence | Repeat | Until

@@ -11,14 +11,17 @@ from runtime.schemes.central_difference import CentralDifference
 from runtime.schemes.coupled import Coupled
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
+from runtime.schemes.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linearised import Linearised
 from runtime.schemes.options import Options, SchemeError
+from runtime.schemes.radau import Radau
 from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.scheme import Scheme
 
 Ratios = Literal["none", "groups", "sub_steps"]
 CENTRAL = ("common_velocity", "newton_iterations", "closure_iterations")
+NEWTON = ("eps", "max_iterations")
 SWEEP = ("common_update", "guess", "slow_interpolation", "sub_step_velocity", "eps", "stopping", "max_iterations")
 
 
@@ -87,6 +90,12 @@ SCHEMES: dict[str, SchemeKind] = {
                       Options(closure_iterations=1)),
     "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", ("closure_iterations",),
                          Options(closure_iterations=1)),
+    "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", NEWTON + ("closure_iterations",),
+                        Options(eps=(1e-10,), max_iterations=15, closure_iterations=1)),
+    "generalized_alpha": SchemeKind(GeneralizedAlpha, "generalized-alpha on all coordinates, order 2", "none",
+                                    (*NEWTON, "rho_inf"), Options(eps=(1e-7,), max_iterations=15)),
+    "hht": SchemeKind(HilberHughesTaylor, "Hilber-Hughes-Taylor on all coordinates, order 2", "none",
+                      (*NEWTON, "alpha"), Options(eps=(1e-7,), max_iterations=15)),
 }
 
 

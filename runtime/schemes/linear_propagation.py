@@ -21,7 +21,7 @@ from functools import cache
 import casadi as ca
 from numpy.polynomial import Polynomial
 
-from runtime.schemes.sparse_lu import Complex, Entries, Number, Real, factor, pattern, solve
+from runtime.schemes.sparse_lu import Complex, Entries, Real, factor, pattern, solve
 
 DEGREE = 3
 PHI = 3  # phi_1 to phi_3
@@ -72,9 +72,10 @@ class LinearSystem:
 Factors = tuple[Entries, ...]
 
 
-def factors_of(system: LinearSystem, h: ca.SX) -> Factors:
-    """Factors of every pole's matrix for sub-steps h."""
-    return tuple(factor(_shifted(system, h, pole.r), system.M.shape[0]) for pole in poles())
+def factors_of(system: LinearSystem, h: ca.SX, shifts: tuple[complex, ...] | None = None) -> Factors:
+    """Factors of r^2 M - r h J_v - h^2 J_q for every r in shifts, by default the poles of a sub-step h."""
+    chosen = tuple(pole.r for pole in poles()) if shifts is None else shifts
+    return tuple(factor(_shifted(system, h, r), system.M.shape[0]) for r in chosen)
 
 
 def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Entries:
@@ -107,22 +108,23 @@ def _solved(pole: Pole, factors: Entries, forces: tuple[ca.SX, ca.SX, ca.SX], ra
     """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G''."""
     r, (w1, w2, w3) = pole.r, pole.weights
     (force, slope, bend), (u, Mu, Jv_u) = forces, rates
-    n = u.numel()
     rw = r * w1
 
     def real_or_imaginary(part: str) -> ca.SX:
         first, second, third, mass = (getattr(value, part) for value in (w1, w2, w3, rw))
         return h * h * (first * (force - Jv_u) + h * (second * slope + h * third * bend)) + h * mass * Mu
 
-    if r.imag:
-        re, im = real_or_imaginary("real"), real_or_imaginary("imag")
-        b: list[Number] = [Complex(re[k], im[k]) for k in range(n)]
-    else:
-        re = real_or_imaginary("real")
-        b = [Real(re[k]) for k in range(n)]
-    x = solve(factors, b)
-    X = ca.vertcat(*(value.re for value in x))
-    turned = r.real * X
-    if r.imag:
-        turned = turned - r.imag * ca.vertcat(*(value.im for value in x if isinstance(value, Complex)))
+    X, Y = solve_shifted(factors, r, real_or_imaginary("real"), real_or_imaginary("imag") if r.imag else None)
+    turned = r.real * X - r.imag * Y if r.imag else r.real * X
     return X, turned / h - w1.real * u
+
+
+def solve_shifted(factors: Entries, r: complex, re: ca.SX, im: ca.SX | None) -> tuple[ca.SX, ca.SX]:
+    """Real and imaginary part of the solution for the right-hand side re + i im; r tells whether it is complex."""
+    n = re.numel()
+    if im is None or not r.imag:
+        x = solve(factors, [Real(re[k]) for k in range(n)])
+        return ca.vertcat(*(value.re for value in x)), ca.SX.zeros(n)
+    y = solve(factors, [Complex(re[k], im[k]) for k in range(n)])
+    return (ca.vertcat(*(value.re for value in y)),
+            ca.vertcat(*(value.im for value in y if isinstance(value, Complex))))

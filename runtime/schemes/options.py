@@ -1,4 +1,4 @@
-"""What may be chosen about a central-difference scheme, every reading of the paper by name."""
+"""What may be chosen about a scheme, every reading of the paper by name."""
 
 from __future__ import annotations
 
@@ -31,6 +31,8 @@ class Options:
         small steps converge too; `absolute` is (56)-(57) as printed, in the coordinates' own unit.
     propagation: sub-steps of a linearised system, `rational` (of order 6, stable for any stiffness) or
         `central_difference`.
+    rho_inf: amplitude that generalized-alpha leaves of an infinitely fast mode in a step; 1 is without dissipation.
+    alpha: dissipation of the method of Hilber, Hughes and Taylor; 0 is the trapezoidal rule.
     """
 
     common_update: Literal["fixed_point", "direct"] = "direct"
@@ -44,6 +46,8 @@ class Options:
     newton_iterations: int = 1
     closure_iterations: int = 2
     propagation: Literal["rational", "central_difference"] = "rational"
+    rho_inf: float = 0.9
+    alpha: float = 0.05
 
     def checked(self, groups: int) -> Options:
         """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
@@ -58,6 +62,10 @@ class Options:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or value < 1:
                 raise SchemeError(f"{name} must be a whole number of at least 1, not {value!r}")
+        for name, largest in (("rho_inf", 1.0), ("alpha", 1 / 3)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= largest:
+                raise SchemeError(f"{name} must be a number from 0 to {largest:.3g}, not {value!r}")
         try:
             given = tuple(float(value) for value in (self.eps if isinstance(self.eps, tuple | list) else (self.eps,)))
         except (TypeError, ValueError):

@@ -14,17 +14,21 @@ Cells = list[tuple[int, int]]
 
 
 class StoredSystem:
-    """Patterns of M_hat, J_q, J_v and of the factors, and how they lie in z; factors for one or more step sizes."""
+    """Patterns of M_hat, J_q, J_v and of the factors, and how they lie in z; factors for one or more step sizes.
 
-    def __init__(self, model: Model, sets: tuple[str, ...]) -> None:
+    shifts: see factors_of. matrices: those that are kept beside the factors.
+    """
+
+    def __init__(self, model: Model, sets: tuple[str, ...], shifts: tuple[complex, ...] | None = None,
+                 matrices: tuple[str, ...] = ("M", "J_q", "J_v")) -> None:
         self.n, self.sets = len(model.q_i), sets
         q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
         kernels = StepKernels(model, ca.SX.sym("c", model.c_size + 1))
         motion = kernels.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
         found = kernels.linearised(motion, v)
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
-        self._cells: dict[str, Cells] = {name: pattern(getattr(system, name)) for name in ("M", "J_q", "J_v")}
-        factors = factors_of(system, ca.SX(1))
+        self._cells: dict[str, Cells] = {name: pattern(getattr(system, name)) for name in matrices}
+        factors = factors_of(system, ca.SX(1), shifts)
         self._factor_cells: list[Cells] = [list(entries) for entries in factors]
         self._complex = [isinstance(next(iter(entries.values())), Complex) for entries in factors]
 
@@ -46,14 +50,18 @@ class StoredSystem:
                 for k, entries in enumerate(factors)}
 
     def unpack(self, z: Fields) -> LinearSystem:
-        """The matrices."""
-        matrices = []
+        """All three matrices."""
+        return LinearSystem(**self.unpack_matrices(z))
+
+    def unpack_matrices(self, z: Fields) -> dict[str, ca.SX]:
+        """The matrices that are kept."""
+        matrices = {}
         for name, cells in self._cells.items():
             matrix = ca.SX(self.n, self.n)
             for k, (i, j) in enumerate(cells):
                 matrix[i, j] = z[name][k]
-            matrices.append(matrix)
-        return LinearSystem(*matrices)
+            matrices[name] = matrix
+        return matrices
 
     def unpack_factors(self, name: str, z: Fields) -> Factors:
         """A set of factors."""
