@@ -82,8 +82,9 @@ def advise(model: Model, *, tolerance: float = 1e-3, graded: list[str] | None = 
            start: str | None = None, note: Note = lambda text: None) -> Advice:
     """Advice for a motion of t_end [s].
 
-    tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names in q_i (all by default). note is told what is being done. Raises ModelError, InitialStateError,
-    ReferenceError or NoAdvice.
+    tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
+    in q_i (all by default). note is told what is being done. Raises ModelError, InitialStateError, ReferenceError or
+    NoAdvice.
     """
     if not 0 < tolerance < 1:
         raise NoAdvice(f"the tolerance must be between 0 and 1, not {tolerance!r}")
