@@ -104,7 +104,7 @@ def flexible_slider_crank_torque() -> Scene:
 
 
 def physical_slider_crank() -> Scene:
-    """Case F1 with the physical axial mass, started in elastic equilibrium: the axial modes are 4 times as fast."""
+    """Case F1 with the physical axial mass, started in elastic equilibrium: axial modes nearly 3 times as fast."""
     builder = _mechanism("physical_slider_crank", "Flexible slider-crank, crank prescribed, physical axial mass",
                          rod_data(math.pi, 1 / 15))
     builder.parameter("omega", 150.0, "rad/s", "speed of the crank")
@@ -115,7 +115,7 @@ def physical_slider_crank() -> Scene:
 
 
 def stiff_slider_crank(ratio: float = 200.0) -> Scene:
-    """The freely running twin, stiffer along the rod: its fastest frequency is `ratio` times the fastest lateral one."""
+    """The freely running twin, stiffer along the rod: fastest frequency `ratio` times the fastest lateral one."""
     factor = (ratio * LATERAL / AXIAL) ** 2
     builder = _mechanism("stiff_slider_crank", "Flexible slider-crank, running freely, stiff along the rod",
                          rod_data(math.pi, 1 / 15, factor))

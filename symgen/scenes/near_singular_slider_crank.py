@@ -8,8 +8,9 @@ CRANK, ROD, DEPTH = 0.294, 0.30, 0.008  # m; the crank is 0.98 of the rod
 def near_singular_slider_crank() -> Scene:
     """A flexible rod 2 % longer than the crank: the mechanism runs freely and passes close to a change point.
 
-    Near 90 and 270 degrees the slider all but reaches the crank's axis. The rod turns over within a few degrees there, so
-    inertia and accelerations change sharply although the crank turns evenly.
+    With equal lengths the slider would reach the crank's axis at 90 degrees and could stay there: a singular
+    position. Here the rate of the rod reverses within some 20 degrees of the crank, and the slider stops nearly as
+    fast, so inertia and accelerations change sharply twice a revolution.
     """
     return (
         SceneBuilder("near_singular_slider_crank", title="Flexible slider-crank close to a change point")

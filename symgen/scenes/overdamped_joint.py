@@ -7,7 +7,7 @@ def overdamped_joint() -> Scene:
     """A pendulum carries a 20 g finger on a joint spring with a damper some 30 times the critical one.
 
     The finger's fast rate is damping / inertia = 2e4 1/s, its slow one stiffness / damping, about 4 1/s, as slow as the
-    pendulum. So the damper, not the spring, limits the step of an explicit scheme.
+    pendulum. So the damper, not the spring, limits the step of a scheme that takes velocities explicitly.
     """
     finger = {"mass": 0.02, "length": 0.1}
     inertia = finger["mass"] * finger["length"] ** 2 / 3  # about the joint
