@@ -73,7 +73,7 @@ CASES = (
     HardCase("slider_crank_torque", flexible_slider_crank_torque, CRANK_AND_ROD, 0.4,
              "runs up from rest to large bending; the torque is switched off at 0.15 s, a jump of the right-hand side"),
     HardCase("f2_heavy_hub", hub_beam, HUB, 5.0,
-             "strong inertia coupling, hub 10 and beam 34 kg m^2: the lowest elastic frequency is twice the clamped one"),
+             "strong inertia coupling, hub 10, beam 34 kg m^2: the lowest elastic frequency is twice the clamped one"),
     HardCase("f2_light_hub", hub_beam, HUB, 5.0,
              "nearly no inertia of the hub against the beam: the lowest elastic frequency is 4.3 times the clamped one",
              parameters={"hub.inertia": 0.1}),
