@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 620 operations."""
+    """c: everything that depends on the parameters p only. 612 operations."""
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -408,10 +408,6 @@ def constants() -> ca.Function:
         beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
         beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length,
         beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
-        w4 + w4,
-        w5 + w5,
-        w2 + w2,
-        w3 + w3,
         w19 - w20,
         w2 * w3,
         w21 - w22,
@@ -441,7 +437,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -634,7 +630,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 71 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -686,7 +682,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -749,7 +745,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -829,7 +825,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 271 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1043,7 +1039,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 833 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q[2]
     coupler_theta = q[5]
     coupler_q1 = q[6]
@@ -1704,7 +1700,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     coupler_theta = q[5]
     coupler_q1 = q[6]
     coupler_q2 = q[7]
@@ -1860,7 +1856,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 280 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_y = q[1]
     coupler_y = q[4]
     coupler_theta = q[5]
@@ -1990,7 +1986,7 @@ def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 971 operations."""
     q = ca.SX.sym("q", 13)
     exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -2346,12 +2342,12 @@ def drawing() -> ca.Function:
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1782 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1742 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2420,10 +2416,6 @@ def dQ_hat_dq_i() -> ca.Function:
     c237 = c[237]
     c238 = c[238]
     c239 = c[239]
-    c240 = c[240]
-    c241 = c[241]
-    c242 = c[242]
-    c243 = c[243]
     w0 = ca.cos(crank_theta) * c0
     w1 = coupler_theta_dot**2
     w2 = coupler_q1 * c17
@@ -2580,246 +2572,246 @@ def dQ_hat_dq_i() -> ca.Function:
     w153 = (w147 - w149) / w47 + w152
     w154 = w22 * w39
     w155 = w21 * w22
-    w156 = w39 * (w24 * (w21 * rocker_q1)) * c230
-    w157 = rocker_q1 * w24 * c7 / w47
-    w158 = w157 / w47
-    w159 = w70 * w158
-    w160 = (w156 - w156) / w47 + w159
-    w161 = w23 * w39
-    w162 = w21 * w23
-    w163 = w39 * (w24 * (w21 * rocker_q2)) * c231
-    w164 = rocker_q2 * w24 * c8 / w47
-    w165 = w164 / w47
-    w166 = w70 * w165
-    w167 = (w163 - w163) / w47 + w166
-    w168 = crank_theta_dot * w121 - coupler_q1_dot * w145 - coupler_q2_dot * w153 + rocker_q1_dot * w160 + rocker_q2_dot * w167
-    w169 = w141 - w139
-    w170 = w169 / w47 - w144
-    w171 = w149 - w147
-    w172 = w171 / w47 - w152
-    w173 = crank_theta_dot * w113 + coupler_q1_dot * w170 + coupler_q2_dot * w172 + rocker_q1_dot * w159 + rocker_q2_dot * w166
-    w174 = w94 * w168 - w103 * w173 - crank_theta_dot * w120
-    w175 = 2 * w62 + w40 * w48
-    w176 = 2 * w50 - w25 * w48
-    w177 = (w36 * w175 - w44 * w176) / w47
-    w178 = w83 * -2.0 - w90 * w177
-    w179 = (w40 * w175 - w25 * w176) / w47
-    w180 = w107 * w179
-    w181 = w94 * w178 - (w0 * (w10 * w179) + w65 * (w73 * w179)) - w103 * w180
-    w182 = w35 * (w9 * (coupler_q1 * w7)) * c232
-    w183 = coupler_q1 * w35 * c4 / w47
-    w184 = w183 / w47
-    w185 = w70 * w184
-    w186 = (w182 - w182) / w47 - w185
-    w187 = w35 * (w9 * (coupler_q2 * w7)) * c233
-    w188 = coupler_q2 * w35 * c5 / w47
-    w189 = w188 / w47
-    w190 = w70 * w189
-    w191 = (w187 - w187) / w47 - w190
-    w192 = w44 * w154
-    w193 = w36 * w155
-    w194 = w192 - w193
-    w195 = (w44 * w155 + w36 * w154) / w47
-    w196 = w195 / w47
-    w197 = w70 * w196
-    w198 = w194 / w47 - w197
-    w199 = w44 * w161
-    w200 = w36 * w162
-    w201 = w199 - w200
-    w202 = (w44 * w162 + w36 * w161) / w47
-    w203 = w202 / w47
-    w204 = w70 * w203
-    w205 = w201 / w47 - w204
-    w206 = crank_theta_dot * w97 - coupler_q1_dot * w186 - coupler_q2_dot * w191 + rocker_q1_dot * w198 + rocker_q2_dot * w205
-    w207 = w197 + (w193 - w192) / w47
-    w208 = w204 + (w200 - w199) / w47
-    w209 = crank_theta_dot * w96 - coupler_q1_dot * w185 - coupler_q2_dot * w190 + rocker_q1_dot * w207 + rocker_q2_dot * w208
-    w210 = w103 * w206 + w94 * w209 - crank_theta_dot * w93
-    w211 = w103 * w114 + w94 * w123 - (w127 + (w94 * w129 + w92 * w93) + (w103 * w130 + w111 * w120)) + (w137 * w174 + w181 * w210)
-    w212 = w9 * c21
-    w213 = w3 * w7 + w212
-    w214 = w7 * c21
-    w215 = w66 * w213 + w59 * (w214 - w3 * w9)
-    w216 = w213 * c33 + (w215 + w72 * c29) + (w92 * w186 - w101 * w183) + (w111 * w170 - w108 * w142)
-    w217 = w119 * c29 + (w92 * w185 - w118 * w183) + (w111 * w145 - w122 * w142)
-    w218 = w16 * w105 - w133 * c29 + w135 * w183 - w136 * w142
-    w219 = w142 * w180 - (w179 * c29 + w178 * w183)
-    w220 = w129 * w183 - (w124 * c29 - w215) + w130 * w142 - (w103 * w216 + w94 * w217) + (w174 * w218 + w210 * w219)
-    w221 = w59 * (w5 * w9)
-    w222 = w5 * w7
-    w223 = w66 * w222
-    w224 = w222 * c33 + (w223 - w221 + w72 * c30) + (w92 * w191 - w101 * w188) + (w111 * w172 - w108 * w150)
-    w225 = w119 * c30 + (w92 * w190 - w118 * w188) + (w111 * w153 - w122 * w150)
-    w226 = w16 * w106 - w133 * c30 + w135 * w188 - w136 * w150
-    w227 = w150 * w180 - (w179 * c30 + w178 * w188)
-    w228 = w129 * w188 - (w221 - w223 + w124 * c30) + w130 * w150 - (w103 * w224 + w94 * w225) + (w174 * w226 + w210 * w227)
-    w229 = w92 * w198 - w101 * w195 - w100 * c31 - (w108 * w157 + w111 * w159)
-    w230 = w39 * c40
-    w231 = w92 * w207 - w118 * w195 - ((w230 + w21 * w85) * c33 + w117 * c31) + (w111 * w160 - w122 * w157)
-    w232 = w136 * w157 - (w134 * c31 + w135 * w195)
-    w233 = w48 * w81 - w177 * c31 + w178 * w195 - w157 * w180
-    w234 = w103 * w229 + w94 * w231 - (w128 * c31 + w129 * w195 + w130 * w157) + (w174 * w232 + w210 * w233)
-    w235 = w92 * w205 - w101 * w202 - w100 * c32 - (w108 * w164 + w111 * w166)
-    w236 = w92 * w208 - w118 * w202 - (w21 * w87 * c33 + w117 * c32) + (w111 * w167 - w122 * w164)
-    w237 = w136 * w164 - (w134 * c32 + w135 * w202)
-    w238 = w48 * w82 - w177 * c32 + w178 * w202 - w164 * w180
-    w239 = w103 * w235 + w94 * w236 - (w128 * c32 + w129 * w202 + w130 * w164) + (w174 * w237 + w210 * w238)
+    w156 = rocker_q1 * w24 * c7 / w47
+    w157 = w156 / w47
+    w158 = w70 * w157
+    w159 = rocker_q1_dot * w158
+    w160 = w23 * w39
+    w161 = w21 * w23
+    w162 = rocker_q2 * w24 * c8 / w47
+    w163 = w162 / w47
+    w164 = w70 * w163
+    w165 = rocker_q2_dot * w164
+    w166 = crank_theta_dot * w121 - coupler_q1_dot * w145 - coupler_q2_dot * w153 + w159 + w165
+    w167 = w141 - w139
+    w168 = w167 / w47 - w144
+    w169 = w149 - w147
+    w170 = w169 / w47 - w152
+    w171 = w165 + (w159 + (crank_theta_dot * w113 + coupler_q1_dot * w168 + coupler_q2_dot * w170))
+    w172 = w94 * w166 - w103 * w171 - crank_theta_dot * w120
+    w173 = 2 * w62 + w40 * w48
+    w174 = 2 * w50 - w25 * w48
+    w175 = (w36 * w173 - w44 * w174) / w47
+    w176 = w83 * -2.0 - w90 * w175
+    w177 = (w40 * w173 - w25 * w174) / w47
+    w178 = w107 * w177
+    w179 = w94 * w176 - (w0 * (w10 * w177) + w65 * (w73 * w177)) - w103 * w178
+    w180 = coupler_q1 * w35 * c4 / w47
+    w181 = w180 / w47
+    w182 = w70 * w181
+    w183 = coupler_q1_dot * w182
+    w184 = coupler_q2 * w35 * c5 / w47
+    w185 = w184 / w47
+    w186 = w70 * w185
+    w187 = coupler_q2_dot * w186
+    w188 = w44 * w154
+    w189 = w36 * w155
+    w190 = w188 - w189
+    w191 = (w44 * w155 + w36 * w154) / w47
+    w192 = w191 / w47
+    w193 = w70 * w192
+    w194 = w190 / w47 - w193
+    w195 = w44 * w160
+    w196 = w36 * w161
+    w197 = w195 - w196
+    w198 = (w44 * w161 + w36 * w160) / w47
+    w199 = w198 / w47
+    w200 = w70 * w199
+    w201 = w197 / w47 - w200
+    w202 = crank_theta_dot * w97 + w183 + w187 + rocker_q1_dot * w194 + rocker_q2_dot * w201
+    w203 = w193 + (w189 - w188) / w47
+    w204 = w200 + (w196 - w195) / w47
+    w205 = crank_theta_dot * w96 - w183 - w187 + rocker_q1_dot * w203 + rocker_q2_dot * w204
+    w206 = w103 * w202 + w94 * w205 - crank_theta_dot * w93
+    w207 = w103 * w114 + w94 * w123 - (w127 + (w94 * w129 + w92 * w93) + (w103 * w130 + w111 * w120)) + (w137 * w172 + w179 * w206)
+    w208 = w9 * c21
+    w209 = w3 * w7 + w208
+    w210 = w7 * c21
+    w211 = w66 * w209 + w59 * (w210 - w3 * w9)
+    w212 = w92 * w182
+    w213 = w209 * c33 + (w211 + w72 * c29) - (w212 + w101 * w180) + (w111 * w168 - w108 * w142)
+    w214 = w119 * c29 + (w212 - w118 * w180) + (w111 * w145 - w122 * w142)
+    w215 = w16 * w105 - w133 * c29 + w135 * w180 - w136 * w142
+    w216 = w142 * w178 - (w177 * c29 + w176 * w180)
+    w217 = w129 * w180 - (w124 * c29 - w211) + w130 * w142 - (w103 * w213 + w94 * w214) + (w172 * w215 + w206 * w216)
+    w218 = w59 * (w5 * w9)
+    w219 = w5 * w7
+    w220 = w66 * w219
+    w221 = w92 * w186
+    w222 = w219 * c33 + (w220 - w218 + w72 * c30) - (w221 + w101 * w184) + (w111 * w170 - w108 * w150)
+    w223 = w119 * c30 + (w221 - w118 * w184) + (w111 * w153 - w122 * w150)
+    w224 = w16 * w106 - w133 * c30 + w135 * w184 - w136 * w150
+    w225 = w150 * w178 - (w177 * c30 + w176 * w184)
+    w226 = w129 * w184 - (w218 - w220 + w124 * c30) + w130 * w150 - (w103 * w222 + w94 * w223) + (w172 * w224 + w206 * w225)
+    w227 = w111 * w158
+    w228 = w92 * w194 - w101 * w191 - w100 * c31 - (w108 * w156 + w227)
+    w229 = w39 * c40
+    w230 = w92 * w203 - w118 * w191 - ((w229 + w21 * w85) * c33 + w117 * c31) + (w227 - w122 * w156)
+    w231 = w136 * w156 - (w134 * c31 + w135 * w191)
+    w232 = w48 * w81 - w175 * c31 + w176 * w191 - w156 * w178
+    w233 = w103 * w228 + w94 * w230 - (w128 * c31 + w129 * w191 + w130 * w156) + (w172 * w231 + w206 * w232)
+    w234 = w111 * w164
+    w235 = w92 * w201 - w101 * w198 - w100 * c32 - (w108 * w162 + w234)
+    w236 = w92 * w204 - w118 * w198 - (w21 * w87 * c33 + w117 * c32) + (w234 - w122 * w162)
+    w237 = w136 * w162 - (w134 * c32 + w135 * w198)
+    w238 = w48 * w82 - w175 * c32 + w176 * w198 - w162 * w178
+    w239 = w103 * w235 + w94 * w236 - (w128 * c32 + w129 * w198 + w130 * w162) + (w172 * w237 + w206 * w238)
     w240 = (w2 + w3 + coupler_q2 * c19) * 0.5
-    w241 = w214 - w9 * w240
+    w241 = w210 - w9 * w240
     w242 = w12 + coupler_q2_dot * c19
     w243 = w16 * (w9 * w31) + w1 * w140
     w244 = w16 * (w7 * w31) - w1 * w138
-    w245 = (w25 * w243 - w40 * w244) / w47 - w69 * w169
-    w246 = w212 + w7 * w240
+    w245 = (w25 * w243 - w40 * w244) / w47 - w69 * w167
+    w246 = w208 + w7 * w240
     w247 = w0 * (w1 * w241 + w16 * (w7 * w242) - (w10 * w245 - w68 * w246)) - w65 * (w68 * w241 + w73 * w245 - (w1 * w246 + w16 * (w9 * w242)))
-    w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w169
-    w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w169
+    w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w167
+    w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w167
     w250 = w90 * w249
-    w251 = w109 * (coupler_q1_dot * c234 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c234 - coupler_q2 * c27) + w107 * w245))
-    w252 = w112 * w169
-    w253 = w151 * w169
+    w251 = w109 * (coupler_q1_dot * c230 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c230 - coupler_q2 * c27) + w107 * w245))
+    w252 = w112 * w167
+    w253 = w151 * w167
     w254 = w7 * c4
     w255 = w9 * c4
-    w256 = (w25 * w254 + w40 * w255) / w47 - w143 * w169
-    w257 = w158 * w169
-    w258 = w165 * w169
+    w256 = (w25 * w254 + w40 * w255) / w47 - w143 * w167
+    w257 = w157 * w167
+    w258 = w163 * w167
     w259 = coupler_q2_dot * w253 - (crank_theta_dot * w252 + coupler_q1_dot * w256) - rocker_q1_dot * w257 - rocker_q2_dot * w258
-    w260 = w259 + (w142 * w173 - w168 * w183)
-    w261 = (w44 * w254 - w140**2 + (w36 * w255 - w138**2)) / w47 - w169 * w184
-    w262 = coupler_q1 * coupler_q2 * c235 / w47
-    w263 = w262 + w169 * w189
+    w260 = w259 + (w142 * w171 - w166 * w180)
+    w261 = (w44 * w254 - w140**2 + (w36 * w255 - w138**2)) / w47 - w167 * w181
+    w262 = coupler_q1 * coupler_q2 * c231 / w47
+    w263 = w262 + w167 * w185
     w264 = (w140 * w155 + w138 * w154) / w47
-    w265 = w264 + w169 * w196
-    w266 = (w140 * w162 + w138 * w161) / w47
-    w267 = w266 + w169 * w203
+    w265 = w264 + w167 * w192
+    w266 = (w140 * w161 + w138 * w160) / w47
+    w267 = w266 + w167 * w199
     w268 = crank_theta_dot * w248 - coupler_q1_dot * w261 + coupler_q2_dot * w263 - rocker_q1_dot * w265 - rocker_q2_dot * w267
-    w269 = w268 - (w142 * w206 + w183 * w209)
-    w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w183) + (w137 * w260 + w181 * w269)
+    w269 = w268 - (w142 * w202 + w180 * w205)
+    w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w180) + (w137 * w260 + w179 * w269)
     w271 = w9 * c17
-    w272 = w1 * c234 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w183 * w250)
+    w272 = w1 * c230 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
     w273 = w9 * c19
-    w274 = w188 * w250 + w92 * w263 - (w1 * c27 + w273 * c33 + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
-    w275 = w157 * w251 - w111 * w257 - (w249 * c31 + (w195 * w250 + w92 * w265)) - (w142 * w229 + w183 * w231)
-    w276 = w164 * w251 - w111 * w258 - (w249 * c32 + (w202 * w250 + w92 * w267)) - (w142 * w235 + w183 * w236)
+    w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * c33 + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
+    w275 = w156 * w251 - w111 * w257 - (w249 * c31 + (w191 * w250 + w92 * w265)) - (w142 * w228 + w180 * w230)
+    w276 = w162 * w251 - w111 * w258 - (w249 * c32 + (w198 * w250 + w92 * w267)) - (w142 * w235 + w180 * w236)
     w277 = w13 + coupler_q1_dot * c18
     w278 = (coupler_q1 * c18 + (w4 + w5)) * 0.5
     w279 = w9 * w278
     w280 = w16 * (w9 * w32) + w1 * w148
     w281 = w16 * (w7 * w32) - w1 * w146
-    w282 = (w25 * w280 - w40 * w281) / w47 - w69 * w171
+    w282 = (w25 * w280 - w40 * w281) / w47 - w69 * w169
     w283 = w7 * w278
     w284 = w0 * (w16 * (w7 * w277) - w1 * w279 - (w10 * w282 - w68 * w283)) - w65 * (w73 * w282 - w68 * w279 - (w1 * w283 + w16 * (w9 * w277)))
-    w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w171
-    w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w171
+    w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w169
+    w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w169
     w287 = w90 * w286
-    w288 = w109 * (coupler_q2_dot * c236 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c236 - coupler_q1 * c25) + w107 * w282))
-    w289 = w112 * w171
-    w290 = w143 * w171
+    w288 = w109 * (coupler_q2_dot * c232 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c232 - coupler_q1 * c25) + w107 * w282))
+    w289 = w112 * w169
+    w290 = w143 * w169
     w291 = w7 * c5
     w292 = w9 * c5
-    w293 = (w25 * w291 + w40 * w292) / w47 - w151 * w171
-    w294 = w158 * w171
-    w295 = w165 * w171
+    w293 = (w25 * w291 + w40 * w292) / w47 - w151 * w169
+    w294 = w157 * w169
+    w295 = w163 * w169
     w296 = coupler_q1_dot * w290 - crank_theta_dot * w289 - coupler_q2_dot * w293 - rocker_q1_dot * w294 - rocker_q2_dot * w295
-    w297 = w296 + (w150 * w173 - w168 * w188)
-    w298 = w262 + w171 * w184
-    w299 = (w44 * w291 - w148**2 + (w36 * w292 - w146**2)) / w47 - w171 * w189
+    w297 = w296 + (w150 * w171 - w166 * w184)
+    w298 = w262 + w169 * w181
+    w299 = (w44 * w291 - w148**2 + (w36 * w292 - w146**2)) / w47 - w169 * w185
     w300 = (w148 * w155 + w146 * w154) / w47
-    w301 = w300 + w171 * w196
-    w302 = (w148 * w162 + w146 * w161) / w47
-    w303 = w302 + w171 * w203
+    w301 = w300 + w169 * w192
+    w302 = (w148 * w161 + w146 * w160) / w47
+    w303 = w302 + w169 * w199
     w304 = crank_theta_dot * w285 + coupler_q1_dot * w298 - coupler_q2_dot * w299 - rocker_q1_dot * w301 - rocker_q2_dot * w303
-    w305 = w304 - (w150 * w206 + w188 * w209)
-    w306 = w284 + (w92 * w285 - w94 * w287) + (w103 * w288 - w111 * w289) - (w114 * w150 + w123 * w188) + (w137 * w297 + w181 * w305)
+    w305 = w304 - (w150 * w202 + w184 * w205)
+    w306 = w284 + (w92 * w285 - w94 * w287) + (w103 * w288 - w111 * w289) - (w114 * w150 + w123 * w184) + (w137 * w297 + w179 * w305)
     w307 = w9 * c18
-    w308 = w183 * w287 + w92 * w298 - (w1 * c25 + w307 * c33 + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
+    w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * c33 + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
     w309 = w9 * c20
-    w310 = w1 * c236 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w188 * w287)
-    w311 = w157 * w288 - w111 * w294 - (w286 * c31 + (w195 * w287 + w92 * w301)) - (w150 * w229 + w188 * w231)
-    w312 = w164 * w288 - w111 * w295 - (w286 * c32 + (w202 * w287 + w92 * w303)) - (w150 * w235 + w188 * w236)
-    w313 = w80 * (rocker_q1_dot * c237 - rocker_q2_dot * c14) - (w230 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
+    w310 = w1 * c232 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
+    w311 = w156 * w288 - w111 * w294 - (w286 * c31 + (w191 * w287 + w92 * w301)) - (w150 * w228 + w184 * w230)
+    w312 = w162 * w288 - w111 * w295 - (w286 * c32 + (w198 * w287 + w92 * w303)) - (w150 * w235 + w184 * w236)
+    w313 = w80 * (rocker_q1_dot * c233 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
     w314 = w48 * (w21 * w52) - w56 * w154
     w315 = w48 * (w39 * w52) + w56 * w155
-    w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w194
-    w317 = w313 - (w91 * (w81 + rocker_q1 * c237 - rocker_q2 * c14) + w90 * w316)
-    w318 = w95 * w194
-    w319 = (w40 * w314 - w67 * w154 - (w60 * w155 + w25 * w315)) / w47 - w69 * w194
-    w320 = (w65 * w155 - w0 * w154) / w47 - w112 * w194
+    w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w190
+    w317 = w313 - (w91 * (w81 + rocker_q1 * c233 - rocker_q2 * c14) + w90 * w316)
+    w318 = w95 * w190
+    w319 = (w40 * w314 - w67 * w154 - (w60 * w155 + w25 * w315)) / w47 - w69 * w190
+    w320 = (w65 * w155 - w0 * w154) / w47 - w112 * w190
     w321 = w107 * w319
-    w322 = w94 * w317 - w92 * w318 - (w0 * (w10 * w319) + w65 * (w73 * w319)) + (w111 * w320 - w103 * w321) + (w114 * w157 + w123 * w195)
-    w323 = w264 + w143 * w194
-    w324 = w300 + w151 * w194
+    w322 = w94 * w317 - w92 * w318 - (w0 * (w10 * w319) + w65 * (w73 * w319)) + (w111 * w320 - w103 * w321) + (w114 * w156 + w123 * w191)
+    w323 = w264 + w143 * w190
+    w324 = w300 + w151 * w190
     w325 = w21 * c7
     w326 = w39 * c7
-    w327 = (w25 * w325 - w155**2 + (w40 * w326 - w154**2)) / w47 - w158 * w194
-    w328 = rocker_q1 * rocker_q2 * c238 / w47
-    w329 = w328 + w165 * w194
+    w327 = (w25 * w325 - w155**2 + (w40 * w326 - w154**2)) / w47 - w157 * w190
+    w328 = rocker_q1 * rocker_q2 * c234 / w47
+    w329 = w328 + w163 * w190
     w330 = crank_theta_dot * w320 + coupler_q1_dot * w323 + coupler_q2_dot * w324 + rocker_q1_dot * w327 - rocker_q2_dot * w329
-    w331 = w330 + (w168 * w195 - w157 * w173)
-    w332 = w184 * w194
-    w333 = w189 * w194
-    w334 = (w44 * w325 + w36 * w326) / w47 - w194 * w196
-    w335 = w194 * w203
+    w331 = w330 + (w166 * w191 - w156 * w171)
+    w332 = w181 * w190
+    w333 = w185 * w190
+    w334 = (w44 * w325 + w36 * w326) / w47 - w190 * w192
+    w335 = w190 * w199
     w336 = coupler_q1_dot * w332 - crank_theta_dot * w318 + coupler_q2_dot * w333 + rocker_q1_dot * w334 - rocker_q2_dot * w335
-    w337 = w336 + (w157 * w206 + w195 * w209)
-    w338 = w142 * w321 + w111 * w323 - (w319 * c29 + (w183 * w317 - w92 * w332)) - (w157 * w216 + w195 * w217)
-    w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w188 * w317 - w92 * w333)) - (w157 * w224 + w195 * w225)
-    w340 = w56 * c237 - c43 - w39 * c239 - w316 * c31 + (w195 * w317 + w92 * w334) + (w111 * w327 - w157 * w321)
-    w341 = w202 * w317 - w92 * w335 - (w56 * c14 + w39 * c240 + w316 * c32) - (w164 * w321 + w111 * w329) + (w157 * w235 + w195 * w236)
-    w342 = w80 * (rocker_q2_dot * c241 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
-    w343 = w48 * (w21 * w53) - w56 * w161
-    w344 = w48 * (w39 * w53) + w56 * w162
-    w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w201
-    w346 = w342 - (w91 * (w82 + rocker_q2 * c241 - rocker_q1 * c12) + w90 * w345)
-    w347 = w95 * w201
-    w348 = (w40 * w343 - w67 * w161 - (w60 * w162 + w25 * w344)) / w47 - w69 * w201
-    w349 = (w65 * w162 - w0 * w161) / w47 - w112 * w201
+    w337 = w336 + (w156 * w202 + w191 * w205)
+    w338 = w142 * w321 + w111 * w323 - (w319 * c29 + (w180 * w317 - w92 * w332)) - (w156 * w213 + w191 * w214)
+    w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w184 * w317 - w92 * w333)) - (w156 * w222 + w191 * w223)
+    w340 = w56 * c233 - c43 - w39 * c235 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
+    w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c236 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
+    w342 = w80 * (rocker_q2_dot * c237 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
+    w343 = w48 * (w21 * w53) - w56 * w160
+    w344 = w48 * (w39 * w53) + w56 * w161
+    w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w197
+    w346 = w342 - (w91 * (w82 + rocker_q2 * c237 - rocker_q1 * c12) + w90 * w345)
+    w347 = w95 * w197
+    w348 = (w40 * w343 - w67 * w160 - (w60 * w161 + w25 * w344)) / w47 - w69 * w197
+    w349 = (w65 * w161 - w0 * w160) / w47 - w112 * w197
     w350 = w107 * w348
-    w351 = w94 * w346 - w92 * w347 - (w0 * (w10 * w348) + w65 * (w73 * w348)) + (w111 * w349 - w103 * w350) + (w114 * w164 + w123 * w202)
-    w352 = w266 + w143 * w201
-    w353 = w302 + w151 * w201
-    w354 = w328 + w158 * w201
+    w351 = w94 * w346 - w92 * w347 - (w0 * (w10 * w348) + w65 * (w73 * w348)) + (w111 * w349 - w103 * w350) + (w114 * w162 + w123 * w198)
+    w352 = w266 + w143 * w197
+    w353 = w302 + w151 * w197
+    w354 = w328 + w157 * w197
     w355 = w21 * c8
     w356 = w39 * c8
-    w357 = (w25 * w355 - w162**2 + (w40 * w356 - w161**2)) / w47 - w165 * w201
+    w357 = (w25 * w355 - w161**2 + (w40 * w356 - w160**2)) / w47 - w163 * w197
     w358 = crank_theta_dot * w349 + coupler_q1_dot * w352 + coupler_q2_dot * w353 - rocker_q1_dot * w354 + rocker_q2_dot * w357
-    w359 = w358 + (w168 * w202 - w164 * w173)
-    w360 = w184 * w201
-    w361 = w189 * w201
-    w362 = w196 * w201
-    w363 = (w44 * w355 + w36 * w356) / w47 - w201 * w203
+    w359 = w358 + (w166 * w198 - w162 * w171)
+    w360 = w181 * w197
+    w361 = w185 * w197
+    w362 = w192 * w197
+    w363 = (w44 * w355 + w36 * w356) / w47 - w197 * w199
     w364 = coupler_q1_dot * w360 - crank_theta_dot * w347 + coupler_q2_dot * w361 - rocker_q1_dot * w362 + rocker_q2_dot * w363
-    w365 = w364 + (w164 * w206 + w202 * w209)
-    w366 = w142 * w350 + w111 * w352 - (w348 * c29 + (w183 * w346 - w92 * w360)) - (w164 * w216 + w202 * w217)
-    w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w188 * w346 - w92 * w361)) - (w164 * w224 + w202 * w225)
-    w368 = w195 * w346 - w92 * w362 - (w56 * c12 + w39 * c242 + w345 * c31) - (w157 * w350 + w111 * w354) + (w164 * w229 + w202 * w231)
-    w369 = w56 * c241 - c44 - w39 * c243 - w345 * c32 + (w202 * w346 + w92 * w363) + (w111 * w357 - w164 * w350)
+    w365 = w364 + (w162 * w202 + w198 * w205)
+    w366 = w142 * w350 + w111 * w352 - (w348 * c29 + (w180 * w346 - w92 * w360)) - (w162 * w213 + w198 * w214)
+    w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w184 * w346 - w92 * w361)) - (w162 * w222 + w198 * w223)
+    w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c238 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
+    w369 = w56 * c237 - c44 - w39 * c239 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
     dQ_hat_dq_i = ca.vertcat(
-        w211,
-        w220,
-        w228,
-        w234,
+        w207,
+        w217,
+        w226,
+        w233,
         w239,
         w270,
-        w272 - (w142 * w251 + w111 * w256) + (w142 * w216 + w183 * w217) + (w218 * w260 + w219 * w269),
-        w274 - (w150 * w251 - w111 * w253) + (w142 * w224 + w183 * w225) + (w226 * w260 + w227 * w269),
-        w275 + (w232 * w260 + w233 * w269),
+        w272 - (w142 * w251 + w111 * w256) + (w142 * w213 + w180 * w214) + (w215 * w260 + w216 * w269),
+        w274 - (w150 * w251 - w111 * w253) + (w142 * w222 + w180 * w223) + (w224 * w260 + w225 * w269),
+        w275 + (w231 * w260 + w232 * w269),
         w276 + (w237 * w260 + w238 * w269),
         w306,
-        w308 - (w142 * w288 - w111 * w290) + (w150 * w216 + w188 * w217) + (w218 * w297 + w219 * w305),
-        w310 - (w150 * w288 + w111 * w293) + (w150 * w224 + w188 * w225) + (w226 * w297 + w227 * w305),
-        w311 + (w232 * w297 + w233 * w305),
+        w308 - (w142 * w288 - w111 * w290) + (w150 * w213 + w184 * w214) + (w215 * w297 + w216 * w305),
+        w310 - (w150 * w288 + w111 * w293) + (w150 * w222 + w184 * w223) + (w224 * w297 + w225 * w305),
+        w311 + (w231 * w297 + w232 * w305),
         w312 + (w237 * w297 + w238 * w305),
-        w322 + (w137 * w331 + w181 * w337),
-        w338 + (w218 * w331 + w219 * w337),
-        w339 + (w226 * w331 + w227 * w337),
-        w340 + (w157 * w229 + w195 * w231) + (w232 * w331 + w233 * w337),
+        w322 + (w137 * w331 + w179 * w337),
+        w338 + (w215 * w331 + w216 * w337),
+        w339 + (w224 * w331 + w225 * w337),
+        w340 + (w156 * w228 + w191 * w230) + (w231 * w331 + w232 * w337),
         w341 + (w237 * w331 + w238 * w337),
-        w351 + (w137 * w359 + w181 * w365),
-        w366 + (w218 * w359 + w219 * w365),
-        w367 + (w226 * w359 + w227 * w365),
-        w368 + (w232 * w359 + w233 * w365),
-        w369 + (w164 * w235 + w202 * w236) + (w237 * w359 + w238 * w365),
+        w351 + (w137 * w359 + w179 * w365),
+        w366 + (w215 * w359 + w216 * w365),
+        w367 + (w224 * w359 + w225 * w365),
+        w368 + (w231 * w359 + w232 * w365),
+        w369 + (w162 * w235 + w198 * w236) + (w237 * w359 + w238 * w365),
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -2833,7 +2825,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2880,13 +2872,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
+    c240 = c[240]
+    c241 = c[241]
+    c242 = c[242]
+    c243 = c[243]
     c244 = c[244]
     c245 = c[245]
     c246 = c[246]
-    c247 = c[247]
-    c248 = c[248]
-    c249 = c[249]
-    c250 = c[250]
     w0 = ca.cos(crank_theta) * c0
     w1 = ca.cos(coupler_theta)
     w2 = coupler_q1 * c17 + coupler_q2 * c18
@@ -2975,8 +2967,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w85 = rocker_q2 * w11 * c8 / w24
     w86 = w48 * w85 - (w46 * c32 + w47 * w84)
     w87 = w29 * w51 - w54 * c32 + w55 * w84 - w57 * w85
-    w88 = coupler_q1_dot * c248 + coupler_q2_dot * c249
-    w89 = coupler_q1_dot * c244
+    w88 = coupler_q1_dot * c244 + coupler_q2_dot * c245
+    w89 = coupler_q1_dot * c240
     w90 = w38 * w61 - w1 * w89
     w91 = w5 * w89 + w38 * w60
     w92 = (w12 * w90 - w16 * w91) / w24
@@ -2985,8 +2977,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w95 = coupler_theta_dot * -2.0
     w96 = w34 * w95 - w36 * w92
     w97 = w0 * (w5 * w88 + w38 * w63 - w7 * w92) - w17 * (w38 * w64 + w1 * w88 + w26 * w92) - w27 * w94 + w33 * w96
-    w98 = coupler_q2_dot * c250 + coupler_q1_dot * c249
-    w99 = coupler_q2_dot * c245
+    w98 = coupler_q2_dot * c246 + coupler_q1_dot * c245
+    w99 = coupler_q2_dot * c241
     w100 = w38 * w69 - w1 * w99
     w101 = w5 * w99 + w38 * w68
     w102 = (w12 * w100 - w16 * w101) / w24
@@ -2995,14 +2987,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w105 = w35 * w95 - w36 * w102
     w106 = w0 * (w5 * w98 + w38 * w71 - w7 * w102) - w17 * (w1 * w98 - w38 * w72 + w26 * w102) - w27 * w104 + w33 * w105
     w107 = rocker_theta_dot * -2.0
-    w108 = rocker_q1_dot * c246
+    w108 = rocker_q1_dot * c242
     w109 = w15 * w108 + w51 * w76
     w110 = w51 * w77 - w8 * w108
     w111 = (w22 * w109 - w23 * w110) / w24
     w112 = w28 * w107 - w30 * w111
     w113 = (w16 * w109 - w12 * w110) / w24
     w114 = w36 * w113
-    w115 = rocker_q2_dot * c247
+    w115 = rocker_q2_dot * c243
     w116 = w15 * w115 + w51 * w82
     w117 = w51 * w83 - w8 * w115
     w118 = (w22 * w116 - w23 * w117) / w24
@@ -3043,11 +3035,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 1180 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 1140 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -3097,11 +3089,7 @@ def dMa_dq_i() -> ca.Function:
     c232 = c[232]
     c233 = c[233]
     c234 = c[234]
-    c235 = c[235]
-    c236 = c[236]
     c237 = c[237]
-    c238 = c[238]
-    c241 = c[241]
     w0 = ca.sin(crank_theta) * c0
     w1 = ca.cos(crank_theta) * c0
     w2 = crank_theta_ddot * w1
@@ -3197,190 +3185,188 @@ def dMa_dq_i() -> ca.Function:
     w92 = w89 / w25 - w91
     w93 = w39 / w25
     w94 = w79 * w93
-    w95 = w42 / w25
-    w96 = w79 * w95
-    w97 = crank_theta_ddot * w80 + coupler_q1_ddot * w86 + coupler_q2_ddot * w92 + rocker_q1_ddot * w94 + rocker_q2_ddot * w96
-    w98 = w58 / w25
-    w99 = w79 * w98
-    w100 = w62 - w99
-    w101 = w22 * (w10 * (w4 * coupler_q1)) * c232
-    w102 = w65 / w25
-    w103 = w79 * w102
-    w104 = (w101 - w101) / w25 - w103
-    w105 = w22 * (w10 * (w4 * coupler_q2)) * c233
+    w95 = rocker_q1_ddot * w94
+    w96 = w42 / w25
+    w97 = w79 * w96
+    w98 = rocker_q2_ddot * w97
+    w99 = crank_theta_ddot * w80 + coupler_q1_ddot * w86 + coupler_q2_ddot * w92 + w95 + w98
+    w100 = w58 / w25
+    w101 = w79 * w100
+    w102 = w62 - w101
+    w103 = w65 / w25
+    w104 = w79 * w103
+    w105 = coupler_q1_ddot * w104
     w106 = w66 / w25
     w107 = w79 * w106
-    w108 = (w105 - w105) / w25 - w107
+    w108 = coupler_q2_ddot * w107
     w109 = w24 * w38
     w110 = w23 * w37
     w111 = w109 - w110
     w112 = w67 / w25
     w113 = w79 * w112
     w114 = w111 / w25 - w113
-    w115 = crank_theta_ddot * w100 - coupler_q1_ddot * w104 - coupler_q2_ddot * w108 + rocker_q1_ddot * w114
-    w116 = w24 * w41
-    w117 = w23 * w40
-    w118 = w116 - w117
-    w119 = w68 / w25
-    w120 = w79 * w119
-    w121 = w118 / w25 - w120
-    w122 = w115 + rocker_q2_ddot * w121
-    w123 = w61 * w122
-    w124 = w0 * (w54 + (w51 - w12 * w97) - w56) - w1 * (w49 + (w47 + (w44 + w50 * w97))) + (w58 * w123 + w70 * w100)
-    w125 = w72 - w71 - w75 * w97
-    w126 = w124 + (w30 * w125 - w77 * w80)
-    w127 = w26 + w80
-    w128 = w85 + (w82 - w81) / w25
-    w129 = w91 + (w88 - w87) / w25
-    w130 = w18 * (w16 * (w13 * rocker_q1)) * c230
-    w131 = w94 + (w130 - w130) / w25
-    w132 = crank_theta_ddot * w127 - coupler_q1_ddot * w128 - coupler_q2_ddot * w129 + rocker_q1_ddot * w131
-    w133 = w18 * (w16 * (w13 * rocker_q2)) * c231
-    w134 = w96 + (w133 - w133) / w25
-    w135 = w132 + rocker_q2_ddot * w134
-    w136 = w113 + (w110 - w109) / w25
-    w137 = w120 + (w117 - w116) / w25
-    w138 = crank_theta_ddot * w99 - coupler_q1_ddot * w103 - coupler_q2_ddot * w107 + rocker_q1_ddot * w136 + rocker_q2_ddot * w137
-    w139 = w61 * w138
-    w140 = w75 * w135
-    w141 = w1 * (w50 * w135) + w0 * (w12 * w135) + (w58 * w139 + w70 * w99) + (w30 * w140 + w77 * w127)
-    w142 = w2 * w46
-    w143 = w28 * w53
-    w144 = w143 - w142 - w97 * c29 - (w65 * w123 + w70 * w104) - (w33 * w125 + w77 * w86)
-    w145 = w135 * c29 - (w65 * w139 + w70 * w103) - (w33 * w140 + w77 * w128)
-    w146 = w2 * w48 + w28 * w55
-    w147 = w135 * c30 - (w66 * w139 + w70 * w107) - (w36 * w140 + w77 * w129)
-    w148 = w146 + w97 * c30 + (w66 * w123 + w70 * w108) + (w36 * w125 + w77 * w92)
-    w149 = w122 * c31 + (w67 * w123 + w70 * w114) + (w39 * w125 - w77 * w94)
-    w150 = w138 * c31 + (w67 * w139 + w70 * w136) + (w39 * w140 + w77 * w131)
-    w151 = w122 * c32 + (w68 * w123 + w70 * w121) + (w42 * w125 - w77 * w96)
-    w152 = w138 * c32 + (w68 * w139 + w70 * w137) + (w42 * w140 + w77 * w134)
-    w153 = w83 * w90
-    w154 = w78 * w83
-    w155 = w10 * c4
-    w156 = w4 * c4
-    w157 = (w19 * w155 + w17 * w156) / w25 - w83 * w84
-    w158 = w83 * w93
-    w159 = coupler_q2_ddot * w153 - (crank_theta_ddot * w154 + coupler_q1_ddot * w157) - rocker_q1_ddot * w158
-    w160 = w83 * w95
-    w161 = w159 - rocker_q2_ddot * w160
-    w162 = (w5 + w6 + coupler_q2 * c19) * 0.5
-    w163 = w45 + w10 * w162
-    w164 = w4 * c17
-    w165 = w4 * c19
-    w166 = w52 - w4 * w162
-    w167 = w10 * c17
-    w168 = w10 * c19
-    w169 = w1 * (w50 * w161 - w43 * w163 - coupler_q1_ddot * w164 - coupler_q2_ddot * w165) + w0 * (w43 * w166 + w12 * w161 + coupler_q1_ddot * w167 + coupler_q2_ddot * w168)
-    w170 = (w0 * w31 - w1 * w32) / w25 - w83 * w98
-    w171 = (w24 * w155 - w31**2 + (w23 * w156 - w32**2)) / w25 - w83 * w102
-    w172 = coupler_q1 * coupler_q2 * c235 / w25
-    w173 = w172 + w83 * w106
-    w174 = (w31 * w37 + w32 * w38) / w25
-    w175 = w174 + w83 * w112
-    w176 = crank_theta_ddot * w170 - coupler_q1_ddot * w171 + coupler_q2_ddot * w173 - rocker_q1_ddot * w175
-    w177 = (w31 * w40 + w32 * w41) / w25
-    w178 = w177 + w83 * w119
-    w179 = w176 - rocker_q2_ddot * w178
-    w180 = w61 * w179
-    w181 = w28 * w166 - w2 * w163 + (w43 * (w73 + coupler_q1 * c234 - coupler_q2 * c27) + w75 * w161)
-    w182 = w28 * w167 - w2 * w164 + w161 * c29 - (w65 * w180 + w70 * w171) - (w33 * w181 + w77 * w157) - (w33 * w144 + w65 * w145)
-    w183 = w28 * w168 - w2 * w165 + w161 * c30 - (w66 * w180 - w70 * w173) - (w36 * w181 - w77 * w153) + (w33 * w148 - w65 * w147)
-    w184 = w84 * w89
-    w185 = w78 * w89
-    w186 = w10 * c5
-    w187 = w4 * c5
-    w188 = (w19 * w186 + w17 * w187) / w25 - w89 * w90
-    w189 = w89 * w93
-    w190 = coupler_q1_ddot * w184 - crank_theta_ddot * w185 - coupler_q2_ddot * w188 - rocker_q1_ddot * w189
-    w191 = w89 * w95
-    w192 = w190 - rocker_q2_ddot * w191
-    w193 = (coupler_q1 * c18 + (w7 + w8)) * 0.5
-    w194 = w10 * w193
-    w195 = w4 * c18
-    w196 = w4 * c20
-    w197 = w4 * w193
-    w198 = w10 * c18
-    w199 = w10 * c20
-    w200 = w1 * (w50 * w192 - w43 * w194 - coupler_q1_ddot * w195 - coupler_q2_ddot * w196) + w0 * (w12 * w192 - w43 * w197 + coupler_q1_ddot * w198 + coupler_q2_ddot * w199)
-    w201 = (w0 * w34 - w1 * w35) / w25 - w89 * w98
-    w202 = w172 + w89 * w102
-    w203 = (w24 * w186 - w34**2 + (w23 * w187 - w35**2)) / w25 - w89 * w106
-    w204 = (w34 * w37 + w35 * w38) / w25
-    w205 = w204 + w89 * w112
-    w206 = crank_theta_ddot * w201 + coupler_q1_ddot * w202 - coupler_q2_ddot * w203 - rocker_q1_ddot * w205
-    w207 = (w34 * w40 + w35 * w41) / w25
-    w208 = w207 + w89 * w119
-    w209 = w206 - rocker_q2_ddot * w208
-    w210 = w61 * w209
-    w211 = w43 * (w74 + coupler_q2 * c236 - coupler_q1 * c25) + w75 * w192 - (w28 * w197 + w2 * w194)
-    w212 = w28 * w198 - w2 * w195 + w192 * c29 - (w65 * w210 - w70 * w202) - (w33 * w211 - w77 * w184) - (w36 * w144 + w66 * w145)
-    w213 = w28 * w199 - w2 * w196 + w192 * c30 - (w66 * w210 + w70 * w203) - (w36 * w211 + w77 * w188) + (w36 * w148 - w66 * w147)
-    w214 = (w0 * w37 - w1 * w38) / w25 - w78 * w111
-    w215 = w174 + w84 * w111
-    w216 = w204 + w90 * w111
-    w217 = w18 * c7
-    w218 = w13 * c7
-    w219 = (w19 * w217 - w37**2 + (w17 * w218 - w38**2)) / w25 - w93 * w111
-    w220 = crank_theta_ddot * w214 + coupler_q1_ddot * w215 + coupler_q2_ddot * w216 + rocker_q1_ddot * w219
-    w221 = rocker_q1 * rocker_q2 * c238 / w25
-    w222 = w221 + w95 * w111
-    w223 = w220 - rocker_q2_ddot * w222
-    w224 = w102 * w111
-    w225 = w98 * w111
-    w226 = w106 * w111
-    w227 = (w24 * w217 + w23 * w218) / w25 - w111 * w112
-    w228 = coupler_q1_ddot * w224 - crank_theta_ddot * w225 + coupler_q2_ddot * w226 + rocker_q1_ddot * w227
-    w229 = w111 * w119
-    w230 = w228 - rocker_q2_ddot * w229
-    w231 = w69 * (w59 + rocker_q1 * c237 - rocker_q2 * c14) + w61 * w230
-    w232 = w75 * w223
-    w233 = w1 * (w50 * w223) + w0 * (w12 * w223) + (w58 * w231 - w70 * w225) + (w30 * w232 + w77 * w214) + (w39 * w126 + w67 * w141)
-    w234 = (w0 * w40 - w1 * w41) / w25 - w78 * w118
-    w235 = w177 + w84 * w118
-    w236 = w207 + w90 * w118
-    w237 = w221 + w93 * w118
-    w238 = crank_theta_ddot * w234 + coupler_q1_ddot * w235 + coupler_q2_ddot * w236 - rocker_q1_ddot * w237
-    w239 = w18 * c8
-    w240 = w13 * c8
-    w241 = (w19 * w239 - w40**2 + (w17 * w240 - w41**2)) / w25 - w95 * w118
-    w242 = w238 + rocker_q2_ddot * w241
-    w243 = w102 * w118
-    w244 = w98 * w118
-    w245 = w106 * w118
-    w246 = w112 * w118
-    w247 = coupler_q1_ddot * w243 - crank_theta_ddot * w244 + coupler_q2_ddot * w245 - rocker_q1_ddot * w246
-    w248 = (w24 * w239 + w23 * w240) / w25 - w118 * w119
-    w249 = w247 + rocker_q2_ddot * w248
-    w250 = w69 * (w60 + rocker_q2 * c241 - rocker_q1 * c12) + w61 * w249
-    w251 = w75 * w242
-    w252 = w1 * (w50 * w242) + w0 * (w12 * w242) + (w58 * w250 - w70 * w244) + (w30 * w251 + w77 * w234) + (w42 * w126 + w68 * w141)
+    w115 = w24 * w41
+    w116 = w23 * w40
+    w117 = w115 - w116
+    w118 = w68 / w25
+    w119 = w79 * w118
+    w120 = w117 / w25 - w119
+    w121 = crank_theta_ddot * w102 + w105 + w108 + rocker_q1_ddot * w114 + rocker_q2_ddot * w120
+    w122 = w61 * w121
+    w123 = w0 * (w54 + (w51 - w12 * w99) - w56) - w1 * (w49 + (w47 + (w44 + w50 * w99))) + (w58 * w122 + w70 * w102)
+    w124 = w72 - w71 - w75 * w99
+    w125 = w123 + (w30 * w124 - w77 * w80)
+    w126 = w26 + w80
+    w127 = w85 + (w82 - w81) / w25
+    w128 = w91 + (w88 - w87) / w25
+    w129 = w98 + (w95 + (crank_theta_ddot * w126 - coupler_q1_ddot * w127 - coupler_q2_ddot * w128))
+    w130 = w113 + (w110 - w109) / w25
+    w131 = w119 + (w116 - w115) / w25
+    w132 = crank_theta_ddot * w101 - w105 - w108 + rocker_q1_ddot * w130 + rocker_q2_ddot * w131
+    w133 = w61 * w132
+    w134 = w75 * w129
+    w135 = w1 * (w50 * w129) + w0 * (w12 * w129) + (w58 * w133 + w70 * w101) + (w30 * w134 + w77 * w126)
+    w136 = w2 * w46
+    w137 = w28 * w53
+    w138 = w70 * w104
+    w139 = w137 - w136 - w99 * c29 - (w65 * w122 - w138) - (w33 * w124 + w77 * w86)
+    w140 = w129 * c29 - (w138 + w65 * w133) - (w33 * w134 + w77 * w127)
+    w141 = w2 * w48 + w28 * w55
+    w142 = w70 * w107
+    w143 = w129 * c30 - (w66 * w133 + w142) - (w36 * w134 + w77 * w128)
+    w144 = w141 + w99 * c30 + (w66 * w122 - w142) + (w36 * w124 + w77 * w92)
+    w145 = w77 * w94
+    w146 = w121 * c31 + (w67 * w122 + w70 * w114) + (w39 * w124 - w145)
+    w147 = w132 * c31 + (w67 * w133 + w70 * w130) + (w145 + w39 * w134)
+    w148 = w77 * w97
+    w149 = w121 * c32 + (w68 * w122 + w70 * w120) + (w42 * w124 - w148)
+    w150 = w132 * c32 + (w68 * w133 + w70 * w131) + (w148 + w42 * w134)
+    w151 = w83 * w90
+    w152 = w78 * w83
+    w153 = w10 * c4
+    w154 = w4 * c4
+    w155 = (w19 * w153 + w17 * w154) / w25 - w83 * w84
+    w156 = w83 * w93
+    w157 = coupler_q2_ddot * w151 - (crank_theta_ddot * w152 + coupler_q1_ddot * w155) - rocker_q1_ddot * w156
+    w158 = w83 * w96
+    w159 = w157 - rocker_q2_ddot * w158
+    w160 = (w5 + w6 + coupler_q2 * c19) * 0.5
+    w161 = w45 + w10 * w160
+    w162 = w4 * c17
+    w163 = w4 * c19
+    w164 = w52 - w4 * w160
+    w165 = w10 * c17
+    w166 = w10 * c19
+    w167 = w1 * (w50 * w159 - w43 * w161 - coupler_q1_ddot * w162 - coupler_q2_ddot * w163) + w0 * (w43 * w164 + w12 * w159 + coupler_q1_ddot * w165 + coupler_q2_ddot * w166)
+    w168 = (w0 * w31 - w1 * w32) / w25 - w83 * w100
+    w169 = (w24 * w153 - w31**2 + (w23 * w154 - w32**2)) / w25 - w83 * w103
+    w170 = coupler_q1 * coupler_q2 * c231 / w25
+    w171 = w170 + w83 * w106
+    w172 = (w31 * w37 + w32 * w38) / w25
+    w173 = w172 + w83 * w112
+    w174 = crank_theta_ddot * w168 - coupler_q1_ddot * w169 + coupler_q2_ddot * w171 - rocker_q1_ddot * w173
+    w175 = (w31 * w40 + w32 * w41) / w25
+    w176 = w175 + w83 * w118
+    w177 = w174 - rocker_q2_ddot * w176
+    w178 = w61 * w177
+    w179 = w28 * w164 - w2 * w161 + (w43 * (w73 + coupler_q1 * c230 - coupler_q2 * c27) + w75 * w159)
+    w180 = w28 * w165 - w2 * w162 + w159 * c29 - (w65 * w178 + w70 * w169) - (w33 * w179 + w77 * w155) - (w33 * w139 + w65 * w140)
+    w181 = w28 * w166 - w2 * w163 + w159 * c30 - (w66 * w178 - w70 * w171) - (w36 * w179 - w77 * w151) + (w33 * w144 - w65 * w143)
+    w182 = w84 * w89
+    w183 = w78 * w89
+    w184 = w10 * c5
+    w185 = w4 * c5
+    w186 = (w19 * w184 + w17 * w185) / w25 - w89 * w90
+    w187 = w89 * w93
+    w188 = coupler_q1_ddot * w182 - crank_theta_ddot * w183 - coupler_q2_ddot * w186 - rocker_q1_ddot * w187
+    w189 = w89 * w96
+    w190 = w188 - rocker_q2_ddot * w189
+    w191 = (coupler_q1 * c18 + (w7 + w8)) * 0.5
+    w192 = w10 * w191
+    w193 = w4 * c18
+    w194 = w4 * c20
+    w195 = w4 * w191
+    w196 = w10 * c18
+    w197 = w10 * c20
+    w198 = w1 * (w50 * w190 - w43 * w192 - coupler_q1_ddot * w193 - coupler_q2_ddot * w194) + w0 * (w12 * w190 - w43 * w195 + coupler_q1_ddot * w196 + coupler_q2_ddot * w197)
+    w199 = (w0 * w34 - w1 * w35) / w25 - w89 * w100
+    w200 = w170 + w89 * w103
+    w201 = (w24 * w184 - w34**2 + (w23 * w185 - w35**2)) / w25 - w89 * w106
+    w202 = (w34 * w37 + w35 * w38) / w25
+    w203 = w202 + w89 * w112
+    w204 = crank_theta_ddot * w199 + coupler_q1_ddot * w200 - coupler_q2_ddot * w201 - rocker_q1_ddot * w203
+    w205 = (w34 * w40 + w35 * w41) / w25
+    w206 = w205 + w89 * w118
+    w207 = w204 - rocker_q2_ddot * w206
+    w208 = w61 * w207
+    w209 = w43 * (w74 + coupler_q2 * c232 - coupler_q1 * c25) + w75 * w190 - (w28 * w195 + w2 * w192)
+    w210 = w28 * w196 - w2 * w193 + w190 * c29 - (w65 * w208 - w70 * w200) - (w33 * w209 - w77 * w182) - (w36 * w139 + w66 * w140)
+    w211 = w28 * w197 - w2 * w194 + w190 * c30 - (w66 * w208 + w70 * w201) - (w36 * w209 + w77 * w186) + (w36 * w144 - w66 * w143)
+    w212 = (w0 * w37 - w1 * w38) / w25 - w78 * w111
+    w213 = w172 + w84 * w111
+    w214 = w202 + w90 * w111
+    w215 = w18 * c7
+    w216 = w13 * c7
+    w217 = (w19 * w215 - w37**2 + (w17 * w216 - w38**2)) / w25 - w93 * w111
+    w218 = crank_theta_ddot * w212 + coupler_q1_ddot * w213 + coupler_q2_ddot * w214 + rocker_q1_ddot * w217
+    w219 = rocker_q1 * rocker_q2 * c234 / w25
+    w220 = w219 + w96 * w111
+    w221 = w218 - rocker_q2_ddot * w220
+    w222 = w103 * w111
+    w223 = w100 * w111
+    w224 = w106 * w111
+    w225 = (w24 * w215 + w23 * w216) / w25 - w111 * w112
+    w226 = coupler_q1_ddot * w222 - crank_theta_ddot * w223 + coupler_q2_ddot * w224 + rocker_q1_ddot * w225
+    w227 = w111 * w118
+    w228 = w226 - rocker_q2_ddot * w227
+    w229 = w69 * (w59 + rocker_q1 * c233 - rocker_q2 * c14) + w61 * w228
+    w230 = w75 * w221
+    w231 = w1 * (w50 * w221) + w0 * (w12 * w221) + (w58 * w229 - w70 * w223) + (w30 * w230 + w77 * w212) + (w39 * w125 + w67 * w135)
+    w232 = (w0 * w40 - w1 * w41) / w25 - w78 * w117
+    w233 = w175 + w84 * w117
+    w234 = w205 + w90 * w117
+    w235 = w219 + w93 * w117
+    w236 = crank_theta_ddot * w232 + coupler_q1_ddot * w233 + coupler_q2_ddot * w234 - rocker_q1_ddot * w235
+    w237 = w18 * c8
+    w238 = w13 * c8
+    w239 = (w19 * w237 - w40**2 + (w17 * w238 - w41**2)) / w25 - w96 * w117
+    w240 = w236 + rocker_q2_ddot * w239
+    w241 = w103 * w117
+    w242 = w100 * w117
+    w243 = w106 * w117
+    w244 = w112 * w117
+    w245 = coupler_q1_ddot * w241 - crank_theta_ddot * w242 + coupler_q2_ddot * w243 - rocker_q1_ddot * w244
+    w246 = (w24 * w237 + w23 * w238) / w25 - w117 * w118
+    w247 = w245 + rocker_q2_ddot * w246
+    w248 = w69 * (w60 + rocker_q2 * c237 - rocker_q1 * c12) + w61 * w247
+    w249 = w75 * w240
+    w250 = w1 * (w50 * w240) + w0 * (w12 * w240) + (w58 * w248 - w70 * w242) + (w30 * w249 + w77 * w232) + (w42 * w125 + w68 * w135)
     dMa_dq_i = ca.vertcat(
-        w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w126 + w58 * w141),
-        w142 - w143 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w144 + w58 * w145),
-        w146 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w147 - w30 * w148),
-        w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w149 + w58 * w150),
-        w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w151 + w58 * w152),
-        w169 + (w58 * w180 + w70 * w170) + (w30 * w181 - w77 * w154) - (w33 * w126 + w65 * w141),
-        w182,
-        w183,
-        w179 * c31 + (w67 * w180 - w70 * w175) + (w39 * w181 - w77 * w158) - (w33 * w149 + w65 * w150),
-        w179 * c32 + (w68 * w180 - w70 * w178) + (w42 * w181 - w77 * w160) - (w33 * w151 + w65 * w152),
-        w200 + (w58 * w210 + w70 * w201) + (w30 * w211 - w77 * w185) - (w36 * w126 + w66 * w141),
-        w212,
-        w213,
-        w209 * c31 + (w67 * w210 - w70 * w205) + (w39 * w211 - w77 * w189) - (w36 * w149 + w66 * w150),
-        w209 * c32 + (w68 * w210 - w70 * w208) + (w42 * w211 - w77 * w191) - (w36 * w151 + w66 * w152),
-        w233,
-        w223 * c29 - (w65 * w231 - w70 * w224) - (w33 * w232 - w77 * w215) + (w39 * w144 + w67 * w145),
-        w223 * c30 - (w66 * w231 - w70 * w226) - (w36 * w232 - w77 * w216) + (w67 * w147 - w39 * w148),
-        w230 * c31 + (w67 * w231 + w70 * w227) + (w39 * w232 + w77 * w219) + (w39 * w149 + w67 * w150),
-        w230 * c32 + (w68 * w231 - w70 * w229) + (w42 * w232 - w77 * w222) + (w39 * w151 + w67 * w152),
-        w252,
-        w242 * c29 - (w65 * w250 - w70 * w243) - (w33 * w251 - w77 * w235) + (w42 * w144 + w68 * w145),
-        w242 * c30 - (w66 * w250 - w70 * w245) - (w36 * w251 - w77 * w236) + (w68 * w147 - w42 * w148),
-        w249 * c31 + (w67 * w250 - w70 * w246) + (w39 * w251 - w77 * w237) + (w42 * w149 + w68 * w150),
-        w249 * c32 + (w68 * w250 + w70 * w248) + (w42 * w251 + w77 * w241) + (w42 * w151 + w68 * w152),
+        w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w125 + w58 * w135),
+        w136 - w137 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w139 + w58 * w140),
+        w141 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w143 - w30 * w144),
+        w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w146 + w58 * w147),
+        w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w149 + w58 * w150),
+        w167 + (w58 * w178 + w70 * w168) + (w30 * w179 - w77 * w152) - (w33 * w125 + w65 * w135),
+        w180,
+        w181,
+        w177 * c31 + (w67 * w178 - w70 * w173) + (w39 * w179 - w77 * w156) - (w33 * w146 + w65 * w147),
+        w177 * c32 + (w68 * w178 - w70 * w176) + (w42 * w179 - w77 * w158) - (w33 * w149 + w65 * w150),
+        w198 + (w58 * w208 + w70 * w199) + (w30 * w209 - w77 * w183) - (w36 * w125 + w66 * w135),
+        w210,
+        w211,
+        w207 * c31 + (w67 * w208 - w70 * w203) + (w39 * w209 - w77 * w187) - (w36 * w146 + w66 * w147),
+        w207 * c32 + (w68 * w208 - w70 * w206) + (w42 * w209 - w77 * w189) - (w36 * w149 + w66 * w150),
+        w231,
+        w221 * c29 - (w65 * w229 - w70 * w222) - (w33 * w230 - w77 * w213) + (w39 * w139 + w67 * w140),
+        w221 * c30 - (w66 * w229 - w70 * w224) - (w36 * w230 - w77 * w214) + (w67 * w143 - w39 * w144),
+        w228 * c31 + (w67 * w229 + w70 * w225) + (w39 * w230 + w77 * w217) + (w39 * w146 + w67 * w147),
+        w228 * c32 + (w68 * w229 - w70 * w227) + (w42 * w230 - w77 * w220) + (w39 * w149 + w67 * w150),
+        w250,
+        w240 * c29 - (w65 * w248 - w70 * w241) - (w33 * w249 - w77 * w233) + (w42 * w139 + w68 * w140),
+        w240 * c30 - (w66 * w248 - w70 * w243) - (w36 * w249 - w77 * w234) + (w68 * w143 - w42 * w144),
+        w247 * c31 + (w67 * w248 - w70 * w244) + (w39 * w249 - w77 * w235) + (w42 * w146 + w68 * w147),
+        w247 * c32 + (w68 * w248 + w70 * w246) + (w42 * w249 + w77 * w239) + (w42 * w149 + w68 * w150),
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 5, 5)
     dMa_dq_i = ca.densify(dMa_dq_i)
@@ -3394,7 +3380,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -3603,7 +3589,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 251)
+    c = ca.SX.sym("c", 247)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
