@@ -61,10 +61,14 @@ class Graph:
         if op == ca.OP_SQ:
             op, b = ca.OP_MUL, a
         if op == ca.OP_MUL:
+            if self._is_zero(a) or self._is_zero(b):
+                return self.constant(0.0)
             plain = not (self.of_p[a] or self.of_p[b]) and a != b
             if plain and self.nodes[a].op != ca.OP_NEG and self.nodes[b].op != ca.OP_NEG:
                 return self._add((op, a, b, 0.0) if a < b else (op, b, a, 0.0), False)
             return self._mul(a, b)
+        if op in (ca.OP_ADD, ca.OP_SUB, ca.OP_DIV) and (vanishing := self._with_zero(op, a, b)) is not None:
+            return vanishing
         if op == ca.OP_ADD:
             return self._add_terms(a, b)
         if op == ca.OP_SUB:
@@ -74,6 +78,21 @@ class Graph:
         if op == ca.OP_TWICE:
             return self._mul(a, self.constant(2.0)) if self._ends_in_p(a) else self._plain(op, a, UNUSED)
         return self._plain(op, a, b)
+
+    def _with_zero(self, op: int, a: int, b: int) -> int | None:
+        """What is left of a sum, difference or quotient where an operand is zero or both are the same, as in CasADi."""
+        if op == ca.OP_SUB and a == b:
+            return self.constant(0.0)
+        if op == ca.OP_DIV:
+            return a if self._is_zero(a) and not self._is_zero(b) else None
+        if self._is_zero(b):
+            return a
+        if self._is_zero(a):
+            return b if op == ca.OP_ADD else self._neg(b)
+        return None
+
+    def _is_zero(self, k: int) -> bool:
+        return self.nodes[k].op == ca.OP_CONST and self.nodes[k].value == 0.0
 
     def _plain(self, op: int, a: int, b: int) -> int:
         if op not in BINARY:

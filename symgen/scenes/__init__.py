@@ -9,13 +9,19 @@ from symgen.scene import Scene
 from symgen.scenes.chain import chain
 from symgen.scenes.double_pendulum import double_pendulum
 from symgen.scenes.elastic_pendulum import elastic_pendulum
+from symgen.scenes.flexible_four_bar import flexible_four_bar
+from symgen.scenes.flexible_joint_arm import flexible_joint_arm
 from symgen.scenes.flexible_slider_crank import (
     flexible_slider_crank,
     flexible_slider_crank_free,
     flexible_slider_crank_torque,
+    physical_slider_crank,
+    stiff_slider_crank,
 )
 from symgen.scenes.four_bar import four_bar
 from symgen.scenes.hub_beam import hub_beam
+from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
+from symgen.scenes.overdamped_joint import overdamped_joint
 from symgen.scenes.pendulum import pendulum
 from symgen.scenes.slider_crank import slider_crank
 from symgen.scenes.spin_up_beam import spin_up_beam
@@ -26,6 +32,8 @@ SCENES: dict[str, Callable[..., Scene]] = {
     for function in (
         pendulum, double_pendulum, elastic_pendulum, four_bar, slider_crank, flexible_slider_crank,
         flexible_slider_crank_free, flexible_slider_crank_torque, hub_beam, spin_up_beam, chain, two_oscillators,
+        physical_slider_crank, stiff_slider_crank, near_singular_slider_crank, flexible_four_bar, flexible_joint_arm,
+        overdamped_joint,
     )
 }
 

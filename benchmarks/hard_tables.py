@@ -1,0 +1,140 @@
+"""Write docs/hard-suite.md: `python -m benchmarks.hard_tables [--only CASE] [--publish]`. Every number is computed."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from runtime import load_model
+from runtime.along_motion import fastest_decay, frequencies
+from runtime.model import Model
+from runtime.reference import reference_solution
+from runtime.solution import Solution
+from symgen.generate import generate
+from symgen.scenes.hard_suite import HARD_SUITE, HardCase
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "hard-suite.md"
+TOLERANCES = (1e-9, 1e-11)  # rtol; atol is 1/100 of it
+SAMPLES, EVERY = 1001, 10  # frequencies at every tenth sample
+SHOWN = 6  # frequencies listed in full up to here, else the lowest and the highest
+
+INTRODUCTION = """# Hard suite
+
+Written by `python -m benchmarks.hard_tables --publish`; every number is computed. The cases are `HARD_SUITE` in
+`symgen/scenes/hard_suite.py`; `test_hard_suite_schemes_agree` runs each of them for a short time.
+
+A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
+of the two oscillators only the slow one is.
+
+Frequencies are `runtime.coupled_frequencies`: those of the condensed equations, at the start and the largest of each
+over the motion. Zero is a direction without stiffness or with negative stiffness. Where something dissipates, the rate
+is the fastest decay at the start, the largest -Re of the eigenvalues of the linearised equations: an `rk4` step must
+stay below about 3 / rate, while central difference takes the damper implicitly, by its Newton step on the velocities.
+
+The reference is DOP853 on the emitted functions at rtol = {fine:g}; agreement is the largest difference, anywhere in
+the motion, to rtol = {coarse:g}, relative to a coordinate's amplitude (half of largest less smallest). Evaluations are
+those of the finer reference.
+"""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What the page says about a case."""
+
+    case: HardCase
+    solution: Solution
+    agreement: float
+    start: np.ndarray
+    largest: np.ndarray
+    decay: float | None
+
+
+def reference(model: Model, case: HardCase, rtol: float, samples: int = SAMPLES) -> Solution:
+    """The reference motion of a case. Raises RuntimeError if it does not reach t_end."""
+    solution = reference_solution(
+        model, t_end=case.t_end, times=np.linspace(0.0, case.t_end, samples), rtol=rtol, atol=rtol / 100,
+        parameters=case.parameters, initial=case.initial, start=case.start)
+    if solution.status.name != "completed":
+        raise RuntimeError(f"{case.name}: {solution.status}")
+    return solution
+
+
+def amplitude(values: np.ndarray) -> float:
+    """Half of largest less smallest."""
+    return float(np.ptp(values)) / 2
+
+
+def measure(case: HardCase, folder: Path) -> Measured:
+    """Generate the scene, compute both references and the frequencies along the finer one."""
+    model = load_model(generate(case.make(), folder / case.name))
+    coarse, fine = (reference(model, case, rtol) for rtol in TOLERANCES)
+    agreement = max(float(np.abs(coarse[name] - fine[name]).max()) / amplitude(fine[name]) for name in case.graded)
+    along = np.array([frequencies(fine, k) for k in range(0, SAMPLES, EVERY)])
+    damped = bool(np.any(fine.energy["power_dissipated"] > 0))
+    return Measured(case, fine, agreement, along[0], along.max(axis=0), fastest_decay(fine, 0) if damped else None)
+
+
+def summary(results: list[Measured]) -> str:
+    """One row a case."""
+    rows = ["| case | scene | start | t_end [s] | frequencies at the start [rad/s] | largest over the motion "
+            "| rate [1/s] | agreement | evaluations |", "|---|---|---|---:|---|---|---:|---:|---:|"]
+    for one in results:
+        case = one.case
+        decay = "-" if one.decay is None else f"{one.decay:.4g}"
+        rows.append(f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
+                    f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
+                    f"{one.solution.stats['evaluations']} |")
+    return "\n".join(rows) + "\n"
+
+
+def section(one: Measured) -> str:
+    """Why a case is hard, its changes to the scene, and the graded coordinates."""
+    case, solution = one.case, one.solution
+    changes = [f"{what}: " + ", ".join(f"`{name}` = {value:.6g}" for name, value in values.items()) + "."
+               for what, values in (("Parameters", case.parameters), ("Initial values", case.initial)) if values]
+    rows = ["| graded | amplitude | end value |", "|---|---:|---:|"]
+    rows += [f"| `{name}` | {amplitude(solution[name]):.3g} | {solution[name][-1]:.6g} |" for name in case.graded]
+    text = f"{case.why[0].upper()}{case.why[1:]}."
+    return "\n".join([f"## {case.name}", "", text, *changes, "", *rows, ""])
+
+
+def _listed(values: np.ndarray) -> str:
+    if len(values) <= SHOWN:
+        return ", ".join(f"{value:.4g}" for value in values)
+    return f"{values[0]:.4g} to {values[-1]:.4g} ({len(values)})"
+
+
+def page(results: list[Measured]) -> str:
+    """The page docs/hard-suite.md."""
+    introduction = INTRODUCTION.format(coarse=TOLERANCES[0], fine=TOLERANCES[1])
+    return "\n".join([introduction, summary(results), *map(section, results)]).rstrip() + "\n"
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Compute and print the page; --publish also writes it."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.hard_tables", description=__doc__)
+    parser.add_argument("--only", action="append", choices=list(HARD_SUITE), metavar="CASE")
+    parser.add_argument("--publish", action="store_true", help="also write docs/hard-suite.md")
+    options = parser.parse_args(arguments)
+    if options.publish and options.only:
+        print("--publish needs all cases: leave out --only", file=sys.stderr)
+        return 2
+    results = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name in options.only or HARD_SUITE:
+            print(f"{name} ...", file=sys.stderr, flush=True)
+            results.append(measure(HARD_SUITE[name], Path(folder)))
+    text = page(results)
+    if options.publish:
+        PAGE.write_text(text, encoding="utf-8")
+    print(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,3771 @@
+"""Four-bar linkage with two flexible links: equations of motion, emitted by symgen from the scene `flexible_four_bar`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 612 operations."""
+    p = ca.SX.sym("p", 169)
+    gravity_y = p[0]
+    crank_mass = p[1]
+    crank_inertia = p[2]
+    coupler_length = p[3]
+    coupler_density = p[4]
+    coupler_area = p[5]
+    coupler_youngs_modulus = p[6]
+    coupler_second_moment = p[7]
+    beam20_pinned_pinned2_kappa_lateral_0_0 = p[8]
+    beam20_pinned_pinned2_kappa_lateral_1_1 = p[9]
+    beam20_pinned_pinned2_mass_0_0 = p[10]
+    beam20_pinned_pinned2_mass_1_1 = p[11]
+    beam20_pinned_pinned2_s1_0_0 = p[12]
+    beam20_pinned_pinned2_i0_0_0 = p[13]
+    beam20_pinned_pinned2_phi_y_0_0 = p[14]
+    beam20_pinned_pinned2_xi_phi_y_0_0 = p[15]
+    beam20_pinned_pinned2_xi_phi_y_1_0 = p[16]
+    beam20_pinned_pinned2_H_0_0 = p[17]
+    beam20_pinned_pinned2_H_0_1 = p[18]
+    beam20_pinned_pinned2_H_1_0 = p[19]
+    beam20_pinned_pinned2_H_1_1 = p[20]
+    beam20_pinned_pinned2_xH_0_0 = p[21]
+    beam20_pinned_pinned2_xH_0_1 = p[22]
+    beam20_pinned_pinned2_xH_1_0 = p[23]
+    beam20_pinned_pinned2_xH_1_1 = p[24]
+    rocker_length = p[25]
+    rocker_density = p[26]
+    rocker_area = p[27]
+    rocker_youngs_modulus = p[28]
+    rocker_second_moment = p[29]
+    crank_tip_x = p[30]
+    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    ground_right_x = p[37]
+    beam20_pinned_pinned2_0_0625_at_0_0 = p[38]
+    beam20_pinned_pinned2_0_0625_shape_1_0 = p[39]
+    beam20_pinned_pinned2_0_0625_shape_1_1 = p[40]
+    beam20_pinned_pinned2_0_0625_H_0_0 = p[43]
+    beam20_pinned_pinned2_0_0625_H_0_1 = p[44]
+    beam20_pinned_pinned2_0_0625_H_1_0 = p[45]
+    beam20_pinned_pinned2_0_0625_H_1_1 = p[46]
+    beam20_pinned_pinned2_0_125_at_0_0 = p[47]
+    beam20_pinned_pinned2_0_125_shape_1_0 = p[48]
+    beam20_pinned_pinned2_0_125_shape_1_1 = p[49]
+    beam20_pinned_pinned2_0_125_H_0_0 = p[52]
+    beam20_pinned_pinned2_0_125_H_0_1 = p[53]
+    beam20_pinned_pinned2_0_125_H_1_0 = p[54]
+    beam20_pinned_pinned2_0_125_H_1_1 = p[55]
+    beam20_pinned_pinned2_0_1875_at_0_0 = p[56]
+    beam20_pinned_pinned2_0_1875_shape_1_0 = p[57]
+    beam20_pinned_pinned2_0_1875_shape_1_1 = p[58]
+    beam20_pinned_pinned2_0_1875_H_0_0 = p[61]
+    beam20_pinned_pinned2_0_1875_H_0_1 = p[62]
+    beam20_pinned_pinned2_0_1875_H_1_0 = p[63]
+    beam20_pinned_pinned2_0_1875_H_1_1 = p[64]
+    beam20_pinned_pinned2_0_25_at_0_0 = p[65]
+    beam20_pinned_pinned2_0_25_shape_1_0 = p[66]
+    beam20_pinned_pinned2_0_25_shape_1_1 = p[67]
+    beam20_pinned_pinned2_0_25_H_0_0 = p[69]
+    beam20_pinned_pinned2_0_25_H_0_1 = p[70]
+    beam20_pinned_pinned2_0_25_H_1_0 = p[71]
+    beam20_pinned_pinned2_0_25_H_1_1 = p[72]
+    beam20_pinned_pinned2_0_3125_at_0_0 = p[73]
+    beam20_pinned_pinned2_0_3125_shape_1_0 = p[74]
+    beam20_pinned_pinned2_0_3125_shape_1_1 = p[75]
+    beam20_pinned_pinned2_0_3125_H_0_0 = p[78]
+    beam20_pinned_pinned2_0_3125_H_0_1 = p[79]
+    beam20_pinned_pinned2_0_3125_H_1_0 = p[80]
+    beam20_pinned_pinned2_0_3125_H_1_1 = p[81]
+    beam20_pinned_pinned2_0_375_at_0_0 = p[82]
+    beam20_pinned_pinned2_0_375_shape_1_0 = p[83]
+    beam20_pinned_pinned2_0_375_shape_1_1 = p[84]
+    beam20_pinned_pinned2_0_375_H_0_0 = p[87]
+    beam20_pinned_pinned2_0_375_H_0_1 = p[88]
+    beam20_pinned_pinned2_0_375_H_1_0 = p[89]
+    beam20_pinned_pinned2_0_375_H_1_1 = p[90]
+    beam20_pinned_pinned2_0_4375_at_0_0 = p[91]
+    beam20_pinned_pinned2_0_4375_shape_1_0 = p[92]
+    beam20_pinned_pinned2_0_4375_shape_1_1 = p[93]
+    beam20_pinned_pinned2_0_4375_H_0_0 = p[96]
+    beam20_pinned_pinned2_0_4375_H_0_1 = p[97]
+    beam20_pinned_pinned2_0_4375_H_1_0 = p[98]
+    beam20_pinned_pinned2_0_4375_H_1_1 = p[99]
+    beam20_pinned_pinned2_0_5_at_0_0 = p[100]
+    beam20_pinned_pinned2_0_5_shape_1_0 = p[101]
+    beam20_pinned_pinned2_0_5_H_0_0 = p[103]
+    beam20_pinned_pinned2_0_5_H_0_1 = p[104]
+    beam20_pinned_pinned2_0_5_H_1_0 = p[105]
+    beam20_pinned_pinned2_0_5_H_1_1 = p[106]
+    beam20_pinned_pinned2_0_5625_at_0_0 = p[107]
+    beam20_pinned_pinned2_0_5625_shape_1_0 = p[108]
+    beam20_pinned_pinned2_0_5625_shape_1_1 = p[109]
+    beam20_pinned_pinned2_0_5625_H_0_0 = p[112]
+    beam20_pinned_pinned2_0_5625_H_0_1 = p[113]
+    beam20_pinned_pinned2_0_5625_H_1_0 = p[114]
+    beam20_pinned_pinned2_0_5625_H_1_1 = p[115]
+    beam20_pinned_pinned2_0_625_at_0_0 = p[116]
+    beam20_pinned_pinned2_0_625_shape_1_0 = p[117]
+    beam20_pinned_pinned2_0_625_shape_1_1 = p[118]
+    beam20_pinned_pinned2_0_625_H_0_0 = p[121]
+    beam20_pinned_pinned2_0_625_H_0_1 = p[122]
+    beam20_pinned_pinned2_0_625_H_1_0 = p[123]
+    beam20_pinned_pinned2_0_625_H_1_1 = p[124]
+    beam20_pinned_pinned2_0_6875_at_0_0 = p[125]
+    beam20_pinned_pinned2_0_6875_shape_1_0 = p[126]
+    beam20_pinned_pinned2_0_6875_shape_1_1 = p[127]
+    beam20_pinned_pinned2_0_6875_H_0_0 = p[130]
+    beam20_pinned_pinned2_0_6875_H_0_1 = p[131]
+    beam20_pinned_pinned2_0_6875_H_1_0 = p[132]
+    beam20_pinned_pinned2_0_6875_H_1_1 = p[133]
+    beam20_pinned_pinned2_0_75_at_0_0 = p[134]
+    beam20_pinned_pinned2_0_75_shape_1_0 = p[135]
+    beam20_pinned_pinned2_0_75_shape_1_1 = p[136]
+    beam20_pinned_pinned2_0_75_H_0_0 = p[138]
+    beam20_pinned_pinned2_0_75_H_0_1 = p[139]
+    beam20_pinned_pinned2_0_75_H_1_0 = p[140]
+    beam20_pinned_pinned2_0_75_H_1_1 = p[141]
+    beam20_pinned_pinned2_0_8125_at_0_0 = p[142]
+    beam20_pinned_pinned2_0_8125_shape_1_0 = p[143]
+    beam20_pinned_pinned2_0_8125_shape_1_1 = p[144]
+    beam20_pinned_pinned2_0_8125_H_0_0 = p[147]
+    beam20_pinned_pinned2_0_8125_H_0_1 = p[148]
+    beam20_pinned_pinned2_0_8125_H_1_0 = p[149]
+    beam20_pinned_pinned2_0_8125_H_1_1 = p[150]
+    beam20_pinned_pinned2_0_875_at_0_0 = p[151]
+    beam20_pinned_pinned2_0_875_shape_1_0 = p[152]
+    beam20_pinned_pinned2_0_875_shape_1_1 = p[153]
+    beam20_pinned_pinned2_0_875_H_0_0 = p[156]
+    beam20_pinned_pinned2_0_875_H_0_1 = p[157]
+    beam20_pinned_pinned2_0_875_H_1_0 = p[158]
+    beam20_pinned_pinned2_0_875_H_1_1 = p[159]
+    beam20_pinned_pinned2_0_9375_at_0_0 = p[160]
+    beam20_pinned_pinned2_0_9375_shape_1_0 = p[161]
+    beam20_pinned_pinned2_0_9375_shape_1_1 = p[162]
+    beam20_pinned_pinned2_0_9375_H_0_0 = p[165]
+    beam20_pinned_pinned2_0_9375_H_0_1 = p[166]
+    beam20_pinned_pinned2_0_9375_H_1_0 = p[167]
+    beam20_pinned_pinned2_0_9375_H_1_1 = p[168]
+    w0 = coupler_density * coupler_area
+    w1 = w0 * coupler_length
+    w2 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
+    w3 = beam20_pinned_pinned2_1_0_H_1_1 / coupler_length
+    w4 = beam20_pinned_pinned2_1_0_H_0_0 / rocker_length
+    w5 = beam20_pinned_pinned2_1_0_H_1_1 / rocker_length
+    w6 = rocker_density * rocker_area
+    w7 = rocker_length * w6
+    w8 = rocker_length**2
+    w9 = w7 * beam20_pinned_pinned2_mass_0_0
+    w10 = w7 * beam20_pinned_pinned2_xH_0_0
+    w11 = w7 * beam20_pinned_pinned2_mass_1_1
+    w12 = w7 * beam20_pinned_pinned2_xH_1_1
+    w13 = coupler_length * w1
+    w14 = w0 * beam20_pinned_pinned2_H_0_0
+    w15 = w0 * beam20_pinned_pinned2_H_0_1
+    w16 = w0 * beam20_pinned_pinned2_H_1_0
+    w17 = w0 * beam20_pinned_pinned2_H_1_1
+    w18 = coupler_length**2
+    w19 = w1 * beam20_pinned_pinned2_mass_0_0
+    w20 = w1 * beam20_pinned_pinned2_xH_0_0
+    w21 = w1 * beam20_pinned_pinned2_mass_1_1
+    w22 = w1 * beam20_pinned_pinned2_xH_1_1
+    w23 = rocker_length * w7
+    w24 = w6 * beam20_pinned_pinned2_H_0_0
+    w25 = w6 * beam20_pinned_pinned2_H_0_1
+    w26 = w6 * beam20_pinned_pinned2_H_1_0
+    w27 = w6 * beam20_pinned_pinned2_H_1_1
+    w28 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w18)
+    w29 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w8)
+    c = ca.vertcat(
+        crank_tip_x,
+        coupler_length,
+        w1,
+        crank_inertia + crank_tip_x * (crank_tip_x * w1),
+        w2,
+        w3,
+        rocker_length,
+        w4,
+        w5,
+        w7 * w8 * beam20_pinned_pinned2_i0_0_0,
+        w9,
+        w10,
+        w7 * beam20_pinned_pinned2_xH_0_1,
+        w11,
+        w7 * beam20_pinned_pinned2_xH_1_0,
+        w12,
+        w13 * beam20_pinned_pinned2_s1_0_0,
+        w14,
+        w15,
+        w16,
+        w17,
+        w1 * beam20_pinned_pinned2_phi_y_0_0,
+        beam20_pinned_pinned2_i0_0_0 * (w1 * w18),
+        w19,
+        w20,
+        w1 * beam20_pinned_pinned2_xH_0_1,
+        w21,
+        w1 * beam20_pinned_pinned2_xH_1_0,
+        w22,
+        w13 * beam20_pinned_pinned2_xi_phi_y_0_0,
+        w13 * beam20_pinned_pinned2_xi_phi_y_1_0,
+        beam20_pinned_pinned2_xi_phi_y_0_0 * w23,
+        beam20_pinned_pinned2_xi_phi_y_1_0 * w23,
+        gravity_y,
+        w1 * gravity_y,
+        beam20_pinned_pinned2_s1_0_0 * w23,
+        w24,
+        w25,
+        w26,
+        w27,
+        w7 * beam20_pinned_pinned2_phi_y_0_0,
+        w28 * beam20_pinned_pinned2_kappa_lateral_0_0,
+        w28 * beam20_pinned_pinned2_kappa_lateral_1_1,
+        beam20_pinned_pinned2_kappa_lateral_0_0 * w29,
+        beam20_pinned_pinned2_kappa_lateral_1_1 * w29,
+        ground_right_x,
+        crank_inertia,
+        w7,
+        crank_mass,
+        gravity_y * crank_mass,
+        w7 * gravity_y,
+        coupler_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        beam20_pinned_pinned2_0_0625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_125_at_0_0,
+        beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_25_at_0_0,
+        beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_375_at_0_0,
+        beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_5_at_0_0,
+        beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        coupler_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_625_at_0_0,
+        beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_75_at_0_0,
+        beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_875_at_0_0,
+        beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        coupler_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        rocker_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_125_at_0_0,
+        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_25_at_0_0,
+        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_375_at_0_0,
+        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_5_at_0_0,
+        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_625_at_0_0,
+        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_75_at_0_0,
+        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_875_at_0_0,
+        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
+        rocker_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
+        w19 - w20,
+        w2 * w3,
+        w21 - w22,
+        w9 - w10,
+        w4 * w5,
+        gravity_y * w24,
+        gravity_y * w26,
+        w11 - w12,
+        gravity_y * w25,
+        gravity_y * w27,
+        2 * w2,
+        2 * w3,
+        2 * w4,
+        2 * w5,
+        w14 + w14,
+        w15 + w16,
+        w17 + w17,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 521 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = ca.sin(crank_theta) * c0
+    w2 = ca.sin(coupler_theta)
+    w3 = coupler_q1 * c4
+    w4 = coupler_q2 * c5
+    w5 = c1 - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = ca.cos(coupler_theta)
+    w8 = w5 * w7
+    w9 = ca.cos(rocker_theta)
+    w10 = rocker_q1 * c7
+    w11 = rocker_q2 * c8
+    w12 = c6 - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
+    w13 = w9 * w12
+    w14 = ca.sin(rocker_theta)
+    w15 = w12 * w14
+    w16 = w6 * w13 - w8 * w15
+    w17 = (w0 * w6 - w1 * w8) / w16
+    w18 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w19 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w20 = c9 + (rocker_q1 * w18 + rocker_q2 * w19)
+    w21 = (w0 * w15 - w1 * w13) / w16
+    w22 = coupler_q1 * c17 + coupler_q2 * c18
+    w23 = coupler_q1 * c19 + coupler_q2 * c20
+    w24 = c16 - (coupler_q1 * w22 + coupler_q2 * w23) * 0.5
+    w25 = coupler_q1 * c21
+    w26 = w7 * w24 - w2 * w25
+    w27 = w2 * w24 + w7 * w25
+    w28 = w0 * w26 + w1 * w27
+    w29 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w30 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w31 = c22 + (coupler_q1 * w29 + coupler_q2 * w30)
+    w32 = w7 * c21 - w2 * w22
+    w33 = w7 * w22 + w2 * c21
+    w34 = coupler_q1 * w5 * c4 / w16
+    w35 = w20 * w34
+    w36 = (w13 * (w3 * w7) + w15 * (w2 * w3)) / w16
+    w37 = c29 - w31 * w36
+    w38 = w0 * w32 + w1 * w33 - w17 * w35 + (w21 * w37 - w28 * w36)
+    w39 = w7 * w23
+    w40 = w2 * w23
+    w41 = coupler_q2 * w5 * c5 / w16
+    w42 = w20 * w41
+    w43 = (w13 * (w4 * w7) + w15 * (w2 * w4)) / w16
+    w44 = c30 - w31 * w43
+    w45 = w1 * w39 - w0 * w40 - w17 * w42 + (w21 * w44 - w28 * w43)
+    w46 = (w8 * (w9 * w10) + w6 * (w10 * w14)) / w16
+    w47 = c31 + w20 * w46
+    w48 = rocker_q1 * w12 * c7 / w16
+    w49 = w31 * w48
+    w50 = w17 * w47 + (w21 * w49 + w28 * w48)
+    w51 = (w8 * (w9 * w11) + w6 * (w11 * w14)) / w16
+    w52 = c32 + w20 * w51
+    w53 = rocker_q2 * w12 * c8 / w16
+    w54 = w31 * w53
+    w55 = w17 * w52 + (w21 * w54 + w28 * w53)
+    w56 = w34 * w42 - (w36 * w44 + w43 * c29)
+    w57 = w48 * c29 - w36 * w49 - w34 * w47
+    w58 = w53 * c29 - w36 * w54 - w34 * w52
+    w59 = w48 * c30 - w43 * w49 - w41 * w47
+    w60 = w53 * c30 - w43 * w54 - w41 * w52
+    w61 = w46 * w52 + w51 * c31 + w48 * w54
+    w62 = coupler_theta_dot**2
+    w63 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
+    w64 = 2 * coupler_theta_dot
+    w65 = w22 * coupler_q1_dot + w23 * coupler_q2_dot
+    w66 = coupler_q1_dot * c21
+    w67 = w3 * coupler_q1_dot + w4 * coupler_q2_dot
+    w68 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w69 = 2 * rocker_theta_dot
+    w70 = w10 * rocker_q1_dot + w11 * rocker_q2_dot
+    w71 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w72 = rocker_theta_dot**2
+    w73 = crank_theta_dot**2
+    w74 = w0 * w73
+    w75 = w64 * (w2 * w67) - (w7 * w68 + w8 * w62) - (w69 * (w14 * w70) - (w9 * w71 + w13 * w72)) - w74
+    w76 = w1 * w73
+    w77 = w14 * w71 + w69 * (w9 * w70) + w15 * w72 - (w2 * w68 + w64 * (w7 * w67) + w6 * w62) - w76
+    w78 = (w13 * w75 + w15 * w77) / w16
+    w79 = w0 * (w27 * w62 + w2 * w63 + w64 * (w7 * w65 + w2 * w66) + c34 - (w26 * w78 - w76 * c2)) - w1 * (w26 * w62 + w64 * (w7 * w66 - w2 * w65) + w7 * w63 + (w74 * c2 + w27 * w78))
+    w80 = rocker_q1 * c36 + rocker_q2 * c37
+    w81 = rocker_q1 * c38 + rocker_q2 * c39
+    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * c33
+    w83 = (w8 * w75 + w6 * w77) / w16
+    w84 = w82 - w20 * w83
+    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * c33 - (w27 * w74 - w26 * w76 + w31 * w78)
+    w86 = w29 * w62 - coupler_q1 * c41 + w32 * c33 - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
+    w87 = w30 * w62 - coupler_q2 * c42 - w40 * c33 - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
+    M_hat = ca.vertcat(
+        c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28),
+        w38,
+        w45,
+        w50,
+        w55,
+        w38,
+        c23 + w34 * w35 - (w36 * w37 + w36 * c29),
+        w56,
+        w57,
+        w58,
+        w45,
+        w56,
+        c26 + w41 * w42 - (w43 * w44 + w43 * c30),
+        w59,
+        w60,
+        w50,
+        w57,
+        w59,
+        c10 + (w46 * w47 + w46 * c31) + w48 * w49,
+        w61,
+        w55,
+        w58,
+        w60,
+        w61,
+        c13 + (w51 * w52 + w51 * c32) + w53 * w54,
+    )
+    M_hat = ca.reshape(M_hat, 5, 5)
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        w79 + w17 * w84 + w21 * w85,
+        w86,
+        w87,
+        w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * c33 - w83 * c31 + w46 * w84 + w48 * w85,
+        w19 * w72 - rocker_q2 * c44 - w14 * w81 * c33 - w83 * c32 + w51 * w84 + w53 * w85,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
+
+
+def closure() -> ca.Function:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 71 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c45 = c[45]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = ca.sin(crank_theta) * c0
+    w2 = c6 - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
+    w3 = ca.cos(rocker_theta) * w2
+    w4 = c1 - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
+    w5 = ca.cos(coupler_theta) * w4
+    w6 = w3 + c45 - (w0 + w5)
+    w7 = w2 * ca.sin(rocker_theta)
+    w8 = w4 * ca.sin(coupler_theta)
+    w9 = w7 - (w1 + w8)
+    w10 = w3 * w8 - w5 * w7
+    q_d_next = ca.vertcat(
+        0.0,
+        0.0,
+        w0,
+        w1,
+        coupler_theta - (w3 * w6 + w7 * w9) / w10,
+        c45,
+        0.0,
+        rocker_theta - (w5 * w6 + w8 * w9) / w10,
+    )
+    q_d_next = ca.densify(q_d_next)
+    C_loop = ca.vertcat(
+        w6,
+        w9,
+    )
+    C_loop = ca.densify(C_loop)
+    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop]
+    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop"])
+
+
+def velocities() -> ca.Function:
+    """q_d_dot (Eq. 36). 123 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    w0 = ca.sin(crank_theta) * c0
+    w1 = ca.cos(crank_theta) * c0
+    w2 = ca.sin(rocker_theta)
+    w3 = rocker_q1 * c7
+    w4 = rocker_q2 * c8
+    w5 = c6 - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = ca.cos(rocker_theta)
+    w8 = w5 * w7
+    w9 = ca.sin(coupler_theta)
+    w10 = coupler_q1 * c4
+    w11 = coupler_q2 * c5
+    w12 = c1 - (coupler_q1 * w10 + coupler_q2 * w11) * 0.5
+    w13 = w9 * w12
+    w14 = ca.cos(coupler_theta)
+    w15 = w12 * w14
+    w16 = w8 * w13 - w6 * w15
+    w17 = crank_theta_dot * ((w1 * w6 - w0 * w8) / w16) - (w8 * (w10 * w14) + w6 * (w9 * w10)) / w16 * coupler_q1_dot
+    w18 = w17 - (w8 * (w11 * w14) + w6 * (w9 * w11)) / w16 * coupler_q2_dot + rocker_q1 * w5 * c7 / w16 * rocker_q1_dot
+    w19 = crank_theta_dot * ((w1 * w13 - w0 * w15) / w16) - coupler_q1_dot * (coupler_q1 * w12 * c4 / w16) - coupler_q2_dot * (coupler_q2 * w12 * c5 / w16)
+    w20 = w19 + rocker_q1_dot * ((w15 * (w3 * w7) + w13 * (w2 * w3)) / w16) + rocker_q2_dot * ((w15 * (w4 * w7) + w13 * (w2 * w4)) / w16)
+    q_d_dot = ca.vertcat(
+        0.0,
+        0.0,
+        -(w0 * crank_theta_dot),
+        crank_theta_dot * w1,
+        w18 + rocker_q2 * w5 * c8 / w16 * rocker_q2_dot,
+        0.0,
+        0.0,
+        w20,
+    )
+    q_d_dot = ca.densify(q_d_dot)
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
+
+
+def accelerations() -> ca.Function:
+    """q_d_ddot (Eq. 35). 193 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 5)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    crank_theta_ddot = q_i_ddot[0]
+    coupler_q1_ddot = q_i_ddot[1]
+    coupler_q2_ddot = q_i_ddot[2]
+    rocker_q1_ddot = q_i_ddot[3]
+    rocker_q2_ddot = q_i_ddot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    w0 = crank_theta_dot**2
+    w1 = ca.cos(crank_theta) * c0
+    w2 = w0 * w1
+    w3 = ca.sin(crank_theta) * c0
+    w4 = w0 * w3
+    w5 = ca.cos(rocker_theta)
+    w6 = rocker_q1 * c7
+    w7 = rocker_q2 * c8
+    w8 = c6 - (rocker_q1 * w6 + rocker_q2 * w7) * 0.5
+    w9 = w5 * w8
+    w10 = 2 * coupler_theta_dot
+    w11 = ca.sin(coupler_theta)
+    w12 = coupler_q1 * c4
+    w13 = coupler_q2 * c5
+    w14 = w12 * coupler_q1_dot + w13 * coupler_q2_dot
+    w15 = ca.cos(coupler_theta)
+    w16 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w17 = coupler_theta_dot**2
+    w18 = c1 - (coupler_q1 * w12 + coupler_q2 * w13) * 0.5
+    w19 = w15 * w18
+    w20 = 2 * rocker_theta_dot
+    w21 = ca.sin(rocker_theta)
+    w22 = w6 * rocker_q1_dot + w7 * rocker_q2_dot
+    w23 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w24 = rocker_theta_dot**2
+    w25 = w10 * (w11 * w14) - (w15 * w16 + w17 * w19) - (w20 * (w21 * w22) - (w5 * w23 + w9 * w24)) - w2
+    w26 = w8 * w21
+    w27 = w11 * w18
+    w28 = w21 * w23 + w20 * (w5 * w22) + w24 * w26 - (w11 * w16 + w10 * (w14 * w15) + w17 * w27) - w4
+    w29 = w9 * w27 - w19 * w26
+    w30 = (w9 * w25 + w26 * w28) / w29 + crank_theta_ddot * ((w1 * w26 - w3 * w9) / w29) - (w9 * (w12 * w15) + w26 * (w11 * w12)) / w29 * coupler_q1_ddot
+    w31 = w30 - (w9 * (w13 * w15) + w26 * (w11 * w13)) / w29 * coupler_q2_ddot + rocker_q1 * w8 * c7 / w29 * rocker_q1_ddot
+    w32 = (w19 * w25 + w27 * w28) / w29 + crank_theta_ddot * ((w1 * w27 - w3 * w19) / w29) - coupler_q1_ddot * (coupler_q1 * w18 * c4 / w29)
+    w33 = w32 - coupler_q2_ddot * (coupler_q2 * w18 * c5 / w29) + rocker_q1_ddot * ((w19 * (w5 * w6) + w27 * (w6 * w21)) / w29)
+    q_d_ddot = ca.vertcat(
+        0.0,
+        0.0,
+        -(w2 + w3 * crank_theta_ddot),
+        w1 * crank_theta_ddot - w4,
+        w31 + rocker_q2 * w8 * c8 / w29 * rocker_q2_ddot,
+        0.0,
+        0.0,
+        w33 + rocker_q2_ddot * ((w19 * (w5 * w7) + w27 * (w7 * w21)) / w29),
+    )
+    q_d_ddot = ca.densify(q_d_ddot)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
+
+
+def constraints() -> ca.Function:
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 271 operations."""
+    q = ca.SX.sym("q", 13)
+    q_dot = ca.SX.sym("q_dot", 13)
+    c = ca.SX.sym("c", 247)
+    crank_x = q[0]
+    crank_y = q[1]
+    crank_theta = q[2]
+    coupler_x = q[3]
+    coupler_y = q[4]
+    coupler_theta = q[5]
+    coupler_q1 = q[6]
+    coupler_q2 = q[7]
+    rocker_x = q[8]
+    rocker_y = q[9]
+    rocker_theta = q[10]
+    rocker_q1 = q[11]
+    rocker_q2 = q[12]
+    crank_theta_dot = q_dot[2]
+    coupler_theta_dot = q_dot[5]
+    coupler_q1_dot = q_dot[6]
+    coupler_q2_dot = q_dot[7]
+    rocker_theta_dot = q_dot[10]
+    rocker_q1_dot = q_dot[11]
+    rocker_q2_dot = q_dot[12]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c45 = c[45]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = ca.sin(crank_theta) * c0
+    w2 = ca.cos(rocker_theta)
+    w3 = rocker_q1 * c7
+    w4 = rocker_q2 * c8
+    w5 = c6 - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = ca.cos(coupler_theta)
+    w8 = coupler_q1 * c4
+    w9 = coupler_q2 * c5
+    w10 = c1 - (coupler_q1 * w8 + coupler_q2 * w9) * 0.5
+    w11 = w7 * w10
+    w12 = ca.sin(rocker_theta)
+    w13 = w5 * w12
+    w14 = ca.sin(coupler_theta)
+    w15 = w10 * w14
+    w16 = crank_theta_dot**2
+    w17 = 2 * coupler_theta_dot
+    w18 = w8 * coupler_q1_dot + w9 * coupler_q2_dot
+    w19 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w20 = coupler_theta_dot**2
+    w21 = 2 * rocker_theta_dot
+    w22 = w3 * rocker_q1_dot + w4 * rocker_q2_dot
+    w23 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w24 = rocker_theta_dot**2
+    C = ca.vertcat(
+        crank_x,
+        crank_y,
+        coupler_x - (crank_x + w0),
+        coupler_y - (crank_y + w1),
+        rocker_x + w6 - (coupler_x + w11),
+        rocker_y + w13 - (coupler_y + w15),
+        rocker_x - c45,
+        rocker_y,
+    )
+    C = ca.densify(C)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w1,
+        -w0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w15,
+        -w11,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7 * w8,
+        w8 * w14,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7 * w9,
+        w9 * w14,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -w13,
+        w6,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -(w2 * w3),
+        -(w3 * w12),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -(w2 * w4),
+        -(w4 * w12),
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 13)
+    C_q = ca.densify(C_q)
+    C_t = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
+    gamma = ca.vertcat(
+        0.0,
+        0.0,
+        -(w0 * w16),
+        -(w1 * w16),
+        w17 * (w14 * w18) - (w7 * w19 + w11 * w20) - (w21 * (w12 * w22) - (w2 * w23 + w6 * w24)),
+        w12 * w23 + w21 * (w2 * w22) + w13 * w24 - (w14 * w19 + w17 * (w7 * w18) + w15 * w20),
+        0.0,
+        0.0,
+    )
+    gamma = ca.densify(gamma)
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
+
+
+def augmented() -> ca.Function:
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 833 operations."""
+    q = ca.SX.sym("q", 13)
+    q_dot = ca.SX.sym("q_dot", 13)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q[2]
+    coupler_theta = q[5]
+    coupler_q1 = q[6]
+    coupler_q2 = q[7]
+    rocker_theta = q[10]
+    rocker_q1 = q[11]
+    rocker_q2 = q[12]
+    crank_theta_dot = q_dot[2]
+    coupler_theta_dot = q_dot[5]
+    coupler_q1_dot = q_dot[6]
+    coupler_q2_dot = q_dot[7]
+    rocker_theta_dot = q_dot[10]
+    rocker_q1_dot = q_dot[11]
+    rocker_q2_dot = q_dot[12]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    w0 = ca.sin(coupler_theta)
+    w1 = coupler_q1 * c17 + coupler_q2 * c18
+    w2 = coupler_q1 * c19 + coupler_q2 * c20
+    w3 = c16 - (coupler_q1 * w1 + coupler_q2 * w2) * 0.5
+    w4 = ca.cos(coupler_theta)
+    w5 = coupler_q1 * c21
+    w6 = w0 * w3 + w4 * w5
+    w7 = -w6
+    w8 = -(w1 * w4 + w0 * c21)
+    w9 = -(w2 * w4)
+    w10 = w3 * w4 - w0 * w5
+    w11 = w4 * c21 - w0 * w1
+    w12 = w0 * w2
+    w13 = -w12
+    w14 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w15 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w16 = ca.sin(rocker_theta)
+    w17 = rocker_q1 * c36 + rocker_q2 * c37
+    w18 = rocker_q1 * c38 + rocker_q2 * c39
+    w19 = c35 - (rocker_q1 * w17 + rocker_q2 * w18) * 0.5
+    w20 = ca.cos(rocker_theta)
+    w21 = rocker_q1 * c40
+    w22 = w16 * w19 + w20 * w21
+    w23 = -w22
+    w24 = -(w17 * w20 + w16 * c40)
+    w25 = -(w18 * w20)
+    w26 = w19 * w20 - w16 * w21
+    w27 = w20 * c40 - w16 * w17
+    w28 = w16 * w18
+    w29 = -w28
+    w30 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w31 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w32 = coupler_theta_dot**2
+    w33 = 2 * coupler_theta_dot
+    w34 = coupler_q1_dot * c21
+    w35 = w1 * coupler_q1_dot + w2 * coupler_q2_dot
+    w36 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
+    w37 = w10 * w32 + w33 * (w4 * w34 - w0 * w35) + w4 * w36
+    w38 = w6 * w32 + w0 * w36 + w33 * (w4 * w35 + w0 * w34)
+    w39 = coupler_theta_dot * -2.0 * (w14 * coupler_q1_dot + w15 * coupler_q2_dot)
+    w40 = w14 * w32
+    w41 = w15 * w32
+    w42 = rocker_theta_dot**2
+    w43 = 2 * rocker_theta_dot
+    w44 = rocker_q1_dot * c40
+    w45 = w17 * rocker_q1_dot + w18 * rocker_q2_dot
+    w46 = rocker_q1_dot * (rocker_q1_dot * c36 + rocker_q2_dot * c37) + rocker_q2_dot * (rocker_q1_dot * c38 + rocker_q2_dot * c39)
+    w47 = w26 * w42 + w43 * (w20 * w44 - w16 * w45) + w20 * w46
+    w48 = w22 * w42 + w16 * w46 + w43 * (w20 * w45 + w16 * w44)
+    w49 = rocker_theta_dot * -2.0 * (w30 * rocker_q1_dot + w31 * rocker_q2_dot)
+    w50 = w30 * w42
+    w51 = w31 * w42
+    w52 = w10 * c33
+    w53 = w11 * c33
+    w54 = w12 * c33
+    w55 = w26 * c33
+    w56 = w27 * c33
+    w57 = w28 * c33
+    w58 = ca.sin(crank_theta) * c0
+    w59 = ca.cos(crank_theta) * c0
+    w60 = coupler_q1 * c4
+    w61 = coupler_q2 * c5
+    w62 = c1 - (coupler_q1 * w60 + coupler_q2 * w61) * 0.5
+    w63 = w0 * w62
+    w64 = w4 * w62
+    w65 = rocker_q1 * c7
+    w66 = rocker_q2 * c8
+    w67 = c6 - (rocker_q1 * w65 + rocker_q2 * w66) * 0.5
+    w68 = w16 * w67
+    w69 = w20 * w67
+    w70 = crank_theta_dot**2
+    w71 = coupler_q1_dot * w60 + coupler_q2_dot * w61
+    w72 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w73 = rocker_q1_dot * w65 + rocker_q2_dot * w66
+    w74 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    M = ca.vertcat(
+        c48,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c48,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c46,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c2,
+        0.0,
+        w7,
+        w8,
+        w9,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c2,
+        w10,
+        w11,
+        w13,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7,
+        w10,
+        c22 + (coupler_q1 * w14 + coupler_q2 * w15),
+        c29,
+        c30,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w8,
+        w11,
+        c29,
+        c23,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w9,
+        w13,
+        c30,
+        0.0,
+        c26,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c47,
+        0.0,
+        w23,
+        w24,
+        w25,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c47,
+        w26,
+        w27,
+        w29,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w23,
+        w26,
+        c9 + (rocker_q1 * w30 + rocker_q2 * w31),
+        c31,
+        c32,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w24,
+        w27,
+        c31,
+        c10,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w25,
+        w29,
+        c32,
+        0.0,
+        c13,
+    )
+    M = ca.reshape(M, 13, 13)
+    M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c41,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c42,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c43,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c44,
+    )
+    K = ca.reshape(K, 13, 13)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w37,
+        w38,
+        w39,
+        w40,
+        w41,
+        w47,
+        w48,
+        w49,
+        w50,
+        w51,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        c49,
+        0.0,
+        0.0,
+        c34,
+        w52,
+        w53,
+        -w54,
+        0.0,
+        c50,
+        w55,
+        w56,
+        -w57,
+    )
+    Q_F = ca.densify(Q_F)
+    Q_star = ca.vertcat(
+        0.0,
+        c49,
+        0.0,
+        w37,
+        c34 + w38,
+        w39 + w52,
+        w53 + (w40 - coupler_q1 * c41),
+        w41 - coupler_q2 * c42 - w54,
+        w47,
+        w48 + c50,
+        w49 + w55,
+        w56 + (w50 - rocker_q1 * c43),
+        w51 - rocker_q2 * c44 - w57,
+    )
+    Q_star = ca.densify(Q_star)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w58,
+        -w59,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w63,
+        -w64,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w4 * w60,
+        w0 * w60,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w4 * w61,
+        w0 * w61,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -w68,
+        w69,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -(w20 * w65),
+        -(w16 * w65),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -(w20 * w66),
+        -(w16 * w66),
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 13)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w59 * w70),
+        -(w58 * w70),
+        w33 * (w0 * w71) - (w4 * w72 + w32 * w64) - (w43 * (w16 * w73) - (w20 * w74 + w42 * w69)),
+        w16 * w74 + w43 * (w20 * w73) + w42 * w68 - (w0 * w72 + w33 * (w4 * w71) + w32 * w63),
+        0.0,
+        0.0,
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+
+
+def reactions() -> ca.Function:
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 350 operations."""
+    q = ca.SX.sym("q", 13)
+    q_dot = ca.SX.sym("q_dot", 13)
+    q_ddot = ca.SX.sym("q_ddot", 13)
+    c = ca.SX.sym("c", 247)
+    coupler_theta = q[5]
+    coupler_q1 = q[6]
+    coupler_q2 = q[7]
+    rocker_theta = q[10]
+    rocker_q1 = q[11]
+    rocker_q2 = q[12]
+    coupler_theta_dot = q_dot[5]
+    coupler_q1_dot = q_dot[6]
+    coupler_q2_dot = q_dot[7]
+    rocker_theta_dot = q_dot[10]
+    rocker_q1_dot = q_dot[11]
+    rocker_q2_dot = q_dot[12]
+    crank_x_ddot = q_ddot[0]
+    crank_y_ddot = q_ddot[1]
+    coupler_x_ddot = q_ddot[3]
+    coupler_y_ddot = q_ddot[4]
+    coupler_theta_ddot = q_ddot[5]
+    coupler_q1_ddot = q_ddot[6]
+    coupler_q2_ddot = q_ddot[7]
+    rocker_x_ddot = q_ddot[8]
+    rocker_y_ddot = q_ddot[9]
+    rocker_theta_ddot = q_ddot[10]
+    rocker_q1_ddot = q_ddot[11]
+    rocker_q2_ddot = q_ddot[12]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    w0 = coupler_theta_dot**2
+    w1 = ca.cos(coupler_theta)
+    w2 = coupler_q1 * c17 + coupler_q2 * c18
+    w3 = coupler_q1 * c19 + coupler_q2 * c20
+    w4 = c16 - (coupler_q1 * w2 + coupler_q2 * w3) * 0.5
+    w5 = ca.sin(coupler_theta)
+    w6 = coupler_q1 * c21
+    w7 = w1 * w4 - w5 * w6
+    w8 = 2 * coupler_theta_dot
+    w9 = coupler_q1_dot * c21
+    w10 = w2 * coupler_q1_dot + w3 * coupler_q2_dot
+    w11 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
+    w12 = w4 * w5 + w1 * w6
+    w13 = coupler_x_ddot * c2 - w12 * coupler_theta_ddot - (w1 * w2 + w5 * c21) * coupler_q1_ddot - w1 * w3 * coupler_q2_ddot
+    w14 = ca.cos(rocker_theta)
+    w15 = c6 - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
+    w16 = w14 * w15
+    w17 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w18 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w19 = w7 * coupler_y_ddot - coupler_x_ddot * w12 + coupler_theta_ddot * (c22 + (coupler_q1 * w17 + coupler_q2 * w18))
+    w20 = coupler_theta_dot * -2.0 * (coupler_q1_dot * w17 + coupler_q2_dot * w18) + w7 * c33 - (w19 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
+    w21 = c1 - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
+    w22 = w1 * w21
+    w23 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w24 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w25 = rocker_q1 * c36 + rocker_q2 * c37
+    w26 = rocker_q1 * c38 + rocker_q2 * c39
+    w27 = c35 - (rocker_q1 * w25 + rocker_q2 * w26) * 0.5
+    w28 = ca.sin(rocker_theta)
+    w29 = rocker_q1 * c40
+    w30 = w14 * w27 - w28 * w29
+    w31 = w27 * w28 + w14 * w29
+    w32 = w30 * rocker_y_ddot - w31 * rocker_x_ddot + (c9 + (rocker_q1 * w23 + rocker_q2 * w24)) * rocker_theta_ddot
+    w33 = rocker_theta_dot * -2.0 * (w23 * rocker_q1_dot + w24 * rocker_q2_dot) + w30 * c33 - (w32 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
+    w34 = w5 * w21
+    w35 = w15 * w28
+    w36 = w16 * w34 - w22 * w35
+    w37 = (w16 * w20 + w22 * w33) / w36
+    w38 = w0 * w7 + w8 * (w1 * w9 - w5 * w10) + w1 * w11 - w13 + w37
+    w39 = w38 - crank_x_ddot * c48
+    w40 = coupler_y_ddot * c2 + w7 * coupler_theta_ddot + coupler_q1_ddot * (w1 * c21 - w2 * w5) - coupler_q2_ddot * (w3 * w5)
+    w41 = (w20 * w35 + w33 * w34) / w36
+    w42 = c34 + (w0 * w12 + w5 * w11 + w8 * (w1 * w10 + w5 * w9)) - w40 + w41
+    w43 = c49 - crank_y_ddot * c48 + w42
+    w44 = rocker_theta_dot**2
+    w45 = 2 * rocker_theta_dot
+    w46 = rocker_q1_dot * c40
+    w47 = rocker_q1_dot * w25 + rocker_q2_dot * w26
+    w48 = rocker_q1_dot * (rocker_q1_dot * c36 + rocker_q2_dot * c37) + rocker_q2_dot * (rocker_q1_dot * c38 + rocker_q2_dot * c39)
+    w49 = rocker_x_ddot * c47 - w31 * rocker_theta_ddot - rocker_q1_ddot * (w14 * w25 + w28 * c40) - rocker_q2_ddot * (w14 * w26)
+    w50 = w30 * w44 + w45 * (w14 * w46 - w28 * w47) + w14 * w48 - w49 - w37
+    w51 = rocker_y_ddot * c47 + w30 * rocker_theta_ddot + rocker_q1_ddot * (w14 * c40 - w25 * w28) - rocker_q2_ddot * (w26 * w28)
+    w52 = c50 + (w31 * w44 + w28 * w48 + w45 * (w14 * w47 + w28 * w46)) - w51 - w41
+    lam = ca.vertcat(
+        w39,
+        w43,
+        w38,
+        w42,
+        w37,
+        w41,
+        w50,
+        w52,
+    )
+    lam = ca.densify(lam)
+    joint_forces = ca.vertcat(
+        -w39,
+        -w43,
+        0.0,
+        -w38,
+        -w42,
+        0.0,
+        -w37,
+        -w41,
+        0.0,
+        -w50,
+        -w52,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 280 operations."""
+    q = ca.SX.sym("q", 13)
+    q_dot = ca.SX.sym("q_dot", 13)
+    c = ca.SX.sym("c", 247)
+    crank_y = q[1]
+    coupler_y = q[4]
+    coupler_theta = q[5]
+    coupler_q1 = q[6]
+    coupler_q2 = q[7]
+    rocker_y = q[9]
+    rocker_theta = q[10]
+    rocker_q1 = q[11]
+    rocker_q2 = q[12]
+    crank_x_dot = q_dot[0]
+    crank_y_dot = q_dot[1]
+    crank_theta_dot = q_dot[2]
+    coupler_x_dot = q_dot[3]
+    coupler_y_dot = q_dot[4]
+    coupler_theta_dot = q_dot[5]
+    coupler_q1_dot = q_dot[6]
+    coupler_q2_dot = q_dot[7]
+    rocker_x_dot = q_dot[8]
+    rocker_y_dot = q_dot[9]
+    rocker_theta_dot = q_dot[10]
+    rocker_q1_dot = q_dot[11]
+    rocker_q2_dot = q_dot[12]
+    c2 = c[2]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    w0 = crank_x_dot * (crank_x_dot * c48) + crank_y_dot * (crank_y_dot * c48) + crank_theta_dot * (crank_theta_dot * c46)
+    w1 = ca.sin(coupler_theta)
+    w2 = coupler_q1 * c17 + coupler_q2 * c18
+    w3 = coupler_q1 * c19 + coupler_q2 * c20
+    w4 = c16 - (coupler_q1 * w2 + coupler_q2 * w3) * 0.5
+    w5 = ca.cos(coupler_theta)
+    w6 = coupler_q1 * c21
+    w7 = w1 * w4 + w5 * w6
+    w8 = w2 * w5 + w1 * c21
+    w9 = w3 * w5
+    w10 = coupler_x_dot * (coupler_x_dot * c2 - w7 * coupler_theta_dot - w8 * coupler_q1_dot - w9 * coupler_q2_dot)
+    w11 = w4 * w5 - w1 * w6
+    w12 = w5 * c21 - w1 * w2
+    w13 = w1 * w3
+    w14 = coupler_y_dot * (coupler_y_dot * c2 + coupler_theta_dot * w11 + coupler_q1_dot * w12 - coupler_q2_dot * w13)
+    w15 = coupler_q1 * (coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)) + coupler_q2 * (coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28))
+    w16 = coupler_y_dot * w11 - coupler_x_dot * w7 + coupler_theta_dot * (c22 + w15) + coupler_q1_dot * c29
+    w17 = coupler_q1_dot * (coupler_y_dot * w12 - coupler_x_dot * w8 + coupler_theta_dot * c29 + coupler_q1_dot * c23)
+    w18 = coupler_q2_dot * (coupler_theta_dot * c30 - (coupler_x_dot * w9 + coupler_y_dot * w13) + coupler_q2_dot * c26)
+    w19 = ca.sin(rocker_theta)
+    w20 = rocker_q1 * c36 + rocker_q2 * c37
+    w21 = rocker_q1 * c38 + rocker_q2 * c39
+    w22 = c35 - (rocker_q1 * w20 + rocker_q2 * w21) * 0.5
+    w23 = ca.cos(rocker_theta)
+    w24 = rocker_q1 * c40
+    w25 = w19 * w22 + w23 * w24
+    w26 = w20 * w23 + w19 * c40
+    w27 = w21 * w23
+    w28 = rocker_x_dot * (rocker_x_dot * c47 - w25 * rocker_theta_dot - w26 * rocker_q1_dot - w27 * rocker_q2_dot)
+    w29 = w22 * w23 - w19 * w24
+    w30 = w23 * c40 - w19 * w20
+    w31 = w19 * w21
+    w32 = rocker_y_dot * (rocker_y_dot * c47 + rocker_theta_dot * w29 + rocker_q1_dot * w30 - rocker_q2_dot * w31)
+    w33 = rocker_q1 * (rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)) + rocker_q2 * (rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15))
+    w34 = rocker_y_dot * w29 - rocker_x_dot * w25 + rocker_theta_dot * (c9 + w33) + rocker_q1_dot * c31 + rocker_q2_dot * c32
+    w35 = w0 + w10 + w14 + coupler_theta_dot * (w16 + coupler_q2_dot * c30) + w17 + w18 + w28 + w32 + rocker_theta_dot * w34
+    w36 = rocker_q1_dot * (rocker_y_dot * w30 - rocker_x_dot * w26 + rocker_theta_dot * c31 + rocker_q1_dot * c10)
+    w37 = rocker_q2_dot * (rocker_theta_dot * c32 - (rocker_x_dot * w27 + rocker_y_dot * w31) + rocker_q2_dot * c13)
+    w38 = (coupler_q1 * (coupler_q1 * c41) + coupler_q2 * (coupler_q2 * c42)) / 2.0 + (rocker_q1 * (rocker_q1 * c43) + rocker_q2 * (rocker_q2 * c44)) / 2.0
+    kinetic = ca.vertcat(
+        (w35 + w36 + w37) / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        w38,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        -(crank_y * c49 + (w7 + coupler_y * c2) * c33 + (w25 + rocker_y * c47) * c33),
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        0.0,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        0.0,
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 971 operations."""
+    q = ca.SX.sym("q", 13)
+    exaggeration = ca.SX.sym("exaggeration", 1)
+    c = ca.SX.sym("c", 247)
+    crank_x = q[0]
+    crank_y = q[1]
+    crank_theta = q[2]
+    coupler_x = q[3]
+    coupler_y = q[4]
+    coupler_theta = q[5]
+    coupler_q1 = q[6]
+    coupler_q2 = q[7]
+    rocker_x = q[8]
+    rocker_y = q[9]
+    rocker_theta = q[10]
+    rocker_q1 = q[11]
+    rocker_q2 = q[12]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c45 = c[45]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    c78 = c[78]
+    c79 = c[79]
+    c80 = c[80]
+    c81 = c[81]
+    c82 = c[82]
+    c83 = c[83]
+    c84 = c[84]
+    c85 = c[85]
+    c86 = c[86]
+    c87 = c[87]
+    c88 = c[88]
+    c89 = c[89]
+    c90 = c[90]
+    c91 = c[91]
+    c92 = c[92]
+    c93 = c[93]
+    c94 = c[94]
+    c95 = c[95]
+    c96 = c[96]
+    c97 = c[97]
+    c98 = c[98]
+    c99 = c[99]
+    c100 = c[100]
+    c101 = c[101]
+    c102 = c[102]
+    c103 = c[103]
+    c104 = c[104]
+    c105 = c[105]
+    c106 = c[106]
+    c107 = c[107]
+    c108 = c[108]
+    c109 = c[109]
+    c110 = c[110]
+    c111 = c[111]
+    c112 = c[112]
+    c113 = c[113]
+    c114 = c[114]
+    c115 = c[115]
+    c116 = c[116]
+    c117 = c[117]
+    c118 = c[118]
+    c119 = c[119]
+    c120 = c[120]
+    c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
+    c125 = c[125]
+    c126 = c[126]
+    c127 = c[127]
+    c128 = c[128]
+    c129 = c[129]
+    c130 = c[130]
+    c131 = c[131]
+    c132 = c[132]
+    c133 = c[133]
+    c134 = c[134]
+    c135 = c[135]
+    c136 = c[136]
+    c137 = c[137]
+    c138 = c[138]
+    c139 = c[139]
+    c140 = c[140]
+    c141 = c[141]
+    c142 = c[142]
+    c143 = c[143]
+    c144 = c[144]
+    c145 = c[145]
+    c146 = c[146]
+    c147 = c[147]
+    c148 = c[148]
+    c149 = c[149]
+    c150 = c[150]
+    c151 = c[151]
+    c152 = c[152]
+    c153 = c[153]
+    c154 = c[154]
+    c155 = c[155]
+    c156 = c[156]
+    c157 = c[157]
+    c158 = c[158]
+    c159 = c[159]
+    c160 = c[160]
+    c161 = c[161]
+    c162 = c[162]
+    c163 = c[163]
+    c164 = c[164]
+    c165 = c[165]
+    c166 = c[166]
+    c167 = c[167]
+    c168 = c[168]
+    c169 = c[169]
+    c170 = c[170]
+    c171 = c[171]
+    c172 = c[172]
+    c173 = c[173]
+    c174 = c[174]
+    c175 = c[175]
+    c176 = c[176]
+    c177 = c[177]
+    c178 = c[178]
+    c179 = c[179]
+    c180 = c[180]
+    c181 = c[181]
+    c182 = c[182]
+    c183 = c[183]
+    c184 = c[184]
+    c185 = c[185]
+    c186 = c[186]
+    c187 = c[187]
+    c188 = c[188]
+    c189 = c[189]
+    c190 = c[190]
+    c191 = c[191]
+    c192 = c[192]
+    c193 = c[193]
+    c194 = c[194]
+    c195 = c[195]
+    c196 = c[196]
+    c197 = c[197]
+    c198 = c[198]
+    c199 = c[199]
+    c200 = c[200]
+    c201 = c[201]
+    c202 = c[202]
+    c203 = c[203]
+    c204 = c[204]
+    c205 = c[205]
+    c206 = c[206]
+    c207 = c[207]
+    c208 = c[208]
+    c209 = c[209]
+    c210 = c[210]
+    c211 = c[211]
+    c212 = c[212]
+    c213 = c[213]
+    c214 = c[214]
+    c215 = c[215]
+    c216 = c[216]
+    c217 = c[217]
+    c218 = c[218]
+    c219 = c[219]
+    c220 = c[220]
+    c221 = c[221]
+    c222 = c[222]
+    c223 = c[223]
+    c224 = c[224]
+    c225 = c[225]
+    c226 = c[226]
+    c227 = c[227]
+    c228 = c[228]
+    c229 = c[229]
+    w0 = ca.cos(coupler_theta)
+    w1 = coupler_q1 * exaggeration
+    w2 = exaggeration * coupler_q2
+    w3 = c51 - (w1 * (w1 * c52 + w2 * c53) + w2 * (w1 * c54 + w2 * c55)) * 0.5
+    w4 = ca.sin(coupler_theta)
+    w5 = w1 * c56 + w2 * c57
+    w6 = c58 - (w1 * (w1 * c59 + w2 * c60) + w2 * (w1 * c61 + w2 * c62)) * 0.5
+    w7 = w1 * c63 + w2 * c64
+    w8 = c65 - (w1 * (w1 * c66 + w2 * c67) + w2 * (w1 * c68 + w2 * c69)) * 0.5
+    w9 = w1 * c70 + w2 * c71
+    w10 = c72 - (w1 * (w1 * c73 + w2 * c74) + w2 * (w1 * c75 + w2 * c76)) * 0.5
+    w11 = w1 * c77 + w2 * c78
+    w12 = c79 - (w1 * (w1 * c80 + w2 * c81) + w2 * (w1 * c82 + w2 * c83)) * 0.5
+    w13 = w1 * c84 + w2 * c85
+    w14 = c86 - (w1 * (w1 * c87 + w2 * c88) + w2 * (w1 * c89 + w2 * c90)) * 0.5
+    w15 = w1 * c91 + w2 * c92
+    w16 = c93 - (w1 * (w1 * c94 + w2 * c95) + w2 * (w1 * c96 + w2 * c97)) * 0.5
+    w17 = w1 * c98 + w2 * c99
+    w18 = c100 - (w1 * (w1 * c101 + w2 * c102) + w2 * (w1 * c103 + w2 * c104)) * 0.5
+    w19 = w1 * c105
+    w20 = c106 - (w1 * (w1 * c107 + w2 * c108) + w2 * (w1 * c109 + w2 * c110)) * 0.5
+    w21 = w1 * c111 + w2 * c112
+    w22 = c113 - (w1 * (w1 * c114 + w2 * c115) + w2 * (w1 * c116 + w2 * c117)) * 0.5
+    w23 = w1 * c118 + w2 * c119
+    w24 = c120 - (w1 * (w1 * c121 + w2 * c122) + w2 * (w1 * c123 + w2 * c124)) * 0.5
+    w25 = w1 * c125 + w2 * c126
+    w26 = c127 - (w1 * (w1 * c128 + w2 * c129) + w2 * (w1 * c130 + w2 * c131)) * 0.5
+    w27 = w1 * c132 + w2 * c133
+    w28 = c134 - (w1 * (w1 * c135 + w2 * c136) + w2 * (w1 * c137 + w2 * c138)) * 0.5
+    w29 = w1 * c139 + w2 * c140
+    w30 = c141 - (w1 * (w1 * c142 + w2 * c143) + w2 * (w1 * c144 + w2 * c145)) * 0.5
+    w31 = w1 * c146 + w2 * c147
+    w32 = c148 - (w1 * (w1 * c149 + w2 * c150) + w2 * (w1 * c151 + w2 * c152)) * 0.5
+    w33 = w1 * c153 + w2 * c154
+    w34 = c1 - (w1 * (w1 * c4) + w2 * (w2 * c5)) * 0.5
+    w35 = ca.cos(rocker_theta)
+    w36 = exaggeration * rocker_q1
+    w37 = exaggeration * rocker_q2
+    w38 = c155 - (w36 * (w36 * c156 + w37 * c157) + w37 * (w36 * c158 + w37 * c159)) * 0.5
+    w39 = ca.sin(rocker_theta)
+    w40 = w36 * c56 + w37 * c57
+    w41 = c160 - (w36 * (w36 * c161 + w37 * c162) + w37 * (w36 * c163 + w37 * c164)) * 0.5
+    w42 = w36 * c63 + w37 * c64
+    w43 = c165 - (w36 * (w36 * c166 + w37 * c167) + w37 * (w36 * c168 + w37 * c169)) * 0.5
+    w44 = w36 * c70 + w37 * c71
+    w45 = c170 - (w36 * (w36 * c171 + w37 * c172) + w37 * (w36 * c173 + w37 * c174)) * 0.5
+    w46 = w36 * c77 + w37 * c78
+    w47 = c175 - (w36 * (w36 * c176 + w37 * c177) + w37 * (w36 * c178 + w37 * c179)) * 0.5
+    w48 = w36 * c84 + w37 * c85
+    w49 = c180 - (w36 * (w36 * c181 + w37 * c182) + w37 * (w36 * c183 + w37 * c184)) * 0.5
+    w50 = w36 * c91 + w37 * c92
+    w51 = c185 - (w36 * (w36 * c186 + w37 * c187) + w37 * (w36 * c188 + w37 * c189)) * 0.5
+    w52 = w36 * c98 + w37 * c99
+    w53 = c190 - (w36 * (w36 * c191 + w37 * c192) + w37 * (w36 * c193 + w37 * c194)) * 0.5
+    w54 = w36 * c105
+    w55 = c195 - (w36 * (w36 * c196 + w37 * c197) + w37 * (w36 * c198 + w37 * c199)) * 0.5
+    w56 = w36 * c111 + w37 * c112
+    w57 = c200 - (w36 * (w36 * c201 + w37 * c202) + w37 * (w36 * c203 + w37 * c204)) * 0.5
+    w58 = w36 * c118 + w37 * c119
+    w59 = c205 - (w36 * (w36 * c206 + w37 * c207) + w37 * (w36 * c208 + w37 * c209)) * 0.5
+    w60 = w36 * c125 + w37 * c126
+    w61 = c210 - (w36 * (w36 * c211 + w37 * c212) + w37 * (w36 * c213 + w37 * c214)) * 0.5
+    w62 = w36 * c132 + w37 * c133
+    w63 = c215 - (w36 * (w36 * c216 + w37 * c217) + w37 * (w36 * c218 + w37 * c219)) * 0.5
+    w64 = w36 * c139 + w37 * c140
+    w65 = c220 - (w36 * (w36 * c221 + w37 * c222) + w37 * (w36 * c223 + w37 * c224)) * 0.5
+    w66 = w36 * c146 + w37 * c147
+    w67 = c225 - (w36 * (w36 * c226 + w37 * c227) + w37 * (w36 * c228 + w37 * c229)) * 0.5
+    w68 = w36 * c153 + w37 * c154
+    w69 = c6 - (w36 * (w36 * c7) + w37 * (w37 * c8)) * 0.5
+    xy = ca.vertcat(
+        0.0,
+        0.0,
+        c45,
+        0.0,
+        crank_x,
+        crank_y,
+        crank_x + ca.cos(crank_theta) * c0,
+        crank_y + ca.sin(crank_theta) * c0,
+        coupler_x,
+        coupler_y,
+        coupler_x + (w0 * w3 - w4 * w5),
+        coupler_y + (w3 * w4 + w0 * w5),
+        coupler_x + (w0 * w6 - w4 * w7),
+        coupler_y + (w4 * w6 + w0 * w7),
+        coupler_x + (w0 * w8 - w4 * w9),
+        coupler_y + (w4 * w8 + w0 * w9),
+        coupler_x + (w0 * w10 - w4 * w11),
+        coupler_y + (w4 * w10 + w0 * w11),
+        coupler_x + (w0 * w12 - w4 * w13),
+        coupler_y + (w4 * w12 + w0 * w13),
+        coupler_x + (w0 * w14 - w4 * w15),
+        coupler_y + (w4 * w14 + w0 * w15),
+        coupler_x + (w0 * w16 - w4 * w17),
+        coupler_y + (w4 * w16 + w0 * w17),
+        coupler_x + (w0 * w18 - w4 * w19),
+        coupler_y + (w4 * w18 + w0 * w19),
+        coupler_x + (w0 * w20 - w4 * w21),
+        coupler_y + (w4 * w20 + w0 * w21),
+        coupler_x + (w0 * w22 - w4 * w23),
+        coupler_y + (w4 * w22 + w0 * w23),
+        coupler_x + (w0 * w24 - w4 * w25),
+        coupler_y + (w4 * w24 + w0 * w25),
+        coupler_x + (w0 * w26 - w4 * w27),
+        coupler_y + (w4 * w26 + w0 * w27),
+        coupler_x + (w0 * w28 - w4 * w29),
+        coupler_y + (w4 * w28 + w0 * w29),
+        coupler_x + (w0 * w30 - w4 * w31),
+        coupler_y + (w4 * w30 + w0 * w31),
+        coupler_x + (w0 * w32 - w4 * w33),
+        coupler_y + (w4 * w32 + w0 * w33),
+        coupler_x + w0 * w34,
+        coupler_y + w4 * w34,
+        rocker_x,
+        rocker_y,
+        rocker_x + (w35 * w38 - w39 * w40),
+        rocker_y + (w38 * w39 + w35 * w40),
+        rocker_x + (w35 * w41 - w39 * w42),
+        rocker_y + (w39 * w41 + w35 * w42),
+        rocker_x + (w35 * w43 - w39 * w44),
+        rocker_y + (w39 * w43 + w35 * w44),
+        rocker_x + (w35 * w45 - w39 * w46),
+        rocker_y + (w39 * w45 + w35 * w46),
+        rocker_x + (w35 * w47 - w39 * w48),
+        rocker_y + (w39 * w47 + w35 * w48),
+        rocker_x + (w35 * w49 - w39 * w50),
+        rocker_y + (w39 * w49 + w35 * w50),
+        rocker_x + (w35 * w51 - w39 * w52),
+        rocker_y + (w39 * w51 + w35 * w52),
+        rocker_x + (w35 * w53 - w39 * w54),
+        rocker_y + (w39 * w53 + w35 * w54),
+        rocker_x + (w35 * w55 - w39 * w56),
+        rocker_y + (w39 * w55 + w35 * w56),
+        rocker_x + (w35 * w57 - w39 * w58),
+        rocker_y + (w39 * w57 + w35 * w58),
+        rocker_x + (w35 * w59 - w39 * w60),
+        rocker_y + (w39 * w59 + w35 * w60),
+        rocker_x + (w35 * w61 - w39 * w62),
+        rocker_y + (w39 * w61 + w35 * w62),
+        rocker_x + (w35 * w63 - w39 * w64),
+        rocker_y + (w39 * w63 + w35 * w64),
+        rocker_x + (w35 * w65 - w39 * w66),
+        rocker_y + (w39 * w65 + w35 * w66),
+        rocker_x + (w35 * w67 - w39 * w68),
+        rocker_y + (w39 * w67 + w35 * w68),
+        rocker_x + w35 * w69,
+        rocker_y + w39 * w69,
+    )
+    xy = ca.reshape(xy, 2, 38)
+    xy = ca.densify(xy)
+    inputs, outputs = [q, exaggeration, c], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1742 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c235 = c[235]
+    c236 = c[236]
+    c237 = c[237]
+    c238 = c[238]
+    c239 = c[239]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = coupler_theta_dot**2
+    w2 = coupler_q1 * c17
+    w3 = w2 + coupler_q2 * c18
+    w4 = coupler_q2 * c20
+    w5 = coupler_q1 * c19 + w4
+    w6 = c16 - (coupler_q1 * w3 + coupler_q2 * w5) * 0.5
+    w7 = ca.cos(coupler_theta)
+    w8 = coupler_q1 * c21
+    w9 = ca.sin(coupler_theta)
+    w10 = w6 * w7 - w8 * w9
+    w11 = w1 * w10
+    w12 = coupler_q1_dot * c17
+    w13 = coupler_q2_dot * c20
+    w14 = coupler_q1_dot * (w12 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + w13)
+    w15 = w7 * w14
+    w16 = 2 * coupler_theta_dot
+    w17 = coupler_q1_dot * c21
+    w18 = w3 * coupler_q1_dot + w5 * coupler_q2_dot
+    w19 = w7 * w17 - w9 * w18
+    w20 = w16 * w19
+    w21 = ca.cos(rocker_theta)
+    w22 = rocker_q1 * c7
+    w23 = rocker_q2 * c8
+    w24 = c6 - (rocker_q1 * w22 + rocker_q2 * w23) * 0.5
+    w25 = w21 * w24
+    w26 = coupler_q1 * c4
+    w27 = coupler_q2 * c5
+    w28 = coupler_q1_dot * w26 + coupler_q2_dot * w27
+    w29 = w7 * w28
+    w30 = w16 * w29
+    w31 = coupler_q1_dot * c4
+    w32 = coupler_q2_dot * c5
+    w33 = coupler_q1_dot * w31 + coupler_q2_dot * w32
+    w34 = w9 * w33
+    w35 = c1 - (coupler_q1 * w26 + coupler_q2 * w27) * 0.5
+    w36 = w9 * w35
+    w37 = w1 * w36
+    w38 = w30 + (w34 + w37)
+    w39 = ca.sin(rocker_theta)
+    w40 = w24 * w39
+    w41 = w7 * w33
+    w42 = w9 * w28
+    w43 = w16 * w42
+    w44 = w7 * w35
+    w45 = w1 * w44
+    w46 = w41 - w43 + w45
+    w47 = w25 * w36 - w40 * w44
+    w48 = 2 * rocker_theta_dot
+    w49 = w22 * rocker_q1_dot + w23 * rocker_q2_dot
+    w50 = w39 * w49
+    w51 = w48 * w50
+    w52 = rocker_q1_dot * c7
+    w53 = rocker_q2_dot * c8
+    w54 = rocker_q1_dot * w52 + rocker_q2_dot * w53
+    w55 = w21 * w54
+    w56 = rocker_theta_dot**2
+    w57 = w25 * w56
+    w58 = crank_theta_dot**2
+    w59 = w0 * w58
+    w60 = w43 - (w41 + w45) - (w51 - (w55 + w57)) - w59
+    w61 = w39 * w54
+    w62 = w21 * w49
+    w63 = w48 * w62
+    w64 = w40 * w56
+    w65 = ca.sin(crank_theta) * c0
+    w66 = w58 * w65
+    w67 = w61 + w63 + w64 - (w37 + (w30 + w34)) - w66
+    w68 = (w25 * w60 + w40 * w67) / w47
+    w69 = w68 / w47
+    w70 = w25 * w44 + w36 * w40
+    w71 = w69 * w70
+    w72 = (w25 * w38 - w40 * w46) / w47 - w71
+    w73 = w6 * w9 + w7 * w8
+    w74 = w68 * w73
+    w75 = w10 * w68
+    w76 = w1 * w73
+    w77 = w9 * w17 + w7 * w18
+    w78 = w16 * w77
+    w79 = w9 * w14
+    w80 = rocker_theta_dot * -2.0
+    w81 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w82 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w83 = rocker_q1_dot * w81 + rocker_q2_dot * w82
+    w84 = rocker_q1 * c36
+    w85 = w84 + rocker_q2 * c37
+    w86 = rocker_q2 * c39
+    w87 = rocker_q1 * c38 + w86
+    w88 = c35 - (rocker_q1 * w85 + rocker_q2 * w87) * 0.5
+    w89 = rocker_q1 * c40
+    w90 = c9 + (rocker_q1 * w81 + rocker_q2 * w82)
+    w91 = (w44 * w60 + w36 * w67) / w47
+    w92 = w80 * w83 + (w21 * w88 - w39 * w89) * c33 - w90 * w91
+    w93 = (w0 * w44 + w36 * w65) / w47
+    w94 = (w0 * w36 - w44 * w65) / w47
+    w95 = w94 / w47
+    w96 = w70 * w95
+    w97 = w93 - w96
+    w98 = w91 / w47
+    w99 = w70 * w98
+    w100 = (w38 * w44 - w36 * w60 + (w44 * w67 - w36 * w46)) / w47 - w99
+    w101 = w90 * w100
+    w102 = w0 * (w11 + w15 + w20 - (w10 * w72 - w74)) - w65 * (w75 + w72 * w73 - (w76 + w78 + w79)) + (w92 * w97 - w94 * w101)
+    w103 = (w0 * w40 - w25 * w65) / w47
+    w104 = w10 * w59 + w66 * w73
+    w105 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w106 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w107 = c22 + (coupler_q1 * w105 + coupler_q2 * w106)
+    w108 = w73 * c33 + (w104 + w72 * w107)
+    w109 = coupler_theta_dot * -2.0
+    w110 = coupler_q1_dot * w105 + coupler_q2_dot * w106
+    w111 = w109 * w110 + w10 * c33 - (w59 * w73 - w10 * w66 + w68 * w107)
+    w112 = w103 / w47
+    w113 = w70 * w112
+    w114 = w102 - (w103 * w108 + w111 * w113)
+    w115 = w57 + (w55 - w51)
+    w116 = w63 + (w61 + w64)
+    w117 = w99 + (w36 * w115 - w44 * w116) / w47
+    w118 = (w39 * w88 + w21 * w89) * c33 + w90 * w117
+    w119 = w71 + (w25 * w67 + w40 * w115 - (w40 * w60 + w25 * w116)) / w47
+    w120 = (w0 * w25 + w40 * w65) / w47
+    w121 = w113 + w120
+    w122 = w107 * w119
+    w123 = w92 * w96 - w94 * w118 - (w0 * (w10 * w119) + w65 * (w73 * w119)) + (w111 * w121 - w103 * w122)
+    w124 = (w25 * w66 - w40 * w59) / w47
+    w125 = w59 * c2
+    w126 = w66 * c2
+    w127 = w0 * (w10 * w124 - w125) + w65 * (c34 + (w78 + (w76 + w79)) - (w75 - w126)) + (w65 * (w73 * w124 - w126) + w0 * (w15 + (w11 + w20) + (w74 + w125)))
+    w128 = (w44 * w66 - w36 * w59) / w47
+    w129 = w90 * w128
+    w130 = w107 * w124 - w104
+    w131 = 2 * w42 - w16 * w44
+    w132 = 2 * w29 + w16 * w36
+    w133 = (w25 * w131 - w40 * w132) / w47
+    w134 = (w44 * w131 - w36 * w132) / w47
+    w135 = w90 * w134
+    w136 = w110 * -2.0 - w107 * w133
+    w137 = w0 * (w16 * w73 + 2 * w77 - w10 * w133) - w65 * (w10 * w16 + 2 * w19 + w73 * w133) - w94 * w135 + w103 * w136
+    w138 = w9 * w26
+    w139 = w25 * w138
+    w140 = w7 * w26
+    w141 = w40 * w140
+    w142 = (w25 * w140 + w40 * w138) / w47
+    w143 = w142 / w47
+    w144 = w70 * w143
+    w145 = (w139 - w141) / w47 + w144
+    w146 = w9 * w27
+    w147 = w25 * w146
+    w148 = w7 * w27
+    w149 = w40 * w148
+    w150 = (w25 * w148 + w40 * w146) / w47
+    w151 = w150 / w47
+    w152 = w70 * w151
+    w153 = (w147 - w149) / w47 + w152
+    w154 = w22 * w39
+    w155 = w21 * w22
+    w156 = rocker_q1 * w24 * c7 / w47
+    w157 = w156 / w47
+    w158 = w70 * w157
+    w159 = rocker_q1_dot * w158
+    w160 = w23 * w39
+    w161 = w21 * w23
+    w162 = rocker_q2 * w24 * c8 / w47
+    w163 = w162 / w47
+    w164 = w70 * w163
+    w165 = rocker_q2_dot * w164
+    w166 = crank_theta_dot * w121 - coupler_q1_dot * w145 - coupler_q2_dot * w153 + w159 + w165
+    w167 = w141 - w139
+    w168 = w167 / w47 - w144
+    w169 = w149 - w147
+    w170 = w169 / w47 - w152
+    w171 = w165 + (w159 + (crank_theta_dot * w113 + coupler_q1_dot * w168 + coupler_q2_dot * w170))
+    w172 = w94 * w166 - w103 * w171 - crank_theta_dot * w120
+    w173 = 2 * w62 + w40 * w48
+    w174 = 2 * w50 - w25 * w48
+    w175 = (w36 * w173 - w44 * w174) / w47
+    w176 = w83 * -2.0 - w90 * w175
+    w177 = (w40 * w173 - w25 * w174) / w47
+    w178 = w107 * w177
+    w179 = w94 * w176 - (w0 * (w10 * w177) + w65 * (w73 * w177)) - w103 * w178
+    w180 = coupler_q1 * w35 * c4 / w47
+    w181 = w180 / w47
+    w182 = w70 * w181
+    w183 = coupler_q1_dot * w182
+    w184 = coupler_q2 * w35 * c5 / w47
+    w185 = w184 / w47
+    w186 = w70 * w185
+    w187 = coupler_q2_dot * w186
+    w188 = w44 * w154
+    w189 = w36 * w155
+    w190 = w188 - w189
+    w191 = (w44 * w155 + w36 * w154) / w47
+    w192 = w191 / w47
+    w193 = w70 * w192
+    w194 = w190 / w47 - w193
+    w195 = w44 * w160
+    w196 = w36 * w161
+    w197 = w195 - w196
+    w198 = (w44 * w161 + w36 * w160) / w47
+    w199 = w198 / w47
+    w200 = w70 * w199
+    w201 = w197 / w47 - w200
+    w202 = crank_theta_dot * w97 + w183 + w187 + rocker_q1_dot * w194 + rocker_q2_dot * w201
+    w203 = w193 + (w189 - w188) / w47
+    w204 = w200 + (w196 - w195) / w47
+    w205 = crank_theta_dot * w96 - w183 - w187 + rocker_q1_dot * w203 + rocker_q2_dot * w204
+    w206 = w103 * w202 + w94 * w205 - crank_theta_dot * w93
+    w207 = w103 * w114 + w94 * w123 - (w127 + (w94 * w129 + w92 * w93) + (w103 * w130 + w111 * w120)) + (w137 * w172 + w179 * w206)
+    w208 = w9 * c21
+    w209 = w3 * w7 + w208
+    w210 = w7 * c21
+    w211 = w66 * w209 + w59 * (w210 - w3 * w9)
+    w212 = w92 * w182
+    w213 = w209 * c33 + (w211 + w72 * c29) - (w212 + w101 * w180) + (w111 * w168 - w108 * w142)
+    w214 = w119 * c29 + (w212 - w118 * w180) + (w111 * w145 - w122 * w142)
+    w215 = w16 * w105 - w133 * c29 + w135 * w180 - w136 * w142
+    w216 = w142 * w178 - (w177 * c29 + w176 * w180)
+    w217 = w129 * w180 - (w124 * c29 - w211) + w130 * w142 - (w103 * w213 + w94 * w214) + (w172 * w215 + w206 * w216)
+    w218 = w59 * (w5 * w9)
+    w219 = w5 * w7
+    w220 = w66 * w219
+    w221 = w92 * w186
+    w222 = w219 * c33 + (w220 - w218 + w72 * c30) - (w221 + w101 * w184) + (w111 * w170 - w108 * w150)
+    w223 = w119 * c30 + (w221 - w118 * w184) + (w111 * w153 - w122 * w150)
+    w224 = w16 * w106 - w133 * c30 + w135 * w184 - w136 * w150
+    w225 = w150 * w178 - (w177 * c30 + w176 * w184)
+    w226 = w129 * w184 - (w218 - w220 + w124 * c30) + w130 * w150 - (w103 * w222 + w94 * w223) + (w172 * w224 + w206 * w225)
+    w227 = w111 * w158
+    w228 = w92 * w194 - w101 * w191 - w100 * c31 - (w108 * w156 + w227)
+    w229 = w39 * c40
+    w230 = w92 * w203 - w118 * w191 - ((w229 + w21 * w85) * c33 + w117 * c31) + (w227 - w122 * w156)
+    w231 = w136 * w156 - (w134 * c31 + w135 * w191)
+    w232 = w48 * w81 - w175 * c31 + w176 * w191 - w156 * w178
+    w233 = w103 * w228 + w94 * w230 - (w128 * c31 + w129 * w191 + w130 * w156) + (w172 * w231 + w206 * w232)
+    w234 = w111 * w164
+    w235 = w92 * w201 - w101 * w198 - w100 * c32 - (w108 * w162 + w234)
+    w236 = w92 * w204 - w118 * w198 - (w21 * w87 * c33 + w117 * c32) + (w234 - w122 * w162)
+    w237 = w136 * w162 - (w134 * c32 + w135 * w198)
+    w238 = w48 * w82 - w175 * c32 + w176 * w198 - w162 * w178
+    w239 = w103 * w235 + w94 * w236 - (w128 * c32 + w129 * w198 + w130 * w162) + (w172 * w237 + w206 * w238)
+    w240 = (w2 + w3 + coupler_q2 * c19) * 0.5
+    w241 = w210 - w9 * w240
+    w242 = w12 + coupler_q2_dot * c19
+    w243 = w16 * (w9 * w31) + w1 * w140
+    w244 = w16 * (w7 * w31) - w1 * w138
+    w245 = (w25 * w243 - w40 * w244) / w47 - w69 * w167
+    w246 = w208 + w7 * w240
+    w247 = w0 * (w1 * w241 + w16 * (w7 * w242) - (w10 * w245 - w68 * w246)) - w65 * (w68 * w241 + w73 * w245 - (w1 * w246 + w16 * (w9 * w242)))
+    w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w167
+    w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w167
+    w250 = w90 * w249
+    w251 = w109 * (coupler_q1_dot * c230 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c230 - coupler_q2 * c27) + w107 * w245))
+    w252 = w112 * w167
+    w253 = w151 * w167
+    w254 = w7 * c4
+    w255 = w9 * c4
+    w256 = (w25 * w254 + w40 * w255) / w47 - w143 * w167
+    w257 = w157 * w167
+    w258 = w163 * w167
+    w259 = coupler_q2_dot * w253 - (crank_theta_dot * w252 + coupler_q1_dot * w256) - rocker_q1_dot * w257 - rocker_q2_dot * w258
+    w260 = w259 + (w142 * w171 - w166 * w180)
+    w261 = (w44 * w254 - w140**2 + (w36 * w255 - w138**2)) / w47 - w167 * w181
+    w262 = coupler_q1 * coupler_q2 * c231 / w47
+    w263 = w262 + w167 * w185
+    w264 = (w140 * w155 + w138 * w154) / w47
+    w265 = w264 + w167 * w192
+    w266 = (w140 * w161 + w138 * w160) / w47
+    w267 = w266 + w167 * w199
+    w268 = crank_theta_dot * w248 - coupler_q1_dot * w261 + coupler_q2_dot * w263 - rocker_q1_dot * w265 - rocker_q2_dot * w267
+    w269 = w268 - (w142 * w202 + w180 * w205)
+    w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w180) + (w137 * w260 + w179 * w269)
+    w271 = w9 * c17
+    w272 = w1 * c230 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
+    w273 = w9 * c19
+    w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * c33 + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
+    w275 = w156 * w251 - w111 * w257 - (w249 * c31 + (w191 * w250 + w92 * w265)) - (w142 * w228 + w180 * w230)
+    w276 = w162 * w251 - w111 * w258 - (w249 * c32 + (w198 * w250 + w92 * w267)) - (w142 * w235 + w180 * w236)
+    w277 = w13 + coupler_q1_dot * c18
+    w278 = (coupler_q1 * c18 + (w4 + w5)) * 0.5
+    w279 = w9 * w278
+    w280 = w16 * (w9 * w32) + w1 * w148
+    w281 = w16 * (w7 * w32) - w1 * w146
+    w282 = (w25 * w280 - w40 * w281) / w47 - w69 * w169
+    w283 = w7 * w278
+    w284 = w0 * (w16 * (w7 * w277) - w1 * w279 - (w10 * w282 - w68 * w283)) - w65 * (w73 * w282 - w68 * w279 - (w1 * w283 + w16 * (w9 * w277)))
+    w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w169
+    w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w169
+    w287 = w90 * w286
+    w288 = w109 * (coupler_q2_dot * c232 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c232 - coupler_q1 * c25) + w107 * w282))
+    w289 = w112 * w169
+    w290 = w143 * w169
+    w291 = w7 * c5
+    w292 = w9 * c5
+    w293 = (w25 * w291 + w40 * w292) / w47 - w151 * w169
+    w294 = w157 * w169
+    w295 = w163 * w169
+    w296 = coupler_q1_dot * w290 - crank_theta_dot * w289 - coupler_q2_dot * w293 - rocker_q1_dot * w294 - rocker_q2_dot * w295
+    w297 = w296 + (w150 * w171 - w166 * w184)
+    w298 = w262 + w169 * w181
+    w299 = (w44 * w291 - w148**2 + (w36 * w292 - w146**2)) / w47 - w169 * w185
+    w300 = (w148 * w155 + w146 * w154) / w47
+    w301 = w300 + w169 * w192
+    w302 = (w148 * w161 + w146 * w160) / w47
+    w303 = w302 + w169 * w199
+    w304 = crank_theta_dot * w285 + coupler_q1_dot * w298 - coupler_q2_dot * w299 - rocker_q1_dot * w301 - rocker_q2_dot * w303
+    w305 = w304 - (w150 * w202 + w184 * w205)
+    w306 = w284 + (w92 * w285 - w94 * w287) + (w103 * w288 - w111 * w289) - (w114 * w150 + w123 * w184) + (w137 * w297 + w179 * w305)
+    w307 = w9 * c18
+    w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * c33 + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
+    w309 = w9 * c20
+    w310 = w1 * c232 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
+    w311 = w156 * w288 - w111 * w294 - (w286 * c31 + (w191 * w287 + w92 * w301)) - (w150 * w228 + w184 * w230)
+    w312 = w162 * w288 - w111 * w295 - (w286 * c32 + (w198 * w287 + w92 * w303)) - (w150 * w235 + w184 * w236)
+    w313 = w80 * (rocker_q1_dot * c233 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
+    w314 = w48 * (w21 * w52) - w56 * w154
+    w315 = w48 * (w39 * w52) + w56 * w155
+    w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w190
+    w317 = w313 - (w91 * (w81 + rocker_q1 * c233 - rocker_q2 * c14) + w90 * w316)
+    w318 = w95 * w190
+    w319 = (w40 * w314 - w67 * w154 - (w60 * w155 + w25 * w315)) / w47 - w69 * w190
+    w320 = (w65 * w155 - w0 * w154) / w47 - w112 * w190
+    w321 = w107 * w319
+    w322 = w94 * w317 - w92 * w318 - (w0 * (w10 * w319) + w65 * (w73 * w319)) + (w111 * w320 - w103 * w321) + (w114 * w156 + w123 * w191)
+    w323 = w264 + w143 * w190
+    w324 = w300 + w151 * w190
+    w325 = w21 * c7
+    w326 = w39 * c7
+    w327 = (w25 * w325 - w155**2 + (w40 * w326 - w154**2)) / w47 - w157 * w190
+    w328 = rocker_q1 * rocker_q2 * c234 / w47
+    w329 = w328 + w163 * w190
+    w330 = crank_theta_dot * w320 + coupler_q1_dot * w323 + coupler_q2_dot * w324 + rocker_q1_dot * w327 - rocker_q2_dot * w329
+    w331 = w330 + (w166 * w191 - w156 * w171)
+    w332 = w181 * w190
+    w333 = w185 * w190
+    w334 = (w44 * w325 + w36 * w326) / w47 - w190 * w192
+    w335 = w190 * w199
+    w336 = coupler_q1_dot * w332 - crank_theta_dot * w318 + coupler_q2_dot * w333 + rocker_q1_dot * w334 - rocker_q2_dot * w335
+    w337 = w336 + (w156 * w202 + w191 * w205)
+    w338 = w142 * w321 + w111 * w323 - (w319 * c29 + (w180 * w317 - w92 * w332)) - (w156 * w213 + w191 * w214)
+    w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w184 * w317 - w92 * w333)) - (w156 * w222 + w191 * w223)
+    w340 = w56 * c233 - c43 - w39 * c235 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
+    w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c236 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
+    w342 = w80 * (rocker_q2_dot * c237 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
+    w343 = w48 * (w21 * w53) - w56 * w160
+    w344 = w48 * (w39 * w53) + w56 * w161
+    w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w197
+    w346 = w342 - (w91 * (w82 + rocker_q2 * c237 - rocker_q1 * c12) + w90 * w345)
+    w347 = w95 * w197
+    w348 = (w40 * w343 - w67 * w160 - (w60 * w161 + w25 * w344)) / w47 - w69 * w197
+    w349 = (w65 * w161 - w0 * w160) / w47 - w112 * w197
+    w350 = w107 * w348
+    w351 = w94 * w346 - w92 * w347 - (w0 * (w10 * w348) + w65 * (w73 * w348)) + (w111 * w349 - w103 * w350) + (w114 * w162 + w123 * w198)
+    w352 = w266 + w143 * w197
+    w353 = w302 + w151 * w197
+    w354 = w328 + w157 * w197
+    w355 = w21 * c8
+    w356 = w39 * c8
+    w357 = (w25 * w355 - w161**2 + (w40 * w356 - w160**2)) / w47 - w163 * w197
+    w358 = crank_theta_dot * w349 + coupler_q1_dot * w352 + coupler_q2_dot * w353 - rocker_q1_dot * w354 + rocker_q2_dot * w357
+    w359 = w358 + (w166 * w198 - w162 * w171)
+    w360 = w181 * w197
+    w361 = w185 * w197
+    w362 = w192 * w197
+    w363 = (w44 * w355 + w36 * w356) / w47 - w197 * w199
+    w364 = coupler_q1_dot * w360 - crank_theta_dot * w347 + coupler_q2_dot * w361 - rocker_q1_dot * w362 + rocker_q2_dot * w363
+    w365 = w364 + (w162 * w202 + w198 * w205)
+    w366 = w142 * w350 + w111 * w352 - (w348 * c29 + (w180 * w346 - w92 * w360)) - (w162 * w213 + w198 * w214)
+    w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w184 * w346 - w92 * w361)) - (w162 * w222 + w198 * w223)
+    w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c238 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
+    w369 = w56 * c237 - c44 - w39 * c239 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
+    dQ_hat_dq_i = ca.vertcat(
+        w207,
+        w217,
+        w226,
+        w233,
+        w239,
+        w270,
+        w272 - (w142 * w251 + w111 * w256) + (w142 * w213 + w180 * w214) + (w215 * w260 + w216 * w269),
+        w274 - (w150 * w251 - w111 * w253) + (w142 * w222 + w180 * w223) + (w224 * w260 + w225 * w269),
+        w275 + (w231 * w260 + w232 * w269),
+        w276 + (w237 * w260 + w238 * w269),
+        w306,
+        w308 - (w142 * w288 - w111 * w290) + (w150 * w213 + w184 * w214) + (w215 * w297 + w216 * w305),
+        w310 - (w150 * w288 + w111 * w293) + (w150 * w222 + w184 * w223) + (w224 * w297 + w225 * w305),
+        w311 + (w231 * w297 + w232 * w305),
+        w312 + (w237 * w297 + w238 * w305),
+        w322 + (w137 * w331 + w179 * w337),
+        w338 + (w215 * w331 + w216 * w337),
+        w339 + (w224 * w331 + w225 * w337),
+        w340 + (w156 * w228 + w191 * w230) + (w231 * w331 + w232 * w337),
+        w341 + (w237 * w331 + w238 * w337),
+        w351 + (w137 * w359 + w179 * w365),
+        w366 + (w215 * w359 + w216 * w365),
+        w367 + (w224 * w359 + w225 * w365),
+        w368 + (w231 * w359 + w232 * w365),
+        w369 + (w162 * w235 + w198 * w236) + (w237 * w359 + w238 * w365),
+    )
+    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 719 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c240 = c[240]
+    c241 = c[241]
+    c242 = c[242]
+    c243 = c[243]
+    c244 = c[244]
+    c245 = c[245]
+    c246 = c[246]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = ca.cos(coupler_theta)
+    w2 = coupler_q1 * c17 + coupler_q2 * c18
+    w3 = coupler_q1 * c19 + coupler_q2 * c20
+    w4 = c16 - (coupler_q1 * w2 + coupler_q2 * w3) * 0.5
+    w5 = ca.sin(coupler_theta)
+    w6 = coupler_q1 * c21
+    w7 = w1 * w4 - w5 * w6
+    w8 = ca.cos(rocker_theta)
+    w9 = rocker_q1 * c7
+    w10 = rocker_q2 * c8
+    w11 = c6 - (rocker_q1 * w9 + rocker_q2 * w10) * 0.5
+    w12 = w8 * w11
+    w13 = 2 * crank_theta_dot
+    w14 = w0 * w13
+    w15 = ca.sin(rocker_theta)
+    w16 = w11 * w15
+    w17 = ca.sin(crank_theta) * c0
+    w18 = w13 * w17
+    w19 = coupler_q1 * c4
+    w20 = coupler_q2 * c5
+    w21 = c1 - (coupler_q1 * w19 + coupler_q2 * w20) * 0.5
+    w22 = w5 * w21
+    w23 = w1 * w21
+    w24 = w12 * w22 - w16 * w23
+    w25 = (w12 * w14 + w16 * w18) / w24
+    w26 = w4 * w5 + w1 * w6
+    w27 = (w0 * w22 - w17 * w23) / w24
+    w28 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w29 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w30 = c9 + (rocker_q1 * w28 + rocker_q2 * w29)
+    w31 = (w14 * w23 + w18 * w22) / w24
+    w32 = w30 * w31
+    w33 = (w0 * w16 - w12 * w17) / w24
+    w34 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w35 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w36 = c22 + (coupler_q1 * w34 + coupler_q2 * w35)
+    w37 = w14 * w26 - w7 * w18 - w25 * w36
+    w38 = 2 * coupler_theta_dot
+    w39 = w2 * coupler_q1_dot + w3 * coupler_q2_dot
+    w40 = coupler_q1_dot * c21
+    w41 = w19 * coupler_q1_dot + w20 * coupler_q2_dot
+    w42 = 2 * (w5 * w41) - w23 * w38
+    w43 = 2 * (w1 * w41) + w22 * w38
+    w44 = (w12 * w42 - w16 * w43) / w24
+    w45 = w0 * (w26 * w38 + 2 * (w1 * w39 + w5 * w40) - w7 * w44) - w17 * (w7 * w38 + 2 * (w1 * w40 - w5 * w39) + w26 * w44)
+    w46 = (w23 * w42 - w22 * w43) / w24
+    w47 = w30 * w46
+    w48 = (w34 * coupler_q1_dot + w35 * coupler_q2_dot) * -2.0 - w36 * w44
+    w49 = w45 - w27 * w47 + w33 * w48
+    w50 = w9 * rocker_q1_dot + w10 * rocker_q2_dot
+    w51 = 2 * rocker_theta_dot
+    w52 = 2 * (w8 * w50) + w16 * w51
+    w53 = 2 * (w15 * w50) - w12 * w51
+    w54 = (w22 * w52 - w23 * w53) / w24
+    w55 = (w28 * rocker_q1_dot + w29 * rocker_q2_dot) * -2.0 - w30 * w54
+    w56 = (w16 * w52 - w12 * w53) / w24
+    w57 = w36 * w56
+    w58 = w27 * w55 - (w0 * (w7 * w56) + w17 * (w26 * w56)) - w33 * w57
+    w59 = w0 * (w7 * w25 + w18 * c2) - w17 * (w14 * c2 - w25 * w26) + w27 * w32 - w33 * w37 + (w33 * w49 + w27 * w58)
+    w60 = w1 * w19
+    w61 = w5 * w19
+    w62 = (w12 * w60 + w16 * w61) / w24
+    w63 = w1 * w2 + w5 * c21
+    w64 = w1 * c21 - w2 * w5
+    w65 = coupler_q1 * w21 * c4 / w24
+    w66 = w34 * w38 - w44 * c29 + w47 * w65 - w48 * w62
+    w67 = w57 * w62 - (w56 * c29 + w55 * w65)
+    w68 = w1 * w20
+    w69 = w5 * w20
+    w70 = (w12 * w68 + w16 * w69) / w24
+    w71 = w1 * w3
+    w72 = w3 * w5
+    w73 = coupler_q2 * w21 * c5 / w24
+    w74 = w35 * w38 - w44 * c30 + w47 * w73 - w48 * w70
+    w75 = w57 * w70 - (w56 * c30 + w55 * w73)
+    w76 = w8 * w9
+    w77 = w9 * w15
+    w78 = (w23 * w76 + w22 * w77) / w24
+    w79 = rocker_q1 * w11 * c7 / w24
+    w80 = w48 * w79 - (w46 * c31 + w47 * w78)
+    w81 = w28 * w51 - w54 * c31 + w55 * w78 - w57 * w79
+    w82 = w8 * w10
+    w83 = w10 * w15
+    w84 = (w23 * w82 + w22 * w83) / w24
+    w85 = rocker_q2 * w11 * c8 / w24
+    w86 = w48 * w85 - (w46 * c32 + w47 * w84)
+    w87 = w29 * w51 - w54 * c32 + w55 * w84 - w57 * w85
+    w88 = coupler_q1_dot * c244 + coupler_q2_dot * c245
+    w89 = coupler_q1_dot * c240
+    w90 = w38 * w61 - w1 * w89
+    w91 = w5 * w89 + w38 * w60
+    w92 = (w12 * w90 - w16 * w91) / w24
+    w93 = (w23 * w90 - w22 * w91) / w24
+    w94 = w30 * w93
+    w95 = coupler_theta_dot * -2.0
+    w96 = w34 * w95 - w36 * w92
+    w97 = w0 * (w5 * w88 + w38 * w63 - w7 * w92) - w17 * (w38 * w64 + w1 * w88 + w26 * w92) - w27 * w94 + w33 * w96
+    w98 = coupler_q2_dot * c246 + coupler_q1_dot * c245
+    w99 = coupler_q2_dot * c241
+    w100 = w38 * w69 - w1 * w99
+    w101 = w5 * w99 + w38 * w68
+    w102 = (w12 * w100 - w16 * w101) / w24
+    w103 = (w23 * w100 - w22 * w101) / w24
+    w104 = w30 * w103
+    w105 = w35 * w95 - w36 * w102
+    w106 = w0 * (w5 * w98 + w38 * w71 - w7 * w102) - w17 * (w1 * w98 - w38 * w72 + w26 * w102) - w27 * w104 + w33 * w105
+    w107 = rocker_theta_dot * -2.0
+    w108 = rocker_q1_dot * c242
+    w109 = w15 * w108 + w51 * w76
+    w110 = w51 * w77 - w8 * w108
+    w111 = (w22 * w109 - w23 * w110) / w24
+    w112 = w28 * w107 - w30 * w111
+    w113 = (w16 * w109 - w12 * w110) / w24
+    w114 = w36 * w113
+    w115 = rocker_q2_dot * c243
+    w116 = w15 * w115 + w51 * w82
+    w117 = w51 * w83 - w8 * w115
+    w118 = (w22 * w116 - w23 * w117) / w24
+    w119 = w29 * w107 - w30 * w118
+    w120 = (w16 * w116 - w12 * w117) / w24
+    w121 = w36 * w120
+    dQ_hat_dq_i_dot = ca.vertcat(
+        w59,
+        w37 * w62 - (w14 * w63 - w18 * w64 - w25 * c29 + w32 * w65) + (w33 * w66 + w27 * w67),
+        w37 * w70 - (w14 * w71 + w18 * w72 - w25 * c30 + w32 * w73) + (w33 * w74 + w27 * w75),
+        w31 * c31 + w32 * w78 - w37 * w79 + (w33 * w80 + w27 * w81),
+        w31 * c32 + w32 * w84 - w37 * w85 + (w33 * w86 + w27 * w87),
+        w97 - (w49 * w62 + w58 * w65),
+        w65 * w94 - w92 * c29 - w62 * w96 - (w62 * w66 + w65 * w67),
+        w73 * w94 - w92 * c30 - w70 * w96 - (w62 * w74 + w65 * w75),
+        w79 * w96 - (w93 * c31 + w78 * w94) - (w62 * w80 + w65 * w81),
+        w85 * w96 - (w93 * c32 + w84 * w94) - (w62 * w86 + w65 * w87),
+        w106 - (w49 * w70 + w58 * w73),
+        w65 * w104 - w102 * c29 - w62 * w105 - (w66 * w70 + w67 * w73),
+        w73 * w104 - w102 * c30 - w70 * w105 - (w70 * w74 + w73 * w75),
+        w79 * w105 - (w103 * c31 + w78 * w104) - (w70 * w80 + w73 * w81),
+        w85 * w105 - (w103 * c32 + w84 * w104) - (w70 * w86 + w73 * w87),
+        w27 * w112 - (w0 * (w7 * w113) + w17 * (w26 * w113)) - w33 * w114 + (w49 * w79 + w58 * w78),
+        w62 * w114 - (w113 * c29 + w65 * w112) + (w66 * w79 + w67 * w78),
+        w70 * w114 - (w113 * c30 + w73 * w112) + (w74 * w79 + w75 * w78),
+        w78 * w112 - w111 * c31 - w79 * w114 + (w79 * w80 + w78 * w81),
+        w84 * w112 - w111 * c32 - w85 * w114 + (w79 * w86 + w78 * w87),
+        w27 * w119 - (w0 * (w7 * w120) + w17 * (w26 * w120)) - w33 * w121 + (w49 * w85 + w58 * w84),
+        w62 * w121 - (w120 * c29 + w65 * w119) + (w66 * w85 + w67 * w84),
+        w70 * w121 - (w120 * c30 + w73 * w119) + (w74 * w85 + w75 * w84),
+        w78 * w119 - w118 * c31 - w79 * w121 + (w80 * w85 + w81 * w84),
+        w84 * w119 - w118 * c32 - w85 * w121 + (w85 * w86 + w84 * w87),
+    )
+    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 5, 5)
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 1140 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 5)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_ddot = q_i_ddot[0]
+    coupler_q1_ddot = q_i_ddot[1]
+    coupler_q2_ddot = q_i_ddot[2]
+    rocker_q1_ddot = q_i_ddot[3]
+    rocker_q2_ddot = q_i_ddot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c230 = c[230]
+    c231 = c[231]
+    c232 = c[232]
+    c233 = c[233]
+    c234 = c[234]
+    c237 = c[237]
+    w0 = ca.sin(crank_theta) * c0
+    w1 = ca.cos(crank_theta) * c0
+    w2 = crank_theta_ddot * w1
+    w3 = w2 * c2
+    w4 = ca.sin(coupler_theta)
+    w5 = coupler_q1 * c17
+    w6 = w5 + coupler_q2 * c18
+    w7 = coupler_q2 * c20
+    w8 = coupler_q1 * c19 + w7
+    w9 = c16 - (coupler_q1 * w6 + coupler_q2 * w8) * 0.5
+    w10 = ca.cos(coupler_theta)
+    w11 = coupler_q1 * c21
+    w12 = w4 * w9 + w10 * w11
+    w13 = ca.sin(rocker_theta)
+    w14 = rocker_q1 * c7
+    w15 = rocker_q2 * c8
+    w16 = c6 - (rocker_q1 * w14 + rocker_q2 * w15) * 0.5
+    w17 = w13 * w16
+    w18 = ca.cos(rocker_theta)
+    w19 = w16 * w18
+    w20 = coupler_q1 * c4
+    w21 = coupler_q2 * c5
+    w22 = c1 - (coupler_q1 * w20 + coupler_q2 * w21) * 0.5
+    w23 = w4 * w22
+    w24 = w10 * w22
+    w25 = w19 * w23 - w17 * w24
+    w26 = (w0 * w17 + w1 * w19) / w25
+    w27 = crank_theta_ddot * w26
+    w28 = w0 * crank_theta_ddot
+    w29 = w28 * c2
+    w30 = (w1 * w17 - w0 * w19) / w25
+    w31 = w10 * w20
+    w32 = w4 * w20
+    w33 = (w19 * w31 + w17 * w32) / w25
+    w34 = w10 * w21
+    w35 = w4 * w21
+    w36 = (w19 * w34 + w17 * w35) / w25
+    w37 = w14 * w18
+    w38 = w13 * w14
+    w39 = rocker_q1 * w16 * c7 / w25
+    w40 = w15 * w18
+    w41 = w13 * w15
+    w42 = rocker_q2 * w16 * c8 / w25
+    w43 = crank_theta_ddot * w30 - w33 * coupler_q1_ddot - w36 * coupler_q2_ddot + w39 * rocker_q1_ddot + w42 * rocker_q2_ddot
+    w44 = w12 * w43
+    w45 = w4 * c21
+    w46 = w6 * w10 + w45
+    w47 = coupler_q1_ddot * w46
+    w48 = w8 * w10
+    w49 = coupler_q2_ddot * w48
+    w50 = w9 * w10 - w4 * w11
+    w51 = w43 * w50
+    w52 = w10 * c21
+    w53 = w52 - w4 * w6
+    w54 = coupler_q1_ddot * w53
+    w55 = w4 * w8
+    w56 = coupler_q2_ddot * w55
+    w57 = w0 * (w3 - w12 * w27) + w1 * (w29 + w44 + w47 + w49) - (w1 * (w29 + w27 * w50) + w0 * (w3 + w51 + w54 - w56))
+    w58 = (w1 * w23 - w0 * w24) / w25
+    w59 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w60 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w61 = c9 + (rocker_q1 * w59 + rocker_q2 * w60)
+    w62 = (w0 * w23 + w1 * w24) / w25
+    w63 = crank_theta_ddot * w62
+    w64 = w61 * w63
+    w65 = coupler_q1 * w22 * c4 / w25
+    w66 = coupler_q2 * w22 * c5 / w25
+    w67 = (w24 * w37 + w23 * w38) / w25
+    w68 = (w24 * w40 + w23 * w41) / w25
+    w69 = crank_theta_ddot * w58 - coupler_q1_ddot * w65 - coupler_q2_ddot * w66 + rocker_q1_ddot * w67 + rocker_q2_ddot * w68
+    w70 = w61 * w69 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32
+    w71 = w2 * w12
+    w72 = w28 * w50
+    w73 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w74 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w75 = c22 + (coupler_q1 * w73 + coupler_q2 * w74)
+    w76 = w71 - w72 - w27 * w75
+    w77 = w12 * w28 + w2 * w50 + w43 * w75 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30
+    w78 = w30 / w25
+    w79 = w19 * w24 + w17 * w23
+    w80 = w78 * w79
+    w81 = w17 * w31
+    w82 = w19 * w32
+    w83 = w81 - w82
+    w84 = w33 / w25
+    w85 = w79 * w84
+    w86 = w83 / w25 - w85
+    w87 = w17 * w34
+    w88 = w19 * w35
+    w89 = w87 - w88
+    w90 = w36 / w25
+    w91 = w79 * w90
+    w92 = w89 / w25 - w91
+    w93 = w39 / w25
+    w94 = w79 * w93
+    w95 = rocker_q1_ddot * w94
+    w96 = w42 / w25
+    w97 = w79 * w96
+    w98 = rocker_q2_ddot * w97
+    w99 = crank_theta_ddot * w80 + coupler_q1_ddot * w86 + coupler_q2_ddot * w92 + w95 + w98
+    w100 = w58 / w25
+    w101 = w79 * w100
+    w102 = w62 - w101
+    w103 = w65 / w25
+    w104 = w79 * w103
+    w105 = coupler_q1_ddot * w104
+    w106 = w66 / w25
+    w107 = w79 * w106
+    w108 = coupler_q2_ddot * w107
+    w109 = w24 * w38
+    w110 = w23 * w37
+    w111 = w109 - w110
+    w112 = w67 / w25
+    w113 = w79 * w112
+    w114 = w111 / w25 - w113
+    w115 = w24 * w41
+    w116 = w23 * w40
+    w117 = w115 - w116
+    w118 = w68 / w25
+    w119 = w79 * w118
+    w120 = w117 / w25 - w119
+    w121 = crank_theta_ddot * w102 + w105 + w108 + rocker_q1_ddot * w114 + rocker_q2_ddot * w120
+    w122 = w61 * w121
+    w123 = w0 * (w54 + (w51 - w12 * w99) - w56) - w1 * (w49 + (w47 + (w44 + w50 * w99))) + (w58 * w122 + w70 * w102)
+    w124 = w72 - w71 - w75 * w99
+    w125 = w123 + (w30 * w124 - w77 * w80)
+    w126 = w26 + w80
+    w127 = w85 + (w82 - w81) / w25
+    w128 = w91 + (w88 - w87) / w25
+    w129 = w98 + (w95 + (crank_theta_ddot * w126 - coupler_q1_ddot * w127 - coupler_q2_ddot * w128))
+    w130 = w113 + (w110 - w109) / w25
+    w131 = w119 + (w116 - w115) / w25
+    w132 = crank_theta_ddot * w101 - w105 - w108 + rocker_q1_ddot * w130 + rocker_q2_ddot * w131
+    w133 = w61 * w132
+    w134 = w75 * w129
+    w135 = w1 * (w50 * w129) + w0 * (w12 * w129) + (w58 * w133 + w70 * w101) + (w30 * w134 + w77 * w126)
+    w136 = w2 * w46
+    w137 = w28 * w53
+    w138 = w70 * w104
+    w139 = w137 - w136 - w99 * c29 - (w65 * w122 - w138) - (w33 * w124 + w77 * w86)
+    w140 = w129 * c29 - (w138 + w65 * w133) - (w33 * w134 + w77 * w127)
+    w141 = w2 * w48 + w28 * w55
+    w142 = w70 * w107
+    w143 = w129 * c30 - (w66 * w133 + w142) - (w36 * w134 + w77 * w128)
+    w144 = w141 + w99 * c30 + (w66 * w122 - w142) + (w36 * w124 + w77 * w92)
+    w145 = w77 * w94
+    w146 = w121 * c31 + (w67 * w122 + w70 * w114) + (w39 * w124 - w145)
+    w147 = w132 * c31 + (w67 * w133 + w70 * w130) + (w145 + w39 * w134)
+    w148 = w77 * w97
+    w149 = w121 * c32 + (w68 * w122 + w70 * w120) + (w42 * w124 - w148)
+    w150 = w132 * c32 + (w68 * w133 + w70 * w131) + (w148 + w42 * w134)
+    w151 = w83 * w90
+    w152 = w78 * w83
+    w153 = w10 * c4
+    w154 = w4 * c4
+    w155 = (w19 * w153 + w17 * w154) / w25 - w83 * w84
+    w156 = w83 * w93
+    w157 = coupler_q2_ddot * w151 - (crank_theta_ddot * w152 + coupler_q1_ddot * w155) - rocker_q1_ddot * w156
+    w158 = w83 * w96
+    w159 = w157 - rocker_q2_ddot * w158
+    w160 = (w5 + w6 + coupler_q2 * c19) * 0.5
+    w161 = w45 + w10 * w160
+    w162 = w4 * c17
+    w163 = w4 * c19
+    w164 = w52 - w4 * w160
+    w165 = w10 * c17
+    w166 = w10 * c19
+    w167 = w1 * (w50 * w159 - w43 * w161 - coupler_q1_ddot * w162 - coupler_q2_ddot * w163) + w0 * (w43 * w164 + w12 * w159 + coupler_q1_ddot * w165 + coupler_q2_ddot * w166)
+    w168 = (w0 * w31 - w1 * w32) / w25 - w83 * w100
+    w169 = (w24 * w153 - w31**2 + (w23 * w154 - w32**2)) / w25 - w83 * w103
+    w170 = coupler_q1 * coupler_q2 * c231 / w25
+    w171 = w170 + w83 * w106
+    w172 = (w31 * w37 + w32 * w38) / w25
+    w173 = w172 + w83 * w112
+    w174 = crank_theta_ddot * w168 - coupler_q1_ddot * w169 + coupler_q2_ddot * w171 - rocker_q1_ddot * w173
+    w175 = (w31 * w40 + w32 * w41) / w25
+    w176 = w175 + w83 * w118
+    w177 = w174 - rocker_q2_ddot * w176
+    w178 = w61 * w177
+    w179 = w28 * w164 - w2 * w161 + (w43 * (w73 + coupler_q1 * c230 - coupler_q2 * c27) + w75 * w159)
+    w180 = w28 * w165 - w2 * w162 + w159 * c29 - (w65 * w178 + w70 * w169) - (w33 * w179 + w77 * w155) - (w33 * w139 + w65 * w140)
+    w181 = w28 * w166 - w2 * w163 + w159 * c30 - (w66 * w178 - w70 * w171) - (w36 * w179 - w77 * w151) + (w33 * w144 - w65 * w143)
+    w182 = w84 * w89
+    w183 = w78 * w89
+    w184 = w10 * c5
+    w185 = w4 * c5
+    w186 = (w19 * w184 + w17 * w185) / w25 - w89 * w90
+    w187 = w89 * w93
+    w188 = coupler_q1_ddot * w182 - crank_theta_ddot * w183 - coupler_q2_ddot * w186 - rocker_q1_ddot * w187
+    w189 = w89 * w96
+    w190 = w188 - rocker_q2_ddot * w189
+    w191 = (coupler_q1 * c18 + (w7 + w8)) * 0.5
+    w192 = w10 * w191
+    w193 = w4 * c18
+    w194 = w4 * c20
+    w195 = w4 * w191
+    w196 = w10 * c18
+    w197 = w10 * c20
+    w198 = w1 * (w50 * w190 - w43 * w192 - coupler_q1_ddot * w193 - coupler_q2_ddot * w194) + w0 * (w12 * w190 - w43 * w195 + coupler_q1_ddot * w196 + coupler_q2_ddot * w197)
+    w199 = (w0 * w34 - w1 * w35) / w25 - w89 * w100
+    w200 = w170 + w89 * w103
+    w201 = (w24 * w184 - w34**2 + (w23 * w185 - w35**2)) / w25 - w89 * w106
+    w202 = (w34 * w37 + w35 * w38) / w25
+    w203 = w202 + w89 * w112
+    w204 = crank_theta_ddot * w199 + coupler_q1_ddot * w200 - coupler_q2_ddot * w201 - rocker_q1_ddot * w203
+    w205 = (w34 * w40 + w35 * w41) / w25
+    w206 = w205 + w89 * w118
+    w207 = w204 - rocker_q2_ddot * w206
+    w208 = w61 * w207
+    w209 = w43 * (w74 + coupler_q2 * c232 - coupler_q1 * c25) + w75 * w190 - (w28 * w195 + w2 * w192)
+    w210 = w28 * w196 - w2 * w193 + w190 * c29 - (w65 * w208 - w70 * w200) - (w33 * w209 - w77 * w182) - (w36 * w139 + w66 * w140)
+    w211 = w28 * w197 - w2 * w194 + w190 * c30 - (w66 * w208 + w70 * w201) - (w36 * w209 + w77 * w186) + (w36 * w144 - w66 * w143)
+    w212 = (w0 * w37 - w1 * w38) / w25 - w78 * w111
+    w213 = w172 + w84 * w111
+    w214 = w202 + w90 * w111
+    w215 = w18 * c7
+    w216 = w13 * c7
+    w217 = (w19 * w215 - w37**2 + (w17 * w216 - w38**2)) / w25 - w93 * w111
+    w218 = crank_theta_ddot * w212 + coupler_q1_ddot * w213 + coupler_q2_ddot * w214 + rocker_q1_ddot * w217
+    w219 = rocker_q1 * rocker_q2 * c234 / w25
+    w220 = w219 + w96 * w111
+    w221 = w218 - rocker_q2_ddot * w220
+    w222 = w103 * w111
+    w223 = w100 * w111
+    w224 = w106 * w111
+    w225 = (w24 * w215 + w23 * w216) / w25 - w111 * w112
+    w226 = coupler_q1_ddot * w222 - crank_theta_ddot * w223 + coupler_q2_ddot * w224 + rocker_q1_ddot * w225
+    w227 = w111 * w118
+    w228 = w226 - rocker_q2_ddot * w227
+    w229 = w69 * (w59 + rocker_q1 * c233 - rocker_q2 * c14) + w61 * w228
+    w230 = w75 * w221
+    w231 = w1 * (w50 * w221) + w0 * (w12 * w221) + (w58 * w229 - w70 * w223) + (w30 * w230 + w77 * w212) + (w39 * w125 + w67 * w135)
+    w232 = (w0 * w40 - w1 * w41) / w25 - w78 * w117
+    w233 = w175 + w84 * w117
+    w234 = w205 + w90 * w117
+    w235 = w219 + w93 * w117
+    w236 = crank_theta_ddot * w232 + coupler_q1_ddot * w233 + coupler_q2_ddot * w234 - rocker_q1_ddot * w235
+    w237 = w18 * c8
+    w238 = w13 * c8
+    w239 = (w19 * w237 - w40**2 + (w17 * w238 - w41**2)) / w25 - w96 * w117
+    w240 = w236 + rocker_q2_ddot * w239
+    w241 = w103 * w117
+    w242 = w100 * w117
+    w243 = w106 * w117
+    w244 = w112 * w117
+    w245 = coupler_q1_ddot * w241 - crank_theta_ddot * w242 + coupler_q2_ddot * w243 - rocker_q1_ddot * w244
+    w246 = (w24 * w237 + w23 * w238) / w25 - w117 * w118
+    w247 = w245 + rocker_q2_ddot * w246
+    w248 = w69 * (w60 + rocker_q2 * c237 - rocker_q1 * c12) + w61 * w247
+    w249 = w75 * w240
+    w250 = w1 * (w50 * w240) + w0 * (w12 * w240) + (w58 * w248 - w70 * w242) + (w30 * w249 + w77 * w232) + (w42 * w125 + w68 * w135)
+    dMa_dq_i = ca.vertcat(
+        w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w125 + w58 * w135),
+        w136 - w137 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w139 + w58 * w140),
+        w141 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w143 - w30 * w144),
+        w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w146 + w58 * w147),
+        w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w149 + w58 * w150),
+        w167 + (w58 * w178 + w70 * w168) + (w30 * w179 - w77 * w152) - (w33 * w125 + w65 * w135),
+        w180,
+        w181,
+        w177 * c31 + (w67 * w178 - w70 * w173) + (w39 * w179 - w77 * w156) - (w33 * w146 + w65 * w147),
+        w177 * c32 + (w68 * w178 - w70 * w176) + (w42 * w179 - w77 * w158) - (w33 * w149 + w65 * w150),
+        w198 + (w58 * w208 + w70 * w199) + (w30 * w209 - w77 * w183) - (w36 * w125 + w66 * w135),
+        w210,
+        w211,
+        w207 * c31 + (w67 * w208 - w70 * w203) + (w39 * w209 - w77 * w187) - (w36 * w146 + w66 * w147),
+        w207 * c32 + (w68 * w208 - w70 * w206) + (w42 * w209 - w77 * w189) - (w36 * w149 + w66 * w150),
+        w231,
+        w221 * c29 - (w65 * w229 - w70 * w222) - (w33 * w230 - w77 * w213) + (w39 * w139 + w67 * w140),
+        w221 * c30 - (w66 * w229 - w70 * w224) - (w36 * w230 - w77 * w214) + (w67 * w143 - w39 * w144),
+        w228 * c31 + (w67 * w229 + w70 * w225) + (w39 * w230 + w77 * w217) + (w39 * w146 + w67 * w147),
+        w228 * c32 + (w68 * w229 - w70 * w227) + (w42 * w230 - w77 * w220) + (w39 * w149 + w67 * w150),
+        w250,
+        w240 * c29 - (w65 * w248 - w70 * w241) - (w33 * w249 - w77 * w233) + (w42 * w139 + w68 * w140),
+        w240 * c30 - (w66 * w248 - w70 * w243) - (w36 * w249 - w77 * w234) + (w68 * w143 - w42 * w144),
+        w247 * c31 + (w67 * w248 - w70 * w244) + (w39 * w249 - w77 * w235) + (w42 * w146 + w68 * w147),
+        w247 * c32 + (w68 * w248 + w70 * w246) + (w42 * w249 + w77 * w239) + (w42 * w149 + w68 * w150),
+    )
+    dMa_dq_i = ca.reshape(dMa_dq_i, 5, 5)
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+
+
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 521 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    w0 = ca.cos(crank_theta) * c0
+    w1 = ca.sin(crank_theta) * c0
+    w2 = ca.sin(coupler_theta)
+    w3 = coupler_q1 * c4
+    w4 = coupler_q2 * c5
+    w5 = c1 - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = ca.cos(coupler_theta)
+    w8 = w5 * w7
+    w9 = ca.cos(rocker_theta)
+    w10 = rocker_q1 * c7
+    w11 = rocker_q2 * c8
+    w12 = c6 - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
+    w13 = w9 * w12
+    w14 = ca.sin(rocker_theta)
+    w15 = w12 * w14
+    w16 = w6 * w13 - w8 * w15
+    w17 = (w0 * w6 - w1 * w8) / w16
+    w18 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w19 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w20 = c9 + (rocker_q1 * w18 + rocker_q2 * w19)
+    w21 = (w0 * w15 - w1 * w13) / w16
+    w22 = coupler_q1 * c17 + coupler_q2 * c18
+    w23 = coupler_q1 * c19 + coupler_q2 * c20
+    w24 = c16 - (coupler_q1 * w22 + coupler_q2 * w23) * 0.5
+    w25 = coupler_q1 * c21
+    w26 = w7 * w24 - w2 * w25
+    w27 = w2 * w24 + w7 * w25
+    w28 = w0 * w26 + w1 * w27
+    w29 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w30 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w31 = c22 + (coupler_q1 * w29 + coupler_q2 * w30)
+    w32 = w7 * c21 - w2 * w22
+    w33 = w7 * w22 + w2 * c21
+    w34 = coupler_q1 * w5 * c4 / w16
+    w35 = w20 * w34
+    w36 = (w13 * (w3 * w7) + w15 * (w2 * w3)) / w16
+    w37 = c29 - w31 * w36
+    w38 = w0 * w32 + w1 * w33 - w17 * w35 + (w21 * w37 - w28 * w36)
+    w39 = w7 * w23
+    w40 = w2 * w23
+    w41 = coupler_q2 * w5 * c5 / w16
+    w42 = w20 * w41
+    w43 = (w13 * (w4 * w7) + w15 * (w2 * w4)) / w16
+    w44 = c30 - w31 * w43
+    w45 = w1 * w39 - w0 * w40 - w17 * w42 + (w21 * w44 - w28 * w43)
+    w46 = (w8 * (w9 * w10) + w6 * (w10 * w14)) / w16
+    w47 = c31 + w20 * w46
+    w48 = rocker_q1 * w12 * c7 / w16
+    w49 = w31 * w48
+    w50 = w17 * w47 + (w21 * w49 + w28 * w48)
+    w51 = (w8 * (w9 * w11) + w6 * (w11 * w14)) / w16
+    w52 = c32 + w20 * w51
+    w53 = rocker_q2 * w12 * c8 / w16
+    w54 = w31 * w53
+    w55 = w17 * w52 + (w21 * w54 + w28 * w53)
+    w56 = w34 * w42 - (w36 * w44 + w43 * c29)
+    w57 = w48 * c29 - w36 * w49 - w34 * w47
+    w58 = w53 * c29 - w36 * w54 - w34 * w52
+    w59 = w48 * c30 - w43 * w49 - w41 * w47
+    w60 = w53 * c30 - w43 * w54 - w41 * w52
+    w61 = w46 * w52 + w51 * c31 + w48 * w54
+    w62 = coupler_theta_dot**2
+    w63 = coupler_q1_dot * (coupler_q1_dot * c17 + coupler_q2_dot * c18) + coupler_q2_dot * (coupler_q1_dot * c19 + coupler_q2_dot * c20)
+    w64 = 2 * coupler_theta_dot
+    w65 = w22 * coupler_q1_dot + w23 * coupler_q2_dot
+    w66 = coupler_q1_dot * c21
+    w67 = w3 * coupler_q1_dot + w4 * coupler_q2_dot
+    w68 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w69 = 2 * rocker_theta_dot
+    w70 = w10 * rocker_q1_dot + w11 * rocker_q2_dot
+    w71 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w72 = rocker_theta_dot**2
+    w73 = crank_theta_dot**2
+    w74 = w0 * w73
+    w75 = w64 * (w2 * w67) - (w7 * w68 + w8 * w62) - (w69 * (w14 * w70) - (w9 * w71 + w13 * w72)) - w74
+    w76 = w1 * w73
+    w77 = w14 * w71 + w69 * (w9 * w70) + w15 * w72 - (w2 * w68 + w64 * (w7 * w67) + w6 * w62) - w76
+    w78 = (w13 * w75 + w15 * w77) / w16
+    w79 = w0 * (c34 + (w27 * w62 + w2 * w63 + w64 * (w7 * w65 + w2 * w66)) - (w26 * w78 - w76 * c2)) - w1 * (w26 * w62 + w64 * (w7 * w66 - w2 * w65) + w7 * w63 + (w74 * c2 + w27 * w78))
+    w80 = rocker_q1 * c36 + rocker_q2 * c37
+    w81 = rocker_q1 * c38 + rocker_q2 * c39
+    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * c33
+    w83 = (w8 * w75 + w6 * w77) / w16
+    w84 = w82 - w20 * w83
+    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * c33 - (w27 * w74 - w26 * w76 + w31 * w78)
+    w86 = w29 * w62 - coupler_q1 * c41 + w32 * c33 - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
+    w87 = w30 * w62 - coupler_q2 * c42 - w40 * c33 - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
+    M_hat_LL = ca.vertcat(
+        c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28),
+    )
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        w38,
+        w45,
+        w50,
+        w55,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 1, 4)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        w38,
+        w45,
+        w50,
+        w55,
+    )
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c23 + w34 * w35 - (w36 * w37 + w36 * c29),
+        w56,
+        w57,
+        w58,
+        w56,
+        c26 + w41 * w42 - (w43 * w44 + w43 * c30),
+        w59,
+        w60,
+        w57,
+        w59,
+        c10 + (w46 * w47 + w46 * c31) + w48 * w49,
+        w61,
+        w58,
+        w60,
+        w61,
+        c13 + (w51 * w52 + w51 * c32) + w53 * w54,
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w79 + w17 * w84 + w21 * w85,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w86,
+        w87,
+        w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * c33 - w83 * c31 + w46 * w84 + w48 * w85,
+        w19 * w72 - rocker_q2 * c44 - w14 * w81 * c33 - w83 * c32 + w51 * w84 + w53 * w85,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
+def substep_2() -> ca.Function:
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 432 operations."""
+    q_i = ca.SX.sym("q_i", 5)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    q_L_ddot = ca.SX.sym("q_L_ddot", 1)
+    c = ca.SX.sym("c", 247)
+    crank_theta = q_i[0]
+    coupler_q1 = q_i[1]
+    coupler_q2 = q_i[2]
+    rocker_q1 = q_i[3]
+    rocker_q2 = q_i[4]
+    coupler_theta = q_d[4]
+    rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
+    crank_theta_ddot = q_L_ddot[0]
+    c0 = c[0]
+    c1 = c[1]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    w0 = ca.cos(coupler_theta)
+    w1 = coupler_q1 * c4
+    w2 = coupler_q2 * c5
+    w3 = c1 - (coupler_q1 * w1 + coupler_q2 * w2) * 0.5
+    w4 = w0 * w3
+    w5 = ca.sin(coupler_theta)
+    w6 = w3 * w5
+    w7 = ca.cos(rocker_theta)
+    w8 = rocker_q1 * c7
+    w9 = rocker_q2 * c8
+    w10 = c6 - (rocker_q1 * w8 + rocker_q2 * w9) * 0.5
+    w11 = w7 * w10
+    w12 = ca.sin(rocker_theta)
+    w13 = w10 * w12
+    w14 = w6 * w11 - w4 * w13
+    w15 = coupler_q1 * w3 * c4 / w14
+    w16 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w17 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w18 = c9 + (rocker_q1 * w16 + rocker_q2 * w17)
+    w19 = (w0 * w1 * w11 + w1 * w5 * w13) / w14
+    w20 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w21 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w22 = c22 + (coupler_q1 * w20 + coupler_q2 * w21)
+    w23 = coupler_q2 * w3 * c5 / w14
+    w24 = w18 * w23
+    w25 = (w11 * (w0 * w2) + w13 * (w2 * w5)) / w14
+    w26 = c30 - w22 * w25
+    w27 = w15 * w24 - (w19 * w26 + w25 * c29)
+    w28 = rocker_q1 * w10 * c7 / w14
+    w29 = w22 * w28
+    w30 = (w4 * (w7 * w8) + w6 * (w8 * w12)) / w14
+    w31 = c31 + w18 * w30
+    w32 = w28 * c29 - w19 * w29 - w15 * w31
+    w33 = rocker_q2 * w10 * c8 / w14
+    w34 = w22 * w33
+    w35 = (w4 * (w7 * w9) + w6 * (w9 * w12)) / w14
+    w36 = c32 + w18 * w35
+    w37 = w33 * c29 - w19 * w34 - w15 * w36
+    w38 = w28 * c30 - w25 * w29 - w23 * w31
+    w39 = w33 * c30 - w25 * w34 - w23 * w36
+    w40 = w30 * w36 + w35 * c31 + w28 * w34
+    w41 = coupler_theta_dot**2
+    w42 = coupler_q1 * c17 + coupler_q2 * c18
+    w43 = w0 * c21 - w5 * w42
+    w44 = crank_theta_dot**2
+    w45 = ca.cos(crank_theta) * c0
+    w46 = w44 * w45
+    w47 = ca.sin(crank_theta) * c0
+    w48 = w46 + w47 * crank_theta_ddot
+    w49 = w44 * w47
+    w50 = w45 * crank_theta_ddot - w49
+    w51 = 2 * coupler_theta_dot
+    w52 = w1 * coupler_q1_dot + w2 * coupler_q2_dot
+    w53 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
+    w54 = 2 * rocker_theta_dot
+    w55 = w8 * rocker_q1_dot + w9 * rocker_q2_dot
+    w56 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
+    w57 = rocker_theta_dot**2
+    w58 = w51 * (w5 * w52) - (w0 * w53 + w4 * w41) - (w54 * (w12 * w55) - (w7 * w56 + w11 * w57)) - w46
+    w59 = w12 * w56 + w54 * (w7 * w55) + w13 * w57 - (w5 * w53 + w51 * (w0 * w52) + w6 * w41) - w49
+    w60 = (w11 * w58 + w13 * w59) / w14 + crank_theta_ddot * ((w13 * w45 - w11 * w47) / w14)
+    w61 = rocker_q1 * c36 + rocker_q2 * c37
+    w62 = rocker_q1 * c38 + rocker_q2 * c39
+    w63 = rocker_theta_dot * -2.0 * (w16 * rocker_q1_dot + w17 * rocker_q2_dot) + (w7 * (c35 - (rocker_q1 * w61 + rocker_q2 * w62) * 0.5) - w12 * (rocker_q1 * c40)) * c33
+    w64 = (w4 * w58 + w6 * w59) / w14 + crank_theta_ddot * ((w6 * w45 - w4 * w47) / w14)
+    w65 = w63 - w18 * w64
+    w66 = w20 * w41 - coupler_q1 * c41 + w43 * c33 - ((w0 * w42 + w5 * c21) * w48 + w43 * w50 + w60 * c29) - w15 * w65
+    w67 = coupler_q1 * c19 + coupler_q2 * c20
+    w68 = c16 - (coupler_q1 * w42 + coupler_q2 * w67) * 0.5
+    w69 = coupler_q1 * c21
+    w70 = w0 * w68 - w5 * w69
+    w71 = coupler_theta_dot * -2.0 * (w20 * coupler_q1_dot + w21 * coupler_q2_dot) + w70 * c33 - (w48 * (w5 * w68 + w0 * w69) + w50 * w70 + w22 * w60)
+    w72 = w5 * w67
+    w73 = w21 * w41 - coupler_q2 * c42 - w72 * c33 - (w48 * (w0 * w67) - w50 * w72 + w60 * c30) - w23 * w65
+    M_hat_SS = ca.vertcat(
+        c23 + w15 * (w15 * w18) - (w19 * (c29 - w19 * w22) + w19 * c29),
+        w27,
+        w32,
+        w37,
+        w27,
+        c26 + w23 * w24 - (w25 * w26 + w25 * c30),
+        w38,
+        w39,
+        w32,
+        w38,
+        c10 + (w30 * w31 + w30 * c31) + w28 * w29,
+        w40,
+        w37,
+        w39,
+        w40,
+        c13 + (w35 * w36 + w35 * c32) + w33 * w34,
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
+    M_hat_SS = ca.densify(M_hat_SS)
+    rhs_S = ca.vertcat(
+        w66 - w19 * w71,
+        w73 - w25 * w71,
+        w16 * w57 - rocker_q1 * c43 + (w7 * c40 - w12 * w61) * c33 - w64 * c31 + w30 * w65 + w28 * w71,
+        w17 * w57 - rocker_q2 * c44 - w12 * w62 * c33 - w64 * c32 + w35 * w65 + w33 * w71,
+    )
+    rhs_S = ca.densify(rhs_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "closure": closure,
+    "velocities": velocities,
+    "accelerations": accelerations,
+    "constraints": constraints,
+    "augmented": augmented,
+    "reactions": reactions,
+    "energy": energy,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+    "blocks": blocks,
+    "substep_2": substep_2,
+}

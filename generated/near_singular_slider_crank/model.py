@@ -1,0 +1,2304 @@
+"""Flexible slider-crank close to a change point: equations of motion, emitted by symgen from the scene `near_singular_slider_crank`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 381 operations."""
+    p = ca.SX.sym("p", 164)
+    crank_mass = p[0]
+    crank_inertia = p[1]
+    rod_length = p[2]
+    rod_density = p[3]
+    rod_area = p[4]
+    rod_youngs_modulus = p[5]
+    rod_second_moment = p[6]
+    beam20_pinned_pinned2_kappa_lateral_0_0 = p[7]
+    beam20_pinned_pinned2_kappa_lateral_1_1 = p[8]
+    beam20_pinned_pinned2_mass_0_0 = p[9]
+    beam20_pinned_pinned2_mass_1_1 = p[10]
+    beam20_pinned_pinned2_s1_0_0 = p[11]
+    beam20_pinned_pinned2_i0_0_0 = p[12]
+    beam20_pinned_pinned2_phi_y_0_0 = p[13]
+    beam20_pinned_pinned2_xi_phi_y_0_0 = p[14]
+    beam20_pinned_pinned2_xi_phi_y_1_0 = p[15]
+    beam20_pinned_pinned2_H_0_0 = p[16]
+    beam20_pinned_pinned2_H_0_1 = p[17]
+    beam20_pinned_pinned2_H_1_0 = p[18]
+    beam20_pinned_pinned2_H_1_1 = p[19]
+    beam20_pinned_pinned2_xH_0_0 = p[20]
+    beam20_pinned_pinned2_xH_0_1 = p[21]
+    beam20_pinned_pinned2_xH_1_0 = p[22]
+    beam20_pinned_pinned2_xH_1_1 = p[23]
+    slider_mass = p[24]
+    slider_inertia = p[25]
+    crank_tip_x = p[26]
+    beam20_pinned_pinned2_1_0_H_0_0 = p[31]
+    beam20_pinned_pinned2_1_0_H_1_1 = p[32]
+    beam20_pinned_pinned2_0_0625_at_0_0 = p[33]
+    beam20_pinned_pinned2_0_0625_shape_1_0 = p[34]
+    beam20_pinned_pinned2_0_0625_shape_1_1 = p[35]
+    beam20_pinned_pinned2_0_0625_H_0_0 = p[38]
+    beam20_pinned_pinned2_0_0625_H_0_1 = p[39]
+    beam20_pinned_pinned2_0_0625_H_1_0 = p[40]
+    beam20_pinned_pinned2_0_0625_H_1_1 = p[41]
+    beam20_pinned_pinned2_0_125_at_0_0 = p[42]
+    beam20_pinned_pinned2_0_125_shape_1_0 = p[43]
+    beam20_pinned_pinned2_0_125_shape_1_1 = p[44]
+    beam20_pinned_pinned2_0_125_H_0_0 = p[47]
+    beam20_pinned_pinned2_0_125_H_0_1 = p[48]
+    beam20_pinned_pinned2_0_125_H_1_0 = p[49]
+    beam20_pinned_pinned2_0_125_H_1_1 = p[50]
+    beam20_pinned_pinned2_0_1875_at_0_0 = p[51]
+    beam20_pinned_pinned2_0_1875_shape_1_0 = p[52]
+    beam20_pinned_pinned2_0_1875_shape_1_1 = p[53]
+    beam20_pinned_pinned2_0_1875_H_0_0 = p[56]
+    beam20_pinned_pinned2_0_1875_H_0_1 = p[57]
+    beam20_pinned_pinned2_0_1875_H_1_0 = p[58]
+    beam20_pinned_pinned2_0_1875_H_1_1 = p[59]
+    beam20_pinned_pinned2_0_25_at_0_0 = p[60]
+    beam20_pinned_pinned2_0_25_shape_1_0 = p[61]
+    beam20_pinned_pinned2_0_25_shape_1_1 = p[62]
+    beam20_pinned_pinned2_0_25_H_0_0 = p[64]
+    beam20_pinned_pinned2_0_25_H_0_1 = p[65]
+    beam20_pinned_pinned2_0_25_H_1_0 = p[66]
+    beam20_pinned_pinned2_0_25_H_1_1 = p[67]
+    beam20_pinned_pinned2_0_3125_at_0_0 = p[68]
+    beam20_pinned_pinned2_0_3125_shape_1_0 = p[69]
+    beam20_pinned_pinned2_0_3125_shape_1_1 = p[70]
+    beam20_pinned_pinned2_0_3125_H_0_0 = p[73]
+    beam20_pinned_pinned2_0_3125_H_0_1 = p[74]
+    beam20_pinned_pinned2_0_3125_H_1_0 = p[75]
+    beam20_pinned_pinned2_0_3125_H_1_1 = p[76]
+    beam20_pinned_pinned2_0_375_at_0_0 = p[77]
+    beam20_pinned_pinned2_0_375_shape_1_0 = p[78]
+    beam20_pinned_pinned2_0_375_shape_1_1 = p[79]
+    beam20_pinned_pinned2_0_375_H_0_0 = p[82]
+    beam20_pinned_pinned2_0_375_H_0_1 = p[83]
+    beam20_pinned_pinned2_0_375_H_1_0 = p[84]
+    beam20_pinned_pinned2_0_375_H_1_1 = p[85]
+    beam20_pinned_pinned2_0_4375_at_0_0 = p[86]
+    beam20_pinned_pinned2_0_4375_shape_1_0 = p[87]
+    beam20_pinned_pinned2_0_4375_shape_1_1 = p[88]
+    beam20_pinned_pinned2_0_4375_H_0_0 = p[91]
+    beam20_pinned_pinned2_0_4375_H_0_1 = p[92]
+    beam20_pinned_pinned2_0_4375_H_1_0 = p[93]
+    beam20_pinned_pinned2_0_4375_H_1_1 = p[94]
+    beam20_pinned_pinned2_0_5_at_0_0 = p[95]
+    beam20_pinned_pinned2_0_5_shape_1_0 = p[96]
+    beam20_pinned_pinned2_0_5_H_0_0 = p[98]
+    beam20_pinned_pinned2_0_5_H_0_1 = p[99]
+    beam20_pinned_pinned2_0_5_H_1_0 = p[100]
+    beam20_pinned_pinned2_0_5_H_1_1 = p[101]
+    beam20_pinned_pinned2_0_5625_at_0_0 = p[102]
+    beam20_pinned_pinned2_0_5625_shape_1_0 = p[103]
+    beam20_pinned_pinned2_0_5625_shape_1_1 = p[104]
+    beam20_pinned_pinned2_0_5625_H_0_0 = p[107]
+    beam20_pinned_pinned2_0_5625_H_0_1 = p[108]
+    beam20_pinned_pinned2_0_5625_H_1_0 = p[109]
+    beam20_pinned_pinned2_0_5625_H_1_1 = p[110]
+    beam20_pinned_pinned2_0_625_at_0_0 = p[111]
+    beam20_pinned_pinned2_0_625_shape_1_0 = p[112]
+    beam20_pinned_pinned2_0_625_shape_1_1 = p[113]
+    beam20_pinned_pinned2_0_625_H_0_0 = p[116]
+    beam20_pinned_pinned2_0_625_H_0_1 = p[117]
+    beam20_pinned_pinned2_0_625_H_1_0 = p[118]
+    beam20_pinned_pinned2_0_625_H_1_1 = p[119]
+    beam20_pinned_pinned2_0_6875_at_0_0 = p[120]
+    beam20_pinned_pinned2_0_6875_shape_1_0 = p[121]
+    beam20_pinned_pinned2_0_6875_shape_1_1 = p[122]
+    beam20_pinned_pinned2_0_6875_H_0_0 = p[125]
+    beam20_pinned_pinned2_0_6875_H_0_1 = p[126]
+    beam20_pinned_pinned2_0_6875_H_1_0 = p[127]
+    beam20_pinned_pinned2_0_6875_H_1_1 = p[128]
+    beam20_pinned_pinned2_0_75_at_0_0 = p[129]
+    beam20_pinned_pinned2_0_75_shape_1_0 = p[130]
+    beam20_pinned_pinned2_0_75_shape_1_1 = p[131]
+    beam20_pinned_pinned2_0_75_H_0_0 = p[133]
+    beam20_pinned_pinned2_0_75_H_0_1 = p[134]
+    beam20_pinned_pinned2_0_75_H_1_0 = p[135]
+    beam20_pinned_pinned2_0_75_H_1_1 = p[136]
+    beam20_pinned_pinned2_0_8125_at_0_0 = p[137]
+    beam20_pinned_pinned2_0_8125_shape_1_0 = p[138]
+    beam20_pinned_pinned2_0_8125_shape_1_1 = p[139]
+    beam20_pinned_pinned2_0_8125_H_0_0 = p[142]
+    beam20_pinned_pinned2_0_8125_H_0_1 = p[143]
+    beam20_pinned_pinned2_0_8125_H_1_0 = p[144]
+    beam20_pinned_pinned2_0_8125_H_1_1 = p[145]
+    beam20_pinned_pinned2_0_875_at_0_0 = p[146]
+    beam20_pinned_pinned2_0_875_shape_1_0 = p[147]
+    beam20_pinned_pinned2_0_875_shape_1_1 = p[148]
+    beam20_pinned_pinned2_0_875_H_0_0 = p[151]
+    beam20_pinned_pinned2_0_875_H_0_1 = p[152]
+    beam20_pinned_pinned2_0_875_H_1_0 = p[153]
+    beam20_pinned_pinned2_0_875_H_1_1 = p[154]
+    beam20_pinned_pinned2_0_9375_at_0_0 = p[155]
+    beam20_pinned_pinned2_0_9375_shape_1_0 = p[156]
+    beam20_pinned_pinned2_0_9375_shape_1_1 = p[157]
+    beam20_pinned_pinned2_0_9375_H_0_0 = p[160]
+    beam20_pinned_pinned2_0_9375_H_0_1 = p[161]
+    beam20_pinned_pinned2_0_9375_H_1_0 = p[162]
+    beam20_pinned_pinned2_0_9375_H_1_1 = p[163]
+    w0 = rod_density * rod_area
+    w1 = w0 * rod_length
+    w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
+    w3 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
+    w4 = rod_length * w1
+    w5 = w0 * beam20_pinned_pinned2_H_0_0
+    w6 = w0 * beam20_pinned_pinned2_H_0_1
+    w7 = w0 * beam20_pinned_pinned2_H_1_0
+    w8 = w0 * beam20_pinned_pinned2_H_1_1
+    w9 = rod_length**2
+    w10 = w1 * beam20_pinned_pinned2_mass_0_0
+    w11 = w1 * beam20_pinned_pinned2_xH_0_0
+    w12 = w1 * beam20_pinned_pinned2_mass_1_1
+    w13 = w1 * beam20_pinned_pinned2_xH_1_1
+    w14 = rod_youngs_modulus * rod_second_moment / (rod_length * w9)
+    c = ca.vertcat(
+        crank_inertia,
+        crank_tip_x,
+        rod_length,
+        w1,
+        slider_mass,
+        w1 + slider_mass,
+        w2,
+        w3,
+        w4 * beam20_pinned_pinned2_s1_0_0,
+        w5,
+        w6,
+        w7,
+        w8,
+        w1 * beam20_pinned_pinned2_phi_y_0_0,
+        w1 * w9 * beam20_pinned_pinned2_i0_0_0,
+        w10,
+        w11,
+        w1 * beam20_pinned_pinned2_xH_0_1,
+        w12,
+        w1 * beam20_pinned_pinned2_xH_1_0,
+        w13,
+        w4 * beam20_pinned_pinned2_xi_phi_y_0_0,
+        w4 * beam20_pinned_pinned2_xi_phi_y_1_0,
+        w14 * beam20_pinned_pinned2_kappa_lateral_0_0,
+        w14 * beam20_pinned_pinned2_kappa_lateral_1_1,
+        crank_mass,
+        slider_inertia,
+        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
+        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
+        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
+        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
+        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
+        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
+        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
+        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        w10 - w11,
+        w12 - w13,
+        2 * w2,
+        2 * w3,
+        w5 + w5,
+        w6 + w7,
+        w8 + w8,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 284 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = ca.cos(rod_theta)
+    w3 = rod_q1 * c6
+    w4 = rod_q2 * c7
+    w5 = c2 - (rod_q1 * w3 + rod_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = w0 / w6
+    w8 = rod_q1 * c9 + rod_q2 * c10
+    w9 = rod_q1 * c11 + rod_q2 * c12
+    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
+    w11 = ca.sin(rod_theta)
+    w12 = rod_q1 * c13
+    w13 = w2 * w10 - w11 * w12
+    w14 = w10 * w11 + w2 * w12
+    w15 = w5 * w11
+    w16 = w15 * c4
+    w17 = w0 * w13 + w1 * (w14 + w16)
+    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
+    w21 = w20 + w15 * w16
+    w22 = w2 * c13 - w8 * w11
+    w23 = w2 * w8 + w11 * c13
+    w24 = w2 * w3
+    w25 = w24 * c4
+    w26 = w3 * w11 / w6
+    w27 = c21 + w15 * w25
+    w28 = w27 + w21 * w26
+    w29 = w0 * w22 + w1 * (w23 + w25) + (w17 * w26 - w7 * w28)
+    w30 = w2 * w9
+    w31 = w2 * w4
+    w32 = w31 * c4
+    w33 = w9 * w11
+    w34 = w4 * w11 / w6
+    w35 = c22 + w15 * w32
+    w36 = w35 + w21 * w34
+    w37 = w1 * (w30 + w32) - w0 * w33 + (w17 * w34 - w7 * w36)
+    w38 = w24 * w32 + (w26 * w36 + w27 * w34)
+    w39 = rod_theta_dot**2
+    w40 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w41 = 2 * rod_theta_dot
+    w42 = w8 * rod_q1_dot + w9 * rod_q2_dot
+    w43 = rod_q1_dot * c13
+    w44 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w45 = w3 * rod_q1_dot + w4 * rod_q2_dot
+    w46 = crank_theta_dot**2
+    w47 = w1 * w46
+    w48 = (w11 * w44 + w41 * (w2 * w45) + w15 * w39 + w47) / w6
+    w49 = w0 * w46
+    w50 = (w41 * (w11 * w45) - (w2 * w44 + w6 * w39) - w49 - w15 * w48) * c4
+    w51 = w0 * (w14 * w39 + w11 * w40 + w41 * (w2 * w42 + w11 * w43) - (w13 * w48 - w47 * c3)) - w1 * (w13 * w39 + w41 * (w2 * w43 - w11 * w42) + w2 * w40 + (w49 * c3 + w14 * w48) - w50)
+    w52 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot) - (w14 * w49 - w13 * w47 + w20 * w48)
+    w53 = w52 + w15 * w50
+    M_hat = ca.vertcat(
+        c0 + w0 * (w0 * c3) + w1 * (w1 * c5) - (w7 * (w17 - w7 * w21) + w7 * w17),
+        w29,
+        w37,
+        w29,
+        c15 + w24 * w25 + (w26 * w28 + w26 * w27),
+        w38,
+        w37,
+        w38,
+        c18 + w31 * w32 + (w34 * w36 + w34 * w35),
+    )
+    M_hat = ca.reshape(M_hat, 3, 3)
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        w51 - w7 * w53,
+        w18 * w39 - rod_q1 * c23 - (w23 * w49 - w22 * w47 + w48 * c21) + w24 * w50 + w26 * w53,
+        w19 * w39 - rod_q2 * c24 - (w30 * w49 + w33 * w47 + w48 * c22) + w31 * w50 + w34 * w53,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
+
+
+def closure() -> ca.Function:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 41 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    c1 = c[1]
+    c2 = c[2]
+    c6 = c[6]
+    c7 = c[7]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
+    w3 = w1 + ca.sin(rod_theta) * w2
+    w4 = rod_theta - w3 / (w2 * ca.cos(rod_theta))
+    q_d_next = ca.vertcat(
+        0.0,
+        0.0,
+        w0,
+        w1,
+        w4,
+        w0 + w2 * ca.cos(w4),
+        0.0,
+        0.0,
+    )
+    q_d_next = ca.densify(q_d_next)
+    C_loop = ca.vertcat(
+        -w3,
+    )
+    C_loop = ca.densify(C_loop)
+    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop]
+    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop"])
+
+
+def velocities() -> ca.Function:
+    """q_d_dot (Eq. 36). 58 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    c1 = c[1]
+    c2 = c[2]
+    c6 = c[6]
+    c7 = c[7]
+    w0 = ca.sin(crank_theta) * c1 * crank_theta_dot
+    w1 = ca.cos(crank_theta) * c1
+    w2 = ca.sin(rod_theta)
+    w3 = rod_q1 * c6
+    w4 = ca.cos(rod_theta)
+    w5 = rod_q2 * c7
+    w6 = c2 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w7 = w4 * w6
+    w8 = w2 * w3 / w7 * rod_q1_dot - crank_theta_dot * (w1 / w7) + w2 * w5 / w7 * rod_q2_dot
+    q_d_dot = ca.vertcat(
+        0.0,
+        0.0,
+        -w0,
+        crank_theta_dot * w1,
+        w8,
+        -(w0 + w8 * (w2 * w6) + rod_q1_dot * (w3 * w4) + rod_q2_dot * (w4 * w5)),
+        0.0,
+        0.0,
+    )
+    q_d_dot = ca.densify(q_d_dot)
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
+
+
+def accelerations() -> ca.Function:
+    """q_d_ddot (Eq. 35). 92 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 3)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    crank_theta_ddot = q_i_ddot[0]
+    rod_q1_ddot = q_i_ddot[1]
+    rod_q2_ddot = q_i_ddot[2]
+    c1 = c[1]
+    c2 = c[2]
+    c6 = c[6]
+    c7 = c[7]
+    w0 = crank_theta_dot**2
+    w1 = ca.cos(crank_theta) * c1
+    w2 = ca.sin(crank_theta) * c1
+    w3 = w0 * w1 + w2 * crank_theta_ddot
+    w4 = w0 * w2
+    w5 = ca.sin(rod_theta)
+    w6 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w7 = 2 * rod_theta_dot
+    w8 = ca.cos(rod_theta)
+    w9 = rod_q1 * c6
+    w10 = rod_q2 * c7
+    w11 = rod_q1_dot * w9 + rod_q2_dot * w10
+    w12 = rod_theta_dot**2
+    w13 = c2 - (rod_q1 * w9 + rod_q2 * w10) * 0.5
+    w14 = w5 * w13
+    w15 = w8 * w13
+    w16 = (w4 + (w5 * w6 + w7 * (w8 * w11) + w12 * w14)) / w15 - crank_theta_ddot * (w1 / w15) + w5 * w9 / w15 * rod_q1_ddot
+    w17 = w16 + w5 * w10 / w15 * rod_q2_ddot
+    w18 = w7 * (w5 * w11) - (w6 * w8 + w12 * w15) - w3 - w14 * w17 - rod_q1_ddot * (w8 * w9) - rod_q2_ddot * (w8 * w10)
+    q_d_ddot = ca.vertcat(
+        0.0,
+        0.0,
+        -w3,
+        w1 * crank_theta_ddot - w4,
+        w17,
+        w18,
+        0.0,
+        0.0,
+    )
+    q_d_ddot = ca.densify(q_d_ddot)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
+
+
+def constraints() -> ca.Function:
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 200 operations."""
+    q = ca.SX.sym("q", 11)
+    q_dot = ca.SX.sym("q_dot", 11)
+    c = ca.SX.sym("c", 138)
+    crank_x = q[0]
+    crank_y = q[1]
+    crank_theta = q[2]
+    rod_x = q[3]
+    rod_y = q[4]
+    rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    slider_x = q[8]
+    slider_y = q[9]
+    slider_theta = q[10]
+    crank_theta_dot = q_dot[2]
+    rod_theta_dot = q_dot[5]
+    rod_q1_dot = q_dot[6]
+    rod_q2_dot = q_dot[7]
+    c1 = c[1]
+    c2 = c[2]
+    c6 = c[6]
+    c7 = c[7]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = ca.cos(rod_theta)
+    w3 = rod_q1 * c6
+    w4 = rod_q2 * c7
+    w5 = c2 - (rod_q1 * w3 + rod_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = ca.sin(rod_theta)
+    w8 = w5 * w7
+    w9 = crank_theta_dot**2
+    w10 = 2 * rod_theta_dot
+    w11 = w3 * rod_q1_dot + w4 * rod_q2_dot
+    w12 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w13 = rod_theta_dot**2
+    C = ca.vertcat(
+        crank_x,
+        crank_y,
+        rod_x - (crank_x + w0),
+        rod_y - (crank_y + w1),
+        slider_y,
+        slider_theta,
+        slider_x - (rod_x + w6),
+        slider_y - (rod_y + w8),
+    )
+    C = ca.densify(C)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w1,
+        -w0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w8,
+        -w6,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w2 * w3,
+        w3 * w7,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w2 * w4,
+        w4 * w7,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 11)
+    C_q = ca.densify(C_q)
+    C_t = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
+    gamma = ca.vertcat(
+        0.0,
+        0.0,
+        -(w0 * w9),
+        -(w1 * w9),
+        0.0,
+        0.0,
+        w10 * (w7 * w11) - (w2 * w12 + w6 * w13),
+        -(w7 * w12 + w10 * (w2 * w11) + w8 * w13),
+    )
+    gamma = ca.densify(gamma)
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
+
+
+def augmented() -> ca.Function:
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 543 operations."""
+    q = ca.SX.sym("q", 11)
+    q_dot = ca.SX.sym("q_dot", 11)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q[2]
+    rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    crank_theta_dot = q_dot[2]
+    rod_theta_dot = q_dot[5]
+    rod_q1_dot = q_dot[6]
+    rod_q2_dot = q_dot[7]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    w0 = ca.sin(rod_theta)
+    w1 = rod_q1 * c9 + rod_q2 * c10
+    w2 = rod_q1 * c11 + rod_q2 * c12
+    w3 = c8 - (rod_q1 * w1 + rod_q2 * w2) * 0.5
+    w4 = ca.cos(rod_theta)
+    w5 = rod_q1 * c13
+    w6 = w0 * w3 + w4 * w5
+    w7 = -w6
+    w8 = -(w1 * w4 + w0 * c13)
+    w9 = -(w2 * w4)
+    w10 = w3 * w4 - w0 * w5
+    w11 = w4 * c13 - w0 * w1
+    w12 = -(w0 * w2)
+    w13 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w14 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w15 = rod_theta_dot**2
+    w16 = 2 * rod_theta_dot
+    w17 = rod_q1_dot * c13
+    w18 = w1 * rod_q1_dot + w2 * rod_q2_dot
+    w19 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w20 = w10 * w15 + w16 * (w4 * w17 - w0 * w18) + w4 * w19
+    w21 = w6 * w15 + w0 * w19 + w16 * (w4 * w18 + w0 * w17)
+    w22 = rod_theta_dot * -2.0 * (w13 * rod_q1_dot + w14 * rod_q2_dot)
+    w23 = w13 * w15
+    w24 = w14 * w15
+    w25 = ca.sin(crank_theta) * c1
+    w26 = ca.cos(crank_theta) * c1
+    w27 = rod_q1 * c6
+    w28 = rod_q2 * c7
+    w29 = c2 - (rod_q1 * w27 + rod_q2 * w28) * 0.5
+    w30 = w0 * w29
+    w31 = w4 * w29
+    w32 = crank_theta_dot**2
+    w33 = rod_q1_dot * w27 + rod_q2_dot * w28
+    w34 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    M = ca.vertcat(
+        c25,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c25,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c3,
+        0.0,
+        w7,
+        w8,
+        w9,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c3,
+        w10,
+        w11,
+        w12,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7,
+        w10,
+        c14 + (rod_q1 * w13 + rod_q2 * w14),
+        c21,
+        c22,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w8,
+        w11,
+        c21,
+        c15,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w9,
+        w12,
+        c22,
+        0.0,
+        c18,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c26,
+    )
+    M = ca.reshape(M, 11, 11)
+    M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c23,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c24,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 11, 11)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w20,
+        w21,
+        w22,
+        w23,
+        w24,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
+    Q_star = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w20,
+        w21,
+        w22,
+        w23 - rod_q1 * c23,
+        w24 - rod_q2 * c24,
+        0.0,
+        0.0,
+        0.0,
+    )
+    Q_star = ca.densify(Q_star)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w25,
+        -w26,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w30,
+        -w31,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w4 * w27,
+        w0 * w27,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w4 * w28,
+        w0 * w28,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 8, 11)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        -(w26 * w32),
+        -(w25 * w32),
+        0.0,
+        0.0,
+        w16 * (w0 * w33) - (w4 * w34 + w15 * w31),
+        -(w0 * w34 + w16 * (w4 * w33) + w15 * w30),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+
+
+def reactions() -> ca.Function:
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 195 operations."""
+    q = ca.SX.sym("q", 11)
+    q_dot = ca.SX.sym("q_dot", 11)
+    q_ddot = ca.SX.sym("q_ddot", 11)
+    c = ca.SX.sym("c", 138)
+    rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    rod_theta_dot = q_dot[5]
+    rod_q1_dot = q_dot[6]
+    rod_q2_dot = q_dot[7]
+    crank_x_ddot = q_ddot[0]
+    crank_y_ddot = q_ddot[1]
+    rod_x_ddot = q_ddot[3]
+    rod_y_ddot = q_ddot[4]
+    rod_theta_ddot = q_ddot[5]
+    rod_q1_ddot = q_ddot[6]
+    rod_q2_ddot = q_ddot[7]
+    slider_x_ddot = q_ddot[8]
+    slider_y_ddot = q_ddot[9]
+    slider_theta_ddot = q_ddot[10]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c25 = c[25]
+    c26 = c[26]
+    w0 = rod_theta_dot**2
+    w1 = ca.cos(rod_theta)
+    w2 = rod_q1 * c9 + rod_q2 * c10
+    w3 = rod_q1 * c11 + rod_q2 * c12
+    w4 = c8 - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w5 = ca.sin(rod_theta)
+    w6 = rod_q1 * c13
+    w7 = w1 * w4 - w5 * w6
+    w8 = 2 * rod_theta_dot
+    w9 = rod_q1_dot * c13
+    w10 = w2 * rod_q1_dot + w3 * rod_q2_dot
+    w11 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w12 = w4 * w5 + w1 * w6
+    w13 = rod_x_ddot * c3 - w12 * rod_theta_ddot - (w1 * w2 + w5 * c13) * rod_q1_ddot - w1 * w3 * rod_q2_ddot
+    w14 = slider_x_ddot * c4
+    w15 = w0 * w7 + w8 * (w1 * w9 - w5 * w10) + w1 * w11 - w13 - w14
+    w16 = w15 - crank_x_ddot * c25
+    w17 = rod_y_ddot * c3 + w7 * rod_theta_ddot + rod_q1_ddot * (w1 * c13 - w2 * w5) - rod_q2_ddot * (w3 * w5)
+    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w20 = w7 * rod_y_ddot - rod_x_ddot * w12 + rod_theta_ddot * (c14 + (rod_q1 * w18 + rod_q2 * w19)) + rod_q1_ddot * c21
+    w21 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
+    w22 = rod_theta_dot * -2.0 * (rod_q1_dot * w18 + rod_q2_dot * w19) - (w20 + rod_q2_ddot * c22) + w14 * (w5 * w21)
+    w23 = w22 / (w1 * w21)
+    w24 = w0 * w12 + w5 * w11 + w8 * (w1 * w10 + w5 * w9) - w17 - w23
+    w25 = w24 - crank_y_ddot * c25
+    w26 = w23 - slider_y_ddot * c4
+    w27 = slider_theta_ddot * c26
+    lam = ca.vertcat(
+        w16,
+        w25,
+        w15,
+        w24,
+        w26,
+        -w27,
+        -w14,
+        -w23,
+    )
+    lam = ca.densify(lam)
+    joint_forces = ca.vertcat(
+        -w16,
+        -w25,
+        0.0,
+        -w15,
+        -w24,
+        0.0,
+        0.0,
+        -w26,
+        w27,
+        w14,
+        w23,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 3, 4)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 157 operations."""
+    q = ca.SX.sym("q", 11)
+    q_dot = ca.SX.sym("q_dot", 11)
+    c = ca.SX.sym("c", 138)
+    rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    crank_x_dot = q_dot[0]
+    crank_y_dot = q_dot[1]
+    crank_theta_dot = q_dot[2]
+    rod_x_dot = q_dot[3]
+    rod_y_dot = q_dot[4]
+    rod_theta_dot = q_dot[5]
+    rod_q1_dot = q_dot[6]
+    rod_q2_dot = q_dot[7]
+    slider_x_dot = q_dot[8]
+    slider_y_dot = q_dot[9]
+    slider_theta_dot = q_dot[10]
+    c0 = c[0]
+    c3 = c[3]
+    c4 = c[4]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    w0 = crank_x_dot * (crank_x_dot * c25) + crank_y_dot * (crank_y_dot * c25) + crank_theta_dot * (crank_theta_dot * c0)
+    w1 = ca.sin(rod_theta)
+    w2 = rod_q1 * c9 + rod_q2 * c10
+    w3 = rod_q1 * c11 + rod_q2 * c12
+    w4 = c8 - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w5 = ca.cos(rod_theta)
+    w6 = rod_q1 * c13
+    w7 = w1 * w4 + w5 * w6
+    w8 = w2 * w5 + w1 * c13
+    w9 = w3 * w5
+    w10 = w4 * w5 - w1 * w6
+    w11 = w5 * c13 - w1 * w2
+    w12 = w1 * w3
+    w13 = w0 + rod_x_dot * (rod_x_dot * c3 - w7 * rod_theta_dot - w8 * rod_q1_dot - w9 * rod_q2_dot) + rod_y_dot * (rod_y_dot * c3 + rod_theta_dot * w10 + rod_q1_dot * w11 - rod_q2_dot * w12)
+    w14 = rod_q1 * (rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)) + rod_q2 * (rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20))
+    w15 = rod_y_dot * w10 - rod_x_dot * w7 + rod_theta_dot * (c14 + w14) + rod_q1_dot * c21 + rod_q2_dot * c22
+    w16 = w13 + rod_theta_dot * w15 + rod_q1_dot * (rod_y_dot * w11 - rod_x_dot * w8 + rod_theta_dot * c21 + rod_q1_dot * c15)
+    w17 = w16 + rod_q2_dot * (rod_theta_dot * c22 - (rod_x_dot * w9 + rod_y_dot * w12) + rod_q2_dot * c18) + slider_x_dot * (slider_x_dot * c4)
+    kinetic = ca.vertcat(
+        (w17 + slider_y_dot * (slider_y_dot * c4) + slider_theta_dot * (slider_theta_dot * c26)) / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        (rod_q1 * (rod_q1 * c23) + rod_q2 * (rod_q2 * c24)) / 2.0,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        0.0,
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        0.0,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        0.0,
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 509 operations."""
+    q = ca.SX.sym("q", 11)
+    exaggeration = ca.SX.sym("exaggeration", 1)
+    c = ca.SX.sym("c", 138)
+    crank_x = q[0]
+    crank_y = q[1]
+    crank_theta = q[2]
+    rod_x = q[3]
+    rod_y = q[4]
+    rod_theta = q[5]
+    rod_q1 = q[6]
+    rod_q2 = q[7]
+    slider_x = q[8]
+    slider_y = q[9]
+    c1 = c[1]
+    c2 = c[2]
+    c6 = c[6]
+    c7 = c[7]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
+    c68 = c[68]
+    c69 = c[69]
+    c70 = c[70]
+    c71 = c[71]
+    c72 = c[72]
+    c73 = c[73]
+    c74 = c[74]
+    c75 = c[75]
+    c76 = c[76]
+    c77 = c[77]
+    c78 = c[78]
+    c79 = c[79]
+    c80 = c[80]
+    c81 = c[81]
+    c82 = c[82]
+    c83 = c[83]
+    c84 = c[84]
+    c85 = c[85]
+    c86 = c[86]
+    c87 = c[87]
+    c88 = c[88]
+    c89 = c[89]
+    c90 = c[90]
+    c91 = c[91]
+    c92 = c[92]
+    c93 = c[93]
+    c94 = c[94]
+    c95 = c[95]
+    c96 = c[96]
+    c97 = c[97]
+    c98 = c[98]
+    c99 = c[99]
+    c100 = c[100]
+    c101 = c[101]
+    c102 = c[102]
+    c103 = c[103]
+    c104 = c[104]
+    c105 = c[105]
+    c106 = c[106]
+    c107 = c[107]
+    c108 = c[108]
+    c109 = c[109]
+    c110 = c[110]
+    c111 = c[111]
+    c112 = c[112]
+    c113 = c[113]
+    c114 = c[114]
+    c115 = c[115]
+    c116 = c[116]
+    c117 = c[117]
+    c118 = c[118]
+    c119 = c[119]
+    c120 = c[120]
+    c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
+    c125 = c[125]
+    c126 = c[126]
+    c127 = c[127]
+    c128 = c[128]
+    c129 = c[129]
+    c130 = c[130]
+    w0 = ca.cos(rod_theta)
+    w1 = rod_q1 * exaggeration
+    w2 = exaggeration * rod_q2
+    w3 = c27 - (w1 * (w1 * c28 + w2 * c29) + w2 * (w1 * c30 + w2 * c31)) * 0.5
+    w4 = ca.sin(rod_theta)
+    w5 = w1 * c32 + w2 * c33
+    w6 = c34 - (w1 * (w1 * c35 + w2 * c36) + w2 * (w1 * c37 + w2 * c38)) * 0.5
+    w7 = w1 * c39 + w2 * c40
+    w8 = c41 - (w1 * (w1 * c42 + w2 * c43) + w2 * (w1 * c44 + w2 * c45)) * 0.5
+    w9 = w1 * c46 + w2 * c47
+    w10 = c48 - (w1 * (w1 * c49 + w2 * c50) + w2 * (w1 * c51 + w2 * c52)) * 0.5
+    w11 = w1 * c53 + w2 * c54
+    w12 = c55 - (w1 * (w1 * c56 + w2 * c57) + w2 * (w1 * c58 + w2 * c59)) * 0.5
+    w13 = w1 * c60 + w2 * c61
+    w14 = c62 - (w1 * (w1 * c63 + w2 * c64) + w2 * (w1 * c65 + w2 * c66)) * 0.5
+    w15 = w1 * c67 + w2 * c68
+    w16 = c69 - (w1 * (w1 * c70 + w2 * c71) + w2 * (w1 * c72 + w2 * c73)) * 0.5
+    w17 = w1 * c74 + w2 * c75
+    w18 = c76 - (w1 * (w1 * c77 + w2 * c78) + w2 * (w1 * c79 + w2 * c80)) * 0.5
+    w19 = w1 * c81
+    w20 = c82 - (w1 * (w1 * c83 + w2 * c84) + w2 * (w1 * c85 + w2 * c86)) * 0.5
+    w21 = w1 * c87 + w2 * c88
+    w22 = c89 - (w1 * (w1 * c90 + w2 * c91) + w2 * (w1 * c92 + w2 * c93)) * 0.5
+    w23 = w1 * c94 + w2 * c95
+    w24 = c96 - (w1 * (w1 * c97 + w2 * c98) + w2 * (w1 * c99 + w2 * c100)) * 0.5
+    w25 = w1 * c101 + w2 * c102
+    w26 = c103 - (w1 * (w1 * c104 + w2 * c105) + w2 * (w1 * c106 + w2 * c107)) * 0.5
+    w27 = w1 * c108 + w2 * c109
+    w28 = c110 - (w1 * (w1 * c111 + w2 * c112) + w2 * (w1 * c113 + w2 * c114)) * 0.5
+    w29 = w1 * c115 + w2 * c116
+    w30 = c117 - (w1 * (w1 * c118 + w2 * c119) + w2 * (w1 * c120 + w2 * c121)) * 0.5
+    w31 = w1 * c122 + w2 * c123
+    w32 = c124 - (w1 * (w1 * c125 + w2 * c126) + w2 * (w1 * c127 + w2 * c128)) * 0.5
+    w33 = w1 * c129 + w2 * c130
+    w34 = c2 - (w1 * (w1 * c6) + w2 * (w2 * c7)) * 0.5
+    xy = ca.vertcat(
+        crank_x,
+        crank_y,
+        crank_x + ca.cos(crank_theta) * c1,
+        crank_y + ca.sin(crank_theta) * c1,
+        rod_x,
+        rod_y,
+        rod_x + (w0 * w3 - w4 * w5),
+        rod_y + (w3 * w4 + w0 * w5),
+        rod_x + (w0 * w6 - w4 * w7),
+        rod_y + (w4 * w6 + w0 * w7),
+        rod_x + (w0 * w8 - w4 * w9),
+        rod_y + (w4 * w8 + w0 * w9),
+        rod_x + (w0 * w10 - w4 * w11),
+        rod_y + (w4 * w10 + w0 * w11),
+        rod_x + (w0 * w12 - w4 * w13),
+        rod_y + (w4 * w12 + w0 * w13),
+        rod_x + (w0 * w14 - w4 * w15),
+        rod_y + (w4 * w14 + w0 * w15),
+        rod_x + (w0 * w16 - w4 * w17),
+        rod_y + (w4 * w16 + w0 * w17),
+        rod_x + (w0 * w18 - w4 * w19),
+        rod_y + (w4 * w18 + w0 * w19),
+        rod_x + (w0 * w20 - w4 * w21),
+        rod_y + (w4 * w20 + w0 * w21),
+        rod_x + (w0 * w22 - w4 * w23),
+        rod_y + (w4 * w22 + w0 * w23),
+        rod_x + (w0 * w24 - w4 * w25),
+        rod_y + (w4 * w24 + w0 * w25),
+        rod_x + (w0 * w26 - w4 * w27),
+        rod_y + (w4 * w26 + w0 * w27),
+        rod_x + (w0 * w28 - w4 * w29),
+        rod_y + (w4 * w28 + w0 * w29),
+        rod_x + (w0 * w30 - w4 * w31),
+        rod_y + (w4 * w30 + w0 * w31),
+        rod_x + (w0 * w32 - w4 * w33),
+        rod_y + (w4 * w32 + w0 * w33),
+        rod_x + w0 * w34,
+        rod_y + w4 * w34,
+        slider_x,
+        slider_y,
+    )
+    xy = ca.reshape(xy, 2, 20)
+    xy = ca.densify(xy)
+    inputs, outputs = [q, exaggeration, c], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 620 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c131 = c[131]
+    c132 = c[132]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(rod_theta)
+    w2 = rod_q1 * c9
+    w3 = w2 + rod_q2 * c10
+    w4 = rod_q2 * c12
+    w5 = rod_q1 * c11 + w4
+    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w7 = ca.cos(rod_theta)
+    w8 = rod_q1 * c13
+    w9 = w1 * w6 + w7 * w8
+    w10 = 2 * rod_theta_dot
+    w11 = w3 * rod_q1_dot + w5 * rod_q2_dot
+    w12 = rod_q1_dot * c13
+    w13 = w7 * w11 + w1 * w12
+    w14 = w6 * w7 - w1 * w8
+    w15 = rod_q1 * c6
+    w16 = rod_q2 * c7
+    w17 = rod_q1_dot * w15 + rod_q2_dot * w16
+    w18 = w7 * w17
+    w19 = c2 - (rod_q1 * w15 + rod_q2 * w16) * 0.5
+    w20 = w1 * w19
+    w21 = w7 * w19
+    w22 = (2 * w18 + w10 * w20) / w21
+    w23 = ca.sin(crank_theta) * c1
+    w24 = w7 * w12 - w1 * w11
+    w25 = w1 * w17
+    w26 = (2 * w25 - w10 * w21 - w20 * w22) * c4
+    w27 = w0 / w21
+    w28 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w29 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w30 = rod_q1_dot * w28 + rod_q2_dot * w29
+    w31 = c14 + (rod_q1 * w28 + rod_q2 * w29)
+    w32 = w30 * -2.0 - w22 * w31 + w20 * w26
+    w33 = w0 * (w9 * w10 + 2 * w13 - w14 * w22) - w23 * (w10 * w14 + 2 * w24 + w9 * w22 - w26) - w27 * w32
+    w34 = w23 / w21
+    w35 = w7 * w15
+    w36 = w1 * w15
+    w37 = w36 / w21
+    w38 = w37 / w21
+    w39 = w35 / w21 + w20 * w38
+    w40 = w27 / w21
+    w41 = w20 * w40
+    w42 = w7 * w16
+    w43 = w1 * w16
+    w44 = w43 / w21
+    w45 = w44 / w21
+    w46 = w42 / w21 + w20 * w45
+    w47 = rod_q1_dot * w39 - crank_theta_dot * w41 + rod_q2_dot * w46
+    w48 = crank_theta_dot * w34 - w27 * w47
+    w49 = crank_theta_dot**2
+    w50 = w0 * w49
+    w51 = w50 / w21
+    w52 = w50 * c3
+    w53 = rod_theta_dot**2
+    w54 = w9 * w53
+    w55 = rod_q1_dot * c9
+    w56 = rod_q2_dot * c12
+    w57 = rod_q1_dot * (w55 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + w56)
+    w58 = w1 * w57
+    w59 = w10 * w13
+    w60 = rod_q1_dot * c6
+    w61 = rod_q2_dot * c7
+    w62 = rod_q1_dot * w60 + rod_q2_dot * w61
+    w63 = w1 * w62
+    w64 = w10 * w18
+    w65 = w20 * w53
+    w66 = w23 * w49
+    w67 = w63 + w64 + w65 + w66
+    w68 = w67 / w21
+    w69 = w14 * w68
+    w70 = w66 * c3
+    w71 = (w66 - w20 * w51) * c4
+    w72 = w14 * w53
+    w73 = w10 * w24
+    w74 = w7 * w57
+    w75 = w9 * w68
+    w76 = w10 * w25
+    w77 = w7 * w62
+    w78 = w21 * w53
+    w79 = (w76 - (w77 + w78) - w50 - w20 * w68) * c4
+    w80 = w0 * (w14 * w51 - w52) + w23 * (w54 + w58 + w59 - (w69 - w70)) + (w23 * (w9 * w51 - w70 - w71) + w0 * (w72 + w73 + w74 + (w52 + w75) - w79))
+    w81 = w9 * w66 + w14 * w50
+    w82 = w20 * w71 - (w31 * w51 - w81)
+    w83 = rod_theta_dot * -2.0
+    w84 = w30 * w83 - (w9 * w50 - w14 * w66 + w31 * w68) + w20 * w79
+    w85 = w68 / w21
+    w86 = (w78 + (w77 - w76)) / w21 + w20 * w85
+    w87 = (w64 + (w63 + w65) - (w67 + w20 * w86)) * c4
+    w88 = w0 * (w73 + (w72 + w74) - (w14 * w86 - w75)) - w23 * (w69 + w9 * w86 - (w58 + (w54 + w59)) - w87)
+    w89 = w20 * w87 + w21 * w79 - (w81 + w31 * w86)
+    w90 = w88 - (w27 * w89 + w41 * w84)
+    w91 = w1 * c13
+    w92 = w7 * c13
+    w93 = w66 * (w3 * w7 + w91) + w50 * (w92 - w1 * w3)
+    w94 = w36 * w79
+    w95 = w35 * w87 - w94 - (w93 + w86 * c21) + (w37 * w89 + w39 * w84)
+    w96 = w10 * w28 - w22 * c21 + w26 * w35 + w32 * w37
+    w97 = w50 * (w1 * w5)
+    w98 = w66 * (w5 * w7)
+    w99 = w43 * w79
+    w100 = w42 * w87 - w99 - (w98 - w97 + w86 * c22) + (w44 * w89 + w46 * w84)
+    w101 = w10 * w29 - w22 * c22 + w26 * w42 + w32 * w44
+    w102 = (w2 + w3 + rod_q2 * c11) * 0.5
+    w103 = w92 - w1 * w102
+    w104 = w55 + rod_q2_dot * c11
+    w105 = (w10 * (w7 * w60) - w36 * w53) / w21 + w35 * w85
+    w106 = w91 + w7 * w102
+    w107 = (w10 * (w1 * w60) + w35 * w53 - (w20 * w105 - w36 * w68)) * c4
+    w108 = w0 * (w53 * w103 + w10 * (w7 * w104) - (w14 * w105 - w68 * w106)) - w23 * (w68 * w103 + w9 * w105 - (w53 * w106 + w10 * (w1 * w104)) - w107)
+    w109 = w83 * (rod_q1_dot * c131 - rod_q2_dot * c19) - (w50 * w103 + w66 * w106 + (w68 * (w28 + rod_q1 * c131 - rod_q2 * c19) + w31 * w105))
+    w110 = w109 + (w20 * w107 - w94)
+    w111 = w35 * w40
+    w112 = w1 * c6 / w21 + w35 * w38
+    w113 = w35 * w45
+    w114 = rod_q1_dot * w112 - crank_theta_dot * w111 + rod_q2_dot * w113 + w37 * w47
+    w115 = w53 * c131 - c23 - (w50 * (w7 * c9) + w66 * (w1 * c9) + w105 * c21) + (w35 * w107 + w79 * (w7 * c6))
+    w116 = w42 * w107 - (w53 * c19 + (w50 * (w7 * c11) + w66 * (w1 * c11) + w105 * c22)) + (w44 * w110 + w84 * w113)
+    w117 = w56 + rod_q1_dot * c10
+    w118 = (rod_q1 * c10 + (w4 + w5)) * 0.5
+    w119 = w1 * w118
+    w120 = (w10 * (w7 * w61) - w43 * w53) / w21 + w42 * w85
+    w121 = w7 * w118
+    w122 = (w10 * (w1 * w61) + w42 * w53 - (w20 * w120 - w43 * w68)) * c4
+    w123 = w0 * (w10 * (w7 * w117) - w53 * w119 - (w14 * w120 - w68 * w121)) - w23 * (w9 * w120 - w68 * w119 - (w53 * w121 + w10 * (w1 * w117)) - w122)
+    w124 = w83 * (rod_q2_dot * c132 - rod_q1_dot * c17) - (w66 * w121 - w50 * w119 + (w68 * (w29 + rod_q2 * c132 - rod_q1 * c17) + w31 * w120))
+    w125 = w124 + (w20 * w122 - w99)
+    w126 = w40 * w42
+    w127 = w38 * w42
+    w128 = w1 * c7 / w21 + w42 * w45
+    w129 = rod_q1_dot * w127 - crank_theta_dot * w126 + rod_q2_dot * w128 + w44 * w47
+    w130 = w35 * w122 - (w53 * c17 + (w50 * (w7 * c10) + w66 * (w1 * c10) + w120 * c21)) + (w37 * w125 + w84 * w127)
+    w131 = w53 * c132 - c24 - (w50 * (w7 * c12) + w66 * (w1 * c12) + w120 * c22) + (w42 * w122 + w79 * (w7 * c7))
+    dQ_hat_dq_i = ca.vertcat(
+        w33 * w48 - (w80 + (w27 * w82 - w34 * w84) + w27 * w90),
+        w35 * w71 - (w51 * c21 - w93) + w37 * w82 - w27 * w95 + w48 * w96,
+        w42 * w71 - (w97 - w98 + w51 * c22) + w44 * w82 - w27 * w100 + w48 * w101,
+        w108 - (w27 * w110 + w84 * w111) + w37 * w90 + w33 * w114,
+        w115 + (w37 * w110 + w84 * w112) + w37 * w95 + w96 * w114,
+        w116 + w37 * w100 + w101 * w114,
+        w123 - (w27 * w125 + w84 * w126) + w44 * w90 + w33 * w129,
+        w130 + w44 * w95 + w96 * w129,
+        w131 + (w44 * w125 + w84 * w128) + w44 * w100 + w101 * w129,
+    )
+    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 3, 3)
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 326 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c133 = c[133]
+    c134 = c[134]
+    c135 = c[135]
+    c136 = c[136]
+    c137 = c[137]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.cos(rod_theta)
+    w2 = rod_q1 * c6
+    w3 = rod_q2 * c7
+    w4 = c2 - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w5 = w1 * w4
+    w6 = w0 / w5
+    w7 = ca.sin(rod_theta)
+    w8 = rod_q1 * c9 + rod_q2 * c10
+    w9 = rod_q1 * c11 + rod_q2 * c12
+    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
+    w11 = rod_q1 * c13
+    w12 = w7 * w10 + w1 * w11
+    w13 = 2 * crank_theta_dot
+    w14 = w0 * w13
+    w15 = w1 * w10 - w7 * w11
+    w16 = ca.sin(crank_theta) * c1
+    w17 = w13 * w16
+    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
+    w21 = w17 / w5
+    w22 = w4 * w7
+    w23 = (w14 + w21 * w22) * c4
+    w24 = w12 * w14 - w15 * w17 + w20 * w21 + w22 * w23
+    w25 = 2 * rod_theta_dot
+    w26 = w8 * rod_q1_dot + w9 * rod_q2_dot
+    w27 = rod_q1_dot * c13
+    w28 = w2 * rod_q1_dot + w3 * rod_q2_dot
+    w29 = (2 * (w1 * w28) + w22 * w25) / w5
+    w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * c4
+    w31 = w0 * (w12 * w25 + 2 * (w1 * w26 + w7 * w27) - w15 * w29) - w16 * (w15 * w25 + 2 * (w1 * w27 - w7 * w26) + w12 * w29 - w30)
+    w32 = (w18 * rod_q1_dot + w19 * rod_q2_dot) * -2.0 - w20 * w29 + w22 * w30
+    w33 = w31 - w6 * w32
+    w34 = w1 * w8 + w7 * c13
+    w35 = w1 * c13 - w7 * w8
+    w36 = w1 * w2
+    w37 = w2 * w7
+    w38 = w37 / w5
+    w39 = w18 * w25 - w29 * c21 + w30 * w36 + w32 * w38
+    w40 = w1 * w9
+    w41 = w7 * w9
+    w42 = w1 * w3
+    w43 = w3 * w7
+    w44 = w43 / w5
+    w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
+    w46 = rod_q1_dot * c135 + rod_q2_dot * c136
+    w47 = rod_q1_dot * c133
+    w48 = (w7 * w47 + w25 * w36) / w5
+    w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
+    w50 = rod_theta_dot * -2.0
+    w51 = w18 * w50 - w20 * w48 + w22 * w49
+    w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
+    w53 = rod_q2_dot * c137 + rod_q1_dot * c136
+    w54 = rod_q2_dot * c134
+    w55 = (w7 * w54 + w25 * w42) / w5
+    w56 = (w25 * w43 - w1 * w54 - w22 * w55) * c4
+    w57 = w19 * w50 - w20 * w55 + w22 * w56
+    w58 = w0 * (w7 * w53 + w25 * w40 - w15 * w55) - w16 * (w1 * w53 - w25 * w41 + w12 * w55 - w56) - w6 * w57
+    dQ_hat_dq_i_dot = ca.vertcat(
+        w6 * w24 - (w0 * (w15 * w21 - w17 * c3) + w16 * (w23 + (w14 * c3 + w12 * w21))) - w6 * w33,
+        -(w14 * w34 - w17 * w35 + w21 * c21 + w23 * w36 + w24 * w38 + w6 * w39),
+        -(w14 * w40 + w17 * w41 + w21 * c22 + w23 * w42 + w24 * w44 + w6 * w45),
+        w52 + w33 * w38,
+        w36 * w49 - w48 * c21 + w38 * w51 + w38 * w39,
+        w42 * w49 - w48 * c22 + w44 * w51 + w38 * w45,
+        w58 + w33 * w44,
+        w36 * w56 - w55 * c21 + w38 * w57 + w39 * w44,
+        w42 * w56 - w55 * c22 + w44 * w57 + w44 * w45,
+    )
+    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 3, 3)
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 451 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 3)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_ddot = q_i_ddot[0]
+    rod_q1_ddot = q_i_ddot[1]
+    rod_q2_ddot = q_i_ddot[2]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c131 = c[131]
+    c132 = c[132]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.cos(rod_theta)
+    w2 = rod_q1 * c9
+    w3 = w2 + rod_q2 * c10
+    w4 = rod_q2 * c12
+    w5 = rod_q1 * c11 + w4
+    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w7 = ca.sin(rod_theta)
+    w8 = rod_q1 * c13
+    w9 = w1 * w6 - w7 * w8
+    w10 = ca.sin(crank_theta) * c1
+    w11 = rod_q1 * c6
+    w12 = rod_q2 * c7
+    w13 = c2 - (rod_q1 * w11 + rod_q2 * w12) * 0.5
+    w14 = w1 * w13
+    w15 = w10 / w14
+    w16 = crank_theta_ddot * w15
+    w17 = crank_theta_ddot * w10
+    w18 = w17 * c3
+    w19 = w0 * crank_theta_ddot
+    w20 = w19 * c3
+    w21 = w7 * w11
+    w22 = w21 / w14
+    w23 = w0 / w14
+    w24 = w7 * w12
+    w25 = w24 / w14
+    w26 = w22 * rod_q1_ddot - crank_theta_ddot * w23 + w25 * rod_q2_ddot
+    w27 = w9 * w26
+    w28 = w1 * c13
+    w29 = w28 - w3 * w7
+    w30 = rod_q1_ddot * w29
+    w31 = w5 * w7
+    w32 = rod_q2_ddot * w31
+    w33 = w6 * w7 + w1 * w8
+    w34 = w7 * w13
+    w35 = (w19 + w16 * w34) * c4
+    w36 = w26 * w33
+    w37 = w7 * c13
+    w38 = w1 * w3 + w37
+    w39 = rod_q1_ddot * w38
+    w40 = w1 * w5
+    w41 = rod_q2_ddot * w40
+    w42 = w1 * w11
+    w43 = w1 * w12
+    w44 = (w17 + w26 * w34 + rod_q1_ddot * w42 + rod_q2_ddot * w43) * c4
+    w45 = w0 * (w9 * w16 - w18) - w10 * (w20 + w27 + w30 - w32) + (w10 * (w20 + w16 * w33 + w35) + w0 * (w18 + w36 + w39 + w41 + w44))
+    w46 = w19 * w33
+    w47 = w9 * w17
+    w48 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w49 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w50 = c14 + (rod_q1 * w48 + rod_q2 * w49)
+    w51 = w46 - w47 + w16 * w50 + w34 * w35
+    w52 = w17 * w33 + w9 * w19 + w26 * w50 + rod_q1_ddot * c21 + rod_q2_ddot * c22 + w34 * w44
+    w53 = w22 / w14
+    w54 = w42 / w14 + w34 * w53
+    w55 = w23 / w14
+    w56 = w34 * w55
+    w57 = w25 / w14
+    w58 = w43 / w14 + w34 * w57
+    w59 = rod_q1_ddot * w54 - crank_theta_ddot * w56 + rod_q2_ddot * w58
+    w60 = (w14 * w26 + w34 * w59 - w21 * rod_q1_ddot - w24 * rod_q2_ddot) * c4
+    w61 = w47 - w46 + w50 * w59 + (w34 * w60 + w14 * w44)
+    w62 = w0 * (w9 * w59 - w36 - w39 - w41) + w10 * (w30 + (w27 + w33 * w59) - w32 + w60) - (w23 * w61 + w52 * w56)
+    w63 = w19 * w38
+    w64 = w17 * w29
+    w65 = w21 * w44
+    w66 = w64 - w63 + w59 * c21 + (w42 * w60 - w65) + (w22 * w61 + w52 * w54)
+    w67 = w19 * w40 + w17 * w31
+    w68 = w24 * w44
+    w69 = w59 * c22 - w67 + (w43 * w60 - w68) + (w25 * w61 + w52 * w58)
+    w70 = w7 * c6 / w14 + w42 * w53
+    w71 = w42 * w55
+    w72 = w42 * w57
+    w73 = rod_q1_ddot * w70 - crank_theta_ddot * w71 + rod_q2_ddot * w72
+    w74 = (w2 + w3 + rod_q2 * c11) * 0.5
+    w75 = w37 + w1 * w74
+    w76 = w7 * c9
+    w77 = w7 * c11
+    w78 = w28 - w7 * w74
+    w79 = w1 * c9
+    w80 = w1 * c11
+    w81 = w1 * c6
+    w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * c4
+    w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
+    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c131 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
+    w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
+    w86 = w43 * w53
+    w87 = w43 * w55
+    w88 = w7 * c7 / w14 + w43 * w57
+    w89 = rod_q1_ddot * w86 - crank_theta_ddot * w87 + rod_q2_ddot * w88
+    w90 = (rod_q1 * c10 + (w4 + w5)) * 0.5
+    w91 = w1 * w90
+    w92 = w7 * c10
+    w93 = w7 * c12
+    w94 = w7 * w90
+    w95 = w1 * c10
+    w96 = w1 * c12
+    w97 = w1 * c7
+    w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * c4
+    w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
+    w100 = w26 * (w49 + rod_q2 * c132 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
+    w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
+    dMa_dq_i = ca.vertcat(
+        w45 - (w23 * w51 - w15 * w52) - w23 * w62,
+        w63 - w64 + w16 * c21 + w35 * w42 + w22 * w51 - w23 * w66,
+        w67 + w16 * c22 + w35 * w43 + w25 * w51 - w23 * w69,
+        w83 - (w23 * w84 + w52 * w71) + w22 * w62,
+        w85,
+        w17 * w80 - w19 * w77 + w73 * c22 + w43 * w82 + (w25 * w84 + w52 * w72) + w22 * w69,
+        w99 - (w23 * w100 + w52 * w87) + w25 * w62,
+        w17 * w95 - w19 * w92 + w89 * c21 + w42 * w98 + (w22 * w100 + w52 * w86) + w25 * w66,
+        w101,
+    )
+    dMa_dq_i = ca.reshape(dMa_dq_i, 3, 3)
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+
+
+def blocks() -> ca.Function:
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 284 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    w0 = ca.cos(crank_theta) * c1
+    w1 = ca.sin(crank_theta) * c1
+    w2 = ca.cos(rod_theta)
+    w3 = rod_q1 * c6
+    w4 = rod_q2 * c7
+    w5 = c2 - (rod_q1 * w3 + rod_q2 * w4) * 0.5
+    w6 = w2 * w5
+    w7 = w0 / w6
+    w8 = rod_q1 * c9 + rod_q2 * c10
+    w9 = rod_q1 * c11 + rod_q2 * c12
+    w10 = c8 - (rod_q1 * w8 + rod_q2 * w9) * 0.5
+    w11 = ca.sin(rod_theta)
+    w12 = rod_q1 * c13
+    w13 = w2 * w10 - w11 * w12
+    w14 = w10 * w11 + w2 * w12
+    w15 = w5 * w11
+    w16 = w15 * c4
+    w17 = w0 * w13 + w1 * (w14 + w16)
+    w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
+    w21 = w20 + w15 * w16
+    w22 = w2 * c13 - w8 * w11
+    w23 = w2 * w8 + w11 * c13
+    w24 = w2 * w3
+    w25 = w24 * c4
+    w26 = w3 * w11 / w6
+    w27 = c21 + w15 * w25
+    w28 = w27 + w21 * w26
+    w29 = w0 * w22 + w1 * (w23 + w25) + (w17 * w26 - w7 * w28)
+    w30 = w2 * w9
+    w31 = w2 * w4
+    w32 = w31 * c4
+    w33 = w9 * w11
+    w34 = w4 * w11 / w6
+    w35 = c22 + w15 * w32
+    w36 = w35 + w21 * w34
+    w37 = w1 * (w30 + w32) - w0 * w33 + (w17 * w34 - w7 * w36)
+    w38 = w24 * w32 + (w26 * w36 + w27 * w34)
+    w39 = rod_theta_dot**2
+    w40 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
+    w41 = 2 * rod_theta_dot
+    w42 = w8 * rod_q1_dot + w9 * rod_q2_dot
+    w43 = rod_q1_dot * c13
+    w44 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w45 = w3 * rod_q1_dot + w4 * rod_q2_dot
+    w46 = crank_theta_dot**2
+    w47 = w1 * w46
+    w48 = (w11 * w44 + w41 * (w2 * w45) + w15 * w39 + w47) / w6
+    w49 = w0 * w46
+    w50 = (w41 * (w11 * w45) - (w2 * w44 + w6 * w39) - w49 - w15 * w48) * c4
+    w51 = w0 * (w14 * w39 + w11 * w40 + w41 * (w2 * w42 + w11 * w43) - (w13 * w48 - w47 * c3)) - w1 * (w13 * w39 + w41 * (w2 * w43 - w11 * w42) + w2 * w40 + (w49 * c3 + w14 * w48) - w50)
+    w52 = rod_theta_dot * -2.0 * (w18 * rod_q1_dot + w19 * rod_q2_dot) - (w14 * w49 - w13 * w47 + w20 * w48)
+    w53 = w52 + w15 * w50
+    M_hat_LL = ca.vertcat(
+        c0 + w0 * (w0 * c3) + w1 * (w1 * c5) - (w7 * (w17 - w7 * w21) + w7 * w17),
+    )
+    M_hat_LL = ca.densify(M_hat_LL)
+    M_hat_LS = ca.vertcat(
+        w29,
+        w37,
+    )
+    M_hat_LS = ca.reshape(M_hat_LS, 1, 2)
+    M_hat_LS = ca.densify(M_hat_LS)
+    M_hat_SL = ca.vertcat(
+        w29,
+        w37,
+    )
+    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SS = ca.vertcat(
+        c15 + w24 * w25 + (w26 * w28 + w26 * w27),
+        w38,
+        w38,
+        c18 + w31 * w32 + (w34 * w36 + w34 * w35),
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
+    M_hat_SS = ca.densify(M_hat_SS)
+    Q_hat_L = ca.vertcat(
+        w51 - w7 * w53,
+    )
+    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_S = ca.vertcat(
+        w18 * w39 - rod_q1 * c23 - (w23 * w49 - w22 * w47 + w48 * c21) + w24 * w50 + w26 * w53,
+        w19 * w39 - rod_q2 * c24 - (w30 * w49 + w33 * w47 + w48 * c22) + w31 * w50 + w34 * w53,
+    )
+    Q_hat_S = ca.densify(Q_hat_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
+
+
+def substep_2() -> ca.Function:
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 207 operations."""
+    q_i = ca.SX.sym("q_i", 3)
+    q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
+    q_L_ddot = ca.SX.sym("q_L_ddot", 1)
+    c = ca.SX.sym("c", 138)
+    crank_theta = q_i[0]
+    rod_q1 = q_i[1]
+    rod_q2 = q_i[2]
+    rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
+    crank_theta_ddot = q_L_ddot[0]
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    w0 = ca.cos(rod_theta)
+    w1 = rod_q1 * c6
+    w2 = w0 * w1
+    w3 = w2 * c4
+    w4 = ca.sin(rod_theta)
+    w5 = rod_q2 * c7
+    w6 = c2 - (rod_q1 * w1 + rod_q2 * w5) * 0.5
+    w7 = w0 * w6
+    w8 = w1 * w4 / w7
+    w9 = w4 * w6
+    w10 = c21 + w3 * w9
+    w11 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w12 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w13 = c14 + (rod_q1 * w11 + rod_q2 * w12)
+    w14 = w13 + w9 * (w9 * c4)
+    w15 = w0 * w5
+    w16 = w15 * c4
+    w17 = c22 + w9 * w16
+    w18 = w4 * w5 / w7
+    w19 = w17 + w14 * w18
+    w20 = w2 * w16 + (w8 * w19 + w10 * w18)
+    w21 = rod_theta_dot**2
+    w22 = rod_q1 * c9 + rod_q2 * c10
+    w23 = crank_theta_dot**2
+    w24 = ca.cos(crank_theta) * c1
+    w25 = ca.sin(crank_theta) * c1
+    w26 = w23 * w24 + w25 * crank_theta_ddot
+    w27 = w23 * w25
+    w28 = w24 * crank_theta_ddot - w27
+    w29 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
+    w30 = 2 * rod_theta_dot
+    w31 = w1 * rod_q1_dot + w5 * rod_q2_dot
+    w32 = (w27 + (w4 * w29 + w30 * (w0 * w31) + w9 * w21)) / w7 - crank_theta_ddot * (w24 / w7)
+    w33 = w11 * w21 - rod_q1 * c23 - ((w0 * w22 + w4 * c13) * w26 + (w0 * c13 - w4 * w22) * w28 + w32 * c21)
+    w34 = (w30 * (w4 * w31) - (w0 * w29 + w7 * w21) - w26 - w9 * w32) * c4
+    w35 = rod_q1 * c11 + rod_q2 * c12
+    w36 = c8 - (rod_q1 * w22 + rod_q2 * w35) * 0.5
+    w37 = rod_q1 * c13
+    w38 = rod_theta_dot * -2.0 * (w11 * rod_q1_dot + w12 * rod_q2_dot) - (w26 * (w4 * w36 + w0 * w37) + w28 * (w0 * w36 - w4 * w37) + w13 * w32)
+    w39 = w38 + w9 * w34
+    w40 = w12 * w21 - rod_q2 * c24 - (w26 * (w0 * w35) - w28 * (w4 * w35) + w32 * c22) + w15 * w34 + w18 * w39
+    M_hat_SS = ca.vertcat(
+        c15 + w2 * w3 + (w8 * (w10 + w8 * w14) + w8 * w10),
+        w20,
+        w20,
+        c18 + w15 * w16 + (w18 * w19 + w17 * w18),
+    )
+    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
+    M_hat_SS = ca.densify(M_hat_SS)
+    rhs_S = ca.vertcat(
+        w33 + w2 * w34 + w8 * w39,
+        w40,
+    )
+    rhs_S = ca.densify(rhs_S)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "closure": closure,
+    "velocities": velocities,
+    "accelerations": accelerations,
+    "constraints": constraints,
+    "augmented": augmented,
+    "reactions": reactions,
+    "energy": energy,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+    "blocks": blocks,
+    "substep_2": substep_2,
+}
