@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.auto import AUTO, choose
 from runtime.engine.choose import Engine, choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program
@@ -53,19 +54,30 @@ def simulate(
     scheme: str | None = None, parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
     options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None, force: bool = False,
-    start: str | None = None,
+    start: str | None = None, tolerance: float | None = None, graded: list[str] | None = None,
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
 
     The steps are all dt long, so the run ends at t_end or less than one step after it.
 
-    scheme: a name of runtime.schemes.catalogue.SCHEMES; options: changes to its Options by name. parameters and initial
-    change values by name (rates as `<coordinate>_dot`). save_every counts major steps. progress(t, t_end) is called
-    between native calls. start: `given` or `quasi_static` (elastic coordinates in equilibrium). A run whose step is
-    above the stability limit at the start stops there, unless `force`.
+    scheme: a name of runtime.schemes.catalogue.SCHEMES, or `auto`: the fastest one that keeps `tolerance` (1e-3) in the
+    graded coordinates (all), with the step and m that runtime.advice finds. options: changes to its Options by name.
+    parameters and initial change values by name (rates as `<coordinate>_dot`). save_every counts major steps.
+    progress(t, t_end) is called between native calls. start: `given` or `quasi_static` (elastic coordinates in
+    equilibrium). A run whose step is above the stability limit at the start stops there, unless `force`.
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError or
     CompilerError for arguments that cannot be used.
     """
+    if (scheme or model.simulation.get("scheme")) == AUTO:
+        if dt is not None or m is not None or options:
+            raise SchemeError("auto chooses dt, m and options itself; leave them out and give a tolerance")
+        chosen = choose(model, t_end, parameters, initial, start, tolerance, graded, save_every, t0)
+        solution = simulate(model, t_end=t_end, parameters=parameters, initial=initial, engine=engine, t0=t0,
+                            progress=progress, force=force, start=start, **chosen.arguments)
+        solution.stats["advice"] = chosen.reason
+        return solution
+    if tolerance is not None or graded is not None:
+        raise SchemeError("tolerance and graded belong to scheme = auto; other schemes take the step dt")
     plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
     p = model.parameter_vector(parameters)
     c = model.constants(p)

@@ -9,6 +9,10 @@ StatusName = Literal["completed", "interrupted", "step_too_long", "not_finite", 
                      "mass_not_positive", "iteration_failed"]
 
 
+class NoResult(RuntimeError):
+    """A study that came to no result, for a numerical reason that the message names."""
+
+
 @dataclass(frozen=True)
 class Status:
     """name; time of the last good state [s]; coordinate that failed (if any); cause and advice in plain words."""

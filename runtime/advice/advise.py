@@ -17,8 +17,10 @@ from runtime.compare.problem import Problem, Setting, make_setting
 from runtime.compare.search import Search, search_steps
 from runtime.model import Model
 from runtime.schemes.catalogue import SCHEMES
+from runtime.schemes.options import SchemeError
 from runtime.stability.limits import StabilityStudy
 from runtime.stability.modes import ModeSolver, State
+from runtime.status import NoResult
 
 PILOT_SECONDS = 2.0
 STATES = 12
@@ -58,7 +60,7 @@ class Advice:
         return self.trial.seconds * self.t_end / self.pilot
 
 
-class NoAdvice(RuntimeError):
+class NoAdvice(NoResult):
     """No method met the tolerance; the message says what was tried."""
 
 
@@ -83,11 +85,11 @@ def advise(model: Model, *, tolerance: float = 1e-3, graded: list[str] | None = 
     """Advice for a motion of t_end [s].
 
     tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
-    in q_i (all by default). note is told what is being done. Raises ModelError, InitialStateError, ReferenceError or
-    NoAdvice.
+    in q_i (all by default). note is told what is being done. Raises SchemeError, ModelError, InitialStateError,
+    NoReference or NoAdvice.
     """
-    if not 0 < tolerance < 1:
-        raise NoAdvice(f"the tolerance must be between 0 and 1, not {tolerance!r}")
+    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
+        raise SchemeError(f"the tolerance must be between 0 and 1, not {tolerance!r}")
     setting = make_setting(model, t_end=t_end, parameters=parameters, initial=initial, start=start, graded=graded)
     note("finding a reference path")
     problem, allowed = setting.quick(tolerance, PILOT_SECONDS)

@@ -14,6 +14,7 @@ import numpy as np
 from runtime.compare.problem import Problem
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
+from runtime.observe import evaluate
 from runtime.schemes.catalogue import scheme_kind
 
 SAMPLES = 200  # at most so many states of a run are compared with the reference
@@ -79,22 +80,29 @@ class Contender:
         ready = self._prepared.ready(c)
         z0 = self._prepared.widened(self._start(c))
         states, seconds = self._sampled(z0, ready, steps)
-        size = self.scheme.layout.size
         per_step, partial = self.scheme.evaluations()
         iterations = int(np.nan_to_num(states[-1][self.scheme.layout.slice("iterations")][0]))
         evaluations = (iterations or steps * per_step) + steps * partial
         if not np.isfinite(states[-1]).all():
             return self._failed(dt, steps, seconds, evaluations, "not finite")
-        observed = [self._observe(state[:size], c) for state in states]
-        times = np.array([float(one[0]) for one in observed])
-        q_i = np.array([np.asarray(one[1]).ravel() for one in observed])
-        rms, end = problem.errors(times, q_i)
+        seen = self._seen(states, c)
+        rms, end = problem.errors(seen["t"][:, 0], seen["q_i"])
         if not rms.max() < HOPELESS:
             return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
         if states[-1][self.scheme.layout.slice("failures")][0] > 0:
             return self._failed(dt, steps, seconds, evaluations, "iteration failed")
         seconds = self._timed(z0, ready, steps, seconds)
         return Trial(self.spec.label, dt, steps, seconds, evaluations, float(rms.max()), float(end.max()), rms)
+
+    def observed(self, steps: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
+        """(what a run in so many steps shows at its samples, the model's constants)."""
+        dt = self.problem.t_end / steps
+        c = np.concatenate([self.problem.c, self._shares * dt])
+        states, _ = self._sampled(self._prepared.widened(self._start(c)), self._prepared.ready(c), steps)
+        return self._seen(states, c), self.problem.c
+
+    def _seen(self, states: list[np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
+        return evaluate(self._observe, {"z": np.array(states)[:, :self.scheme.layout.size]}, c)
 
     def _start(self, c: np.ndarray) -> np.ndarray:
         model, state = self.problem.model, self.problem.state

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +28,8 @@ Path = Callable[[np.ndarray], np.ndarray]
 class Problem:
     """A model with parameters p and constants c from a state, for t_end [s]; graded: positions in q_i.
 
-    path gives q_i (N, n) at times; reference_error says how far it may be off, relative like any error here.
+    arguments are parameters, initial and start as `simulate` takes them; path gives q_i (N, n) at times;
+    reference_error says how far it may be off, relative like any error here.
     """
 
     model: Model
@@ -38,6 +40,12 @@ class Problem:
     graded: list[int]
     path: Path
     reference_error: float
+    arguments: Mapping[str, Any] = field(default_factory=dict)
+
+    def solved(self, solver: Callable[..., Any], times: np.ndarray, tolerance: float) -> Any:
+        """What an adaptive solver makes of the problem: its absolute tolerance fits the smallest graded amplitude."""
+        atol = tolerance * min(1.0, float(self.amplitudes.min()))
+        return solver(self.model, t_end=self.t_end, times=times, rtol=tolerance, atol=atol, **self.arguments)
 
     @cached_property
     def amplitudes(self) -> np.ndarray:
@@ -66,9 +74,10 @@ class Setting:
     state: ConsistentState
     t_end: float
     graded: list[int]
+    arguments: Mapping[str, Any] = field(default_factory=dict)
 
     def judged(self) -> Problem:
-        """With an independent reference: DOP853 at tight tolerances, judged by a looser run. Raises ReferenceError."""
+        """With an independent reference: DOP853 at tight tolerances, judged by a looser run. Raises NoReference."""
         path = reference_path(self.model, self.c, self.state, self.t_end, RTOL, ATOL)
         looser = reference_path(self.model, self.c, self.state, self.t_end, RTOL * LOOSER, ATOL * LOOSER)
         times = np.linspace(0.0, self.t_end, 101)
@@ -80,7 +89,7 @@ class Setting:
         """(problem with a reference of its own making, tolerance): shortened where the motion is too long.
 
         Errors grow about in proportion to time, so the tolerance of a shortened problem shrinks with it.
-        Raises ReferenceError.
+        Raises NoReference.
         """
         t_end = self.t_end
         while True:
@@ -95,7 +104,8 @@ class Setting:
             return self._problem(t_end, path, allowed / MARGIN), allowed
 
     def _problem(self, t_end: float, path: Path, error: float) -> Problem:
-        return Problem(self.model, self.p, self.c, self.state, t_end, self.graded, path, error)
+        return Problem(self.model, self.p, self.c, self.state, t_end, self.graded, path, error,
+                       self.arguments)
 
 
 def make_setting(model: Model, *, t_end: float | None = None, parameters: Mapping[str, float] | None = None,
@@ -114,4 +124,5 @@ def make_setting(model: Model, *, t_end: float | None = None, parameters: Mappin
                              f"are {', '.join(model.q_i)}")
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
     return Setting(model, p, c, start_state(model, p, c, 0.0, initial, start), end,
-                   [model.q_i.index(name) for name in names])
+                   [model.q_i.index(name) for name in names],
+                   {"parameters": parameters, "initial": initial, "start": start})

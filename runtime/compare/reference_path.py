@@ -11,15 +11,16 @@ from runtime.condensed_ode import CondensedOde
 from runtime.initial import ConsistentState
 from runtime.model import Model
 from runtime.opponents.native import buffered, native
+from runtime.status import NoResult
 
 
-class ReferenceError(RuntimeError):
+class NoReference(NoResult):
     """The reference could not be computed."""
 
 
 def reference_path(model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float,
                    atol: float) -> Callable[[np.ndarray], np.ndarray]:
-    """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises ReferenceError."""
+    """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference."""
     columns, n = model.independent_columns, len(model.q_i)
     loop = [state.q[model.coordinates.index(name)] for name in model.loop_unknowns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
@@ -27,5 +28,5 @@ def reference_path(model: Model, c: np.ndarray, state: ConsistentState, t_end: f
     result = solve_ivp(lambda t, y: slope(t, y).copy(), (0.0, t_end), y0, method="DOP853", dense_output=True,
                        rtol=rtol, atol=atol)
     if not result.success or not np.isfinite(result.y[:, -1]).all():
-        raise ReferenceError(f"the reference stopped at t = {result.t[-1]:.6g} s: {result.message}")
+        raise NoReference(f"the reference stopped at t = {result.t[-1]:.6g} s: {result.message}")
     return lambda times: result.sol(np.clip(times, 0.0, t_end)).T[:, :n]

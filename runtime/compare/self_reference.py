@@ -11,7 +11,7 @@ from math import ceil
 
 import numpy as np
 
-from runtime.compare.reference_path import ReferenceError
+from runtime.compare.reference_path import NoReference
 from runtime.engine.choose import choose_engine
 from runtime.engine.prepare import prepare
 from runtime.initial import ConsistentState
@@ -23,7 +23,7 @@ FIRST_STEPS, SAMPLES = 64, 50
 METHODS = (("exponential", [2]), ("dop853", None))
 
 
-class TooLong(ReferenceError):
+class TooLong(NoReference):
     """The motion is too long for the time allowed."""
 
 
@@ -65,7 +65,7 @@ def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: f
                    seconds: float) -> Callable[[np.ndarray], np.ndarray]:
     """A path that does not change by more than tolerance / MARGIN when its step is halved.
 
-    Raises TooLong if that takes longer than `seconds`, ReferenceError if no method gets there.
+    Raises TooLong if that takes longer than `seconds`, NoReference if no method gets there.
     """
     times, late = np.linspace(0.0, t_end, SAMPLES + 1), False
     for method, m in METHODS:
@@ -82,7 +82,7 @@ def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: f
                 previous = values
             path.step /= 2
         late = True
-    raise TooLong("the motion is too long for the time allowed") if late else ReferenceError("no reference path")
+    raise TooLong("the motion is too long for the time allowed") if late else NoReference("no reference path")
 
 
 def _distance(values: np.ndarray, previous: np.ndarray) -> float:

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 
 from symgen.cli.arguments import UsageError, parser
-from symgen.cli.outcome import INTERRUPTED, OK, WRONG_INPUT, report, report_error
+from symgen.cli.outcome import FAILED, INTERRUPTED, OK, WRONG_INPUT, report, report_error
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -30,6 +30,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # the reader of the output went away (| head): not an error
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
+    except RuntimeError as error:
+        from runtime.status import NoResult
+
+        if not isinstance(error, NoResult):
+            raise
+        report_error(command, error, as_json, FAILED)
+        return FAILED
     except (UsageError, ValueError, OSError) as error:
         report_error(command, error, as_json, WRONG_INPUT)
         return WRONG_INPUT

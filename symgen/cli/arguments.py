@@ -25,14 +25,14 @@ class Parser(argparse.ArgumentParser):
 
 def parser() -> argparse.ArgumentParser:
     """The whole command line; each subcommand's module adds itself."""
-    from symgen.cli import animate, demo, generate, listing, new, show, simulate
+    from symgen.cli import advise, animate, demo, generate, listing, new, reporting, show, simulate, stability
 
     root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
                   "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
                   "2 wrong input, 130 interrupted.")
     root.add_argument("--version", action="version", version=f"symgen {_version()}")
     subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for module in (new, listing, show, generate, simulate, animate, demo):
+    for module in (new, listing, show, generate, simulate, animate, stability, advise, reporting, demo):
         module.add(subparsers)
     return root
 
@@ -53,25 +53,50 @@ def add_scene(command: argparse.ArgumentParser, **options: Any) -> None:
                          help="what a built-in scene is made with, for instance links=50 for chain; may be repeated")
 
 
-def add_run_options(command: argparse.ArgumentParser) -> None:
-    """How a scene is stepped; what is not given comes from the scene."""
-    group = command.add_argument_group("run", "What is not given comes from the scene's [simulation].")
-    group.add_argument("--t-end", type=number, metavar="SECONDS", help="end of the run")
-    group.add_argument("--dt", type=number, metavar="SECONDS", help="major step dt_L")
-    group.add_argument("--m", type=ratios, metavar="10,4", help="ratio of each next group's step, slow to fast")
-    group.add_argument("--scheme", help="time stepping scheme, for instance printed or single_rate")
+def add_motion_options(command: argparse.ArgumentParser) -> None:
+    """Which motion of the scene is meant; what is not given comes from the scene."""
+    group = command.add_argument_group("motion", "What is not given comes from the scene's [simulation].")
+    group.add_argument("--t-end", type=number, metavar="SECONDS", help="end of the motion")
     group.add_argument("--set", action="append", type=assignment, default=[], metavar="NAME=VALUE",
                        help="change a parameter; may be repeated")
     group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
                        help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
     group.add_argument("--start", choices=("given", "quasi_static"),
                        help="elastic coordinates as given, or in equilibrium with the rigid motion")
+
+
+def add_accuracy_options(command: argparse.ArgumentParser) -> None:
+    """What is graded, and how well it has to be met."""
+    command.add_argument("--tolerance", type=number, default=1e-3, metavar="ERROR",
+                         help="RMS error over the motion relative to each amplitude (default: %(default)s)")
+    command.add_argument("--graded", type=names, metavar="NAMES",
+                         help="coordinates that are graded, separated by commas (default: all independent ones)")
+
+
+def add_run_options(command: argparse.ArgumentParser) -> None:
+    """How a scene is stepped; what is not given comes from the scene."""
+    add_motion_options(command)
+    group = command.add_argument_group("run", "What is not given comes from the scene's [simulation].")
+    group.add_argument("--dt", type=number, metavar="SECONDS", help="major step dt_L")
+    group.add_argument("--m", type=ratios, metavar="10,4", help="ratio of each next group's step, slow to fast")
+    group.add_argument("--scheme", help="time stepping scheme, for instance exponential or single_rate; auto finds "
+                       "the fastest, its step and m for --tolerance")
+    group.add_argument("--tolerance", type=number, metavar="ERROR", help="relative error that auto may make")
+    group.add_argument("--graded", type=names, metavar="NAMES", help="coordinates that auto looks at (default: all)")
     group.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
                        help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable")
     group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")
     group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
     group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
                        help="interpreted by CasADi or compiled C (default: auto)")
+
+
+def names(text: str) -> list[str]:
+    """Comma-separated names."""
+    found = [part.strip() for part in text.split(",") if part.strip()]
+    if not found:
+        raise argparse.ArgumentTypeError("at least one name is needed")
+    return found
 
 
 def option(text: str) -> tuple[str, Any]:

@@ -28,7 +28,8 @@ def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
             return simulate(model, t_end=arguments.t_end, dt=arguments.dt, m=arguments.m, scheme=arguments.scheme,
                             parameters=dict(arguments.set), initial=dict(arguments.initial),
                             save_every=arguments.save_every, engine=arguments.engine, progress=progress,
-                            options=dict(arguments.option), force=arguments.force, start=arguments.start)
+                            options=dict(arguments.option), force=arguments.force, start=arguments.start,
+                            tolerance=arguments.tolerance, graded=arguments.graded)
     except CompilerError as error:  # asked for --engine compiled where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
@@ -77,6 +78,8 @@ def summary(solution: Solution) -> list[str]:
                      "step")
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
+    if "advice" in stats:
+        lines.append(f"chosen automatically: {stats['advice']}")
     if "engine_note" in stats:
         lines.append(str(stats["engine_note"]))
     final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in model.q_i[:6])
