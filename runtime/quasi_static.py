@@ -45,7 +45,7 @@ def quasi_static_state(model: Model, c: np.ndarray, t: float, state: ConsistentS
             v[elastic] = (moved[0] - moved[1]) / (2 * step)
     q, q_dot = solver.closed(t, q_i, v, loop)
     changed = {name: (float(state.q[k]), float(q[k])) for k, name in enumerate(model.coordinates)
-               if name in model.elastic}
+               if name in model.elastic and q[k] != state.q[k]}
     return ConsistentState(q, q_dot, {**state.changed, **changed})
 
 

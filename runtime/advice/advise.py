@@ -69,7 +69,8 @@ def candidates(model: Model) -> list[Spec]:
     n, found = len(model.q_i), []
     if model.has("dQ_hat_dq_i") and 40 * n**3 < MOST_OPERATIONS:
         found += [Spec("exponential", (1,)), Spec("exponential", (2,)), Spec("exponential", (4,)),
-                  Spec("linearised", (2,)), Spec("radau", None, {"eps": (1e-6,)})]
+                  Spec("linearised", (2,)), Spec("linearised", (2,), {"corrections": 1}),
+                  Spec("radau", None, {"eps": (1e-6,)})]
     found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)

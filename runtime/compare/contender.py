@@ -35,7 +35,11 @@ class Spec:
     def label(self) -> str:
         """The name, with m and options where they were chosen."""
         ratios = f" m={','.join(map(str, self.m))}" if self.m else ""
-        return self.scheme + ratios + "".join(f" {value}" for value in self.options.values())
+        return self.scheme + ratios + "".join(f" {_word(name, value)}" for name, value in self.options.items())
+
+
+def _word(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else f"{name}={value[0] if isinstance(value, tuple) else value}"
 
 
 @dataclass(frozen=True)

@@ -83,7 +83,7 @@ SCHEMES: dict[str, SchemeKind] = {
     "decoupled": SchemeKind(Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups",
                             ("closure_iterations",)),
     "linearised": SchemeKind(Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps",
-                             ("propagation", "closure_iterations"), default_m=4),
+                             ("propagation", "closure_iterations", "corrections"), default_m=4),
     "exponential": SchemeKind(Exponential, "exponential Rosenbrock, order 4", "sub_steps",
                               ("propagation", "closure_iterations"), default_m=4),
     "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", ("closure_iterations",),

@@ -1,7 +1,9 @@
 """Linearised sub-steps: one evaluation and one Jacobian a major step, at its predicted midpoint. Order 2.
 
 The midpoint is predicted by running the linear system of the last step half a step further, so stiff modes are
-predicted as well as slow ones.
+predicted as well as slow ones. `corrections` linearise again at the midpoint that the linear system itself leads to.
+Once that midpoint no longer changes the step is symmetric in time: the linear system that leads from the start to the
+midpoint leads back from the end to the same midpoint.
 """
 
 from __future__ import annotations
@@ -36,14 +38,17 @@ class Linearised(LinearSubSteps):
 
     def program(self) -> Program:
         """Linearise at the midpoint, run to the end of the step, predict the next midpoint."""
-        m = self.grid.m[0]
-        return Sequence((self.stage("linearise", self._linearise), Repeat(self.sub_step("lu"), m),
-                         self.stage("finish", self._finish), Repeat(self.sub_step("lu"), m // 2),
+        m, sub_step = self.grid.m[0], self.sub_step("lu")
+        linearise, half = self.stage("linearise", self._linearise), Repeat(sub_step, m // 2)
+        correct = Sequence((half, self.stage("recentre", self._recentre), linearise))
+        again = (Repeat(correct, self.options.corrections),) if self.options.corrections else ()
+        return Sequence((linearise, *again, Repeat(sub_step, m), self.stage("finish", self._finish), half,
                          self.stage("predict", self._predict)))
 
     def evaluations(self) -> tuple[int, int]:
-        """One, and the sub-steps."""
-        return 1, 3 * self.grid.m[0] // 2
+        """One and the corrections, and the sub-steps."""
+        corrections = self.options.corrections
+        return 1 + corrections, (3 + corrections) * self.grid.m[0] // 2
 
     def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
         """The first midpoint is taken along the velocity: an acceleration may belong to a mode that has long turned."""
@@ -58,6 +63,10 @@ class Linearised(LinearSubSteps):
         return {**self.begin(z, kernels, found, G0, ca.SX.zeros(len(self.model.q_i))),
                 "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
                 "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+
+    def _recentre(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        """The midpoint that the linear system itself leads to."""
+        return {"x_mid": z["x"] + z["w"], "v_mid": z["u"]}
 
     def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"]}

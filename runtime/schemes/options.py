@@ -29,6 +29,7 @@ class Options:
     eps: one tolerance per group, slow to fast (eps_L, eps_S); a single one serves all.
     stopping: `relative` compares the change of q(t + h) by a sweep with the group's largest h^2 q_ddot, so that
         small steps converge too; `absolute` is (56)-(57) as printed, in the coordinates' own unit.
+    corrections: how often a linearised step is taken again from a better midpoint.
     propagation: sub-steps of a linearised system, `rational` (of order 6, stable for any stiffness) or
         `central_difference`.
     rho_inf: amplitude that generalized-alpha leaves of an infinitely fast mode in a step; 1 is without dissipation.
@@ -45,6 +46,7 @@ class Options:
     max_iterations: int = 500
     newton_iterations: int = 1
     closure_iterations: int = 2
+    corrections: int = 0
     propagation: Literal["rational", "central_difference"] = "rational"
     rho_inf: float = 0.9
     alpha: float = 0.05
@@ -62,6 +64,9 @@ class Options:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or value < 1:
                 raise SchemeError(f"{name} must be a whole number of at least 1, not {value!r}")
+        corrections = self.corrections
+        if isinstance(corrections, bool) or not isinstance(corrections, int) or not 0 <= corrections <= 100:
+            raise SchemeError(f"corrections must be a whole number from 0 to 100, not {corrections!r}")
         for name, largest in (("rho_inf", 1.0), ("alpha", 1 / 3)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= largest:

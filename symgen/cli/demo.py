@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symgen.cli.arguments import add_command, add_run_options, add_scene
 from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
+if TYPE_CHECKING:
+    from runtime.model import Model
+
 DEMOS = {"slider-crank": "flexible_slider_crank"}  # what a demo's name means; any other word is the scene itself
+METHODS = ["exponential:1", "linearised:2", "single_rate", "rk4", "radau"]  # and sub-cycling, where there are groups
+LONGEST = 0.02  # s: where a method's curve ends
 
 
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
         subparsers, "demo", run, "Generate a built-in scene, simulate it, and show the results.",
-        "Leaves model/, report.json, report.md, motion.gif, coordinates.png, energy.png, solution.npz and .csv.")
+        "Leaves model/, report.json, report.md, motion.gif, coordinates.png, energy.png, solution.npz and .csv, and a "
+        "comparison of methods: comparison.html, .md, .csv, .json, error_time.png, error_evaluations.png.")
     add_scene(command, nargs="?", default="slider-crank",
               help="slider-crank (flexible, the default), any other built-in scene, or a .toml file")
     command.add_argument("--out", metavar="DIR", help="folder for everything (default: out/SCENE)")
@@ -45,5 +51,22 @@ def run(arguments: argparse.Namespace) -> Outcome:
         if model.has("drawing"):
             animate(solution, folder / "motion.gif")
             files["motion.gif"] = str(folder / "motion.gif")
+        files |= _compared(model, arguments, folder, progress)
     lines = [*summary(solution), f"in {folder}: {MODEL_FOLDER}/, {', '.join(files)}"]
     return Outcome({"report": run_report(solution), "folder": str(folder), "files": files}, lines, exit_code(solution))
+
+
+def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress) -> dict[str, str]:
+    """A short comparison of methods on the same motion."""
+    from runtime.compare.problem import make_setting
+    from runtime.report.comparison import compare
+    from runtime.report.comparison_files import write_comparison
+    from runtime.report.methods import methods_named
+
+    if not model.has("dQ_hat_dq_i"):
+        return {}
+    setting = make_setting(model, t_end=arguments.t_end, parameters=dict(arguments.set),
+                           initial=dict(arguments.initial), start=arguments.start)
+    names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
+    comparison = compare(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
+    return write_comparison(comparison, folder)
