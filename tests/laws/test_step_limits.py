@@ -1,4 +1,4 @@
-"""Step limits known before a run: reaches of the schemes, damped modes, refusal of steps above, models without modes."""
+"""Step limits known before a run: reaches of schemes, damped modes, refusal of steps above, models without modes."""
 
 from __future__ import annotations
 
