@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model
-from runtime.along_motion import fastest_decay, frequencies
 from runtime.model import Model
 from runtime.reference import reference_solution
 from runtime.solution import Solution
+from runtime.stability.modes import modes_at
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 
@@ -31,10 +31,11 @@ Written by `python -m benchmarks.hard_tables --publish`; every number is compute
 A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
 of the two oscillators only the slow one is.
 
-Frequencies are `runtime.coupled_frequencies`: those of the condensed equations, at the start and the largest of each
-over the motion. Zero is a direction without stiffness or with negative stiffness. Where something dissipates, the rate
-is the fastest decay at the start, the largest -Re of the eigenvalues of the linearised equations: an `rk4` step must
-stay below about 3 / rate, while central difference takes the damper implicitly, by its Newton step on the velocities.
+Frequencies are `Modes.undamped` of `runtime/stability/modes.py`: those of the condensed equations linearised without
+their velocity terms, at the start and the largest of each over the motion. Zero is a direction without stiffness or
+with negative stiffness. Where something dissipates, the rate is the fastest decay at the start, the largest -Re of the
+eigenvalues of the linearised equations: an `rk4` step must stay below 2.785 / rate, while central difference takes the
+damper implicitly, by its Newton step on the velocities.
 
 The reference is DOP853 on the emitted functions at rtol = {fine:g}; agreement is the largest difference, anywhere in
 the motion, to rtol = {coarse:g}, relative to a coordinate's amplitude (half of largest less smallest). Evaluations are
@@ -74,9 +75,10 @@ def measure(case: HardCase, folder: Path) -> Measured:
     model = load_model(generate(case.make(), folder / case.name))
     coarse, fine = (reference(model, case, rtol) for rtol in TOLERANCES)
     agreement = max(float(np.abs(coarse[name] - fine[name]).max()) / amplitude(fine[name]) for name in case.graded)
-    along = np.array([frequencies(fine, k) for k in range(0, SAMPLES, EVERY)])
+    modes = modes_at(fine, range(0, SAMPLES, EVERY))
+    along = np.array([one.undamped for one in modes])
     damped = bool(np.any(fine.energy["power_dissipated"] > 0))
-    return Measured(case, fine, agreement, along[0], along.max(axis=0), fastest_decay(fine, 0) if damped else None)
+    return Measured(case, fine, agreement, along[0], along.max(axis=0), modes[0].fastest_decay if damped else None)
 
 
 def summary(results: list[Measured]) -> str:

@@ -66,6 +66,7 @@ class Model:
     operations: Mapping[str, int] = field(default_factory=dict)
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+    _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 
     def __repr__(self) -> str:
         return (f"<Model {self.name}: {len(self.coordinates)} coordinates, {len(self.q_i)} independent, "
@@ -79,6 +80,12 @@ class Model:
                                  "Regenerate the scene with that function")
             self._kernels[name] = self.builders[name]()
         return self._kernels[name]
+
+    def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
+        """A Function made of the emitted ones, built once for a model."""
+        if name not in self._derived:
+            self._derived[name] = build()
+        return self._derived[name]
 
     def has(self, name: str) -> bool:
         """Was the function generated? (A tree has no closure iterations, a scene without measures no measures.)"""

@@ -5,9 +5,10 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from runtime.coupled_frequencies import fastest_frequency
 from runtime.model import Model
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.step_limit import StepLimit
+from runtime.stability.modes import ModeSolver, State
 from runtime.status import Status, StatusName
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
@@ -20,7 +21,7 @@ ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elas
 class Watch:
     """Looks at z after each native call; `after` returns a Status to stop with, or None to go on.
 
-    step_limit is the stability limit 2 / (fastest coupled frequency) at the start [s], None if it is not known.
+    step_limit is the stability limit of the fastest group's step at the start [s], None if there or not known.
     """
 
     def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False) -> None:
@@ -49,7 +50,8 @@ class Watch:
         self._constraints.start(z)
         if not self._constraints.positive_mass(z):
             return self._stop("mass_not_positive", None, "M_hat is not positive definite at the start")
-        self.step_limit = self._limit()
+        limit = self._limit()
+        self.step_limit = limit.h if limit else None
         h = self.scheme.grid.h[-1]
         if self.step_limit is not None and h > self.step_limit and not self.force:
             return self._stop("step_too_long", None, f"the step {h:.3g} s of the fastest group is above its limit")
@@ -76,7 +78,8 @@ class Watch:
     def _cheap_problem(self, z: np.ndarray) -> Status | None:
         layout = self.scheme.layout
         x, d = z[layout.slice("x")], self._increments(z)
-        if not np.all(np.isfinite(z)):
+        failed = z[layout.slice("failures")][0] > 0
+        if not np.all(np.isfinite(z)) and not failed:
             bad = ~np.isfinite(x) | ~np.isfinite(d)
             return self._stop("not_finite", int(np.argmax(bad)), "a coordinate became infinite or NaN")
         # angles may turn for ever, so growth is judged on increments
@@ -84,7 +87,7 @@ class Watch:
             return self._stop("diverged", int(np.abs(d).argmax()), "the coordinate grows without bound")
         if z[layout.slice("closure_error")][0] > CLOSURE_LIMIT * self._constraints.length:
             return self._stop("constraints_lost", None, "the loop closure moves too far in one step for Newton")
-        if z[layout.slice("failures")][0] > 0:
+        if failed:
             limit = self.scheme.options.max_iterations
             return self._stop("iteration_failed", None, f"the update of a step did not converge in {limit} iterations")
         return None
@@ -105,13 +108,18 @@ class Watch:
         coordinate = None if k is None else self.model.q_i[k]
         return Status(name, time, coordinate, cause, self._advice(name))
 
-    def _limit(self) -> float | None:
-        """reach / (fastest coupled frequency) at the last good state [s]: an explicit scheme is unstable above it."""
-        if self._good is None or self.scheme.reach is None:
+    def _limit(self) -> StepLimit | None:
+        """What limits the step at the last good state. None if nothing does, or if its modes are not known."""
+        if self._good is None or self.scheme.reach is None or not ModeSolver.possible(self.model):
             return None
-        observed = self.scheme.observe()(z=self._good, c=self.c)
-        frequency = fastest_frequency(self.model, observed, self.c[:self.model.c_size])
-        return self.scheme.reach / frequency if frequency else None
+        seen = self.scheme.observe()(z=self._good, c=self.c)
+        loop = [self.model.q_d.index(name) for name in self.model.loop_unknowns]
+        q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
+        try:
+            solver = ModeSolver(self.model, self.c[:self.model.c_size])
+            return self.scheme.step_limit(*solver.slopes(State(float(seen["t"]), q_i, rates, q_d[loop])))
+        except np.linalg.LinAlgError:  # not finite, or M_hat is singular
+            return None
 
     def _advice(self, name: str) -> str:
         if name == "mass_not_positive":
@@ -120,11 +128,11 @@ class Watch:
         if name == "iteration_failed":
             return "Use a smaller step, a larger eps, or (printed) common_update = direct."
         limit, h = self._limit(), self.scheme.grid.h[-1]
-        if limit is None or self.scheme.reach is None:
+        if limit is None:
             return "Reduce the step."
-        text = (f"The fastest coupled frequency at the last good state is {self.scheme.reach / limit:.4g} rad/s: "
-                f"the scheme needs a step below {limit:.3g} s there, and the fastest group's step is {h:.3g} s.")
-        if h > limit:
+        text = (f"The {limit} at the last good state: the scheme needs a step below {limit.h:.3g} s there, and the "
+                f"fastest group's step is {h:.3g} s.")
+        if h > limit.h:
             return text
         if name == "constraints_lost":
             return text + (" So the mechanism may be at a dead centre, where the chosen independent coordinates do not "

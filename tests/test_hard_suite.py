@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.along_motion import fastest_decay, frequencies
 from runtime.model import Model
 from runtime.solution import Solution
+from runtime.stability.modes import Modes, modes_at
 from symgen.scene import Scene
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 
@@ -20,7 +20,7 @@ PART = 0.02  # of t_end that is run
 EXPLICIT = 0.05  # step times the fastest rate
 LARGE = 0.5  # the same for the other scheme, but no more steps than MOST
 MOST = 200
-UNLIKE = {"chain": "dop853"}  # an exponential step of 30 coordinates takes too long to build for a test
+UNLIKE = {"chain": "dop853"}  # exponential steps of 30 coordinates would double the time of the test
 
 
 def run(model: Model, case: HardCase, steps: int = 1, scheme: str = "single_rate") -> Solution:
@@ -29,8 +29,8 @@ def run(model: Model, case: HardCase, steps: int = 1, scheme: str = "single_rate
 
 
 def fastest(model: Model, case: HardCase) -> float:
-    at_start = run(model, case)
-    return max(float(frequencies(at_start, 0)[-1]), fastest_decay(at_start, 0))
+    at_start = modes_at(run(model, case), [0])[0]
+    return max(float(at_start.undamped[-1]), at_start.fastest_decay)
 
 
 def values(solution: Solution, names: list[str]) -> np.ndarray:
@@ -58,36 +58,36 @@ def test_hard_suite_schemes_agree(model_of: Build, name: str) -> None:
             assert np.all(np.abs(found - expected).max(axis=1) < 1e-3 * np.abs(expected).max(axis=1)), (names, found)
 
 
-def start(model_of: Build, name: str) -> Solution:
+def start(model_of: Build, name: str) -> Modes:
     case = HARD_SUITE[name]
-    return run(model_of(case.make()), case)
+    return modes_at(run(model_of(case.make()), case), [0])[0]
 
 
 @pytest.mark.parametrize("ratio", [10, 100, 1000, 10_000])
 def test_ratio_of_the_oscillators(model_of: Build, ratio: int) -> None:
-    slow, fast = frequencies(start(model_of, f"oscillators_{ratio}"), 0)
+    slow, fast = start(model_of, f"oscillators_{ratio}").undamped
     assert ratio <= fast / slow < 1.2 * ratio
 
 
 def test_stiff_slider_crank_is_200_times_as_fast_as_what_is_graded(model_of: Build) -> None:
     """The two axial frequencies are above; the lateral ones are those of the twin it comes from."""
-    found = frequencies(start(model_of, "stiff_200"), 0)
-    twin = frequencies(start(model_of, "slider_crank_free"), 0)
+    found = start(model_of, "stiff_200").undamped
+    twin = start(model_of, "slider_crank_free").undamped
     assert 200 <= found[4] / found[2] < 200.1
     np.testing.assert_allclose(found[1:3], twin[1:3], rtol=0.01)
     assert found[3] / found[2] > 50
 
 
 def test_springs_of_the_arm_are_200_times_as_fast_as_its_swing(model_of: Build) -> None:
-    found = frequencies(start(model_of, "joint_arm"), 0)
+    found = start(model_of, "joint_arm").undamped
     assert found[2] / found[1] > 200
 
 
 def test_the_damper_not_the_spring_limits_the_step(model_of: Build) -> None:
-    solution = start(model_of, "overdamped")
-    assert fastest_decay(solution, 0) > 50 * frequencies(solution, 0)[-1]
+    modes = start(model_of, "overdamped")
+    assert modes.fastest_decay > 50 * modes.undamped[-1]
 
 
 def test_physical_axial_modes_are_faster_than_the_published_ones(model_of: Build) -> None:
-    published, physical = (frequencies(start(model_of, name), 0) for name in ("f1_smooth", "f1_physical"))
+    published, physical = (start(model_of, name).undamped for name in ("f1_smooth", "f1_physical"))
     assert physical[3] / physical[1] > 12 > 4.5 > published[3] / published[1]

@@ -18,15 +18,20 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence, Until
+from runtime.model import Model
+from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Motion, StepKernels, velocity_dependent
 from runtime.schemes.linear_solve import solve_general, solve_symmetric
-from runtime.schemes.options import LARGE_SYSTEM
+from runtime.schemes.options import LARGE_SYSTEM, Options
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
+from runtime.schemes.step_limit import PREDICTED_DECAY_REACH, StepLimit, central_difference_limit
 
 START_CLOSURE_ITERATIONS = 4
 OBSERVE_ITERATIONS = 2  # Newton steps, or sweeps from the predictor
 ROUNDING = 4e-16
+LARGEST = 1e300
+RUN_AWAY = 1e6  # increments [m or rad] of a step that were out of hand before the sweep
 
 
 class CentralDifference(Scheme):
@@ -35,11 +40,22 @@ class CentralDifference(Scheme):
     reach = 2.0
     memory = ("x", "d", "a", "loop", "loop_old", "loop_dot")
 
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        super().__init__(model, grid, options)
+        common = self.options.common_update == "fixed_point" or self._solves_velocity
+        sub_steps = all(ratio == 1 for ratio in grid.m) or self.options.sub_step_velocity == "newton"
+        if velocity_dependent(model) and not (common and sub_steps):  # else the damping is implicit
+            self.decay_reach = PREDICTED_DECAY_REACH
+
     def fields(self) -> dict[str, int]:
         """See the module's text."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {"s": 1, "d": n, "a": n, "base_q": n, "base_v": n, "base_a": n, "base_s": len(self.grid.groups),
                 "loop_old": loops, "loop_dot": loops, "unconverged": 1}
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Of central difference, with or without predicted velocities."""
+        return central_difference_limit(A_q, A_v, predicted=self.decay_reach is not None)
 
     def rates(self, z: np.ndarray) -> np.ndarray:
         """Increments over steps."""
@@ -113,15 +129,17 @@ class CentralDifference(Scheme):
         motion = self._motion(z, kernels, q, self._now(z, kernels, 0))
         M_hat, Q_hat = kernels.condensed(motion, v + self._h(kernels) / 2 * a)
         new = ca.SX(a)
-        worst = ca.SX(0)
+        settled = ca.SX(1)
         for g, group in enumerate(self.grid.groups):
             others = [k for k in range(len(self.model.q_i)) if k not in group]
             force = Q_hat[group] - ca.mtimes(M_hat[group, others], a[others]) if others else Q_hat
             solved = solve_symmetric(M_hat[group, group], force)
             for position, k in enumerate(group):
                 new[k] = solved[position]
-            worst = ca.fmax(worst, self._excess(g, new[group], a[group], z["d"][group], kernels.h[g]))
-        return {"a": new, "unconverged": worst > 0, "iterations": z["iterations"] + 1}
+            excess = self._excess(g, new[group], a[group], z["d"][group], kernels.h[g])
+            settled = settled * (excess <= 0)
+        settled = settled * (ca.sum1(ca.fabs(new)) < LARGEST)  # false for NaN, which a largest value hides
+        return {"a": new, "unconverged": 1 - settled, "iterations": z["iterations"] + 1}
 
     def _excess(self, g: int, new: ca.SX, old: ca.SX, d: ca.SX, h: ca.SX) -> ca.SX:
         """By how much q_ddot of a group changed more than (56)-(57) allow; h^2 times that is the change of q(t + h)."""
@@ -136,7 +154,8 @@ class CentralDifference(Scheme):
         q, v, a = self._slow_state(z, kernels, 0)
         motion = self._motion(z, kernels, q, self._now(z, kernels, 0))
         moved = self._advance(z, kernels, motion, v + self._h(kernels) / 2 * a, a, 0)
-        return {**moved, "failures": z["failures"] + z["unconverged"]}
+        moving = ca.sum1(ca.fabs(z["d"])) < RUN_AWAY  # no sweep can be blamed for what came from elsewhere
+        return {**moved, "failures": z["failures"] + z["unconverged"] * moving}
 
     # ---- one update -----------------------------------------------------------------------------------------
 

@@ -27,7 +27,7 @@ from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import StepKernels
 from runtime.schemes.options import Options
 from runtime.schemes.scheme import OBSERVED, Scheme
-from runtime.schemes.sparse_lu import Entries, Real, factor, pattern, solve
+from runtime.schemes.sparse_lu import Number, factor, solve
 
 START_CLOSURE_ITERATIONS = 4
 USUAL_ITERATIONS = 2
@@ -145,12 +145,9 @@ class GeneralizedAlpha(Scheme):
         if self.penalised:
             scale = ca.trace(M) / n
             M, force = M + scale * ca.mtimes(C_q.T, C_q), force + scale * ca.mtimes(C_q.T, gamma)
-        entries: Entries = {(rows + i, rows + j): Real(M[i, j]) for i, j in pattern(M)}
-        for i, j in pattern(C_q):
-            entries[i, rows + j] = entries[rows + j, i] = Real(C_q[i, j])
-        side = ca.vertcat(gamma, force)
-        solved = solve(factor(entries, rows + n), [Real(side[k]) for k in range(rows + n)])
-        found = ca.vertcat(*(value.re for value in solved))
+        C_q = ca.sparsify(C_q)
+        matrix = ca.blockcat([[ca.SX(rows, rows), C_q], [C_q.T, ca.sparsify(M)]])
+        found = solve(factor(Number(matrix)), Number(ca.densify(ca.vertcat(gamma, force)))).re
         return found[rows:], found[:rows]
 
     # ---- start-up and observation ---------------------------------------------------------------------------

@@ -21,22 +21,28 @@ from collections.abc import Mapping
 from functools import partial
 
 import casadi as ca
+import numpy as np
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence
 from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.one_step import OneStep
+from runtime.schemes.step_limit import PREDICTED_DECAY_REACH, StepLimit, central_difference_limit
 
 
 class HeldSlow(OneStep):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
-    reach = 2.0
+    reach, decay_reach = 2.0, PREDICTED_DECAY_REACH
     memory = ("x", "v", "loop", "a", "x_last", "v_last", "loop_old", "loop_dot")
 
     def work_fields(self) -> dict[str, int]:
         """Held positions, ends of the secants, and s: time since the start of the major step."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
         return {"s": 1, "a": n, "hold_q": n, "x_last": n, "v_last": n, "loop_old": loops, "loop_dot": loops}
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Of central difference with predicted velocities."""
+        return central_difference_limit(A_q, A_v, predicted=True)
 
     @property
     def slow(self) -> list[int]:

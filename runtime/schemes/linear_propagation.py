@@ -21,7 +21,7 @@ from functools import cache
 import casadi as ca
 from numpy.polynomial import Polynomial
 
-from runtime.schemes.sparse_lu import Complex, Entries, Real, factor, pattern, solve
+from runtime.schemes.sparse_lu import Number, factor, solve
 
 DEGREE = 3
 PHI = 3  # phi_1 to phi_3
@@ -69,25 +69,19 @@ class LinearSystem:
     J_v: ca.SX
 
 
-Factors = tuple[Entries, ...]
+Factors = tuple[Number, ...]
 
 
 def factors_of(system: LinearSystem, h: ca.SX, shifts: tuple[complex, ...] | None = None) -> Factors:
     """Factors of r^2 M - r h J_v - h^2 J_q for every r in shifts, by default the poles of a sub-step h."""
     chosen = tuple(pole.r for pole in poles()) if shifts is None else shifts
-    return tuple(factor(_shifted(system, h, r), system.M.shape[0]) for r in chosen)
+    return tuple(factor(_shifted(system, h, r)) for r in chosen)
 
 
-def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Entries:
-    entries: Entries = {}
-    for i, j in sorted({*pattern(system.M), *pattern(system.J_q), *pattern(system.J_v)}):
-        m, k, d = system.M[i, j], h * h * system.J_q[i, j], h * system.J_v[i, j]
-        square = r * r
-        if r.imag:
-            entries[i, j] = Complex(square.real * m - r.real * d - k, square.imag * m - r.imag * d)
-        else:
-            entries[i, j] = Real(square.real * m - r.real * d - k)
-    return entries
+def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Number:
+    m, k, d = ca.sparsify(system.M), h * h * ca.sparsify(system.J_q), h * ca.sparsify(system.J_v)
+    square = r * r
+    return Number(square.real * m - r.real * d - k, square.imag * m - r.imag * d if r.imag else None)
 
 
 def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tuple[ca.SX, ca.SX, ca.SX],
@@ -103,7 +97,7 @@ def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tup
     return new_w, new_u
 
 
-def _solved(pole: Pole, factors: Entries, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX],
+def _solved(pole: Pole, factors: Number, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX],
             h: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G''."""
     r, (w1, w2, w3) = pole.r, pole.weights
@@ -119,12 +113,10 @@ def _solved(pole: Pole, factors: Entries, forces: tuple[ca.SX, ca.SX, ca.SX], ra
     return X, turned / h - w1.real * u
 
 
-def solve_shifted(factors: Entries, r: complex, re: ca.SX, im: ca.SX | None) -> tuple[ca.SX, ca.SX]:
+def solve_shifted(factors: Number, r: complex, re: ca.SX, im: ca.SX | None) -> tuple[ca.SX, ca.SX]:
     """Real and imaginary part of the solution for the right-hand side re + i im; r tells whether it is complex."""
-    n = re.numel()
     if im is None or not r.imag:
-        x = solve(factors, [Real(re[k]) for k in range(n)])
-        return ca.vertcat(*(value.re for value in x)), ca.SX.zeros(n)
-    y = solve(factors, [Complex(re[k], im[k]) for k in range(n)])
-    return (ca.vertcat(*(value.re for value in y)),
-            ca.vertcat(*(value.im for value in y if isinstance(value, Complex))))
+        return solve(factors, Number(ca.densify(re))).re, ca.SX.zeros(re.numel())
+    x = solve(factors, Number(ca.densify(re), ca.densify(im)))
+    assert x.im is not None
+    return x.re, x.im

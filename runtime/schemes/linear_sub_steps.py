@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import casadi as ca
+import numpy as np
 
 from runtime.engine.program import Call, Fields
 from runtime.model import Model
@@ -18,6 +19,7 @@ from runtime.schemes.linear_propagation import LinearSystem, factors_of, propaga
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import Options
+from runtime.schemes.step_limit import PREDICTED_DECAY_REACH, StepLimit, central_difference_limit
 from runtime.schemes.stored_system import StoredSystem
 
 
@@ -33,7 +35,7 @@ class LinearSubSteps(OneStep):
         self.by_central_difference = options.propagation == "central_difference"
         self.stored = StoredSystem(model, () if self.by_central_difference else self.sets)
         if self.by_central_difference:
-            self.reach = 2.0
+            self.reach, self.decay_reach = 2.0, PREDICTED_DECAY_REACH
         super().__init__(model, grid, options)
 
     def work_fields(self) -> dict[str, int]:
@@ -41,6 +43,10 @@ class LinearSubSteps(OneStep):
         n = len(self.model.q_i)
         sizes = {"w": n, "u": n, "tau": 1, "G0": n, "G1": n, "G2": n, **self.stored.fields()}
         return {**sizes, "acceleration": n} if self.by_central_difference else sizes
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Of central-difference sub-steps with predicted velocities; few sub-steps a major step take more damping."""
+        return central_difference_limit(A_q, A_v, predicted=True) if self.by_central_difference else None
 
     def begin(self, z: Fields, kernels: StepKernels, found: Linearised, G0: ca.SX, G1: ca.SX) -> dict[str, ca.SX]:
         """The linear system at the start of a major step."""

@@ -17,6 +17,7 @@ from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.options import Options
+from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 Body = Callable[[Fields, StepKernels], Mapping[str, ca.SX]]
@@ -30,6 +31,7 @@ class Scheme(ABC):
     """
 
     reach: float | None = None  # the largest stable h w of an undamped mode w on the finest step; None: no limit
+    decay_reach: float | None = None  # the largest stable h d of a pure decay d on the finest step; None: no limit
     order: int = 2
     memory: tuple[str, ...] = ()  # the fields of z through which one major step acts on the next, bookkeeping aside
 
@@ -69,6 +71,12 @@ class Scheme(ABC):
         """(full evaluations of M_hat and Q_hat, partial ones) in a major step, sweeps not counted."""
 
     # ---- what they share ------------------------------------------------------------------------------------
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """What limits the step of the fastest group for w'' = A_q w + A_v w'; None: nothing. See step_limit.py."""
+        if self.reach is None or self.decay_reach is None:
+            return None
+        return limit_between_the_axes(A_q, A_v, self.reach, self.decay_reach)
 
     def constants(self, c: np.ndarray) -> np.ndarray:
         """The model's c and the steps, as the stages read them."""

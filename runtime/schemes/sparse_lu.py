@@ -1,100 +1,110 @@
-"""Straight-line factorisation of small sparse matrices, real or complex, kept for several right-hand sides.
+"""Straight-line factorisation of sparse SX matrices, real or complex, kept for several right-hand sides.
 
-A matrix is a dictionary {(row, column): entry} of what is not zero. No pivoting, last unknown first: see
-linear_solve.py for why that is safe and leaves no fill-in.
+No pivoting, last unknown first: see linear_solve.py for why that is safe and leaves no fill-in. All is written in
+sparse vectors and matrices, so that CasADi, not Python, goes through the entries.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 
+Cells = set[tuple[int, int]]
+
 
 @dataclass(frozen=True)
-class Complex:
-    """A complex number of two SX."""
+class Number:
+    """A real or complex number, vector or matrix of SX; im is None for a real one."""
 
     re: ca.SX
-    im: ca.SX
+    im: ca.SX | None = None
 
-    def __add__(self, other: Complex) -> Complex:
-        return Complex(self.re + other.re, self.im + other.im)
+    def each(self, change: Callable[[ca.SX], ca.SX]) -> Number:
+        """The same change of the real and of the imaginary part."""
+        return Number(change(self.re), None if self.im is None else change(self.im))
 
-    def __sub__(self, other: Complex) -> Complex:
-        return Complex(self.re - other.re, self.im - other.im)
+    def __getitem__(self, index: Any) -> Number:
+        return self.each(lambda part: part[index])
 
-    def __mul__(self, other: Complex) -> Complex:
-        return Complex(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+    def __sub__(self, other: Number) -> Number:
+        if self.im is None or other.im is None:
+            return Number(self.re - other.re)
+        return Number(self.re - other.re, self.im - other.im)
 
-    def reciprocal(self) -> Complex:
-        """1 / self."""
+    def __matmul__(self, other: Number) -> Number:
+        if self.im is None or other.im is None:
+            return Number(ca.mtimes(self.re, other.re))
+        return Number(ca.mtimes(self.re, other.re) - ca.mtimes(self.im, other.im),
+                      ca.mtimes(self.re, other.im) + ca.mtimes(self.im, other.re))
+
+    def reciprocal(self) -> Number:
+        """1 / self, of a number."""
+        if self.im is None:
+            return Number(1 / self.re)
         scale = 1 / (self.re * self.re + self.im * self.im)
-        return Complex(self.re * scale, -self.im * scale)
+        return Number(self.re * scale, -self.im * scale)
 
 
-@dataclass(frozen=True)
-class Real:
-    """A real number with the same interface."""
-
-    re: ca.SX
-
-    def __add__(self, other: Real) -> Real:
-        return Real(self.re + other.re)
-
-    def __sub__(self, other: Real) -> Real:
-        return Real(self.re - other.re)
-
-    def __mul__(self, other: Real) -> Real:
-        return Real(self.re * other.re)
-
-    def reciprocal(self) -> Real:
-        """1 / self."""
-        return Real(1 / self.re)
+def joined(parts: Iterable[Number], join: Callable[..., ca.SX]) -> Number:
+    """Numbers side by side or one above another."""
+    parts = list(parts)
+    imaginary = [part.im for part in parts if part.im is not None]
+    return Number(join(*(part.re for part in parts)), join(*imaginary) if imaginary else None)
 
 
-Number = Real | Complex
-Entries = dict[tuple[int, int], Number]
-
-
-def factor(matrix: Entries, n: int) -> Entries:
-    """L below, U above the reversed diagonal, reciprocal pivots on it; keys in sorted order."""
-    entries = dict(matrix)
+def factor(matrix: Number, symmetric: bool = False) -> Number:
+    """L below, U above the reversed diagonal, reciprocal pivots on it; symmetric: from the upper triangle of matrix."""
+    n, left = matrix.re.shape[0], matrix
+    columns, rows = [], []
     for k in reversed(range(n)):
-        entries[k, k] = entries[k, k].reciprocal()
-        row = [j for j in range(k) if (k, j) in entries]
-        for i in range(k):
-            if (i, k) not in entries:
-                continue
-            ratio = entries[i, k] * entries[k, k]  # type: ignore[operator]
-            entries[i, k] = ratio
-            for j in row:
-                product = ratio * entries[k, j]  # type: ignore[operator]
-                entries[i, j] = entries[i, j] - product if (i, j) in entries else _minus(product)  # type: ignore
-    return dict(sorted(entries.items()))
+        if symmetric:
+            left = left.each(lambda part: ca.triu2symm(ca.triu(part)))
+        pivot, row = left[k, k].reciprocal(), left[k, :k]
+        column = left[:k, k] @ pivot
+        left = left[:k, :k] - column @ row
+        columns.append(joined([column, pivot], ca.vertcat).each(_padded(n, 1)))
+        rows.append(row.each(_padded(1, n)))
+    upper, lower = joined(reversed(columns), ca.horzcat), joined(reversed(rows), ca.vertcat)
+    if upper.im is None or lower.im is None:
+        return Number(upper.re + lower.re)
+    return Number(upper.re + lower.re, upper.im + lower.im)
 
 
-def _minus(value: Number) -> Number:
-    return Complex(-value.re, -value.im) if isinstance(value, Complex) else Real(-value.re)
+def _padded(rows: int, columns: int) -> Callable[[ca.SX], ca.SX]:
+    """Zeros below and to the right."""
+    def pad(part: ca.SX) -> ca.SX:
+        return ca.diagcat(part, ca.SX(rows - part.shape[0], columns - part.shape[1]))
+    return pad
 
 
-def solve(factors: Entries, b: list[Number]) -> list[Number]:
-    """x of A x = b from the factors of A."""
-    n, x = len(b), list(b)
+def solve(factors: Number, b: Number) -> Number:
+    """x of A x = b, b dense, from the factors of A."""
+    n, left = b.re.shape[0], b
+    found: list[Number] = []
     for k in reversed(range(n)):
-        for i in range(k):
-            if (i, k) in factors:
-                x[i] = x[i] - factors[i, k] * x[k]  # type: ignore[operator]
+        found.append(left[k, 0])
+        left = left[:k, 0] - factors[:k, k] @ found[-1]
+    left = joined(reversed(found), ca.vertcat)
+    found = []
     for k in range(n):
-        total = x[k]
-        for j in range(k):
-            if (k, j) in factors:
-                total = total - factors[k, j] * x[j]  # type: ignore[operator]
-        x[k] = total * factors[k, k]  # type: ignore[operator]
-    return x
+        found.append(left[0, 0] @ factors[k, k])
+        left = left[1:, 0] - factors[k + 1:, k] @ found[-1]
+    return joined(found, ca.vertcat)
 
 
-def pattern(matrix: ca.SX) -> list[tuple[int, int]]:
+def pattern(matrix: ca.SX) -> Cells:
     """Where a matrix is not zero."""
-    rows, columns = matrix.shape
-    return [(i, j) for i in range(rows) for j in range(columns) if not matrix[i, j].is_zero()]
+    rows, columns = ca.sparsify(matrix).sparsity().get_triplet()
+    return set(zip(rows, columns, strict=True))
+
+
+def filled(cells: Cells, n: int) -> Cells:
+    """Where the factors of a matrix are not zero."""
+    found = set(cells)
+    for k in reversed(range(n)):
+        row = [j for j in range(k) if (k, j) in found]
+        found.update((i, j) for i in range(k) if (i, k) in found for j in row)
+    return found

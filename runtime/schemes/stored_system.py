@@ -7,10 +7,10 @@ import casadi as ca
 from runtime.engine.program import Fields
 from runtime.model import Model
 from runtime.schemes.kernels import StepKernels
-from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of
-from runtime.schemes.sparse_lu import Complex, Entries, Number, Real, pattern
+from runtime.schemes.linear_propagation import Factors, LinearSystem, poles
+from runtime.schemes.sparse_lu import Cells, Number, filled, pattern
 
-Cells = list[tuple[int, int]]
+MATRICES = ("M", "J_q", "J_v")
 
 
 class StoredSystem:
@@ -20,34 +20,38 @@ class StoredSystem:
     """
 
     def __init__(self, model: Model, sets: tuple[str, ...], shifts: tuple[complex, ...] | None = None,
-                 matrices: tuple[str, ...] = ("M", "J_q", "J_v")) -> None:
+                 matrices: tuple[str, ...] = MATRICES) -> None:
         self.n, self.sets = len(model.q_i), sets
         q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
         kernels = StepKernels(model, ca.SX.sym("c", model.c_size + 1))
         motion = kernels.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
         found = kernels.linearised(motion, v)
-        system = LinearSystem(found.M_hat, found.J_q, found.J_v)
-        self._cells: dict[str, Cells] = {name: pattern(getattr(system, name)) for name in matrices}
-        factors = factors_of(system, ca.SX(1), shifts)
-        self._factor_cells: list[Cells] = [list(entries) for entries in factors]
-        self._complex = [isinstance(next(iter(entries.values())), Complex) for entries in factors]
+        patterns = dict(zip(MATRICES, map(pattern, (found.M_hat, found.J_q, found.J_v)), strict=True))
+        self._sparsity = {name: self._of_cells(patterns[name]) for name in matrices}
+        self._factors = self._of_cells(filled(set().union(*patterns.values()), self.n))
+        chosen = tuple(pole.r for pole in poles()) if shifts is None else shifts
+        self._complex = [bool(r.imag) for r in chosen]
+
+    def _of_cells(self, cells: Cells) -> ca.Sparsity:
+        ordered = sorted(cells)
+        return ca.Sparsity.triplet(self.n, self.n, [i for i, _ in ordered], [j for _, j in ordered])
 
     def fields(self) -> dict[str, int]:
         """Sizes of the fields of z."""
-        sizes = {name: len(cells) for name, cells in self._cells.items()}
+        sizes = {name: sparsity.nnz() for name, sparsity in self._sparsity.items()}
         for name in self.sets:
-            for k, cells in enumerate(self._factor_cells):
-                sizes[f"{name}_{k}"] = len(cells) * (2 if self._complex[k] else 1)
+            for k, is_complex in enumerate(self._complex):
+                sizes[f"{name}_{k}"] = self._factors.nnz() * (2 if is_complex else 1)
         return sizes
 
     def pack(self, system: LinearSystem) -> dict[str, ca.SX]:
         """Fields of the matrices."""
-        return {name: _column([getattr(system, name)[i, j] for i, j in cells]) for name, cells in self._cells.items()}
+        return {name: _entries(getattr(system, name), sparsity) for name, sparsity in self._sparsity.items()}
 
     def pack_factors(self, name: str, factors: Factors) -> dict[str, ca.SX]:
         """Fields of a set of factors."""
-        return {f"{name}_{k}": _column([part for value in entries.values() for part in _parts(value)])
-                for k, entries in enumerate(factors)}
+        return {f"{name}_{k}": ca.vertcat(*(_entries(part, self._factors) for part in (one.re, one.im)
+                                            if part is not None)) for k, one in enumerate(factors)}
 
     def unpack(self, z: Fields) -> LinearSystem:
         """All three matrices."""
@@ -55,27 +59,17 @@ class StoredSystem:
 
     def unpack_matrices(self, z: Fields) -> dict[str, ca.SX]:
         """The matrices that are kept."""
-        matrices = {}
-        for name, cells in self._cells.items():
-            matrix = ca.SX(self.n, self.n)
-            for k, (i, j) in enumerate(cells):
-                matrix[i, j] = z[name][k]
-            matrices[name] = matrix
-        return matrices
+        return {name: ca.SX(sparsity, z[name]) for name, sparsity in self._sparsity.items()}
 
     def unpack_factors(self, name: str, z: Fields) -> Factors:
         """A set of factors."""
-        return tuple(self._entries(k, z[f"{name}_{k}"]) for k in range(len(self._factor_cells)))
-
-    def _entries(self, k: int, values: ca.SX) -> Entries:
-        if self._complex[k]:
-            return {cell: Complex(values[2 * p], values[2 * p + 1]) for p, cell in enumerate(self._factor_cells[k])}
-        return {cell: Real(values[p]) for p, cell in enumerate(self._factor_cells[k])}
-
-
-def _parts(value: Number) -> list[ca.SX]:
-    return [value.re, value.im] if isinstance(value, Complex) else [value.re]
+        found = []
+        for k, is_complex in enumerate(self._complex):
+            values, size = z[f"{name}_{k}"], self._factors.nnz()
+            found.append(Number(ca.SX(self._factors, values[:size]),
+                                ca.SX(self._factors, values[size:]) if is_complex else None))
+        return tuple(found)
 
 
-def _column(entries: list[ca.SX]) -> ca.SX:
-    return ca.vertcat(*entries) if entries else ca.SX(0, 1)
+def _entries(matrix: ca.SX, sparsity: ca.Sparsity) -> ca.SX:
+    return ca.SX(ca.project(matrix, sparsity).nz[:])

@@ -8,7 +8,7 @@ import numpy as np
 
 from runtime.model import Model
 from runtime.reference import reference_solution
-from runtime.stability.modes import State
+from runtime.stability.modes import State, state_at
 
 RTOL, ATOL = 1e-7, 1e-10
 
@@ -19,6 +19,4 @@ def states_along(model: Model, *, t_end: float, count: int = 9, parameters: Mapp
     places = (np.arange(count) + 0.5 * np.sin(np.arange(count)) ** 2) / max(1, count - 0.5)
     solution = reference_solution(model, t_end=t_end, times=places * t_end, rtol=RTOL, atol=ATOL,
                                   parameters=parameters, initial=initial, start=start)
-    loops = [model.coordinates.index(name) for name in model.loop_unknowns]
-    rates = solution.q_dot[:, model.independent_columns]
-    return [State(float(t), solution.q_i[k], rates[k], solution.q[k, loops]) for k, t in enumerate(solution.t)]
+    return [state_at(solution, k) for k in range(len(solution.t))]
