@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from runtime.auto import AUTO, choose
-from runtime.engine.choose import Engine, choose_engine, operations_per_step
+from runtime.engine.choose import Engine, choose_engine, operations_per_step, sub_step_operations
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program
 from runtime.model import Model
@@ -21,7 +21,7 @@ from runtime.observe import observe_samples
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import SchemeError
-from runtime.schemes.scheme import Scheme
+from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.solution import Solution
 from runtime.start_state import start_state
 from runtime.status import Status
@@ -197,7 +197,10 @@ def _statistics(plan: Plan, program: Program, runner: Engine, z: np.ndarray, set
     iterations = int(z[layout.slice("iterations")][0])
     full, partial = plan.scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
+    repeated = sub_step_operations(program) if partial else None
+    cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(plan.scheme)}
     return {
+        **cost,
         "steps": steps, "sub_steps": sub_steps, "full_evaluations": full_evaluations,
         "evaluations": full_evaluations + sub_steps, "iterations": iterations, "engine": runner.name,
         "operations_per_step": operations_per_step(program),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+import casadi as ca
 import numpy as np
 
 from runtime.engine.compiled import CompiledProgram, CompilerError, find_compiler
@@ -34,6 +35,23 @@ def operations_per_step(program: Program) -> int:
     if isinstance(program, Repeat):
         return program.count * operations_per_step(program.body)
     return program.usual * operations_per_step(program.body)
+
+
+def arithmetic(stage: ca.Function) -> int:
+    """Operations of a stage without reading and writing its arguments."""
+    moves = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_PARAMETER)
+    return sum(stage.instruction_id(k) not in moves for k in range(stage.n_instructions()))
+
+
+def sub_step_operations(program: Program) -> int | None:
+    """Arithmetic operations of the innermost repeated part, None if nothing is repeated."""
+    if isinstance(program, Sequence):
+        found = [count for part in program.parts if (count := sub_step_operations(part)) is not None]
+        return found[-1] if found else None
+    if isinstance(program, Repeat):
+        inner = sub_step_operations(program.body)
+        return inner if inner is not None else sum(arithmetic(stage) for stage in stages(program.body))
+    return None
 
 
 def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:

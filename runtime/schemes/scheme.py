@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 import casadi as ca
 import numpy as np
 
+from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.model import Model
 from runtime.schemes.grid import Grid
@@ -123,3 +124,13 @@ class Scheme(ABC):
                                t=motion.t)["q_d_ddot"]
         outputs = ca.cse([motion.t, motion.q_i, motion.q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
+
+
+def evaluation_operations(scheme: Scheme) -> int:
+    """Arithmetic operations of a full evaluation: closure, velocities, M_hat, Q_hat and the solution for q_i_ddot."""
+    model = scheme.model
+    q_i, v, t = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("v", len(model.q_i)), ca.SX.sym("t")
+    loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", scheme.c_size)
+    kernels = scheme.kernels(c)
+    a = kernels.accelerations(kernels.close(q_i, loop, t, scheme.options.closure_iterations), v)
+    return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], ca.cse([a])))

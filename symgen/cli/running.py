@@ -78,6 +78,8 @@ def summary(solution: Solution) -> list[str]:
                      "step")
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
+    if "sub_step_cost" in stats:
+        lines.append(f"a sub-step costs {float(stats['sub_step_cost']):.2g} of a full evaluation (operations)")
     if "advice" in stats:
         lines.append(f"chosen automatically: {stats['advice']}")
     if "engine_note" in stats:
