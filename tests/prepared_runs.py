@@ -9,13 +9,12 @@ import numpy as np
 from model_values import Array
 
 from runtime.engine.choose import choose_engine
-from runtime.engine.compiled import find_compiler
 from runtime.engine.prepare import prepare
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.start_state import start_state
 
-ENGINE = "compiled" if find_compiler() else "interpreted"
+USUAL_STEPS = 3000
 
 
 class PreparedRuns:
@@ -29,8 +28,8 @@ class PreparedRuns:
         self.c = model.constants(p)
         self.state = start_state(model, p, self.c, 0.0, None, start)
         self.shares = np.array(self.scheme.grid.h)
-        self.engine = choose_engine(ENGINE, self.prepared.program, self.prepared.z_size,
-                                    len(self._constants(1.0)), 10**6)
+        self.engine = choose_engine("auto", self.prepared.program, self.prepared.z_size,
+                                    len(self._constants(1.0)), USUAL_STEPS)
 
     def _constants(self, dt: float) -> Array:
         return self.prepared.ready(np.concatenate([self.c, self.shares * dt]))

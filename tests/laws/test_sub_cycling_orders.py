@@ -42,8 +42,8 @@ class Case:
 
 CASES = {
     "flexible_slider_crank": Case(
-        0.004, 8e-6, {"coupled": 3.5e-10, "decoupled": 6.3e-10, "linearised": 3e-10, "linearised central": 3.4e-10,
-                      "exponential": 7e-13, "exponential central": 3e-12}, {"exponential": (0.004, 2e-4)}),
+        0.004, 8e-6, {"coupled": 3.5e-10, "decoupled": 6.3e-10, "linearised": 3e-10,
+                      "exponential": 7e-13}, {"exponential": (0.004, 2e-4)}),
     "hub_beam": Case(  # undamped, a load that depends on time, gyroscopic forces
         0.8, 8e-3, {"coupled": 1.9e-7, "decoupled": 2.7e-6, "linearised": 3.1e-6, "linearised central": 3.3e-6,
                     "exponential": 3.7e-12, "exponential central": 1.9e-7}),
@@ -52,11 +52,10 @@ CASES = {
                       "exponential": 3e-10, "exponential central": 8e-10}, {"exponential": (0.008, 1e-4)},
         start="quasi_static"),
     "flexible_slider_crank_torque": Case(  # modal damping, gravity
-        0.02, 1e-4, {"coupled": 1.2e-7, "decoupled": 5e-8, "linearised": 2.8e-8, "linearised central": 3.4e-8,
-                     "exponential": 1.5e-13, "exponential central": 3.6e-9}, {"exponential": (0.02, 1.25e-4)}),
+        0.02, 1e-4, {"coupled": 1.2e-7, "decoupled": 5e-8, "linearised": 2.8e-8,
+                     "exponential": 1.5e-13}, {"exponential": (0.02, 1.25e-4)}),
     "spin_up_beam": Case(  # prescribed, centrifugal stiffening, no second group
-        2.0, 1e-2, {"linearised": 9e-9, "linearised central": 3e-10, "exponential": 4.2e-10,
-                    "exponential central": 1e-8}, {"exponential": (4.0, 0.2)}),
+        2.0, 1e-2, {"linearised": 9e-9, "exponential": 4.2e-10}, {"exponential": (4.0, 0.2)}),
     "double_pendulum": Case(  # centrifugal forces
         1.0, 4e-3, {"linearised": 1.5e-6, "linearised central": 3.2e-6, "exponential": 1.3e-10,
                     "exponential central": 1.6e-6}),
