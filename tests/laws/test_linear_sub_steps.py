@@ -91,7 +91,7 @@ def test_undamped_modes_keep_their_energy_at_any_stiffness(reach: float) -> None
 
 @pytest.mark.parametrize("damping", [1.0, 30.0, 1e3, 1e6, 1e9])
 def test_stiff_dampers_are_bounded(damping: float) -> None:
-    """Law: no multiplier is above 1 however strong the damper; that of the fast decay tends to -1, the slow one to 1."""
+    """Law: no multiplier is above 1 however strong the damper; the fast decay's tends to -1, the slow one's to 1."""
     step, one = SubStep(1), np.eye(1)
     columns = [step((one, -4.0 * one, -damping * one), y, np.zeros((3, 1)), 0.0, 1.0) for y in np.eye(2)]
     values = np.linalg.eigvals(np.array(columns).T)
@@ -116,7 +116,7 @@ def test_partial_fractions_are_the_phi_functions(degree: int) -> None:
 
 
 def test_the_denominator_is_that_of_the_diagonal_pade_approximation() -> None:
-    """Law: 1 + z phi_1 is the Pade approximation (3, 3) of exp: its poles are the roots of 120 - 60 z + 12 z^2 - z^3."""
+    """Law: 1 + z phi_1 is the Pade approximation (3, 3) of exp, with poles where 120 - 60 z + 12 z^2 = z^3."""
     for pole in poles():
         assert abs(120 - 60 * pole.r + 12 * pole.r**2 - pole.r**3) < 1e-11
     for z in (-3.0, 0.5, 2.0):

@@ -25,9 +25,10 @@ ENGINE = "compiled" if find_compiler() else "interpreted"
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
 DIRECT = {"common_update": "direct"}
 # scene -> arguments, t_end, states. Bisected on 16 states, predicted / real limits: 0.998 to 1.002, of rk4 0.981 to
-# 1.002; a run of rk4 needs some growth before it shows
+# 1.002, where a run needs some growth before it shows. The fastest frequency of the slider-crank changes by 6 % with
+# the angle: 3 states miss its largest value, and the limit is 3.5 % too high
 LIMITS: dict[str, tuple[dict[str, Any], float, int]] = {
-    "flexible_slider_crank_free": ({"start": "quasi_static"}, 0.05, 3), "hub_beam": ({}, 4.0, 3),
+    "flexible_slider_crank_free": ({"start": "quasi_static"}, 0.05, 8), "hub_beam": ({}, 4.0, 3),
     "flexible_four_bar": ({}, 0.05, 3),
     "two_oscillators": ({"parameters": {"zeta": 0.0, "k_L": 0.0}}, 20.0, 1),
 }
@@ -35,7 +36,8 @@ SCHEMES: dict[str, tuple[str, list[int] | None, float]] = {  # reach: times 2 / 
     "single_rate": ("single_rate", None, 1.0), "coupled 4": ("coupled", [4], 4.0),
     "coupled 10": ("coupled", [10], 10.0), "rk4": ("rk4", None, 2**0.5)}
 PAIRS = [(scene, scheme) for scene in LIMITS for scheme in SCHEMES
-         if scene in ("flexible_slider_crank_free", "two_oscillators") or scheme in ("single_rate", "coupled 10")]
+         if scheme in {"flexible_slider_crank_free": ("single_rate", "coupled 4", "rk4"),
+                       "two_oscillators": tuple(SCHEMES)}.get(scene, ("single_rate", "coupled 10"))]
 
 
 class Ground:
