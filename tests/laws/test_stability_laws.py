@@ -118,7 +118,7 @@ def growth_of(run: Solution, modes: ModeSolver, pieces: int = 16) -> float:
 
 @pytest.mark.parametrize("m, dt, every", [(2, 4e-6, 3)])
 def test_growth_of_the_printed_scheme_on_a_mechanism(built_in: Load, m: int, dt: float, every: int) -> None:
-    """Law: the fastest axial mode grows as the spectrum says, over what single-rate shows; measured: 3.6 %, m = 4: 4.6 %."""
+    """Law: the fastest axial mode grows as the spectrum says, over what single-rate shows; measured: 3.6 %."""
     model, t_end = built_in("flexible_slider_crank_free"), 0.008
     printed = scheme_kind("printed").build("printed", model, 1.0, [m], DIRECT)
     spectrum = StepSpectrum(model, printed, model.constants(model.parameter_vector()))
