@@ -87,8 +87,8 @@ class HeldSlow(OneStep):
         return ca.vertcat(*(kernels.h[0 if g == last else g] for g in groups))
 
     def _hold(self, z: Fields, kernels: StepKernels, level: int) -> Mapping[str, ca.SX]:
-        """Hold a group where it will be at the mean time of its sub-steps' evaluations, (H + h) / 2 from now."""
-        ahead = (kernels.h[level] + kernels.h[level + 1]) / 2
+        """Hold a group where it will be at the mean time of its finest sub-steps, (H + h) / 2 from now."""
+        ahead = (kernels.h[level] + kernels.h[-1]) / 2
         share = ahead / self._own_steps(kernels)
         x_ahead = z["x"] + share * (z["x"] - z["x_last"])
         v_ahead = z["v"] + share * (z["v"] - z["v_last"])
