@@ -1,0 +1,208 @@
+"""Comparisons, advice and `auto`: what they measure, what they write, and what they refuse."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import Model, SchemeError, simulate
+from runtime.advice.advise import Advice, NoAdvice, advise
+from runtime.advice.words import advice_data, advice_lines, command
+from runtime.compare.contender import Contender, Spec, Trial
+from runtime.compare.problem import Problem, make_setting
+from runtime.compare.reference_path import NoReference
+from runtime.compare.search import search_steps
+from runtime.model import ModelError
+from runtime.report.comparison import Comparison, Curve, compare
+from runtime.report.comparison_files import write_comparison
+from runtime.report.methods import Method, methods_named, usual_methods
+from runtime.report.suite import SuiteResult, write_suite
+
+Load = Callable[[str], Model]
+T_END = 4.0
+PLAIN = {"c": 0.5, "w": 20.0, "k_L": 1.0, "zeta": 0.0}
+START = {"x_L": 1.0, "x_S": 0.0}
+
+
+@pytest.fixture(scope="module")
+def oscillators() -> Model:
+    from runtime import load_model
+    from symgen.scenes import generated_folder
+
+    return load_model(generated_folder("two_oscillators"))
+
+
+@pytest.fixture(scope="module")
+def problem(oscillators: Model) -> Problem:
+    return make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START, graded=["x_L"]).judged()
+
+
+@pytest.fixture(scope="module")
+def advice(oscillators: Model) -> Advice:
+    return advise(oscillators, t_end=T_END, parameters=PLAIN, initial=START, graded=["x_L"])
+
+
+@pytest.fixture(scope="module")
+def comparison(oscillators: Model) -> Comparison:
+    setting = make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START)
+    return compare(setting, methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"]),
+                   longest=0.003)
+
+
+def exact(t: np.ndarray) -> np.ndarray:
+    """x_L and x_S of M = [[1, c], [c, 1]], K = diag(k_L, w^2) from its eigenvectors, released from START."""
+    M, K = np.array([[1, 0.5], [0.5, 1]]), np.diag([1.0, 400.0])
+    values, vectors = np.linalg.eig(np.linalg.solve(M, K))
+    share = np.linalg.solve(vectors, np.array([1.0, 0.0]))
+    return np.asarray((vectors * share) @ np.cos(np.sqrt(values)[:, None] * t[None, :])).T
+
+
+def test_the_reference_is_the_exact_motion(problem: Problem) -> None:
+    times = np.linspace(0, T_END, 57)
+    assert np.abs(problem.path(times) - exact(times)).max() < 1e-9
+    assert problem.reference_error < 1e-7
+
+
+def test_errors_are_those_of_the_exact_motion(problem: Problem) -> None:
+    """RMS over the motion relative to the amplitude about the mean, from an own formula."""
+    trial = Contender(Spec("rk4"), problem, engine="interpreted").run(150)
+    run = simulate(problem.model, t_end=T_END, dt=T_END / 150, scheme="rk4", parameters=PLAIN, initial=START,
+                   save_every=1)
+    truth = exact(run.t)[:, 0]
+    wanted = np.sqrt(np.mean((run["x_L"] - truth) ** 2)) / exact(np.linspace(0, T_END, 2001))[:, 0].std()
+    assert trial.error == pytest.approx(wanted, rel=0.02)
+    assert trial.evaluations == 600
+
+
+def test_unstable_runs_are_failures(problem: Problem) -> None:
+    trial = Contender(Spec("single_rate"), problem, engine="interpreted").run(30)
+    assert trial.failure
+    assert not trial.error < 1
+
+
+def test_search_finds_the_fewest_steps(problem: Problem) -> None:
+    contender = Contender(Spec("single_rate"), problem, engine="interpreted")
+    found = search_steps(contender, 1e-3)
+    assert found.best is not None and found.best.error <= 1e-3
+    assert contender.run(int(found.best.steps * 0.8)).error > 1e-3
+
+
+def trial(seconds: float, error: float, failure: str = "") -> Trial:
+    return Trial("x", 1.0, 10, seconds, 100, error, error, np.array([error]), failure)
+
+
+def test_time_to_a_tolerance_is_interpolated() -> None:
+    """Between (1 s, 1e-2) and (4 s, 1e-4): 1e-3 takes 2 s; a failure before it cannot be interpolated from."""
+    curve = Curve(Method("x"), [trial(1.0, 1e-2), trial(4.0, 1e-4)], np.nan, None)
+    assert curve.seconds_to(1e-3) == pytest.approx(2.0)
+    assert curve.seconds_to(1e-5) == np.inf
+    failed = Curve(Method("x"), [trial(1.0, np.inf, "not finite"), trial(4.0, 1e-4)], np.nan, None)
+    assert failed.seconds_to(1e-3) == pytest.approx(4.0)
+
+
+def test_advice_meets_its_tolerance(advice: Advice, problem: Problem) -> None:
+    """The advised method and step, judged by the independent reference."""
+    steps = round(T_END / advice.dt)
+    assert Contender(advice.spec, problem, engine="interpreted").run(steps).error <= advice.tolerance
+    assert advice.gain > 0
+    assert advice.groups is not None
+    assert advice.groups.slow == ["x_L"]
+    assert advice.modes[1].highest == pytest.approx(20 / np.sqrt(0.75), rel=0.01)
+
+
+def test_advice_in_words(advice: Advice) -> None:
+    text = "\n".join(advice_lines(advice))
+    assert advice.spec.scheme in text and "x_L" in text
+    assert command(advice).startswith("symgen simulate two_oscillators --scheme ")
+    json.dumps(advice_data(advice), allow_nan=False)
+
+
+def test_auto_runs_what_was_advised(oscillators: Model) -> None:
+    run = simulate(oscillators, t_end=T_END, parameters=PLAIN, initial=START, scheme="auto", tolerance=1e-4)
+    assert run.status.ok and run.t[-1] == pytest.approx(T_END)
+    error = np.sqrt(np.mean((run["x_L"] - exact(run.t)[:, 0]) ** 2)) / 0.5
+    assert error < 1e-4
+    assert "advice" in run.stats
+
+
+@pytest.mark.parametrize(("arguments", "message"), [
+    ({"dt": 0.1}, "auto chooses dt"), ({"m": [2]}, "auto chooses"), ({"tolerance": 0.0}, "tolerance must be between"),
+    ({"t0": 1.0}, "from t = 0")])
+def test_auto_refuses_what_it_cannot_use(oscillators: Model, arguments: dict, message: str) -> None:
+    with pytest.raises(SchemeError, match=message):
+        simulate(oscillators, t_end=T_END, scheme="auto", **arguments)
+
+
+def test_tolerance_belongs_to_auto(oscillators: Model) -> None:
+    with pytest.raises(SchemeError, match="belong to scheme = auto"):
+        simulate(oscillators, t_end=T_END, scheme="rk4", dt=0.01, tolerance=1e-3)
+
+
+def test_unknown_grades_and_methods_are_named(oscillators: Model) -> None:
+    with pytest.raises(ModelError, match="'nothing' cannot be graded"):
+        make_setting(oscillators, graded=["nothing"])
+    with pytest.raises(SchemeError, match="no method 'leapfrog'"):
+        methods_named(oscillators, ["leapfrog"])
+    with pytest.raises(SchemeError, match="whole numbers"):
+        methods_named(oscillators, ["coupled:many"])
+
+
+def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("runtime.advice.advise.candidates", lambda model: [Spec("printed", (4,))])
+    monkeypatch.setattr("runtime.compare.search.CHEAP", 0.0)
+    monkeypatch.setattr("runtime.compare.search.HOPELESSLY_SLOW", 0.0)
+    with pytest.raises(NoAdvice, match=r"printed m=4"):
+        advise(oscillators, t_end=T_END, parameters={"c": 0.9, "w": 50.0, "k_L": 1.0, "zeta": 0.0}, initial=START,
+               tolerance=1e-9)
+
+
+def test_a_motion_without_reference_is_said_so(oscillators: Model) -> None:
+    """A spring of negative stiffness: the motion leaves the range of floating point numbers."""
+    setting = make_setting(oscillators, t_end=T_END, parameters={**PLAIN, "k_L": -1e6}, initial=START)
+    with pytest.raises(NoReference, match="the reference stopped at"):
+        setting.judged()
+    with pytest.raises(NoReference):
+        setting.quick(1e-3, 0.2)
+
+
+def test_comparison_shows_order_failures_and_a_reason(comparison: Comparison) -> None:
+    by_name = {curve.method.label: curve for curve in comparison.curves}
+    assert by_name["rk4"].order == pytest.approx(4.0, abs=0.4)
+    assert any(one.failure for one in by_name["rk4"].trials)
+    assert by_name["CVODES BDF"].seconds_to(1e-2) < np.inf
+    assert by_name["exponential m=2"].energy is not None
+    assert comparison.recommendation().startswith(comparison.ranked()[0].method.label)
+
+
+def test_comparison_files_agree_with_each_other(comparison: Comparison, tmp_path: Path) -> None:
+    files = write_comparison(comparison, tmp_path)
+    data = json.loads(Path(files["comparison.json"]).read_text())
+    assert data["recommendation"] == comparison.recommendation()
+    with Path(files["comparison.csv"]).open() as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) == sum(len(curve.trials) for curve in comparison.curves)
+    page = Path(files["comparison.html"]).read_text()
+    assert not re.search(r'(src|href)="(?!data:)', page)  # opens without a network
+    assert page.count("data:image/png;base64,") == 2
+    for curve in comparison.curves:
+        assert curve.method.label in page
+        assert curve.method.label in Path(files["comparison.md"]).read_text()
+
+
+def test_suite_page_lists_every_case(comparison: Comparison, advice: Advice, tmp_path: Path) -> None:
+    results = [SuiteResult("good", comparison, advice), SuiteResult("bad", None, None, "no reference")]
+    files = write_suite(results, tmp_path)
+    text = Path(files["suite.md"]).read_text()
+    assert "| good |" in text and "| bad | no reference |" in text
+    assert results[0].advised_over_best() > 0
+
+
+def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load) -> None:
+    labels = {method.label for method in usual_methods(built_in("flexible_slider_crank_free"))}
+    assert {"exponential m=1", "coupled m=4", "IDAS", "radau eps=1e-06"} <= labels
