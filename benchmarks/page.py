@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from math import isnan
 from typing import Any
 
 from benchmarks.result import Line, Result
@@ -30,14 +31,17 @@ def as_markdown(machine: dict[str, str], results: list[Result]) -> str:
     parts = [INTRODUCTION, "\n".join(f"- {key}: {value}" for key, value in machine.items()) + "\n"]
     for result in results:
         rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, result.lines)]
-        parts.append(f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n" + "\n".join(rows) + "\n")
+        remark = f"{result.remark}\n\n" if result.remark else ""
+        parts.append(f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n{remark}" + "\n".join(rows)
+                     + "\n")
     return "\n".join(parts)
 
 
 def _row(line: Line) -> str:
     goal = "" if line.goal is None else f"<= {_number(line.goal)}"
+    value = "-" if isnan(line.value) else f"{_number(line.value)} {line.unit}"
     verdict = {None: "", True: "met", False: "**not met**"}[line.met]
-    return f"| {line.name} | {_number(line.value)} {line.unit} | {goal} | {verdict} | {line.note} |"
+    return f"| {line.name} | {value} | {goal} | {verdict} | {line.note} |"
 
 
 def _number(value: float) -> str:

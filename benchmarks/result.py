@@ -25,12 +25,17 @@ class Line:
 
 @dataclass(frozen=True)
 class Result:
-    """Lines of one benchmark; details go to the JSON file only."""
+    """Lines of one benchmark; details go to the JSON file only. remark: what stands above the table."""
 
     name: str
     title: str
     lines: list[Line]
     details: dict[str, Any] = field(default_factory=dict)
+    remark: str = ""
+
+
+class Skipped(RuntimeError):
+    """A benchmark that cannot run here; the message says what is missing."""
 
 
 Benchmark = Callable[[], Result]
