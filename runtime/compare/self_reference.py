@@ -20,6 +20,7 @@ from runtime.schemes.catalogue import scheme_kind
 
 MARGIN = 30.0  # the path is this much more accurate than the tolerance asked for
 FIRST_STEPS, SAMPLES = 64, 50
+OUT_OF_RANGE = 1e100  # m or rad: a motion that leaves for good
 METHODS = (("exponential", [2]), ("dop853", None))
 
 
@@ -76,13 +77,17 @@ def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: f
         began = time.perf_counter()
         while time.perf_counter() - began < seconds:
             values = path(times)
-            if np.isfinite(values).all():
+            if not np.isfinite(values).all() or np.abs(values).max() > OUT_OF_RANGE:
+                previous = None
+            else:
+                late = True
                 if previous is not None and _distance(values, previous) < tolerance / MARGIN:
                     return path
                 previous = values
             path.step /= 2
-        late = True
-    raise TooLong("the motion is too long for the time allowed") if late else NoReference("no reference path")
+    if late:
+        raise TooLong("the motion is too long for the time allowed")
+    raise NoReference(f"no path of {t_end:g} s stays finite, however small its steps: is the motion unstable?")
 
 
 def _distance(values: np.ndarray, previous: np.ndarray) -> float:
