@@ -30,6 +30,7 @@ ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "CVODES Adams": partial(sundials_solution, method="cvodes", multistep="adams"),
     "IDAS": partial(sundials_solution, method="idas"),
 }
+WITH_JACOBIAN = ("Radau adaptive", "CVODES BDF", "IDAS")
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,8 @@ def usual_methods(model: Model) -> list[Method]:
               Spec("dop853")]
     if len(model.q_i) <= LARGE and model.has("dQ_hat_dq_i"):
         specs += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
-    return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in ADAPTIVE]
+    adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name not in WITH_JACOBIAN]
+    return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in adaptive]
 
 
 def methods_named(model: Model, names: list[str]) -> list[Method]:

@@ -10,13 +10,15 @@ not grow with the stiffness. In partial fractions each sub-step is one real and 
 
     r^2 M - r h J_v - h^2 J_q,
 
-whose factors serve all sub-steps of a major step.
+whose factors serve all sub-steps of a major step. A part of a sub-step is had from the same factors: the numerator for
+exp(part z) is cut off at degree DEGREE, which makes it of order DEGREE only.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from math import factorial
 
 import casadi as ca
 from numpy.polynomial import Polynomial
@@ -29,7 +31,7 @@ PHI = 3  # phi_1 to phi_3
 
 @dataclass(frozen=True)
 class Pole:
-    """r with weights such that phi_k(z) is about sum_j weights[k - 1] / (r - z), conjugates counted in `share`."""
+    """r with weights: part^k phi_k(part z) is about sum_j weights[k - 1] / (r - z), conjugates counted in `share`."""
 
     r: complex
     weights: tuple[complex, ...]
@@ -37,19 +39,18 @@ class Pole:
 
 
 @cache
-def poles(degree: int = DEGREE) -> tuple[Pole, ...]:
+def poles(degree: int = DEGREE, part: float = 1.0) -> tuple[Pole, ...]:
     """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair."""
     coefficients = [1.0]
     for k in range(1, degree + 1):
-        coefficients.append(coefficients[-1] * (degree - k + 1) / ((2 * degree - k + 1) * k))
-    numerator = Polynomial(coefficients)
-    denominator = Polynomial([c * (-1) ** k for k, c in enumerate(coefficients)])
-    numerators, current = [], numerator
-    factorial = 1.0
+        coefficients.append(-coefficients[-1] * (degree - k + 1) / ((2 * degree - k + 1) * k))
+    denominator = Polynomial(coefficients)
+    exponential = Polynomial([part**k / factorial(k) for k in range(degree + 1)])
+    numerators, current = [], (denominator * exponential).truncate(degree + 1)  # for part = 1 Pade's
     for k in range(1, PHI + 1):
-        current = Polynomial((current - denominator / factorial).coef[1:])  # (phi_{k-1} - 1/(k-1)!) / z
+        start = part ** (k - 1) / factorial(k - 1)
+        current = Polynomial((current - start * denominator).coef[1:])  # phi_k = (phi_{k-1} - start) / z
         numerators.append(current)
-        factorial *= k
     slope = denominator.deriv()
     found = []
     for root in map(complex, denominator.roots()):
@@ -85,13 +86,13 @@ def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Number:
 
 
 def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tuple[ca.SX, ca.SX, ca.SX],
-              tau: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """(w, w') after a sub-step from (w, u) at tau; G holds G0, G1, G2."""
+              tau: ca.SX, h: ca.SX, part: float = 1.0) -> tuple[ca.SX, ca.SX]:
+    """(w, w') after a part of a sub-step h from (w, u) at tau; G holds G0, G1, G2."""
     Mu, Jv_u = ca.mtimes(system.M, u), ca.mtimes(system.J_v, u)
     slope = G[1] + tau * G[2]
     force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + Jv_u
     new_w, new_u = w, u
-    for pole, entries in zip(poles(), factors, strict=True):
+    for pole, entries in zip(poles(part=part), factors, strict=True):
         x, y = _solved(pole, entries, (force, slope, G[2]), (u, Mu, Jv_u), h)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
     return new_w, new_u

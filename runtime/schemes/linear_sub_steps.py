@@ -7,6 +7,7 @@ and the linear system.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -24,16 +25,11 @@ from runtime.schemes.stored_system import StoredSystem
 
 
 class LinearSubSteps(OneStep):
-    """m sub-steps of all coordinates in a major step; grid.h is (major step, sub-step).
-
-    A subclass names the sizes of sub-steps that it uses: `sets` are the names under which factors are kept.
-    """
-
-    sets: tuple[str, ...] = ("lu",)
+    """m sub-steps of all coordinates in a major step; grid.h is (major step, sub-step)."""
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.by_central_difference = options.propagation == "central_difference"
-        self.stored = StoredSystem(model, () if self.by_central_difference else self.sets)
+        self.stored = StoredSystem(model, () if self.by_central_difference else None)
         if self.by_central_difference:
             self.reach, self.decay_reach = 2.0, PREDICTED_DECAY_REACH
         super().__init__(model, grid, options)
@@ -53,26 +49,21 @@ class LinearSubSteps(OneStep):
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         zero = ca.SX.zeros(len(self.model.q_i))
         out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), "G0": G0, "G1": G1, "G2": zero}
-        for name in self.stored.sets:
-            out |= self.stored.pack_factors(name, factors_of(system, self.length(name, kernels)))
-        if self.by_central_difference:
+        if not self.by_central_difference:
+            out |= self.stored.pack_factors(factors_of(system, kernels.h[1]))
+        else:
             out["acceleration"] = solve_symmetric(found.M_hat, G0 + ca.mtimes(found.J_v, z["v"]))
         return out
 
-    def length(self, name: str, kernels: StepKernels) -> ca.SX:
-        """The sub-step of a set of factors [s]."""
-        return kernels.h[1]
+    def sub_step(self, part: float = 1.0) -> Call:
+        """A sub-step, or the given part of one, of w and u."""
+        return self.stage("sub_step" if part == 1.0 else "part_of_sub_step", partial(self._sub_step, part=part))
 
-    def sub_step(self, name: str) -> Call:
-        """One sub-step of w and u, of the length that belongs to a set of factors."""
-        return self.stage(f"sub_step_{name}", lambda z, kernels: self._sub_step(z, kernels, name))
-
-    def _sub_step(self, z: Fields, kernels: StepKernels, name: str) -> Mapping[str, ca.SX]:
-        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), self.length(name, kernels)
+    def _sub_step(self, z: Fields, kernels: StepKernels, part: float) -> Mapping[str, ca.SX]:
+        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), part * kernels.h[1]
         tau = z["tau"] + h
         if not self.by_central_difference:
-            factors = self.stored.unpack_factors(name, z)
-            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], h)
+            w, u = propagate(system, self.stored.unpack_factors(z), z["w"], z["u"], G, z["tau"], kernels.h[1], part)
             return {"w": w, "u": u, "tau": tau}
         half = z["u"] + h / 2 * z["acceleration"]
         w = z["w"] + h * half

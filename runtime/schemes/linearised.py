@@ -38,7 +38,7 @@ class Linearised(LinearSubSteps):
 
     def program(self) -> Program:
         """Linearise at the midpoint, run to the end of the step, predict the next midpoint."""
-        m, sub_step = self.grid.m[0], self.sub_step("lu")
+        m, sub_step = self.grid.m[0], self.sub_step()
         linearise, half = self.stage("linearise", self._linearise), Repeat(sub_step, m // 2)
         correct = Sequence((half, self.stage("recentre", self._recentre), linearise))
         again = (Repeat(correct, self.options.corrections),) if self.options.corrections else ()

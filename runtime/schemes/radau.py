@@ -70,7 +70,7 @@ class Radau(OneStep):
     order = 5
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
-        self.stored = StoredSystem(model, ("lu",), SHIFTS, ("M",))
+        self.stored = StoredSystem(model, SHIFTS, ("M",))
         super().__init__(model, grid, options)
 
     def work_fields(self) -> dict[str, int]:
@@ -106,7 +106,7 @@ class Radau(OneStep):
         motion = kernels.close(z["x"], z["loop"], self.now(z, kernels), 1)
         found = kernels.linearised(motion, z["v"])
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
-        return {**self.stored.pack(system), **self.stored.pack_factors("lu", factors_of(system, h, SHIFTS)),
+        return {**self.stored.pack(system), **self.stored.pack_factors(factors_of(system, h, SHIFTS)),
                 "K": _stacked(AHEAD, K), "loops": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
                 "loop_last": kernels.loop_part(motion.q_d), "unconverged": ca.SX(1), "correction": ca.SX(0),
                 "iterations": z["iterations"] + 1}
@@ -124,7 +124,7 @@ class Radau(OneStep):
             residuals.append(ca.mtimes(M, kernels.accelerations(motion, v) - K[k]))
             closed.append(kernels.loop_part(motion.q_d))
             error = ca.fmax(error, motion.C_loop)
-        change = self._solved(self.stored.unpack_factors("lu", z), residuals)
+        change = self._solved(self.stored.unpack_factors(z), residuals)
         new = [old + delta for old, delta in zip(K, change, strict=True)]
         return {"K": ca.vertcat(*new), "loops": ca.vertcat(*closed), "stage_error": error,
                 **self._progress(z, new, change, h), "iterations": z["iterations"] + STAGES}

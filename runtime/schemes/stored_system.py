@@ -14,14 +14,14 @@ MATRICES = ("M", "J_q", "J_v")
 
 
 class StoredSystem:
-    """Patterns of M_hat, J_q, J_v and of the factors, and how they lie in z; factors for one or more step sizes.
+    """Patterns of M_hat, J_q, J_v and of the factors, and how they lie in z.
 
-    shifts: see factors_of. matrices: those that are kept beside the factors.
+    shifts: see factors_of; () for no factors. matrices: those that are kept beside the factors.
     """
 
-    def __init__(self, model: Model, sets: tuple[str, ...], shifts: tuple[complex, ...] | None = None,
+    def __init__(self, model: Model, shifts: tuple[complex, ...] | None = None,
                  matrices: tuple[str, ...] = MATRICES) -> None:
-        self.n, self.sets = len(model.q_i), sets
+        self.n = len(model.q_i)
         q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
         kernels = StepKernels(model, ca.SX.sym("c", model.c_size + 1))
         motion = kernels.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
@@ -39,18 +39,17 @@ class StoredSystem:
     def fields(self) -> dict[str, int]:
         """Sizes of the fields of z."""
         sizes = {name: sparsity.nnz() for name, sparsity in self._sparsity.items()}
-        for name in self.sets:
-            for k, is_complex in enumerate(self._complex):
-                sizes[f"{name}_{k}"] = self._factors.nnz() * (2 if is_complex else 1)
+        for k, is_complex in enumerate(self._complex):
+            sizes[f"lu_{k}"] = self._factors.nnz() * (2 if is_complex else 1)
         return sizes
 
     def pack(self, system: LinearSystem) -> dict[str, ca.SX]:
         """Fields of the matrices."""
         return {name: _entries(getattr(system, name), sparsity) for name, sparsity in self._sparsity.items()}
 
-    def pack_factors(self, name: str, factors: Factors) -> dict[str, ca.SX]:
-        """Fields of a set of factors."""
-        return {f"{name}_{k}": ca.vertcat(*(_entries(part, self._factors) for part in (one.re, one.im)
+    def pack_factors(self, factors: Factors) -> dict[str, ca.SX]:
+        """Fields of the factors."""
+        return {f"lu_{k}": ca.vertcat(*(_entries(part, self._factors) for part in (one.re, one.im)
                                             if part is not None)) for k, one in enumerate(factors)}
 
     def unpack(self, z: Fields) -> LinearSystem:
@@ -61,11 +60,11 @@ class StoredSystem:
         """The matrices that are kept."""
         return {name: ca.SX(sparsity, z[name]) for name, sparsity in self._sparsity.items()}
 
-    def unpack_factors(self, name: str, z: Fields) -> Factors:
-        """A set of factors."""
+    def unpack_factors(self, z: Fields) -> Factors:
+        """The factors."""
         found = []
         for k, is_complex in enumerate(self._complex):
-            values, size = z[f"{name}_{k}"], self._factors.nnz()
+            values, size = z[f"lu_{k}"], self._factors.nnz()
             found.append(Number(ca.SX(self._factors, values[:size]),
                                 ca.SX(self._factors, values[size:]) if is_complex else None))
         return tuple(found)
