@@ -16,12 +16,11 @@ from benchmarks.exudyn_models import SPEED, Cable, is_installed, version
 from benchmarks.models import model_of, workplace
 from benchmarks.result import Line, Result, Skipped
 from benchmarks.timing import Timing, interleave
-from runtime.engine.compiled import CompiledProgram
-from runtime.engine.prepare import prepare
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
-from runtime.simulate import simulate, start_vector
+from runtime.simulate import simulate
 from runtime.start_state import start_state
+from runtime.stepper import Stepper
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.flexible_slider_crank import J1, L1, L2, M1, M3, RHO, WIDTH, E
 
@@ -199,16 +198,14 @@ def _worker(model: Model, initial: dict[str, float], name: str, m: list[int] | N
     scheme = scheme_kind(name).build(name, model, T_END / steps, m, {})
     p = model.parameter_vector()
     c = model.constants(p)
-    prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
-    ready, runner = prepared.ready(scheme.constants(c)), CompiledProgram(prepared.program)
-    state = start_state(model, p, c, 0.0, initial, "given")
-    start = prepared.widened(start_vector(model, scheme, state.q, state.q_dot, 0.0, c))
+    stepper, state = Stepper(scheme, "compiled"), start_state(model, p, c, 0.0, initial, "given")
+    ready, start = stepper.ready(c, T_END / steps), stepper.start(0.0, state.q, state.q_dot, c, T_END / steps)
     z = start.copy()
 
     def work(n: int) -> None:
         for _ in range(n):
             z[:] = start
-            runner.run(z, ready, steps)
+            stepper.run(z, ready, steps)
 
     return work
 

@@ -10,13 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model, simulate
-from runtime.engine.choose import choose_engine
-from runtime.engine.prepare import prepare
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
-from runtime.simulate import start_vector
 from runtime.stability.modes import State
 from runtime.stability.spectrum import StepSpectrum
+from runtime.stepper import Stepper
 from symgen.scenes import generated_folder
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "long-runs.md"
@@ -96,17 +94,14 @@ def resonance_table() -> list[list[str]]:
 
 def _measured(model: Model, m: int, dt: float, t_end: float) -> float:
     """Growth rate in a run without the checks of `simulate`, which would end it once its energy has grown by half."""
-    scheme = scheme_kind("coupled").build("coupled", model, dt, [m], {})
-    c = model.constants(model.parameter_vector(BOUND))
-    prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
-    ready = prepared.ready(scheme.constants(c))
-    engine = choose_engine("auto", prepared.program, prepared.z_size, len(ready), 10**9)
-    z = prepared.widened(start_vector(model, scheme, np.array([0.1, 0.1]), np.zeros(2), 0.0, c))
+    stepper = Stepper(scheme_kind("coupled").build("coupled", model, dt, [m], {}))
+    c, x = model.constants(model.parameter_vector(BOUND)), stepper.scheme.layout.slice("x")
+    z, ready = stepper.start(0.0, np.array([0.1, 0.1]), np.zeros(2), c, dt), stepper.ready(c, dt)
     every = max(1, round(t_end / dt / 8000))
     samples = []
     for _ in range(int(t_end / dt / every)):
-        engine.run(z, ready, every)
-        samples.append(z[scheme.layout.slice("x")].copy())
+        stepper.run(z, ready, every)
+        samples.append(z[x].copy())
     return _growth(np.arange(len(samples)) * every * dt, np.array(samples))
 
 

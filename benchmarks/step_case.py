@@ -17,7 +17,7 @@ from runtime.engine.program import Program, stages
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
-from runtime.simulate import start_vector
+from runtime.stepper import start_vector
 
 AGREEMENT = 1e-9
 
@@ -39,7 +39,7 @@ def make_case(rod: dict, folder: Path) -> Case:
     model = model_of(slider_crank(rod), folder)
     scheme = scheme_kind("printed").build("printed", model, MAJOR_STEP, [RATIO], {"common_update": "direct"})
     c = model.constants(model.parameter_vector())
-    start = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    start = start_vector(scheme, 0.0, model.initial_q, model.initial_q_dot, c)
     prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
     ready = prepared.ready(scheme.constants(c))
     return Case(model, scheme, prepared.program, c, ready, prepared.widened(start))

@@ -81,7 +81,7 @@ def start_of(model: Model, parameters: Mapping[str, float] | None, initial: Mapp
     c = model.constants(p)
     state = start_state(model, p, c, 0.0, initial, start)
     columns = model.independent_columns
-    loop = [state.q[model.coordinates.index(name)] for name in model.loop_unknowns]
+    loop = state.q[model.loop_columns]
     return Start(p, c, np.concatenate([state.q[columns], state.q_dot[columns], loop]))
 
 

@@ -122,6 +122,11 @@ class Model:
         return np.array([self.coordinates.index(name) for name in self.q_i], dtype=int)
 
     @cached_property
+    def loop_columns(self) -> np.ndarray:
+        """Columns of the loop unknowns in q."""
+        return np.array([self.coordinates.index(name) for name in self.loop_unknowns], dtype=int)
+
+    @cached_property
     def dependent_columns(self) -> np.ndarray:
         """Columns of q_d in q."""
         return np.array([self.coordinates.index(name) for name in self.q_d], dtype=int)

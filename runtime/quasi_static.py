@@ -30,7 +30,7 @@ def quasi_static_state(model: Model, c: np.ndarray, t: float, state: ConsistentS
     solver = _Equilibrium(model, elastic, c)
     columns = model.independent_columns
     q_i, v = state.q[columns].copy(), state.q_dot[columns].copy()
-    loop = np.array([state.q[model.coordinates.index(name)] for name in model.loop_unknowns])
+    loop = state.q[model.loop_columns]
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     speed = np.abs(np.delete(state.q_dot, [model.coordinates.index(name) for name in model.elastic])).max(initial=0.0)
     for _ in range(PASSES):

@@ -13,9 +13,7 @@ from typing import Any
 import numpy as np
 
 from runtime.auto import AUTO, choose
-from runtime.engine.choose import Engine, choose_engine, operations_per_step, sub_step_operations
-from runtime.engine.prepare import prepare
-from runtime.engine.program import Program
+from runtime.engine.choose import sub_step_operations
 from runtime.model import Model
 from runtime.observe import observe_samples
 from runtime.schemes.catalogue import scheme_kind
@@ -25,6 +23,7 @@ from runtime.schemes.scheme import Scheme, evaluation_operations
 from runtime.solution import Solution
 from runtime.start_state import start_state
 from runtime.status import Status
+from runtime.stepper import Stepper
 from runtime.watch import Watch
 
 MAX_SAMPLES = 10_000_000
@@ -83,21 +82,20 @@ def simulate(
     c = model.constants(p)
     state = start_state(model, p, c, t0, initial, start)
     started = time.perf_counter()
-    prepared = prepare(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
-    ready = prepared.ready(plan.scheme.constants(c))
-    runner = choose_engine(engine, prepared.program, prepared.z_size, len(ready), plan.steps)
+    stepper = Stepper(plan.scheme, engine, plan.steps)
+    ready = stepper.ready(c, plan.grid.dt_L)
     set_up = time.perf_counter()
-    z = prepared.widened(start_vector(model, plan.scheme, state.q, state.q_dot, t0, c))
+    z = stepper.start(t0, state.q, state.q_dot, c, plan.grid.dt_L)
     watch = Watch(model, plan.scheme, c, force=force)
-    samples, status = _run(plan, runner, z, ready, watch, progress)
+    samples, status = _run(plan, stepper, z, ready, watch, progress)
     finished = time.perf_counter()
     name = scheme or str(model.simulation["scheme"])
-    stats = _statistics(plan, prepared.program, runner, samples[-1], set_up - started, finished - set_up)
+    stats = _statistics(plan, stepper, samples[-1], set_up - started, finished - set_up)
     stats["options"] = ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in scheme_kind(name).takes)
     stats["initial_changes"] = ", ".join(f"{key}: {given:.9g} -> {used:.9g}"
                                          for key, (given, used) in state.changed.items()) or "none"
-    if runner.note:
-        stats["engine_note"] = runner.note
+    if stepper.engine.note:
+        stats["engine_note"] = stepper.engine.note
     if watch.step_limit is not None:
         stats["step_limit_at_start"] = watch.step_limit
     return observe_samples(model, plan.scheme, np.array(samples), p, c, name, stats, status)
@@ -145,19 +143,10 @@ def _whole_numbers(values: Any) -> list[Any]:
     return [value if (whole := _whole_number(value)) is None else whole for value in values]
 
 
-def start_vector(model: Model, scheme: Scheme, q: np.ndarray, q_dot: np.ndarray, t0: float,
-                 c: np.ndarray) -> np.ndarray:
-    """z of a scheme at a consistent state (Eqs. 68-71), with the model's constants c."""
-    columns = model.independent_columns
-    loop = np.array([q[model.coordinates.index(name)] for name in model.loop_unknowns])
-    z = scheme.start()(t0, q[columns], q_dot[columns], loop, scheme.constants(c))
-    return np.asarray(z, dtype=float).ravel().copy()
-
-
-def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
+def _run(plan: Plan, stepper: Stepper, z: np.ndarray, c: np.ndarray, watch: Watch,
          progress: Progress | None) -> tuple[list[np.ndarray], Status]:
     """Samples of z, the last one good, and the status."""
-    state = z[:plan.scheme.layout.size]  # what the scheme knows of z; the rest is the program's own
+    state = stepper.state(z)
     samples = [state.copy()]
     status = watch.first(state)
     done, per_call = 0, 1
@@ -166,7 +155,7 @@ def _run(plan: Plan, runner: Engine, z: np.ndarray, c: np.ndarray, watch: Watch,
             until_save = plan.save_every - done % plan.save_every
             n = min(until_save, plan.steps - done, per_call)
             began = time.perf_counter()
-            runner.run(z, c, n)
+            stepper.run(z, c, n)
             elapsed = time.perf_counter() - began
             done += n
             per_call = _next_batch(per_call, elapsed)
@@ -190,20 +179,20 @@ def _next_batch(per_call: int, elapsed: float) -> int:
     return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call
 
 
-def _statistics(plan: Plan, program: Program, runner: Engine, z: np.ndarray, setup: float,
+def _statistics(plan: Plan, stepper: Stepper, z: np.ndarray, setup: float,
                 wall: float) -> dict[str, float | int | str]:
     layout = plan.scheme.layout
     steps = int(z[layout.slice("n")][0])
     iterations = int(z[layout.slice("iterations")][0])
     full, partial = plan.scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
-    repeated = sub_step_operations(program) if partial else None
+    repeated = sub_step_operations(stepper.program) if partial else None
     cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(plan.scheme)}
     return {
         **cost,
         "steps": steps, "sub_steps": sub_steps, "full_evaluations": full_evaluations,
-        "evaluations": full_evaluations + sub_steps, "iterations": iterations, "engine": runner.name,
-        "operations_per_step": operations_per_step(program),
+        "evaluations": full_evaluations + sub_steps, "iterations": iterations, "engine": stepper.engine.name,
+        "operations_per_step": stepper.operations,
         "setup_seconds": setup, "wall_seconds": wall,
         "seconds_per_step": wall / max(1, steps),
     }

@@ -16,7 +16,8 @@ from runtime.engine.compiled import CompiledProgram, CompilerError, compile_sour
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import prepare
 from runtime.model import Model
-from runtime.simulate import make_plan, start_vector
+from runtime.simulate import make_plan
+from runtime.stepper import start_vector
 from runtime.watch import Watch
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
@@ -143,7 +144,7 @@ def test_chunked_code_agrees_bit_for_bit(built_in: Load, name: str, monkeypatch:
     c = model.constants(model.parameter_vector())
     prepared = prepare(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
     ready = prepared.ready(plan.scheme.constants(c))
-    start = prepared.widened(start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c))
+    start = prepared.widened(start_vector(plan.scheme, 0.0, model.initial_q, model.initial_q_dot, c))
     expected = start.copy()
     InterpretedProgram(prepared.program, len(start), len(ready)).run(expected, ready, 200)
     compiled = CompiledProgram(prepared.program)
@@ -173,7 +174,7 @@ def test_nan_behind_a_finite_state_is_seen(built_in: Load) -> None:
     model = built_in("four_bar")
     scheme = make_plan(model, 0.1, 1e-3, None, "single_rate", 1, None, 0.0).scheme
     c = model.constants(model.parameter_vector())
-    z = start_vector(model, scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    z = start_vector(scheme, 0.0, model.initial_q, model.initial_q_dot, c)
     assert Watch(model, scheme, c).first(z) is None
     status = Watch(model, scheme, np.full_like(c, np.nan)).first(z)
     assert status is not None

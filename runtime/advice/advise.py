@@ -124,7 +124,7 @@ def _states(problem: Problem) -> list[State]:
     times = (np.arange(STATES) + 0.5 * np.sin(np.arange(STATES)) ** 2) / STATES * problem.t_end
     step = 1e-4 * problem.t_end / STATES
     q_i, ahead = problem.path(times), problem.path(times + step)
-    loop = np.array([problem.state.q[problem.model.coordinates.index(name)] for name in problem.model.loop_unknowns])
+    loop = problem.state.q[problem.model.loop_columns]
     return [State(float(t), q, (q_next - q) / step, loop) for t, q, q_next in zip(times, q_i, ahead, strict=True)]
 
 

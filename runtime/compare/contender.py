@@ -12,10 +12,9 @@ from typing import Any
 import numpy as np
 
 from runtime.compare.problem import Problem
-from runtime.engine.choose import choose_engine, operations_per_step
-from runtime.engine.prepare import prepare
 from runtime.observe import evaluate
 from runtime.schemes.catalogue import scheme_kind
+from runtime.stepper import Stepper
 
 SAMPLES = 200  # at most so many states of a run are compared with the reference
 REPEATS = (5, 100)  # at least, at most
@@ -64,12 +63,13 @@ class Contender:
         self.spec, self.problem = spec, problem
         kind = scheme_kind(spec.scheme)
         self.scheme = kind.build(spec.scheme, problem.model, 1.0, list(spec.m) if spec.m else None, spec.options)
-        self._prepared = prepare(self.scheme.program(), self.scheme.layout.size, self.scheme.c_size)
-        self.operations = operations_per_step(self._prepared.program)
-        self._engine = choose_engine(engine, self._prepared.program, self._prepared.z_size,
-                                     int(self._prepared.constants.size1_out(0)), 10**9)
+        self._stepper = Stepper(self.scheme, engine)
         self._observe = self.scheme.observe()
-        self._shares = np.array(self.scheme.grid.h)
+
+    @property
+    def operations(self) -> int:
+        """Of a major step."""
+        return self._stepper.operations
 
     @cached_property
     def sub_steps(self) -> int:
@@ -80,16 +80,14 @@ class Contender:
         """The whole problem in so many major steps: sampled for its error, then timed."""
         problem = self.problem
         dt = problem.t_end / steps
-        c = np.concatenate([problem.c, self._shares * dt])
-        ready = self._prepared.ready(c)
-        z0 = self._prepared.widened(self._start(c))
+        z0, ready = self._started(dt)
         states, seconds = self._sampled(z0, ready, steps)
         per_step, partial = self.scheme.evaluations()
         iterations = int(np.nan_to_num(states[-1][self.scheme.layout.slice("iterations")][0]))
         evaluations = (iterations or steps * per_step) + steps * partial
         if not np.isfinite(states[-1]).all():
             return self._failed(dt, steps, seconds, evaluations, "not finite")
-        seen = self._seen(states, c)
+        seen = self._seen(states, dt)
         rms, end = problem.errors(seen["t"][:, 0], seen["q_i"])
         if not rms.max() < HOPELESS:
             return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
@@ -101,29 +99,26 @@ class Contender:
     def observed(self, steps: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
         """(what a run in so many steps shows at its samples, the model's constants)."""
         dt = self.problem.t_end / steps
-        c = np.concatenate([self.problem.c, self._shares * dt])
-        states, _ = self._sampled(self._prepared.widened(self._start(c)), self._prepared.ready(c), steps)
-        return self._seen(states, c), self.problem.c
+        states, _ = self._sampled(*self._started(dt), steps)
+        return self._seen(states, dt), self.problem.c
 
-    def _seen(self, states: list[np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
-        return evaluate(self._observe, {"z": np.array(states)[:, :self.scheme.layout.size]}, c)
+    def _seen(self, states: list[np.ndarray], dt: float) -> dict[str, np.ndarray]:
+        return evaluate(self._observe, {"z": np.array(states)}, self.scheme.constants(self.problem.c, dt))
 
-    def _start(self, c: np.ndarray) -> np.ndarray:
-        model, state = self.problem.model, self.problem.state
-        columns = model.independent_columns
-        loop = np.array([state.q[model.coordinates.index(name)] for name in model.loop_unknowns])
-        return np.asarray(self.scheme.start()(0.0, state.q[columns], state.q_dot[columns], loop, c)).ravel()
+    def _started(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
+        problem, state = self.problem, self.problem.state
+        return (self._stepper.start(0.0, state.q, state.q_dot, problem.c, dt), self._stepper.ready(problem.c, dt))
 
     def _sampled(self, z0: np.ndarray, ready: np.ndarray, steps: int) -> tuple[list[np.ndarray], float]:
-        z, states, spent, every = z0.copy(), [z0.copy()], 0.0, max(1, ceil(steps / SAMPLES))
+        z, states, spent, every = z0.copy(), [self._stepper.state(z0).copy()], 0.0, max(1, ceil(steps / SAMPLES))
         done = 0
         while done < steps:
             n = min(every, steps - done)
             began = time.process_time()
-            self._engine.run(z, ready, n)
+            self._stepper.run(z, ready, n)
             spent += time.process_time() - began
             done += n
-            states.append(z.copy())
+            states.append(self._stepper.state(z).copy())
             if not np.isfinite(z).all():
                 break
         return states, spent
@@ -137,7 +132,7 @@ class Contender:
                 break
             z = z0.copy()
             began = time.process_time()
-            self._engine.run(z, ready, steps)
+            self._stepper.run(z, ready, steps)
             spent = time.process_time() - began
             best, total = min(best, spent), total + spent
         return float(best)

@@ -22,7 +22,7 @@ def reference_path(model: Model, c: np.ndarray, state: ConsistentState, t_end: f
                    atol: float) -> Callable[[np.ndarray], np.ndarray]:
     """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference."""
     columns, n = model.independent_columns, len(model.q_i)
-    loop = [state.q[model.coordinates.index(name)] for name in model.loop_unknowns]
+    loop = state.q[model.loop_columns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
     slope = buffered(native(CondensedOde(model, 1).right_hand_side()), c)
     with np.errstate(all="ignore"):  # a motion that leaves the range of numbers is told by the result

@@ -12,11 +12,10 @@ from math import ceil
 import numpy as np
 
 from runtime.compare.reference_path import NoReference
-from runtime.engine.choose import choose_engine
-from runtime.engine.prepare import prepare
 from runtime.initial import ConsistentState
 from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
+from runtime.stepper import Stepper
 
 MARGIN = 30.0  # the path is this much more accurate than the tolerance asked for
 FIRST_STEPS, SAMPLES = 64, 50
@@ -32,21 +31,14 @@ class OneStepPath:
     """q_i at any times, by steps of at most `step` that end there."""
 
     def __init__(self, model: Model, c: np.ndarray, state: ConsistentState, method: str, m: list[int] | None) -> None:
-        self.model, self.c, self.state = model, c, state
-        self.scheme = scheme_kind(method).build(method, model, 1.0, m, {})
-        self._prepared = prepare(self.scheme.program(), self.scheme.layout.size, self.scheme.c_size)
-        self._engine = choose_engine("auto", self._prepared.program, self._prepared.z_size,
-                                     int(self._prepared.constants.size1_out(0)), 10**9)
-        self._shares = np.array(self.scheme.grid.h)
+        self.c, self.state = c, state
+        self._stepper = Stepper(scheme_kind(method).build(method, model, 1.0, m, {}))
         self.step = np.inf
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """(N, n) at ascending times from 0 on."""
-        columns, layout = self.model.independent_columns, self.scheme.layout
-        loop = np.array([self.state.q[self.model.coordinates.index(name)] for name in self.model.loop_unknowns])
-        c = np.concatenate([self.c, self._shares])
-        start = self.scheme.start()(0.0, self.state.q[columns], self.state.q_dot[columns], loop, c)
-        z = self._prepared.widened(np.asarray(start).ravel())
+        layout = self._stepper.scheme.layout
+        z = self._stepper.start(0.0, self.state.q, self.state.q_dot, self.c, 1.0)
         t0, n, x = (layout.slice(name) for name in ("t0", "n", "x"))
         rows, reached, ready, last = [], 0.0, None, 0.0
         for t in times:
@@ -54,9 +46,9 @@ class OneStepPath:
                 steps = max(1, ceil((t - reached) / self.step * (1 - 1e-9)))
                 dt = (t - reached) / steps
                 if ready is None or abs(dt - last) > 1e-12 * dt:
-                    ready, last = self._prepared.ready(np.concatenate([self.c, self._shares * dt])), dt
+                    ready, last = self._stepper.ready(self.c, dt), dt
                 z[t0], z[n] = reached, 0.0  # the clock of a scheme counts steps of one size
-                self._engine.run(z, ready, steps)
+                self._stepper.run(z, ready, steps)
                 reached = float(t)
             rows.append(z[x].copy())
         return np.array(rows)

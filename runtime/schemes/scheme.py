@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -79,9 +80,15 @@ class Scheme(ABC):
             return None
         return limit_between_the_axes(A_q, A_v, self.reach, self.decay_reach)
 
-    def constants(self, c: np.ndarray) -> np.ndarray:
-        """The model's c and the steps, as the stages read them."""
-        return np.concatenate([c, self.grid.h])
+    def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:
+        """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
+        steps = np.array(self.grid.h)
+        return np.concatenate([c, steps if dt is None else steps * (dt / steps[0])])
+
+    @cached_property
+    def starter(self) -> ca.Function:
+        """start(), built once."""
+        return self.start()
 
     def kernels(self, c: ca.SX) -> StepKernels:
         """The model's kernels on a symbolic vector of constants."""

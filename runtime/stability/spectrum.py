@@ -95,12 +95,11 @@ class _TangentFrom:
     """Amplification matrix of several major steps from a state."""
 
     def __init__(self, scheme: Scheme, c: np.ndarray) -> None:
-        self.c, self.shares = c, np.array(scheme.grid.h) / scheme.grid.dt_L
-        self._start, self._tangent = scheme.start(), TangentStep(scheme)
+        self.c, self.scheme, self._tangent = c, scheme, TangentStep(scheme)
 
     def __call__(self, state: State, dt: float, steps: int) -> np.ndarray:
-        c = np.concatenate([self.c, self.shares * dt])
-        z = np.asarray(self._start(state.t, state.q_i, state.q_i_dot, state.loop, c)).ravel()
+        c = self.scheme.constants(self.c, dt)
+        z = np.asarray(self.scheme.starter(state.t, state.q_i, state.q_i_dot, state.loop, c)).ravel()
         matrix = np.eye(len(self._tangent.columns))
         for _ in range(steps):
             z, step = self._tangent(z, c)

@@ -11,7 +11,8 @@ from runtime import simulate
 from runtime.engine.compiled import CompiledProgram, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.model import Model
-from runtime.simulate import make_plan, start_vector
+from runtime.simulate import make_plan
+from runtime.stepper import start_vector
 from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]
@@ -38,7 +39,7 @@ def test_state_vectors_agree_bit_for_bit(built_in: Load) -> None:
     plan = make_plan(model, 1.0, 1e-3, None, "single_rate", 1, None, 0.0)
     constants = model.constants(model.parameter_vector())
     c = plan.scheme.constants(constants)
-    z = [start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, constants) for _ in range(2)]
+    z = [start_vector(plan.scheme, 0.0, model.initial_q, model.initial_q_dot, constants) for _ in range(2)]
     CompiledProgram(plan.scheme.program()).run(z[0], c, 500)
     interpreted = InterpretedProgram(plan.scheme.program(), plan.scheme.layout.size, plan.scheme.c_size)
     for n in (1, 2, 4, 493):

@@ -15,7 +15,8 @@ from runtime.engine.prepare import prepare
 from runtime.engine.program import Program, Repeat, Sequence, stages
 from runtime.engine.tape import read_tape
 from runtime.model import Model
-from runtime.simulate import make_plan, start_vector
+from runtime.simulate import make_plan
+from runtime.stepper import start_vector
 
 Load = Callable[[str], Model]
 CASES = [("flexible_slider_crank_free", 1e-5), ("hub_beam", 2e-3), ("flexible_slider_crank_torque", 5e-5),
@@ -25,7 +26,7 @@ CASES = [("flexible_slider_crank_free", 1e-5), ("hub_beam", 2e-3), ("flexible_sl
 def started(model: Model, scheme: str, m: list[int], dt: float) -> tuple[Any, Any, Any]:
     plan = make_plan(model, 1.0, dt, m, scheme, 1, {}, 0.0)
     c = model.constants(model.parameter_vector())
-    z = start_vector(model, plan.scheme, model.initial_q, model.initial_q_dot, 0.0, c)
+    z = start_vector(plan.scheme, 0.0, model.initial_q, model.initial_q_dot, c)
     return plan.scheme, z, plan.scheme.constants(c)
 
 

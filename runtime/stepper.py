@@ -1,0 +1,54 @@
+"""A scheme prepared and compiled once, ready to be run with any constants and step size."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from runtime.engine.choose import choose_engine, operations_per_step
+from runtime.engine.prepare import prepare
+from runtime.schemes.scheme import Scheme
+
+MANY = 10**9  # steps: more than enough for compiling to pay
+
+
+def start_vector(scheme: Scheme, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray,
+                 dt: float | None = None) -> np.ndarray:
+    """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
+    model, columns = scheme.model, scheme.model.independent_columns
+    z = scheme.starter(t, q[columns], q_dot[columns], q[model.loop_columns], scheme.constants(c, dt))
+    return np.asarray(z, dtype=float).ravel().copy()
+
+
+class Stepper:
+    """Runs major steps of a scheme on vectors z; c are the model's constants, dt the major step [s].
+
+    z is longer than the scheme's own (`state` shows that part): a program keeps values of its own behind it.
+    """
+
+    def __init__(self, scheme: Scheme, engine: str = "auto", steps: int = MANY) -> None:
+        self.scheme = scheme
+        self._prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
+        self.program = self._prepared.program
+        self.engine = choose_engine(engine, self.program, self._prepared.z_size,
+                                    int(self._prepared.constants.size1_out(0)), steps)
+
+    @property
+    def operations(self) -> int:
+        """Of a major step."""
+        return operations_per_step(self.program)
+
+    def ready(self, c: np.ndarray, dt: float) -> np.ndarray:
+        """What the program reads, for constants and a step."""
+        return self._prepared.ready(self.scheme.constants(c, dt))
+
+    def start(self, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float) -> np.ndarray:
+        """z at a consistent state of all coordinates (Eqs. 68-71)."""
+        return self._prepared.widened(start_vector(self.scheme, t, q, q_dot, c, dt))
+
+    def state(self, z: np.ndarray) -> np.ndarray:
+        """The scheme's part of z, as a view."""
+        return z[:self.scheme.layout.size]
+
+    def run(self, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
+        """Advance z by so many major steps, in place."""
+        self.engine.run(z, ready, steps)
