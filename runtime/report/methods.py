@@ -30,7 +30,7 @@ ADAPTIVE: dict[str, Callable[..., Solution]] = {
     "CVODES Adams": partial(sundials_solution, method="cvodes", multistep="adams"),
     "IDAS": partial(sundials_solution, method="idas"),
 }
-WITH_JACOBIAN = ("Radau adaptive", "CVODES BDF", "IDAS")
+FOR_LARGE = ("DOP853 adaptive",)  # the others compile derivatives of thousands of operations in one piece
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def usual_methods(model: Model) -> list[Method]:
               Spec("dop853")]
     if len(model.q_i) <= LARGE and model.has("dQ_hat_dq_i"):
         specs += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
-    adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name not in WITH_JACOBIAN]
+    adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name in FOR_LARGE]
     return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in adaptive]
 
 
