@@ -1,4 +1,4 @@
-"""Single-rate central difference against the paper's sub-cycling on two coupled oscillators (case L1).
+"""Single-rate central difference, the paper's sub-cycling and other sub-stepping on two coupled oscillators (case L1).
 
 The oscillators are coupled by inertia and not damped. Errors are taken against DOP853 at 1e-11.
 
@@ -13,7 +13,8 @@ from symgen.scenes import generated_folder
 PARAMETERS = {"c": 0.5, "k_L": 1.0, "w": 20.0, "zeta": 0.0}
 T_END = 1.0
 STEPS = (0.005, 0.0025, 0.00125)
-RUNS = {"single_rate": None, "printed m=2": [2], "printed m=4": [4], "printed m=8": [8]}
+RUNS = {"single_rate": None, "printed m=2": [2], "printed m=4": [4], "printed m=8": [8],
+        "coupled m=4": [4], "decoupled m=4": [4], "linearised m=2": [2], "exponential m=1": [1], "rk4": None}
 
 
 def main() -> None:

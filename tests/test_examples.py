@@ -52,14 +52,20 @@ def test_the_slider_crank_takes_25_lines_to_build() -> None:
 
 
 def test_compare_schemes(capsys, monkeypatch, tmp_path) -> None:
-    """Single-rate is second order; the printed scheme first order and worse; its growth follows the law."""
+    """Single-rate is second order; the printed scheme first order and worse, its growth follows the law; coupled
+    sub-steps are second order and better, linearised ones exact to rounding."""
     lines = output("compare_schemes", capsys, monkeypatch, tmp_path).splitlines()
     single, *printed = (numbers(line.partition("m=")[2][1:] or line) for line in lines[1:5])
     assert single[-1] == pytest.approx(2.0, abs=0.05)
     for row in printed:
         assert row[-1] == pytest.approx(1.0, abs=0.1)
         assert row[0] > single[0]
-    measured, law = numbers(lines[7])
+    coupled, decoupled, linearised, exponential = (numbers(line.partition("m=")[2][1:]) for line in lines[5:9])
+    for row in (coupled, decoupled):
+        assert row[-1] == pytest.approx(2.0, abs=0.05)
+        assert row[0] < 0.1 * single[0]
+    assert max(linearised[:3] + exponential[:3]) < 1e-9
+    measured, law = numbers(lines[-2])
     assert measured == pytest.approx(law, rel=0.05)
 
 
