@@ -25,6 +25,7 @@ from runtime.status import NoResult
 PILOT_SECONDS = 2.0
 STATES = 12
 MARGIN = 0.9  # of a stability limit
+STUDIED = 20  # independent coordinates up to which a step's stability is computed; beyond, the trial has to do
 MOST_OPERATIONS = 400_000  # of a step: beyond it a method is not even compiled
 SAFETY = 0.85  # of the tolerance, so that a slightly different motion meets it too
 Note = Callable[[str], None]
@@ -133,7 +134,7 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
     for one in done:
         assert one.best is not None
         spec = _spec_of(problem.model, one.label)
-        if SCHEMES[spec.scheme].make.reach is None or not states:
+        if SCHEMES[spec.scheme].make.reach is None or not states or len(problem.model.q_i) > STUDIED:
             return one, None
         study = StabilityStudy(problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c,
                                states, problem.t_end)

@@ -58,7 +58,14 @@ def sundials_solution(
     status, y = Status("completed", t_end), given.y[None, :]
     wall, counted = 0.0, {}
     try:
-        integrator(**arguments)
+        try:
+            integrator(**arguments)
+        except RuntimeError:
+            if method != "idas":
+                raise
+            # IDACalcIC gives up on some consistent starts; without it the rates at the start are taken as zero
+            integrator = _integrator(method, system, t, {**options, "calc_ic": False}, compiled)
+            integrator(**arguments)
         started = time.perf_counter()
         result = integrator(**arguments)
         wall = time.perf_counter() - started
