@@ -206,3 +206,5 @@ def test_suite_page_lists_every_case(comparison: Comparison, advice: Advice, tmp
 def test_usual_methods_leave_dense_ones_out_for_large_models(built_in: Load) -> None:
     labels = {method.label for method in usual_methods(built_in("flexible_slider_crank_free"))}
     assert {"exponential m=1", "coupled m=4", "IDAS", "radau eps=1e-06"} <= labels
+    compiled = {method.label for method in methods_named(built_in("flexible_slider_crank_free"), ["compiled"])}
+    assert compiled < labels and "IDAS" not in compiled

@@ -41,7 +41,7 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
         ax.plot([max(price(trial), 1e-9) for trial in good], [max(trial.error, 1e-16) for trial in good], style,
                 marker=MARKERS[k % len(MARKERS)], markersize=4.5, linewidth=1.4, color=palette[k],
                 label=curve.method.label)
-        bad = [max(price(trial), 1e-9) for trial in curve.trials if trial.failure]
+        bad = [price(trial) for trial in curve.trials if trial.failure and price(trial) > 0]
         ax.plot(bad, [TOP] * len(bad), "x", color=palette[k], markersize=5)
     ax.axhline(comparison.tolerance, color="#6b7280", linewidth=0.8)
     ax.set_xscale("log")

@@ -66,7 +66,12 @@ def usual_methods(model: Model) -> list[Method]:
 
 
 def methods_named(model: Model, names: list[str]) -> list[Method]:
-    """Methods by name: `exponential`, `coupled:4` (m after a colon, ratios with +), or an adaptive one's name."""
+    """Methods by name: `exponential`, `coupled:4` (m after a colon, ratios with +), or an adaptive one's name.
+
+    `compiled` alone stands for all usual ones but the adaptive. Raises SchemeError.
+    """
+    if names == ["compiled"]:
+        return [method for method in usual_methods(model) if method.spec is not None]
     found = []
     for name in names:
         adaptive = next((one for one in ADAPTIVE if one.lower().replace(" ", "_") == name.lower()), None)
