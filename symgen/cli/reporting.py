@@ -36,8 +36,8 @@ def add(subparsers: Any) -> None:
     command.add_argument("--suite", choices=("hard",), help="the hard suite instead of a scene")
     command.add_argument("--cases", type=names, metavar="NAMES", help="only these cases of the suite")
     command.add_argument("--methods", type=names, metavar="NAMES",
-                         help="methods such as exponential:2,coupled:4,rk4,cvodes_bdf; compiled for all but the adaptive ones "
-                         "(default: all that make sense)")
+                         help="methods such as exponential:2,coupled:4,rk4,cvodes_bdf; compiled for all but the "
+                         "adaptive ones (default: all that make sense)")
     command.add_argument("--longest", type=number, default=0.3, metavar="SECONDS",
                          help="a method's curve ends with a run this long (default: %(default)s)")
     command.add_argument("--out", metavar="DIR", help="folder for the report (default: out/report/SCENE)")
