@@ -45,20 +45,20 @@ class ConsistentState:
 def consistent_state(
     names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
     velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
-    guess: np.ndarray | None = None,
+    guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
-    guess: where coordinates that were left open start (zero by default).
+    guess: where coordinates that were left open start (zero by default); reluctant: those among them that count as given.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
-    q0, stages = _start(names, elastic, coordinates, guess)
+    q0, stages = _start(names, elastic, coordinates, guess, reluctant)
     free = stages[-1]
     q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
-    v0, stages = _start(names, elastic, rates)
+    v0, stages = _start(names, elastic, rates, None, reluctant)
     free = stages[-1]
     C_q, nu = velocity(q)
     v = next((v for mask in stages if (v := _velocities(v0, mask, C_q, nu)) is not None), None)
@@ -73,14 +73,15 @@ def consistent_state(
 
 
 def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
-           guess: np.ndarray | None = None) -> tuple[np.ndarray, list[np.ndarray]]:
-    """(starting values, what may move: first only what was left open, then given rigid values, then elastic ones)."""
+           guess: np.ndarray | None, reluctant: frozenset[int]) -> tuple[np.ndarray, list[np.ndarray]]:
+    """(starting values, what may move: first only what was left open, then what is reluctant, given, elastic)."""
     start = np.zeros(len(names)) if guess is None else guess
     value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
     is_elastic = np.array([k in elastic for k in range(len(names))], dtype=bool)
     free = np.array([name not in given.fixed for name in names], dtype=bool)
     is_open = np.array([name not in given.values for name in names], dtype=bool) & ~is_elastic
-    return value, [is_open & free, ~is_elastic & free, free]
+    is_reluctant = np.array([k in reluctant for k in range(len(names))], dtype=bool)
+    return value, [is_open & ~is_reluctant & free, is_open & free, ~is_elastic & free, free]
 
 
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:

@@ -39,7 +39,7 @@ def structural_pivots(equations: Equations, scene: Scene) -> tuple[list[tuple[in
     keep = _user_independent(equations, scene)
     joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
                    for joint in scene.joints}
-    rows = sorted(range(len(equations.constraints)), key=lambda r: (joint_depth[equations.constraints[r].joint], r))
+    rows = sorted(range(len(equations.constraints)), key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r))
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []

@@ -18,9 +18,10 @@ import numpy as np
 
 from runtime.engine.tape import Tape
 from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
+from symgen.assembly.build import build_equations
 from symgen.condensation import Condensed, condense
 from symgen.elimination import choose_loops, constraint_jacobian, structural_pivots
-from symgen.equations import Equations, build_equations
+from symgen.equations import Equations
 from symgen.forward_dynamics import NoInertia
 from symgen.hoisting import hoist
 from symgen.kernels import arguments_of, build_kernels
@@ -87,7 +88,8 @@ def _initial(scene: Scene, equations: Equations, table: ParameterTable) -> tuple
     try:
         state = consistent_state(
             equations.names, equations.elastic_columns, [row.label for row in rows],
-            lambda state: evaluate(state)[:2], velocity, _given(scene.initial.coordinates), _given(scene.initial.rates))
+            lambda state: evaluate(state)[:2], velocity, _given(scene.initial.coordinates), _given(scene.initial.rates),
+            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]), equations.joint_columns)
     except InitialStateError as error:
         raise SceneError("initial", str(error), "see above") from error
     return state, evaluate(state.q)[1]
