@@ -155,7 +155,7 @@ def _loop_substitutions(equations: Equations, choice: Choice, structural: list[S
     independent = sorted({c for entries, _, _ in rows for c in entries if c not in choice.loop_columns})
     sides = [[neg(entries.get(column, ZERO)) for entries, _, _ in rows] for column in independent]
     sides += [[nu for _, nu, _ in rows], [gamma for _, _, gamma in rows]]
-    solved = solve_small(U, sides)
+    solved, _ = solve_small(U, sides)
     substitutions = []
     for k, column in enumerate(choice.loop_columns):
         e: Row = {}
@@ -165,19 +165,29 @@ def _loop_substitutions(equations: Equations, choice: Choice, structural: list[S
     return substitutions
 
 
-def solve_small(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> list[list[ca.SX]]:
-    """Solutions of U x = side for several sides: Cramer's rule up to 3x3, QR beyond."""
+def solve_small(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> tuple[list[list[ca.SX]], ca.SX]:
+    """(solutions of U x = side for several sides, det U): Cramer's rule up to 3x3, QR beyond (there |det U|)."""
     n = len(U)
     if n > CRAMER_LIMIT:
-        matrix = ca.vertcat(*(ca.horzcat(*row) for row in U))
-        solution = ca.solve(matrix, ca.horzcat(*(ca.vertcat(*side) for side in sides)))
-        return [[solution[row, k] + 0 for row in range(n)] for k in range(len(sides))]
+        return _solve_by_qr(U, sides)
     if n == 1:
         inverse = div(ONE, U[0][0])
-        return [[mul(side[0], inverse)] for side in sides]
+        return [[mul(side[0], inverse)] for side in sides], U[0][0]
     adjugate = _adjugate(U)
-    inverse = div(ONE, dot(U[0], [adjugate[j][0] for j in range(n)]))
-    return [[mul(dot(adjugate[i], side), inverse) for i in range(n)] for side in sides]
+    determinant = dot(U[0], [adjugate[j][0] for j in range(n)])
+    inverse = div(ONE, determinant)
+    return [[mul(dot(adjugate[i], side), inverse) for i in range(n)] for side in sides], determinant
+
+
+def _solve_by_qr(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> tuple[list[list[ca.SX]], ca.SX]:
+    """By Gram-Schmidt, whose pivots never need an order that could become bad; |det U| is their product."""
+    n = len(U)
+    Q, R = ca.qr(ca.vertcat(*(ca.horzcat(*row) for row in U)))
+    solution = ca.solve(R, Q.T @ ca.horzcat(*(ca.vertcat(*side) for side in sides)))
+    determinant = R[0, 0] + 0
+    for k in range(1, n):
+        determinant = mul(determinant, R[k, k] + 0)
+    return [[solution[row, k] + 0 for row in range(n)] for k in range(len(sides))], determinant
 
 
 def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:

@@ -84,8 +84,8 @@ def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
             work[column] = work[column] + factor * value
     rows = reduced_loop_rows(eq, choice, structural)
     transposed = [[entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in choice.loop_columns]
-    solved = solve_small(transposed, [[work[column] for column in choice.loop_columns]])[0]
-    return dict(zip(choice.loop_rows, solved, strict=True))
+    solved, _ = solve_small(transposed, [[work[column] for column in choice.loop_columns]])
+    return dict(zip(choice.loop_rows, solved[0], strict=True))
 
 
 def energy(system: Condensed) -> Kernel:

@@ -132,7 +132,7 @@ def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: in
 
 
 def _closure(system: Condensed, a: Arguments) -> Kernel:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step."""
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step, det_loop of its matrix."""
     eq, choice = system.equations, system.choice
     position = _placed(system, a)
     outputs = {"q_d_next": position}
@@ -146,10 +146,12 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
         n = len(choice.loop_rows)
         matrix = [[flat[1 + i * n + j] + 0 for j in range(n)] for i in range(n)]
         C = [flat[0][k] + 0 for k in range(n)]
-        step = solve_small(matrix, [C])[0]
+        solved, determinant = solve_small(matrix, [C])
+        step = solved[0]
         x_loop = [eq.q[c] - step[k] for k, c in enumerate(choice.loop_columns)]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
-        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C)}
+        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C),
+                   "det_loop": determinant}
     return Kernel(a.select("q_i", "q_d"), outputs)
 
 

@@ -15,7 +15,7 @@ MEANING = {
     "condensed": "M_hat and Q_hat (Eq. 38)",
     "blocks": "Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39)",
     "forward_dynamics": "q_i_ddot of a tree by topology-ordered elimination, without M_hat",
-    "closure": "One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step",
+    "closure": "One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks",
     "velocities": "q_d_dot (Eq. 36)",
     "accelerations": "q_d_ddot (Eq. 35)",
     "constraints": "C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27)",
