@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import casadi as ca
 
-from symgen.condensation import Condensed, reduced_loop_rows, solve_small
+from symgen.condensation import Condensed
 from symgen.elimination import constraint_jacobian
 from symgen.equations import Equations, matrix_times
 from symgen.hoisting import Kernel
 from symgen.joints.instance import ConstraintRow
+from symgen.loops import solve_transposed
 from symgen.rows import Row, to_matrix
 
 
@@ -75,17 +76,14 @@ def reactions(system: Condensed) -> Kernel:
 
 def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
     """U^T lam_loop = the force on the loop unknowns after all structural coordinates are substituted."""
-    eq, choice = system.equations, system.choice
+    choice = system.choice
     structural = [s for s in system.substitutions if s.column not in choice.loop_columns]
     work = dict(force)
     for substitution in reversed(structural):
         value = work.pop(substitution.column)
         for column, factor in substitution.e.items():
             work[column] = work[column] + factor * value
-    rows = reduced_loop_rows(eq, choice, structural)
-    transposed = [[entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in choice.loop_columns]
-    solved, _ = solve_small(transposed, [[work[column] for column in choice.loop_columns]])
-    return dict(zip(choice.loop_rows, solved[0], strict=True))
+    return solve_transposed(system.loops.blocks, system.loops.entries(), work)
 
 
 def energy(system: Condensed) -> Kernel:
