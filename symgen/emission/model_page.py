@@ -22,8 +22,8 @@ def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
     """Markdown page of a derived model."""
     scene = derived.scene
     parts = [f"# {scene.title or scene.name}", scene.description or "", _coordinates(derived), _bodies(derived),
-             _joints(derived), _redundant(derived), _loads(derived), _left_out(derived), _functions(derived, operations),
-             _parameters(derived)]
+             _joints(derived), _redundant(derived), _loads(derived), _left_out(derived),
+             _functions(derived, operations), _parameters(derived)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
