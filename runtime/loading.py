@@ -102,4 +102,5 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType) -
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         builders=module.FUNCTIONS, simulation=manifest["simulation"],
-        operations={name: entry["operations"] for name, entry in manifest["functions"].items()})
+        operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
+        redundant=manifest["redundant"])

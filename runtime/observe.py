@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 
 from runtime.model import Model
+from runtime.reactions import joint_reactions
+from runtime.sampling import evaluate
 from runtime.schemes.scheme import Scheme
 from runtime.solution import Solution
 from runtime.status import Status
-
-BLOCK = 256  # samples a call
 
 
 def observe_samples(model: Model, scheme: Scheme, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
@@ -37,8 +36,7 @@ def assemble_solution(
     forces = np.zeros((n, 0, 3))
     if model.constraints:
         constraint = evaluate(model.kernel("constraints"), values, c)
-        reactions = evaluate(model.kernel("reactions"), values, c)
-        lam, forces = reactions["lam"], reactions["joint_forces"].reshape(n, len(model.joints), 3)
+        lam, forces = joint_reactions(model, values, constraint["C_q"], c)
         error = np.abs(constraint["C"]).max(axis=1)
         driven = np.sum(lam * constraint["C_t"], axis=1)
     if model.measures:
@@ -54,22 +52,3 @@ def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.nda
     full[:, model.independent_columns] = independent
     full[:, model.dependent_columns] = dependent
     return full
-
-
-def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
-    """Outputs (N, size) of a Function at N samples (rows of each value), matrices flattened column by column."""
-    n = next(iter(values.values())).shape[0]
-    constant = [k for k, name in enumerate(function.name_in()) if name == "c"]
-    size = min(BLOCK, max(1, n))
-    mapped = function.map("samples", "serial", size, constant, [])  # building a map takes time for each sample
-    output = {name: np.zeros((n, function.numel_out(name))) for name in function.name_out()}
-    for first in range(0, n, size):
-        rows = np.minimum(np.arange(first, first + size), n - 1)
-        columns: dict[str, np.ndarray] = {name: c[:, None] if name == "c" else values[name][rows].T
-                                          for name in function.name_in()}
-        result = mapped(**columns)
-        for name, table in output.items():
-            height, width = function.size_out(name)
-            block = np.asarray(result[name], dtype=float).reshape(height, size, width)
-            table[first:first + size] = block.transpose(1, 2, 0).reshape(size, -1)[:n - first]
-    return output

@@ -3,7 +3,7 @@
 Every dependent acceleration is one substitution  x_d'' = sum e_j x_j'' + c.  With S collecting the e and s the c,
 M_hat = S^T M S and Q_hat = S^T (Q* - M s). Neither S nor an inverse is ever formed: M_hat comes from one congruence
 per substitution (tip to root, which is the composite-body recursion for a chain), Q_hat from one sweep out and one
-back. Loop closures are solved by Cramer's rule and then are substitutions like any other.
+back. Loop closures are solved block by block and then are substitutions like any other.
 """
 
 from __future__ import annotations
@@ -15,10 +15,9 @@ import casadi as ca
 
 from symgen.elimination import Choice
 from symgen.equations import Equations, matrix_times
-from symgen.rows import Row, add_scaled, add_to
-from symgen.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-
-CRAMER_LIMIT = 3  # larger loop blocks are solved by CasADi's QR, which needs no pivoting either
+from symgen.loops import Loops, ReducedRow, order_blocks, solve_block
+from symgen.rows import Row, add_scaled, add_to, nonzero
+from symgen.scalar import ZERO, add, div, mul, neg, sub
 
 
 @dataclass(frozen=True)
@@ -38,6 +37,7 @@ class Condensed:
     equations: Equations
     choice: Choice
     substitutions: list[Substitution]
+    loops: Loops
 
     def dependent_velocities(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """q_dot of every coordinate from q_i_dot (Eq. 36)."""
@@ -118,8 +118,10 @@ def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
 def condense(equations: Equations, choice: Choice) -> Condensed:
     """Substitutions for every dependent coordinate of the choice."""
     structural = [_structural(equations, row, column) for row, column in choice.structural]
-    loops = _loop_substitutions(equations, choice, structural)
-    return Condensed(equations, choice, loops + structural)
+    rows = _reduced_rows(equations, choice, structural)
+    entries = {row: reduced.entries for row, reduced in rows.items()}
+    loops = Loops(order_blocks(choice.loop_rows, choice.loop_columns, entries), rows)
+    return Condensed(equations, choice, _loop_substitutions(loops) + structural, loops)
 
 
 def _structural(equations: Equations, row: int, column: int) -> Substitution:
@@ -129,10 +131,9 @@ def _structural(equations: Equations, row: int, column: int) -> Substitution:
     return Substitution(column, e, div(neg(constraint.C_t), pivot), div(constraint.gamma, pivot))
 
 
-def reduced_loop_rows(equations: Equations, choice: Choice,
-                      structural: list[Substitution]) -> list[tuple[Row, ca.SX, ca.SX]]:
+def _reduced_rows(equations: Equations, choice: Choice, structural: list[Substitution]) -> dict[int, ReducedRow]:
     """Loop rows of C_q, nu and gamma in the coordinates that are not structurally eliminated."""
-    result = []
+    result = {}
     for row in choice.loop_rows:
         constraint = equations.constraints[row]
         entries, nu, gamma = dict(constraint.C_q), neg(constraint.C_t), constraint.gamma
@@ -142,52 +143,15 @@ def reduced_loop_rows(equations: Equations, choice: Choice,
                 add_scaled(entries, factor, substitution.e)
                 nu = sub(nu, mul(factor, substitution.c_velocity))
                 gamma = sub(gamma, mul(factor, substitution.c_acceleration))
-        result.append((entries, nu, gamma))
+        result[row] = ReducedRow(nonzero(entries), nu, gamma)
     return result
 
 
-def _loop_substitutions(equations: Equations, choice: Choice, structural: list[Substitution]) -> list[Substitution]:
-    """x_loop'' = U^-1 (gamma - R x_i''): a small block, solved whole, so that only a singular position is singular."""
-    if not choice.loop_rows:
-        return []
-    rows = reduced_loop_rows(equations, choice, structural)
-    U = [[entries.get(column, ZERO) for column in choice.loop_columns] for entries, _, _ in rows]
-    independent = sorted({c for entries, _, _ in rows for c in entries if c not in choice.loop_columns})
-    sides = [[neg(entries.get(column, ZERO)) for entries, _, _ in rows] for column in independent]
-    sides += [[nu for _, nu, _ in rows], [gamma for _, _, gamma in rows]]
-    solved = solve_small(U, sides)
+def _loop_substitutions(loops: Loops) -> list[Substitution]:
+    """x_block'' = U^-1 (gamma - R x''): each block is solved whole, so that only a singular position is singular."""
     substitutions = []
-    for k, column in enumerate(choice.loop_columns):
-        e: Row = {}
-        for position, other in enumerate(independent):
-            add_to(e, other, solved[position][k])
-        substitutions.append(Substitution(column, e, solved[-2][k], solved[-1][k]))
+    for block in loops.blocks:
+        e, c_velocity, c_acceleration = solve_block(block, loops)
+        substitutions += [Substitution(column, e[column], c_velocity[k], c_acceleration[k])
+                          for k, column in enumerate(block.columns)]
     return substitutions
-
-
-def solve_small(U: list[list[ca.SX]], sides: list[list[ca.SX]]) -> list[list[ca.SX]]:
-    """Solutions of U x = side for several sides: Cramer's rule up to 3x3, QR beyond."""
-    n = len(U)
-    if n > CRAMER_LIMIT:
-        matrix = ca.vertcat(*(ca.horzcat(*row) for row in U))
-        solution = ca.solve(matrix, ca.horzcat(*(ca.vertcat(*side) for side in sides)))
-        return [[solution[row, k] + 0 for row in range(n)] for k in range(len(sides))]
-    if n == 1:
-        inverse = div(ONE, U[0][0])
-        return [[mul(side[0], inverse)] for side in sides]
-    adjugate = _adjugate(U)
-    inverse = div(ONE, dot(U[0], [adjugate[j][0] for j in range(n)]))
-    return [[mul(dot(adjugate[i], side), inverse) for i in range(n)] for side in sides]
-
-
-def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:
-    n = len(U)
-    if n == 2:
-        return [[U[1][1], -U[0][1]], [-U[1][0], U[0][0]]]
-
-    def cofactor(i: int, j: int) -> ca.SX:
-        a, b = [k for k in range(3) if k != i], [k for k in range(3) if k != j]
-        minor = U[a[0]][b[0]] * U[a[1]][b[1]] - U[a[0]][b[1]] * U[a[1]][b[0]]
-        return minor if (i + j) % 2 == 0 else -minor
-
-    return [[cofactor(j, i) for j in range(3)] for i in range(3)]

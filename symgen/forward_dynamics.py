@@ -10,6 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import casadi as ca
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import connected_components
 
 from symgen.condensation import Condensed, Substitution, congruence
 from symgen.elimination import body_distances
@@ -22,9 +25,34 @@ class NoInertia(Exception):
     """An independent coordinate (its column) has no inertia at all."""
 
 
-def is_tree(system: Condensed) -> bool:
-    """Does the scene have bodies and no loop closures?"""
-    return bool(system.equations.body_columns) and not system.choice.loop_rows
+def is_tree(system: Condensed, scene: Scene) -> bool:
+    """Does every dependent coordinate follow from those of its own body and of bodies closer to the ground?
+
+    Only then do the bodies have an order from the tips to the root. Joints may need loop unknowns of their own.
+    """
+    distance = body_distances(scene)
+    body_of = {column: body for body, columns in system.equations.body_columns.items() for column in columns}
+
+    def follows(column: int, other: int) -> bool:
+        body, source = body_of[column], body_of[other]
+        return body == source or distance.get(source, 0) < distance.get(body, 0)
+
+    return bool(body_of) and _has_no_ring(scene) and all(
+        follows(s.column, other) for s in system.substitutions for other in s.e)
+
+
+def _has_no_ring(scene: Scene) -> bool:
+    """Do the joints leave one way at most between any two bodies?"""
+    grounds = {body.name for body in scene.bodies if body.type == "ground"} | {"ground"}
+    pairs = {frozenset("ground" if name in grounds else name for name in (
+        joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])) for joint in scene.joints}
+    graph = [tuple(pair) for pair in pairs if len(pair) == 2]
+    names = sorted({name for pair in graph for name in pair})
+    adjacency = np.zeros((len(names), len(names)), dtype=bool)
+    for a, b in graph:
+        adjacency[names.index(a), names.index(b)] = True
+    parts = connected_components(csr_matrix(adjacency), directed=False, return_labels=False) if names else 0
+    return len(graph) == len(names) - int(parts)
 
 
 def tree_accelerations(system: Condensed, scene: Scene) -> dict[int, ca.SX]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import casadi as ca
 
-from symgen.condensation import Condensed, reduced_loop_rows, solve_small
+from symgen.condensation import Condensed
 from symgen.elimination import constraint_jacobian
 from symgen.equations import Equations, matrix_times
 from symgen.hoisting import Kernel
 from symgen.joints.instance import ConstraintRow
+from symgen.loops import solve_transposed
 from symgen.rows import Row, to_matrix
 
 
@@ -47,23 +48,28 @@ def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
 def reactions(system: Condensed) -> Kernel:
     """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
 
+    lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
     joint_forces (3 or 6 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
     """
     eq, choice = system.equations, system.choice
     q_ddot = ca.SX.sym("q_ddot", len(eq.names))
     inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
     force = {c: eq.Q_star[c] - inertia.get(c, ca.SX(0)) for c in range(len(eq.names))}
-    lam: dict[int, ca.SX] = {}
-    if choice.loop_rows:
-        lam |= _loop_reactions(system, force)
+    lam_R = ca.SX.sym("lam_R", len(choice.redundant))
+    given = {row: lam_R[k] for k, row in enumerate(choice.redundant)}
+    for row, value in given.items():
+        for column, factor in eq.constraints[row].C_q.items():
+            force[column] = force[column] - factor * value
+    lam = _loop_reactions(system, force) if choice.loop_rows else {}
     for row, column in reversed(choice.structural):
         rest = force[column]
         for other, value in lam.items():
-            factor = eq.constraints[other].C_q.get(column)
-            if factor is not None:
-                rest = rest - factor * value
+            if column in eq.constraints[other].C_q:
+                rest = rest - eq.constraints[other].C_q[column] * value
         lam[row] = rest / eq.constraints[row].C_q[column]
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot, "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
+    inputs |= {"lam_R": lam_R, "t": eq.t} if given else {"t": eq.t}
+    lam |= given
     forces = ca.SX(max((len(row.on_b) for row in eq.constraints), default=3), len(eq.joints))
     for row, constraint in enumerate(eq.constraints):
         if not constraint.joint:
@@ -77,17 +83,14 @@ def reactions(system: Condensed) -> Kernel:
 
 def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
     """U^T lam_loop = the force on the loop unknowns after all structural coordinates are substituted."""
-    eq, choice = system.equations, system.choice
+    choice = system.choice
     structural = [s for s in system.substitutions if s.column not in choice.loop_columns]
     work = dict(force)
     for substitution in reversed(structural):
         value = work.pop(substitution.column)
         for column, factor in substitution.e.items():
             work[column] = work[column] + factor * value
-    rows = reduced_loop_rows(eq, choice, structural)
-    transposed = [[entries.get(column, ca.SX(0)) for entries, _, _ in rows] for column in choice.loop_columns]
-    solved = solve_small(transposed, [[work[column] for column in choice.loop_columns]])[0]
-    return dict(zip(choice.loop_rows, solved, strict=True))
+    return solve_transposed(system.loops.blocks, system.loops.entries(), work)
 
 
 def energy(system: Condensed) -> Kernel:

@@ -12,13 +12,15 @@ from functools import partial
 
 import casadi as ca
 
-from symgen.condensation import Condensed, reduced_loop_rows, solve_small
+from symgen.condensation import Condensed
 from symgen.drawing import drawing
 from symgen.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.full_kernels import augmented, constraints, energy, measures, reactions
 from symgen.hoisting import Kernel
 from symgen.jacobians import jacobian_kernels
+from symgen.loops import solve_forward
 from symgen.partition import Group
+from symgen.rows import Row
 from symgen.scene import Scene
 
 
@@ -72,7 +74,7 @@ def build_kernels(
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
-    if is_tree(system):
+    if is_tree(system, scene):
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
@@ -132,24 +134,30 @@ def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: in
 
 
 def _closure(system: Condensed, a: Arguments) -> Kernel:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step."""
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31).
+
+    C_loop: the loop rows before the step; det_loop: the determinant of each block that the step solves.
+    """
     eq, choice = system.equations, system.choice
     position = _placed(system, a)
     outputs = {"q_d_next": position}
     if choice.loop_rows:
-        rows = reduced_loop_rows(eq, choice, [s for s in system.substitutions if s.column not in choice.loop_columns])
         guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
         old, new = _replacement(system, guess)
-        U = [[entries.get(column, ca.SX(0)) for column in choice.loop_columns] for entries, _, _ in rows]
-        residual = [eq.constraints[row].C for row in choice.loop_rows]
-        flat = ca.substitute([ca.vertcat(*residual), *(u for line in U for u in line)], [old], [new])
-        n = len(choice.loop_rows)
-        matrix = [[flat[1 + i * n + j] + 0 for j in range(n)] for i in range(n)]
-        C = [flat[0][k] + 0 for k in range(n)]
-        step = solve_small(matrix, [C])[0]
-        x_loop = [eq.q[c] - step[k] for k, c in enumerate(choice.loop_columns)]
+        places = [(row, column) for row in choice.loop_rows for column in choice.loop_columns
+                  if column in system.loops.rows[row].entries]
+        values = [system.loops.rows[row].entries[column] for row, column in places]
+        residual = ca.vertcat(*(eq.constraints[row].C for row in choice.loop_rows))
+        flat = ca.substitute([residual, *values], [old], [new])
+        C = [flat[0][k] + 0 for k in range(len(choice.loop_rows))]
+        U: dict[int, Row] = {row: {} for row in choice.loop_rows}
+        for (row, column), value in zip(places, flat[1:], strict=True):
+            U[row][column] = value + 0
+        step, determinants = solve_forward(system.loops.blocks, U, dict(zip(choice.loop_rows, C, strict=True)))
+        x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
-        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C)}
+        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C),
+                   "det_loop": ca.vertcat(*determinants)}
     return Kernel(a.select("q_i", "q_d"), outputs)
 
 

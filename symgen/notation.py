@@ -66,6 +66,7 @@ SYMBOLS: tuple[Symbol, ...] = (
     Symbol("dQ_hat_dq_i_dot", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i_dot, through q_d_dot"),
     Symbol("dMa_dq_i", "", "", "n_i x n_i", "SI", "total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot"),
     Symbol("C_loop", "C", "31", "loops", "m, rad", "loop closure error before a Newton step"),
+    Symbol("det_loop", "det C_qd", "31", "loop blocks", "SI", "determinants of the loop blocks, zero if singular"),
     # groups and steps
     Symbol("M_hat_SS", "M^_SS", "39", "n_S x n_S", "SI", "block of M_hat of the groups that take a sub-step"),
     Symbol("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),

@@ -460,7 +460,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 83 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 83 operations."""
     q_i = ca.SX.sym("q_i", 10)
     c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]

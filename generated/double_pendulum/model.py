@@ -84,7 +84,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 11 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
     c = ca.SX.sym("c", 19)
     upper_theta = q_i[0]

@@ -627,7 +627,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 71 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 72 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 247)
@@ -673,8 +673,12 @@ def closure() -> ca.Function:
         w9,
     )
     C_loop = ca.densify(C_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop]
-    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop"])
+    det_loop = ca.vertcat(
+        w10,
+    )
+    det_loop = ca.densify(det_loop)
+    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:

@@ -135,7 +135,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 15 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 15 operations."""
     q_i = ca.SX.sym("q_i", 4)
     c = ca.SX.sym("c", 32)
     link1_theta = q_i[0]

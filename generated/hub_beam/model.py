@@ -626,7 +626,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 7 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 7 operations."""
     q_i = ca.SX.sym("q_i", 4)
     hub_theta = q_i[0]
     q_d_next = ca.vertcat(

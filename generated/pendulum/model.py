@@ -50,7 +50,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 3 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 3 operations."""
     q_d_next = ca.vertcat(
         0.0,
         0.0,

@@ -279,7 +279,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 36 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 38 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
@@ -295,15 +295,16 @@ def closure() -> ca.Function:
     w2 = ca.sin(w0) * c21
     w3 = c2 + rod_q4 * c1
     w4 = w2 + ca.sin(rod_theta) * w3
-    w5 = rod_theta - w4 / (w3 * ca.cos(rod_theta))
+    w5 = w3 * ca.cos(rod_theta)
+    w6 = rod_theta - w4 / w5
     q_d_next = ca.vertcat(
         0.0,
         0.0,
         w0,
         w1,
         w2,
-        w5,
-        w1 + w3 * ca.cos(w5),
+        w6,
+        w1 + w3 * ca.cos(w6),
         0.0,
         0.0,
     )
@@ -312,8 +313,12 @@ def closure() -> ca.Function:
         -w4,
     )
     C_loop = ca.densify(C_loop)
-    inputs, outputs = [q_i, q_d, t, c], [q_d_next, C_loop]
-    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "t", "c"], ["q_d_next", "C_loop"])
+    det_loop = ca.vertcat(
+        -w5,
+    )
+    det_loop = ca.densify(det_loop)
+    inputs, outputs = [q_i, q_d, t, c], [q_d_next, C_loop, det_loop]
+    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "t", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:

@@ -114,7 +114,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 31 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 25)
@@ -125,14 +125,15 @@ def closure() -> ca.Function:
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(crank_theta) * c1
     w2 = w1 + ca.sin(rod_theta) * c5
-    w3 = rod_theta - w2 / (ca.cos(rod_theta) * c5)
+    w3 = ca.cos(rod_theta) * c5
+    w4 = rod_theta - w2 / w3
     q_d_next = ca.vertcat(
         0.0,
         0.0,
         w0,
         w1,
-        w3,
-        w0 + ca.cos(w3) * c5,
+        w4,
+        w0 + ca.cos(w4) * c5,
         0.0,
         0.0,
     )
@@ -141,8 +142,12 @@ def closure() -> ca.Function:
         -w2,
     )
     C_loop = ca.densify(C_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop]
-    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop"])
+    det_loop = ca.vertcat(
+        -w3,
+    )
+    det_loop = ca.densify(det_loop)
+    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:

@@ -1333,7 +1333,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31); C_loop before the step. 29 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 29 operations."""
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 601)
     c11 = c[11]

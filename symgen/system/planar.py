@@ -6,7 +6,7 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.assembly.mechanism import components, friction, spring_values
+from symgen.system.mechanism import components, friction, spring_values
 from symgen.bodies.outlines import outline_references
 from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.points import marker_shape

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from symgen.assembly.mechanism import Mechanism
-from symgen.assembly.planar import PlanarSpace
-from symgen.assembly.spatial import SpatialSpace
-from symgen.assembly.structure import structure_equations
+from symgen.system.mechanism import Mechanism
+from symgen.system.planar import PlanarSpace
+from symgen.system.spatial import SpatialSpace
+from symgen.system.structure import structure_equations
 from symgen.equations import Equations, blank_equations
 from symgen.parameters import ParameterTable
 from symgen.scene import Scene

@@ -8,7 +8,7 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.assembly.mechanism import components, friction, spring_values
+from symgen.system.mechanism import components, friction, spring_values
 from symgen.bodies.outlines import BEAM_FRACTIONS, drawn_references
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
