@@ -9,12 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 import twin_free_body
+import twin_free_flexible
 import twin_governor
 import twin_heavy_top
 import twin_spatial as spatial
 import twin_spatial_double_pendulum
+import twin_spatial_hub_beam
+import twin_spatial_slider_crank
 from scipy.integrate import solve_ivp
-from spatial_checks import along_motion, body_jacobian, lagrange_force, mass_matrix
+from spatial_checks import along_motion, body_jacobian, lagrange_force, mass_matrix, weight_potential
 from twin_common import STEP, Array, complex_step
 
 # (twin, parameters, centre of q_i, scale of q_i, scale of q_i')
@@ -24,6 +27,12 @@ CASES: dict[str, tuple[ModuleType, Any, Any, Any, Any]] = {
     "heavy_top": (twin_heavy_top, twin_heavy_top.Params(), [0, 1.5, 0], [3, 1.2, 3], 6.0),
     "double_pendulum": (twin_spatial_double_pendulum, twin_spatial_double_pendulum.Params(k2=0.4), 0.0, 3.0, 4.0),
     "governor": (twin_governor, twin_governor.Params(k=800.0, c=40.0), [0, 0.5, 0.5, 0.6], [3, 0.2, 0.4, 0.4], 3.0),
+    "hub_beam": (twin_spatial_hub_beam, twin_spatial_hub_beam.Params(), 0.0, [3, 0.2, 0.2, 0.2, 0.02], 4.0),
+    "free_flexible_zyx": (twin_free_flexible, twin_free_flexible.Params(), 0.0,
+                          [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3], 3.0),
+    "free_flexible_zxz": (twin_free_flexible, twin_free_flexible.Params(sequence="zxz"), [0] * 4 + [1.5] + [0] * 4,
+                          [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3], 3.0),
+    "slider_crank": (twin_spatial_slider_crank, twin_spatial_slider_crank.Params(), 0.0, 3.0, 9.0),
 }
 
 
@@ -191,6 +200,20 @@ def test_double_pendulum_reactions() -> None:
         weight = body.mass * params.gravity
         expected = np.concatenate([force + weight, moment + np.cross(body.R_c, weight)])
         np.testing.assert_allclose(ahead / (12 * h), expected, rtol=0, atol=1e-7)
+
+
+def test_potential_is_the_weight(sample: Any) -> None:
+    """V changes by the work of gravity alone once springs and modes are switched off."""
+    twin, params, q_i, _ = sample
+    soft = {"k": 0.0, "k1": 0.0, "k2": 0.0}
+    params = replace(params, **{name: value for name, value in soft.items() if hasattr(params, name)})
+    q_i = q_i.copy()
+    if hasattr(twin, "nodes"):  # the rigid coordinates only
+        q_i[1 if twin is twin_spatial_hub_beam else 6:] = 0
+    gravity = getattr(params, "gravity", np.array([0, 0, -9.81]))
+    slope = complex_step(lambda x: np.array([twin.energy(params, x, 0 * q_i, 0.0)[1]]), q_i)
+    expected = complex_step(lambda x: np.array([weight_potential(twin, params, gravity, x, 0.0)]), q_i)
+    np.testing.assert_allclose(slope, expected, rtol=1e-12, atol=1e-12)
 
 
 def test_governor_springs_by_points() -> None:
