@@ -7,7 +7,7 @@ Elastic coordinates move last, being small; those left open count as given zeros
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NoReturn
 
@@ -45,16 +45,20 @@ class ConsistentState:
 def consistent_state(
     names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
     velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
-    guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(),
+    guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(), first: Sequence[int] = (),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
-    guess: where coordinates that were left open start (zero by default); reluctant: those among them that count as given.
+    guess: where coordinates that were left open start (zero by default); reluctant: those among them that count as given;
+    first: rows that place bodies, satisfied by what was left open before the others are looked at.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
     free = stages[-1]
+    if len(first):
+        rows = np.array(first)
+        q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))  # type: ignore[arg-type,return-value]
     q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")

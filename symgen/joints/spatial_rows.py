@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 
@@ -28,7 +28,7 @@ from symgen.joints.instance import ConstraintRow, Slot, template_rows
 from symgen.joints.planar_template import JointType, f, f_t, f_tt
 from symgen.rows import Row
 from symgen.scalar import ONE, ZERO, dot, mul, neg
-from symgen.vectors import Vector, cross, minus, quaternion_product, zeros
+from symgen.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
 
 TYPES: dict[str, Callable[[], JointType]] = {
     "revolute": revolute.spatial,
@@ -91,8 +91,20 @@ def placing_rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, coord
         travel.value[2], travel.rate[2] = mul(lead, angle.value), mul(lead, angle.rate)
         travel.rows[2][angle.column] = lead
     turns = [(axis, coordinates[key]) for axis, key in TURNS[kind]]
-    still = [ZERO] * 3
-    return [*_orientation(name, a, b, turns, child, parent, forward), *_rows(name, "place", a, b, still, travel)]
+    free_turns = [(a if axis == 2 else b).axes[axis] for axis, _ in TURNS[kind] if kind != "screw"]
+    rows = _orientation(name, a, b, turns, child, parent, forward)
+    rows += _rows(name, "place", a, b, [ZERO] * 3, travel)
+    return [_without_own_axes(row, [a.axes[axis] for axis in slides], free_turns) for row in rows]
+
+
+def _without_own_axes(row: ConstraintRow, slides: list[Vector], turns: list[Vector]) -> ConstraintRow:
+    """What acts along a joint's own coordinates are the loads on them, not the joint. (A screw's axis carries both.)"""
+    force, moment = list(row.on_b[:3]), list(row.on_b[3:])
+    for axis in slides:
+        force = minus(force, scaled(dot(force, axis), axis))
+    for axis in turns:
+        moment = minus(moment, scaled(dot(moment, axis), axis))
+    return replace(row, on_b=(*force, *moment))
 
 
 def coordinate_row(name: str, label: str, found: JointCoordinate, motion: list[ca.SX], a: SpatialMarker) -> ConstraintRow:

@@ -44,37 +44,43 @@ class Place:
 
 
 def joint_places(scene: Scene) -> list[Place]:
-    """The placing joints, in scene order."""
+    """The placing joints, in scene order. What placing joints do not reach from the ground is oriented by itself."""
     found: dict[str, Place] = {}
-    reached = {"ground"}
-    queue = ["ground"]
+    reached, queue = {"ground"}, ["ground"]
     roots = [body.name for body in scene.moving_bodies]
     while queue or roots:
         if not queue:
-            root = roots.pop(0)
-            if root in reached:
-                continue
-            reached.add(root)
-            queue.append(root)
+            root = _next_root(scene, roots, reached)
+            roots.remove(root)
+            if root not in reached:
+                reached.add(root)
+                queue.append(root)
+            continue
         parent = queue.pop(0)
-        for joint, child, forward in _neighbours(scene, parent):
-            if child in reached:
-                continue
-            reached.add(child)
-            queue.append(child)
-            if joint.type in PLACING and _free_of_angles(scene, parent) and _free_of_angles(scene, child):
+        for joint, child, forward in _placing_from(scene, parent):
+            if child not in reached:
+                reached.add(child)
+                queue.append(child)
                 found[joint.name] = Place(joint.name, joint.type, parent, child, forward)
     return [found[joint.name] for joint in scene.joints if joint.name in found]
 
 
-def _neighbours(scene: Scene, body: str) -> Iterator[tuple[Joint, str, bool]]:
-    """Joints of a body with the body at their other end, those that could place it first."""
-    for joint in sorted(scene.joints, key=lambda joint: joint.type not in PLACING):
-        a, b = joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0]
-        if a == body:
-            yield joint, b, True
-        elif b == body:
-            yield joint, a, False
+def _next_root(scene: Scene, roots: list[str], reached: set[str]) -> str:
+    """A body joined to what has been reached, if there is one."""
+    for joint in scene.joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        for near, far in (ends, ends[::-1]):
+            if near in reached and far in roots and far not in reached:
+                return far
+    return roots[0]
+
+
+def _placing_from(scene: Scene, body: str) -> Iterator[tuple[Joint, str, bool]]:
+    """Placing joints of a body with the body at their other end."""
+    for joint in scene.joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        if joint.type in PLACING and body in ends and all(_free_of_angles(scene, end) for end in ends):
+            yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body
 
 
 def _free_of_angles(scene: Scene, name: str) -> bool:

@@ -52,7 +52,7 @@ class Params:
     crank_centre: Array = field(default_factory=lambda: np.array([0.03, 0.08, -0.02]))
     rod_mass: float = 0.9
     rod_inertia: Array = field(
-        default_factory=lambda: _matrix([0.004, 0.001, -0.0015], [0.001, 0.04, 0.002], [-0.0015, 0.002, 0.038]))
+        default_factory=lambda: _matrix([0.008, 0.001, -0.0015], [0.001, 0.04, 0.002], [-0.0015, 0.002, 0.038]))
     rod_centre: Array = field(default_factory=lambda: np.array([0.33, 0.02, -0.015]))
     slider_mass: float = 2.1
     gravity: Array = field(default_factory=lambda: np.array([0.3, -0.7, -9.81]))
