@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from runtime.model import Model
+from runtime.reactions import joint_reactions
 
 Array = NDArray[Any]
 
@@ -90,16 +92,21 @@ def condensed_accelerations(model: Model, state: State) -> Array:
 
 
 def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
-    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution."""
+    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution.
+
+    Redundant rows are left out; lam of all rows is then the one of least norm that acts like lam of the others.
+    """
     result = evaluate(model, "augmented", **state.values())
-    n, rows = len(model.coordinates), len(model.constraints)
+    n, kept = len(model.coordinates), model.kept_rows
+    rows = len(kept)
     M, side = result["M"].reshape(n, n), result["Q_star"]
     if rows == 0:
         return np.linalg.solve(M, side), np.zeros(0)
     constraint = evaluate(model, "constraints", **state.values())
-    C_q = constraint["C_q"].reshape(rows, n)
+    all_C_q = constraint["C_q"].reshape(-1, n)
+    C_q = all_C_q[kept]
     matrix = np.block([[M, C_q.T], [C_q, np.zeros((rows, rows))]])
-    side = np.concatenate([side, constraint["gamma"]])
+    side = np.concatenate([side, constraint["gamma"][kept]])
     # masses of elastic and rigid coordinates differ by orders of magnitude: scale symmetrically, then refine once
     scale = np.ones(n + rows)
     for _ in range(5):
@@ -108,7 +115,35 @@ def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
     solution = np.linalg.solve(scaled, scale * side)
     solution += np.linalg.solve(scaled, scale * side - scaled @ solution)
     solution *= scale
-    return solution[:n], solution[n:]
+    lam = solution[n:]
+    if model.redundant:
+        lam = np.linalg.lstsq(all_C_q.T, C_q.T @ lam, rcond=1e-10)[0]
+    return solution[:n], lam
+
+
+def reactions(model: Model, state: State, q_ddot: Array) -> tuple[Array, Array]:
+    """(lam of all rows, forces and moments of the joints by rows) for given accelerations (Eq. 37)."""
+    values = {"q": state.q, "q_dot": state.q_dot, "q_ddot": q_ddot, "t": np.array([state.t])}
+    C_q = evaluate(model, "constraints", **state.values())["C_q"].reshape(-1, len(state.q))
+    lam, forces = joint_reactions(model, {name: value[None] for name, value in values.items()}, C_q.T.reshape(1, -1),
+                                  model.constants(model.parameter_vector()))
+    return lam[0], forces[0]
+
+
+def power_gap(model: Model, state: State, q_ddot: Array, lam: Array) -> float:
+    """Rate of all energy minus the power of loads, driven joints and dampers, over the sum of all parts of the rate."""
+    kernel, n = model.kernel("energy"), len(model.coordinates)
+    q, q_dot, t = ca.SX.sym("q", n), ca.SX.sym("q_dot", n), ca.SX.sym("t")
+    values = {"q": q, "q_dot": q_dot, "t": t, "c": model.constants(model.parameter_vector())}
+    found = kernel.call({name: values[name] for name in kernel.name_in()})
+    stored = found["kinetic"] + found["elastic"] + found["potential"]
+    slope = ca.Function("slope", [q, q_dot, t], [ca.jacobian(stored, ca.vertcat(q, q_dot, t))])
+    parts = np.asarray(slope(state.q, state.q_dot, state.t)).ravel() * np.concatenate([state.q_dot, q_ddot, [1.0]])
+    power = evaluate(model, "energy", **state.values())
+    driven = float(lam @ evaluate(model, "constraints", **state.values())["C_t"]) if model.constraints else 0.0
+    given = float(power["power_applied"][0]) + driven - float(power["power_dissipated"][0])
+    assert float(power["power_dissipated"][0]) >= 0
+    return abs(float(np.sum(parts)) - given) / (float(np.sum(np.abs(parts))) + 1e-2)
 
 
 def relative_error(value: Array, reference: Array) -> float:
