@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import zipfile
+from collections.abc import Sequence
 from dataclasses import asdict
 from importlib.util import find_spec
 from pathlib import Path
@@ -29,7 +30,7 @@ POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
 def unit(coordinate: str, derivative: int = 0) -> str:
-    """SI unit of a coordinate (angles are named `theta` or `angle`, Euler parameters e0 ... e3) or of its derivatives."""
+    """SI unit of a coordinate (angles: `theta`, `angle`; Euler parameters: e0 ... e3) or its derivatives."""
     last = coordinate.rpartition(".")[2]
     base = "rad" if last.startswith(("theta", "angle")) else "1" if last in ("e0", "e1", "e2", "e3") else "m"
     return base + ("", "/s", "/s^2")[derivative]
@@ -149,7 +150,7 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
     return dataset
 
 
-def _labels(names: list[str]) -> np.ndarray:
+def _labels(names: Sequence[str]) -> np.ndarray:
     return np.array(names, dtype=np.str_ if names else "U1")
 
 

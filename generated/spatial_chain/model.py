@@ -1,4 +1,4 @@
-"""Chain of 3 links in space: equations of motion, emitted by symgen from the scene `spatial_chain_3`.
+"""Chain of 3 links in space: equations of motion, emitted by symgen from the scene `spatial_chain`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
 """
