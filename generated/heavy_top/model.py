@@ -866,7 +866,7 @@ def drawing() -> ca.Function:
     top_e3 = q[6]
     c6 = c[6]
     c17 = c[17]
-    xy = ca.vertcat(
+    xyz = ca.vertcat(
         top_x,
         top_y,
         top_z,
@@ -874,10 +874,10 @@ def drawing() -> ca.Function:
         c6 + top_y - top_e1**2 * c17 - top_e3**2 * c17,
         top_e2 * top_e3 * c17 + (top_z + top_e1 * top_e0 * c17),
     )
-    xy = ca.reshape(xy, 3, 2)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    xyz = ca.reshape(xyz, 3, 2)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
