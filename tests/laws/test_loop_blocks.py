@@ -71,6 +71,17 @@ def test_each_window_is_a_block_of_its_own() -> None:
         assert all(set(system.loops.rows[row].entries) <= known for row in block.rows)
 
 
+@pytest.mark.parametrize("windows", [1, 2, 4])
+def test_windows_move_as_one_upright(windows: int, tmp_path: Path) -> None:
+    """I theta'' = -w cos(theta) with I = (N + 1)/3 + N and w = ((N + 1)/2 + N) g, whatever the number of loops."""
+    model = load_model(generate(n_four_bar(windows), tmp_path / "windows", FUNCTIONS))
+    for angle in (0.3, 1.2, -2.0):
+        start = np.where([name.startswith("upright") for name in model.coordinates], angle, 0.0)
+        found = evaluate(model, "condensed", **make_state(model, [angle], [1.7], guess=start).values())
+        assert found["M_hat"] == pytest.approx((windows + 1) / 3 + windows, rel=1e-12)
+        assert found["Q_hat"] == pytest.approx(-((windows + 1) / 2 + windows) * 9.81 * np.cos(angle), rel=1e-11)
+
+
 def test_loops_that_need_each_other_stay_together() -> None:
     system = derive(coupled_loops(), frozenset({"closure"})).system
     assert [len(block.rows) for block in system.loops.blocks] == [4]
