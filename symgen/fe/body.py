@@ -92,10 +92,12 @@ class FlexibleBody:
     @classmethod
     def from_structure(cls, body: Structure, *, interface: Mapping[str, NodeSet], modes: int, mode_set: str = "free",
                        fixed: Sequence[str] = (), mass: str = "consistent",
-                       origin: str | ArrayLike = (0.0, 0.0, 0.0)) -> FlexibleBody:
+                       origin: str | ArrayLike = (0.0, 0.0, 0.0),
+                       marker_positions: Mapping[str, ArrayLike] | None = None) -> FlexibleBody:
         """From a checked Structure.
 
-        interface: named node sets, each becomes a marker.
+        interface: named node sets (ids, or a function of all positions), each becomes a marker.
+        marker_positions: where a marker is [m], if not at the mean of its nodes; it moves with their average.
         modes: number of modes; for "fixed_interface", of the normal modes beside the constraint modes.
         mode_set: "free", "fixed_interface" (Craig-Bampton) or "mixed", where the interfaces `fixed` are held.
         mass: "consistent" or "lumped".
@@ -108,7 +110,7 @@ class FlexibleBody:
             raise FiniteElementError("fixed", f"interfaces are held in a mixed set, not in '{mode_set}'",
                                      "take mode_set='mixed', or leave fixed out")
         body = lumped(body) if mass == "lumped" else body
-        parts = _interfaces(body, interface)
+        parts = _interfaces(body, interface, marker_positions or {})
         for name in fixed:
             _known("fixed", name, tuple(parts))
         # Rigid motions about the middle of the body are the best conditioned.
@@ -155,8 +157,15 @@ class FlexibleBody:
         return {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
 
     def losses(self) -> list[FlexibilityLoss]:
-        """What the modes lose of the static flexibility at each interface, against the full model."""
-        return flexibility_losses(self.modes, list(self.interfaces.values()))
+        """What the modes lose of the static flexibility at each interface, against the full model.
+
+        First with the body free (mixed: held as its modes are), then with the first interface held.
+        """
+        parts = list(self.interfaces.values())
+        losses = flexibility_losses(self.structure, self.modes, parts, None)
+        if self.mode_set == "mixed":
+            return losses
+        return losses + flexibility_losses(self.structure, self.modes, parts, parts[0])
 
     def report(self) -> str:
         """Frequencies, effective modal masses, what truncation loses and the check of rigid modes, in Markdown."""
@@ -172,18 +181,27 @@ def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
         raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
 
 
-def _interfaces(body: Structure, sets: Mapping[str, NodeSet]) -> dict[str, Interface]:
-    return {name: interface(body, name, nodes) for name, nodes in sets.items()}
+def _interfaces(body: Structure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
+    if not sets:
+        raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
+    for name in at:
+        _known("marker_positions", name, tuple(sets))
+    return {name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
+            for name, nodes in sets.items()}
 
 
 def _origin(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
     if isinstance(origin, str):
         _known("origin", origin, tuple(parts))
         return fixed(parts[origin].position)
-    point = np.asarray(origin, dtype=np.float64)
+    return fixed(_point("origin", origin))
+
+
+def _point(item: str, value: ArrayLike) -> Array:
+    point = np.asarray(value, dtype=np.float64)
     if point.shape != (AXES,) or not np.all(np.isfinite(point)):
-        raise FiniteElementError("origin", f"{origin!r} is not a point", "give x, y, z or the name of an interface")
-    return fixed(point)
+        raise FiniteElementError(item, f"{value!r} is not a point", "give x, y, z in metres")
+    return point
 
 
 def _marker(part: Interface, shapes: Array, origin: Array) -> Marker:

@@ -22,8 +22,8 @@ FLAT = 1e-8  # relative size of the smallest moment of the nodes below which the
 class Interface:
     """A set of nodes that one marker stands for.
 
-    places (k,): where the nodes are in the table.  position (3,) [m]: their mean.
-    average (6, n_dof), sparse: mean displacement and least-squares rotation of the set from the rows of u;
+    places (k,): where the nodes are in the table.  position (3,) [m]: of the marker.
+    average (6, n_dof), sparse: displacement of the marker with the set, and the set's rotation, from the rows of u;
     its transpose spreads a force and a torque at the marker over the nodes.
     """
 
@@ -38,9 +38,10 @@ class Interface:
         return np.sort(rows[rows >= 0])
 
 
-def interface(body: Structure, name: str, nodes: NodeSet) -> Interface:
+def interface(body: Structure, name: str, nodes: NodeSet, position: Array | None = None) -> Interface:
     """The interface of these nodes: ids, or a function of all positions (n, 3) [m] that says which, (n,) of bool.
 
+    position (3,) [m]: of the marker, which moves with the average; the mean position of the nodes unless given.
     All nodes weigh the same, whatever their mass or area.
 
     One node with rotations: its own six motions. Else u = mean u_k, and the rotation is the omega for which
@@ -52,8 +53,8 @@ def interface(body: Structure, name: str, nodes: NodeSet) -> Interface:
     rows = body.rows[places]
     if np.any(rows[:, :AXES] < 0):
         raise FiniteElementError(item, "a node of it has no translations", "choose nodes with x, y and z")
-    position = body.positions[places].mean(axis=0)
-    arms = body.positions[places] - position
+    middle = body.positions[places].mean(axis=0)
+    arms = body.positions[places] - middle
     moment = np.sum(arms**2) * np.eye(AXES) - arms.T @ arms
     average = np.zeros((RIGID_MOTIONS, body.n_dof))
     for axis in range(AXES):
@@ -68,6 +69,9 @@ def interface(body: Structure, name: str, nodes: NodeSet) -> Interface:
     else:
         raise FiniteElementError(item, "its nodes lie on one line and have no rotations, so that they tell none",
                                  "take three or more nodes that are not on a line")
+    if position is None:
+        return Interface(name, places, middle, sp.csr_matrix(average))
+    average[:AXES] -= _cross(position - middle) @ average[AXES:]  # omega x offset = -offset x omega
     return Interface(name, places, position, sp.csr_matrix(average))
 
 

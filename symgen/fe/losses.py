@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy.sparse as sp
 
 from symgen.modes.cleaning import Array
 
@@ -29,24 +30,34 @@ class FlexibilityLoss:
     loss: Array
 
 
-def flexibility_losses(modes: ModeSet, interfaces: Sequence[Interface]) -> list[FlexibilityLoss]:
+def flexibility_losses(body: Structure, modes: ModeSet, interfaces: Sequence[Interface],
+                       clamp: Interface | None) -> list[FlexibilityLoss]:
     """Per interface: the static elastic displacement at the load, in the full model and in the modes.
 
-    The loads are spread over the nodes as the marker averages them; a free body accelerates under them.
-    Modes alone make a body stiffer: losses are not negative, and rigid interfaces count as a loss.
+    The loads are spread over the nodes as the marker averages them. Without a `clamp` the body accelerates
+    under them (or is held as its modes are); with it, the average of that interface does not move, and the
+    frame of the body follows. Interfaces that modes take as rigid count as a loss.
     """
     losses = []
     for one in interfaces:
-        spread = one.average.T.toarray()
+        average, name = one.average, one.name
+        if clamp is not None:
+            if clamp is one:
+                continue
+            rigid = body.rigid(clamp.position)  # the identity at the clamp itself
+            average, name = average - sp.csr_matrix(average @ rigid) @ clamp.average, f"{name}, {clamp.name} held"
+        spread = average.T.toarray()
         full = np.einsum("ij,ij->j", spread, modes.elastic(spread))
-        shape = one.average @ modes.shapes
-        modal = np.sum(shape**2 / modes.eigenvalues, axis=1)
-        seen = np.zeros(len(full), dtype=bool)
-        for part in (slice(0, AXES), slice(AXES, None)):  # translations and rotations have different units
-            seen[part] = full[part] > RIGID_DIRECTION * np.max(np.abs(full[part]))
-        loss = np.where(seen, 1.0 - modal / np.where(seen, full, 1.0), 0.0)
-        losses.append(FlexibilityLoss(one.name, full, modal, loss))
+        modal = np.sum((average @ modes.shapes) ** 2 / modes.eigenvalues, axis=1)
+        losses.append(FlexibilityLoss(name, full, modal, _loss(full, modal)))
     return losses
+
+
+def _loss(full: Array, modal: Array) -> Array:
+    seen = np.zeros(len(full), dtype=bool)
+    for part in (slice(0, AXES), slice(AXES, None)):  # translations and rotations have different units
+        seen[part] = full[part] > RIGID_DIRECTION * np.max(np.abs(full[part]))
+    return np.where(seen, 1.0 - modal / np.where(seen, full, 1.0), 0.0)
 
 
 def effective_masses(body: Structure, shapes: Array) -> Array:

@@ -11,6 +11,7 @@ from symgen.modes.cleaning import Array
 from .losses import FlexibilityLoss
 from .rigid_check import RigidCheck
 
+NO_MASS = 1e-9  # share of the mass that counts as none
 CLOSE = 1e-3  # relative distance of frequencies below which shapes are badly determined
 DIRECTIONS = ("x", "y", "z")
 LOADS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
@@ -26,7 +27,7 @@ def body_report(title: str, hertz: Array, shares: Array, held: tuple[Array, Arra
     parts = [f"# {title}", "", f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, "
              f"lowest elastic {check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness "
              "forces.", "", "## Modes", "", *_mode_table(hertz, shares)]
-    if np.max(np.abs(shares), initial=0.0) < 1e-9:
+    if np.max(shares, initial=0.0) < NO_MASS:
         parts += ["", "The modes are free of rigid motion: the frame carries all the mass, the modes none."]
     for a in np.flatnonzero(np.diff(hertz) < CLOSE * hertz[:-1]):
         parts += ["", f"Modes {a + 1} and {a + 2} have nearly the same frequency: their shapes depend on round-off."]
@@ -42,6 +43,8 @@ def _mode_table(hertz: Array, shares: Array) -> list[str]:
     lines = [_row("mode", "frequency [Hz]", *(f"effective mass {axis}" for axis in DIRECTIONS)), _row(*["---"] * 5)]
     lines += [_row(a + 1, f"{value:.6g}", *(_percent(share) for share in shares[a])) for a, value in enumerate(hertz)]
     total = np.sum(shares, axis=0)
+    if np.max(total, initial=0.0) < NO_MASS:
+        return lines
     return [*lines, _row("sum", "", *(_percent(share) for share in total)),
             _row("not represented", "", *(_percent(1.0 - share) for share in total))]
 
