@@ -94,6 +94,32 @@ def test_nastran_op4(tmp_path: Path, model: Structure, expected: dict[str, Any],
         FlexibleBody.from_nastran(path, node_file(tmp_path), interface=ENDS, modes=4)
 
 
+def op2_text(matrices: dict[str, np.ndarray]) -> bytes:
+    """An OUTPUT2 file without header: Fortran records between keys, each column as one string of doubles."""
+    def record(content: bytes) -> bytes:
+        return struct.pack("i", len(content)) + content + struct.pack("i", len(content))
+
+    def keys(*values: int) -> bytes:
+        return b"".join(record(struct.pack("i", value)) for value in values)
+
+    content = b""
+    for name, matrix in matrices.items():
+        rows, columns = matrix.shape
+        label = record(name.ljust(8).encode())
+        trailer = record(struct.pack("7i", 101, columns, rows, 6, 2, 2 * rows, 10000))
+        content += keys(2) + label + keys(-1, 7) + trailer + keys(-2, 1, 0, 2) + label + keys(-3, 1, 1)
+        for k, column in enumerate(matrix.T):
+            strings = record(struct.pack("i", 1) + np.ascontiguousarray(column).tobytes())
+            content += keys(1 + 2 * rows) + strings + keys(-4 - k, 1, int(k + 1 < columns))
+        content += keys(0)
+    return content + keys(0)
+
+
+def test_nastran_op2(tmp_path: Path, model: Structure, expected: dict[str, Any]) -> None:
+    (tmp_path / "model.op2").write_bytes(op2_text({"KAA": model.K.toarray(), "MAA": model.M.toarray()}))
+    same(FlexibleBody.from_nastran(tmp_path / "model.op2", node_file(tmp_path), interface=ENDS, modes=4), expected)
+
+
 def test_nastran_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(FiniteElementError, match="no file"):
         FlexibleBody.from_nastran(tmp_path / "none.op4", [(0, 0, 0)], interface={}, modes=1)
