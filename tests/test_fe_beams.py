@@ -137,7 +137,7 @@ def test_the_direction_of_a_beam_does_not_matter() -> None:
 
 
 def test_torsion_counts_in_the_products_of_shapes() -> None:
-    """A twisting straight beam moves no node, yet its section's mass moves; M knows the polar inertia, y and z share."""
+    """A twisting straight beam moves no node, yet its mass moves; M knows the polar inertia, y and z share it."""
     made = body(modes=14)
     (twist,) = [a for a in range(14) if np.abs(made.markers["right"].rotation[0, a]) > 1.0]
     products = made.integrals.phi_phi[twist, twist]

@@ -11,7 +11,7 @@ from symgen.modes.cleaning import Array
 from .body import FlexibleBody
 from .errors import FiniteElementError
 from .material import STEEL, Material
-from .structure import Integers
+from .structure import Flags, Integers
 
 if TYPE_CHECKING:
     import skfem
@@ -54,12 +54,13 @@ def connecting_rod_mesh() -> skfem.MeshHex:
     z = np.linspace(-0.5 * THICKNESS, 0.5 * THICKNESS, LAYERS + 1)
     nodes = np.concatenate([np.column_stack([points, np.full(n, height)]) for height in z])
     a, b, c, d = quads.T
-    # scikit-fem numbers the corners of a cell from (1, 1, 1) to (0, 0, 0); a ... d are at (0, 0), (1, 0), (1, 1), (0, 1).
+    # scikit-fem numbers the corners of a cell from (1, 1, 1) to (0, 0, 0);
+    # a, b, c, d are those at (0, 0), (1, 0), (1, 1), (0, 1) of the layer.
     cells = [np.stack([c + n, c, b + n, d + n, b, d, a + n, a]) + layer * n for layer in range(LAYERS)]
     return MeshHex(nodes.T.copy(), np.concatenate(cells, axis=1))
 
 
-def _in_eye(places: Array, centre: float, radius: float) -> Array:
+def _in_eye(places: Array, centre: float, radius: float) -> Flags:
     """Which of the places (n, 3) are on the inner wall of an eye; nodes between corners lie on the chords."""
     return np.hypot(places[:, 0] - centre, places[:, 1]) <= radius * (1.0 + SAME)
 

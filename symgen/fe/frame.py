@@ -94,12 +94,12 @@ def _element(ends: Array, section: Section, material: Material) -> tuple[Array, 
         K[place] += stiff / length * np.array([[1.0, -1.0], [-1.0, 1.0]])
         M[place] += heavy * length / 6.0 * np.array([[2.0, 1.0], [1.0, 2.0]])
     # Bending in x-y: slope is +theta_z; in x-z: slope is -theta_y.
+    stiffness, mass = _bending(length)
     for rows, sign, second in (([1, 5, 7, 11], 1.0, section.I_z), ([2, 4, 8, 10], -1.0, section.I_y)):
         signs = np.array([1.0, sign, 1.0, sign])
-        stiff, heavy = _bending(length)
         place = np.ix_(rows, rows)
-        K[place] += material.E * second * np.outer(signs, signs) * stiff
-        M[place] += line_mass * np.outer(signs, signs) * heavy
+        K[place] += material.E * second * np.outer(signs, signs) * stiffness
+        M[place] += line_mass * np.outer(signs, signs) * mass
     return turn.T @ K @ turn, turn.T @ M @ turn
 
 

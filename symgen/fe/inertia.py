@@ -129,8 +129,8 @@ def _scaling(trace: Array) -> Array:
     value, vector = la.eigh(symmetric(trace)) if trace.size else (np.zeros(0), trace)
     worst = float(np.max(np.abs(value - 1.0), initial=0.0))
     if worst > COARSEST:
-        raise FiniteElementError("mass", f"masses lumped at the nodes differ by {100 * worst:.0f} % from the modal mass "
-                                 f"of the {len(value)} modes", "refine the mesh or ask for fewer modes")
+        raise FiniteElementError("mass", f"masses lumped at the nodes differ by {100 * worst:.0f} % from those of the "
+                                 f"{len(value)} modes", "refine the mesh, ask for fewer modes, or take mass='lumped'")
     return (vector / np.sqrt(value)) @ vector.T
 
 

@@ -11,9 +11,9 @@ import scipy.sparse as sp
 from symgen.modes.cleaning import Array
 
 from .errors import FiniteElementError
-from .structure import AXES, RIGID_MOTIONS, Integers, Structure
+from .structure import AXES, RIGID_MOTIONS, Flags, Integers, Structure
 
-NodeSet = Sequence[int] | Callable[[Array], Array]
+NodeSet = Sequence[int] | Callable[[Array], Flags]
 
 FLAT = 1e-8  # relative size of the smallest moment of the nodes below which they lie on a line
 

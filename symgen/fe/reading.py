@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 import scipy.io
@@ -15,8 +16,8 @@ from symgen.modes.cleaning import Array
 from .errors import FiniteElementError
 from .structure import AXES, RIGID_MOTIONS, Integers
 
-MatrixSource = sp.spmatrix | sp.sparray | ArrayLike | str | Path
-TableSource = ArrayLike | str | Path
+MatrixSource: TypeAlias = sp.spmatrix | sp.sparray | ArrayLike | str | Path
+TableSource: TypeAlias = ArrayLike | str | Path
 COMMENTS = ("#", "%", "*", "$")
 
 

@@ -24,9 +24,9 @@ def body_report(title: str, hertz: Array, shares: Array, held: tuple[Array, Arra
     hertz (nf,); shares (nf, 3): effective modal masses over total mass; held: the same two of the normal modes
     with held interfaces (Craig-Bampton), or None.
     """
-    parts = [f"# {title}", "", f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, "
-             f"lowest elastic {check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness "
-             "forces.", "", "## Modes", "", *_mode_table(hertz, shares)]
+    rigid = (f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, lowest elastic "
+             f"{check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness forces.")
+    parts = [f"# {title}", "", rigid, "", "## Modes", "", *_mode_table(hertz, shares)]
     if np.max(shares, initial=0.0) < NO_MASS:
         parts += ["", "The modes are free of rigid motion: the frame carries all the mass, the modes none."]
     for a in np.flatnonzero(np.diff(hertz) < CLOSE * hertz[:-1]):

@@ -49,13 +49,14 @@ def check_free_body(body: Structure, rigid: Array) -> RigidCheck:
             "stiffness", f"{'at least ' if found == looked_at else ''}{found} motions without strain were found "
             f"among the lowest {looked_at} modes, a free body has {RIGID_MOTIONS}",
             "export the matrices without supports" if found < RIGID_MOTIONS else
-            f"there is a mechanism, or parts are not connected; look near node {_loose_node(body, rigid, shapes[:, zero])}")
+            "there is a mechanism, or parts are not connected; look near node "
+            f"{_loose_node(body, rigid, shapes[:, zero])}")
     if residual > RIGID_RESIDUAL:
         raise FiniteElementError(
             "nodes", f"rigid motions built from the node table leave {residual:.2g} of the stiffness forces",
             "the dof map or the coordinates do not belong to these matrices (order of rows, units, local axes)")
     hertz = np.sqrt(np.abs(value)) / (2.0 * np.pi)
-    return RigidCheck(found, residual, float(hertz[zero].max()), float(hertz[~zero].min()) if looked_at > found else 0.0)
+    return RigidCheck(found, residual, float(hertz[zero].max()), float(hertz[~zero].min(initial=np.inf)))
 
 
 def _check_mass(body: Structure, rigid: Array) -> None:

@@ -33,9 +33,13 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> Structure:
         raise FiniteElementError("mesh", f"a {type(mesh).__name__} with elements of order {order}",
                                  "give a scikit-fem MeshTet or MeshHex and order 1 or 2, or a LineMesh")
     name, element = found[0]
-    scalar = skfem.Basis(mesh, element(), intorder=DEGREE[name])
-    if np.any(scalar.mapping.detDF(scalar.X) == 0.0):
-        raise FiniteElementError("mesh", "a cell has no volume", "repair the mesh")
+    with np.errstate(divide="ignore", invalid="ignore"):  # flat cells are refused below
+        scalar = skfem.Basis(mesh, element(), intorder=DEGREE[name])
+    volume = np.asarray(scalar.mapping.detDF(scalar.X))
+    bad = np.flatnonzero(volume.min(axis=-1) * volume.max(axis=-1) <= 0.0)
+    if bad.size:
+        raise FiniteElementError("mesh", f"{bad.size} cells have no volume or are turned inside out, the first is "
+                                 f"{bad[0]}", "repair the mesh")
     gradients = _gradient_products(skfem, scalar)
     mass = material.rho * skfem.BilinearForm(lambda u, v, _: u * v).assemble(scalar)
     K = _elastic(gradients, material)

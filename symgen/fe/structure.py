@@ -15,6 +15,7 @@ from symgen.modes.cleaning import Array
 from .errors import FiniteElementError
 
 Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
 
 AXES = 3
 RIGID_MOTIONS = 6
@@ -121,7 +122,7 @@ def _checked(item: str, matrix: sp.spmatrix, n: int) -> sp.csr_matrix:
     size = float(np.max(np.abs(values.data), initial=0.0))
     lacking = float(np.max(np.abs((values - values.T).data), initial=0.0))
     if lacking > SYMMETRY_TOLERANCE * size:
-        raise FiniteElementError(item, f"the matrix is not symmetric (by {lacking:.3g}, its largest entry is {size:.3g})",
+        raise FiniteElementError(item, f"the matrix is not symmetric (by {lacking:.3g}, largest entry {size:.3g})",
                                  "a file with one triangle must say 'symmetric' in its header")
     if values.diagonal().min(initial=0.0) < 0.0:
         raise FiniteElementError(item, f"row {int(values.diagonal().argmin()) + 1} has a negative diagonal",
