@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import scipy.sparse as sp
 from numpy.testing import assert_allclose
 
 from symgen.fe import FlexibleBody, LineMesh, Material, Section
@@ -126,6 +129,40 @@ def test_integrals_of_a_straight_beam() -> None:
         assert_allclose(abs(integrals.rho_phi[a, 0, axis]), np.sqrt(mass) * LENGTH * 2.0 / root**2, rtol=1e-3)
         assert_allclose(integrals.phi_phi[a, a, axis, axis], 1.0, rtol=1e-3)
     assert np.count_nonzero(integrals.phi_integral[:, 0]) == 1  # structural zeros are exact
+
+
+@pytest.mark.parametrize("modes", [2, 4])
+def test_products_of_shapes_near_those_of_a_fine_mesh(modes: int) -> None:
+    """An arch bends in all directions; the nodal masses with their first moments do well on few elements."""
+    def arch(elements: int) -> FlexibleBody:
+        angle = np.linspace(0.0, 2.0, elements + 1)
+        nodes = np.column_stack([np.sin(angle), np.cos(angle), 0.1 * angle])
+        return FlexibleBody.from_mesh(LineMesh(nodes, [(k, k + 1) for k in range(elements)], SECTION), MATERIAL,
+                                      interface={"end": [0]}, modes=modes)
+
+    fine, errors = arch(160).integrals, []
+    for elements in (10, 20):
+        coarse = arch(elements).integrals
+        errors.append([np.abs(getattr(coarse, name) - getattr(fine, name)).max() / np.abs(getattr(fine, name)).max()
+                       for name in ("rho_phi", "phi_phi")])
+    assert np.all(np.array(errors[0]) < 0.04) and np.all(np.array(errors[1]) < 0.3 * np.array(errors[0]))
+
+
+def test_an_offset_mass_is_where_it_is() -> None:
+    """A point mass fixed to the last node at an offset, as programs write it into M: products exact."""
+    mass, offset = 3.0, np.array([0.02, -0.05, 0.03])
+    base = frame_structure(beam(10), MATERIAL)
+    arm = np.array([[0.0, offset[2], -offset[1]], [-offset[2], 0.0, offset[0]], [offset[1], -offset[0], 0.0]])
+    moved = np.zeros((3, base.n_dof))
+    moved[:, -6:] = np.hstack([np.eye(3), arm])  # u + theta x offset
+    choices = {"interface": {"left": [0], "right": [10]}, "modes": 3, "mode_set": "mixed", "fixed": ["left"]}
+    light = replace(base, M=sp.csr_matrix(1e-9 * base.M))
+    made = FlexibleBody.from_structure(replace(light, M=sp.csr_matrix(light.M + mass * moved.T @ moved)), **choices)
+    phi = moved @ made.modes.shapes
+    place = np.array([LENGTH, 0.0, 0.0]) + offset
+    assert_allclose(made.integrals.first_moment, mass * place, rtol=1e-7)
+    assert_allclose(made.integrals.rho_phi, mass * np.einsum("i,ja->aij", place, phi), atol=1e-7)
+    assert_allclose(made.integrals.phi_phi, mass * np.einsum("ia,jb->abij", phi, phi), atol=1e-7)
 
 
 def test_the_direction_of_a_beam_does_not_matter() -> None:

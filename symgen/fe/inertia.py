@@ -41,9 +41,9 @@ def inertia_integrals(body: Structure, shapes: Array, origin: Array) -> InertiaI
 
     What is linear in the shapes or free of them and belongs to rigid motion comes from M itself: mass, first
     moment, inertia, int phi dm, int rho0 x phi dm. The other products need to know where the mass is. Where
-    M holds the same scalar mass for x, y and z (solids), that is used exactly. Else each node gets the mass
-    and the rotary inertia of its rows of M (summed), which is accurate to the square of the element's size;
-    the shapes in these products are then scaled by the symmetric matrix that makes the trace equal M_ff.
+    M holds the same scalar mass for x, y and z (solids), that is used exactly. Else each node gets the mass,
+    its first moment and the rotary inertia of its rows of M (summed); the shapes in these products are then
+    scaled by the symmetric matrix that makes the trace equal M_ff.
     Raises FiniteElementError if that scaling is far from one.
     """
     rigid = body.rigid(origin)
@@ -57,11 +57,9 @@ def inertia_integrals(body: Structure, shapes: Array, origin: Array) -> InertiaI
     rho_phi = _with_skew_part(rho_phi, moved[AXES:])
     reach = float(np.sqrt(np.trace(moments)))
     coupling = tensor[AXES:, :AXES]  # rows: int rho0 x e_j dm
-    first = 0.5 * np.array([coupling[2, 1] - coupling[1, 2], coupling[0, 2] - coupling[2, 0],
-                            coupling[1, 0] - coupling[0, 1]])
     return InertiaIntegrals(
         mass=mass,
-        first_moment=fixed(dusted(first, np.sqrt(mass) * reach)),
+        first_moment=fixed(dusted(_vector(coupling), np.sqrt(mass) * reach)),
         moments=fixed(dusted(moments, reach**2)),
         M_ff=fixed(np.eye(shapes.shape[1])),
         phi_integral=fixed(dusted(moved[:AXES], np.sqrt(mass))),  # the shapes have unit modal mass
@@ -97,18 +95,23 @@ def _scalar_products(body: Structure, shapes: Array, origin: Array) -> tuple[Arr
     return rho_phi, phi_phi
 
 
-def nodal_inertia(body: Structure) -> tuple[Array, Array]:
-    """Mass (n,) [kg] and rotary inertia (n, 3, 3) [kg m^2] of the nodes: rows of M summed."""
+def nodal_inertia(body: Structure) -> tuple[Array, Array, Array]:
+    """Mass (n,) [kg], first moment (n, 3) [kg m], rotary inertia (n, 3, 3) [kg m^2] of the nodes: rows of M summed.
+
+    The first moment says that the mass of a node at the end of a beam lies a sixth of an element inwards, the
+    end correction of the trapezium rule; it vanishes between equal elements.
+    """
     unit = np.zeros((body.n_dof, RIGID_MOTIONS))
     unit[np.arange(body.n_dof), body.component] = 1.0
     massed = body.M @ unit
     mass = np.einsum("kii->k", body.nodal(massed[:, :AXES], 0)) / AXES
-    return mass, symmetric(body.nodal(massed[:, AXES:], AXES))
+    coupling = body.nodal(massed[:, :AXES], AXES)
+    return mass, _vector(coupling), symmetric(body.nodal(massed[:, AXES:], AXES))
 
 
 def _nodal_products(body: Structure, shapes: Array, origin: Array) -> tuple[Array, Array]:
-    """rho_phi and phi_phi from the mass and the rotary inertia of the nodes."""
-    mass, inertia = nodal_inertia(body)
+    """rho_phi and phi_phi from the mass, the first moment and the rotary inertia of the nodes."""
+    mass, first, inertia = nodal_inertia(body)
     spread = 0.5 * np.einsum("kii->k", inertia)[:, None, None] * np.eye(AXES) - inertia  # int s_i s_j dm of a node
     phi, turn = body.nodal(shapes, 0), body.nodal(shapes, AXES)
     arms = body.positions - origin
@@ -117,8 +120,12 @@ def _nodal_products(body: Structure, shapes: Array, origin: Array) -> tuple[Arra
     for i, j, m in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         tilt[:, i, m], tilt[:, i, j] = turn[:, j], -turn[:, m]
     spread_tilt = np.einsum("kln,kjna->klja", spread, tilt)
-    rho_phi = np.einsum("k,ki,kja->aij", mass, arms, phi) + np.einsum("kija->aij", spread_tilt)
-    phi_phi = np.einsum("k,kia,kjb->abij", mass, phi, phi) + np.einsum("kila,kljb->abij", tilt, spread_tilt)
+    shifted = np.einsum("kina,kn->kia", tilt, first)
+    impulse = mass[:, None, None] * phi + shifted  # int (phi + turn x s) dm of a node
+    rho_phi = (np.einsum("ki,kja->aij", arms, impulse) + np.einsum("ki,kja->aij", first, phi)
+               + np.einsum("kija->aij", spread_tilt))
+    phi_phi = (np.einsum("kia,kjb->abij", phi, impulse) + np.einsum("kia,kjb->abij", shifted, phi)
+               + np.einsum("kila,kljb->abij", tilt, spread_tilt))
     scale = _scaling(np.einsum("abii->ab", phi_phi))
     rho_phi = np.einsum("aij,ac->cij", rho_phi, scale)
     return rho_phi, np.einsum("abij,ac,bd->cdij", phi_phi, scale, scale)
@@ -132,6 +139,12 @@ def _scaling(trace: Array) -> Array:
         raise FiniteElementError("mass", f"masses lumped at the nodes differ by {100 * worst:.0f} % from those of the "
                                  f"{len(value)} modes", "refine the mesh, ask for fewer modes, or take mass='lumped'")
     return (vector / np.sqrt(value)) @ vector.T
+
+
+def _vector(coupling: Array) -> Array:
+    """The c with coupling[..., r, j] = e_r . (c x e_j), (..., 3)."""
+    turned = 0.5 * (coupling - np.swapaxes(coupling, -1, -2))
+    return np.stack([turned[..., 2, 1], turned[..., 0, 2], turned[..., 1, 0]], axis=-1)
 
 
 def _with_skew_part(rho_phi: Array, turning: Array) -> Array:
