@@ -60,6 +60,13 @@ def hinge(directions: int) -> FlexibleBody:
     return FlexibleBody.from_structure(hinged(directions), interface={"pin": [0], "slot": [N]}, modes=3)
 
 
+def uneven_mass() -> sp.csr_matrix:
+    """Positive definite, yet the rows of node 0 sum to less than nothing."""
+    heavy = {(6 + k, 6 + k): 10.0 for k in range(3)}
+    coupled = {place: -2.0 for k in range(3) for place in ((k, 6 + k), (6 + k, k))}
+    return changed(sp.eye(MODEL.n_dof), {**heavy, **coupled})
+
+
 SUPPORTED = {(k, k): 2.0 * MODEL.K[k, k] for k in range(3)}
 CASES: dict[str, tuple[Callable[[], object], str, str]] = {
     "size": (lambda: matrices(MODEL.K[:-1, :-1]), "stiffness", "65 x 65, the nodes have 66 dofs"),
@@ -102,6 +109,7 @@ CASES: dict[str, tuple[Callable[[], object], str, str]] = {
                       "on one line"),
     "too many modes": (lambda: matrices(modes=61), "modes", "61 modes asked for, the model has 60"),
     "negative modes": (lambda: matrices(modes=-1), "modes", "-1 modes"),
+    "lumping": (lambda: matrices(M=uneven_mass(), mass="lumped"), "mass", "gives node 0 a negative mass"),
     "coarse": (lambda: matrices(modes=40), "mass", "masses lumped at the nodes"),
     "mode set": (lambda: matrices(mode_set="fre"), "mode_set", "'fre' is not known"),
     "mass kind": (lambda: matrices(mass="lump"), "mass", "'lump' is not known"),

@@ -17,7 +17,8 @@ def lumped(body: Structure) -> Structure:
 
     The rows of M are summed. Quadratic elements whose row sums are not positive (tetrahedra) take their diagonal
     instead, scaled to the mass; that is right for meshes of one element type. Nodes with rotations keep the
-    rotary inertia that their rows sum up to; what M says of masses away from their node is dropped. Raises FiniteElementError for other sums that are not positive.
+    rotary inertia that their rows sum up to; what M says of masses away from their node is dropped.
+    Raises FiniteElementError for other sums that are not positive.
     """
     scalar = scalar_mass(body)
     mass, _, inertia = nodal_inertia(body)

@@ -46,7 +46,8 @@ def free_modes(body: Structure, rigid: Array, count: int) -> ModeSet:
 def mixed_modes(body: Structure, fixed: Sequence[Interface], count: int) -> ModeSet:
     """The `count` lowest modes with the nodes of `fixed` held, the other interfaces free.
 
-    An interface tells a rotation, so that holding one leaves no rigid motion. Raises FiniteElementError if none is held.
+    An interface tells a rotation, so that holding one leaves no rigid motion.
+    Raises FiniteElementError if none is held.
     """
     if not fixed:
         raise FiniteElementError("fixed", "a mixed mode set needs an interface that is held",
