@@ -139,7 +139,7 @@ def table(solution: Solution) -> dict[str, np.ndarray]:
 
 def to_csv(solution: Solution, path: str | Path) -> None:
     """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
-    columns = table(solution)
+    columns = solution.outputs or table(solution)
     with replacing(path) as temporary:
         np.savetxt(temporary, np.column_stack(list(columns.values())), fmt="%.17g", delimiter=",",
                    header=",".join(columns), comments="", encoding="utf-8")

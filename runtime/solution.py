@@ -159,7 +159,7 @@ class Solution:
         return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
 
     def to_csv(self, path: str | Path) -> None:
-        """One row a sample, a header row of names. Raises OutputError if it cannot be written."""
+        """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""
         export.to_csv(self, path)
 
     def to_xarray(self) -> xarray.Dataset:
