@@ -22,8 +22,12 @@ from runtime.status import Status
 
 
 def augmented_accelerations(model: Model) -> ca.Function:
-    """(t, q, q_dot, c) -> q_ddot (n), lam (n_c): [M C_q^T; C_q 0][q_ddot; lam] = [Q*; gamma_b]."""
-    n, rows = len(model.coordinates), len(model.constraints)
+    """(t, q, q_dot, c) -> q_ddot (n), lam (n_c): [M C_q^T; C_q 0][q_ddot; lam] = [Q*; gamma_b].
+
+    Redundant rows are left out of the system; lam has least norm then.
+    """
+    n, kept = len(model.coordinates), [int(row) for row in model.kept_rows]
+    rows = len(kept)
     q, q_dot, t = ca.SX.sym("q", n), ca.SX.sym("q_dot", n), ca.SX.sym("t")
     c = ca.SX.sym("c", model.kernel("constants").size1_out(0))
     kernel = model.kernel("augmented")
@@ -33,10 +37,18 @@ def augmented_accelerations(model: Model) -> ca.Function:
     parts += [result["C_q"], result["gamma_b"]] if rows else [ca.SX(0, n), ca.SX(0, 1)]
     blocks = ca.Function("blocks", [t, q, q_dot, c], [ca.densify(part) for part in parts])
     arguments = [ca.MX.sym("t"), ca.MX.sym("q", n), ca.MX.sym("q_dot", n), ca.MX.sym("c", c.numel())]
-    M, Q_star, C_q, gamma = blocks(*arguments)
+    M, Q_star, all_C_q, all_gamma = blocks(*arguments)
+    C_q, gamma = all_C_q[kept, :], all_gamma[kept]
     matrix = ca.vertcat(ca.horzcat(M, C_q.T), ca.horzcat(C_q, ca.MX(rows, rows)))
     solved = ca.solve(matrix, ca.vertcat(Q_star, gamma), "lapacklu")
-    return ca.Function("augmented", arguments, [solved[:n], solved[n:]], ["t", "q", "q_dot", "c"], ["q_ddot", "lam"])
+    lam = _spread(C_q, all_C_q, solved[n:]) if model.redundant else solved[n:]
+    return ca.Function("augmented", arguments, [solved[:n], lam], ["t", "q", "q_dot", "c"], ["q_ddot", "lam"])
+
+
+def _spread(C_q: ca.MX, all_C_q: ca.MX, lam: ca.MX) -> ca.MX:
+    """Least-norm multipliers of all rows that act like lam of the kept ones: all_C_q = E C_q, E^T lam_all = lam."""
+    E = ca.solve(ca.mtimes(C_q, C_q.T), ca.mtimes(C_q, all_C_q.T), "lapacklu").T
+    return ca.mtimes(E, ca.solve(ca.mtimes(E.T, E), lam, "lapacklu"))
 
 
 def augmented_solution(

@@ -13,7 +13,8 @@ import casadi as ca
 import numpy as np
 
 from runtime.model import Model
-from runtime.observe import assemble_solution, evaluate, join
+from runtime.observe import assemble_solution, join
+from runtime.sampling import evaluate
 from runtime.schemes.kernels import Motion, StepKernels
 from runtime.solution import Solution
 from runtime.start_state import start_state

@@ -103,4 +103,4 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, s
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         builders=module.FUNCTIONS, simulation=manifest["simulation"],
         operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
-        digest=manifest["sha256"], scene_toml=scene_toml)
+        digest=manifest["sha256"], scene_toml=scene_toml, redundant=manifest["redundant"])

@@ -42,6 +42,7 @@ class Parameter:
 class Model:
     """The equations of one scene. `builders` maps a function name to what builds it from the emitted code.
 
+    redundant: constraint rows that the others imply; nothing is solved from them, their multipliers are a choice.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     digest: SHA-256 of the manifest; scene_toml: the scene that the model was generated from; "" if not known.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
@@ -68,6 +69,7 @@ class Model:
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     digest: str = ""
     scene_toml: str = ""
+    redundant: list[str] = field(default_factory=list)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 
@@ -133,6 +135,16 @@ class Model:
     def dependent_columns(self) -> np.ndarray:
         """Columns of q_d in q."""
         return np.array([self.coordinates.index(name) for name in self.q_d], dtype=int)
+
+    @cached_property
+    def redundant_rows(self) -> np.ndarray:
+        """Positions of the redundant rows in the constraints."""
+        return np.array([self.constraints.index(label) for label in self.redundant], dtype=int)
+
+    @cached_property
+    def kept_rows(self) -> np.ndarray:
+        """Positions of the constraint rows that are not redundant."""
+        return np.setdiff1d(np.arange(len(self.constraints)), self.redundant_rows)
 
     def parameter_vector(self, changes: Mapping[str, float] | None = None) -> np.ndarray:
         """p with some entries changed by name. Raises ModelError for a name the model does not have."""

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
-from functools import lru_cache
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from runtime.model import Model
+from runtime.reactions import joint_reactions
+from runtime.sampling import evaluate
 from runtime.schemes.scheme import Scheme
 from runtime.solution import Solution
 from runtime.status import Status
 
-BLOCK = 256  # samples a call
 CLOSED = 1e-12  # constraint error of a sample [mechanism lengths, at least 1 m] beyond which its closure is repeated
 MOST_CLOSURES = 8
 
@@ -60,8 +60,8 @@ def assemble_solution(
     forces = np.zeros((n, 0, 3))
     if model.constraints:
         constraint = evaluate(model.derived("constraint_errors", lambda: _constraint_errors(model)), values, c)
-        reactions = evaluate(model.kernel("reactions"), values, c)
-        lam, forces = reactions["lam"], reactions["joint_forces"].reshape(n, len(model.joints), 3)
+        C_q = evaluate(model.kernel("constraints"), values, c)["C_q"] if model.redundant else np.zeros((n, 0))
+        lam, forces = joint_reactions(model, values, C_q, c)
         error = np.abs(constraint["C"]).max(axis=1)
         rate_error = np.abs(constraint["C_dot"]).max(axis=1)
         driven = np.sum(lam * constraint["C_t"], axis=1)
@@ -99,28 +99,3 @@ def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.nda
     full[:, model.independent_columns] = independent
     full[:, model.dependent_columns] = dependent
     return full
-
-
-@lru_cache(maxsize=64)
-def _mapped(function: ca.Function, size: int) -> ca.Function:
-    """The Function of `size` samples a call; building one takes time for each sample."""
-    constant = [k for k, name in enumerate(function.name_in()) if name == "c"]
-    return function.map("samples", "serial", size, constant, [])
-
-
-def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
-    """Outputs (N, size) of a Function at N samples (rows of each value), matrices flattened column by column."""
-    n = next(iter(values.values())).shape[0]
-    size = min(BLOCK, 1 << max(0, n - 1).bit_length())  # few sizes
-    mapped = _mapped(function, size)
-    output = {name: np.zeros((n, function.numel_out(name))) for name in function.name_out()}
-    for first in range(0, n, size):
-        rows = np.minimum(np.arange(first, first + size), n - 1)
-        columns: dict[str, np.ndarray] = {name: c[:, None] if name == "c" else values[name][rows].T
-                                          for name in function.name_in()}
-        result = mapped(**columns)
-        for name, table in output.items():
-            height, width = function.size_out(name)
-            block = np.asarray(result[name], dtype=float).reshape(height, size, width)
-            table[first:first + size] = block.transpose(1, 2, 0).reshape(size, -1)[:n - first]
-    return output

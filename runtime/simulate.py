@@ -131,7 +131,8 @@ class _Settings:
     def header(self, model: Model) -> dict[str, Any]:
         """In JSON."""
         plan = self.plan
-        return {"model": model.name, "digest": model.digest, "scene_toml": model.scene_toml, "scheme": plan.name, "dt": plan.grid.dt_L,
+        return {"model": model.name, "digest": model.digest, "scene_toml": model.scene_toml,
+                "scheme": plan.name, "dt": plan.grid.dt_L,
                 "m": list(plan.grid.m), "options": dict(plan.options), "t0": plan.t0, "steps": plan.steps,
                 "save_every": plan.save_every, "force": self.force, "outputs": list(self.outputs),
                 "initial_changes": self.initial_changes}

@@ -23,23 +23,29 @@ RANK_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Choice:
-    """q_d in the order it is computed: loop unknowns first, then structural (row, column) pairs."""
+    """q_d in the order it is computed: loop unknowns first, then structural (row, column) pairs.
+
+    redundant: rows that the others imply at every position; nothing is solved from them.
+    """
 
     structural: list[tuple[int, int]]
     loop_rows: list[int]
     loop_columns: list[int]
     independent: list[int]
     dependent: list[int] = field(default_factory=list)
+    redundant: list[int] = field(default_factory=list)
 
 
-def structural_pivots(equations: Equations, scene: Scene) -> tuple[list[tuple[int, int]], list[int]]:
-    """((row, column) pairs in the order in which they can be evaluated, rows left for loops)."""
+def structural_pivots(equations: Equations, scene: Scene,
+                      left_out: frozenset[int] = frozenset()) -> tuple[list[tuple[int, int]], list[int]]:
+    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
     distance = body_distances(scene)
     column_distance = {c: distance.get(body, 0) for body, columns in equations.body_columns.items() for c in columns}
     keep = _user_independent(equations, scene)
     joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
                    for joint in scene.joints}
-    rows = sorted(range(len(equations.constraints)), key=lambda r: (joint_depth[equations.constraints[r].joint], r))
+    rows = sorted((r for r in range(len(equations.constraints)) if r not in left_out),
+                  key=lambda r: (joint_depth[equations.constraints[r].joint], r))
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []
@@ -112,22 +118,32 @@ def _user_independent(equations: Equations, scene: Scene) -> set[int]:
     return {equations.names.index(name) for name in chosen} if chosen else set()
 
 
-def choose_loops(
-    equations: Equations, scene: Scene, structural: list[tuple[int, int]], loop_rows: list[int], jacobian: np.ndarray
-) -> Choice:
+def dependent_rows(equations: Equations, structural: list[tuple[int, int]], loop_rows: list[int],
+                   jacobian: np.ndarray) -> list[int]:
+    """Loop rows of C_q (rows x columns) that depend on the others at this position, by pivoting on scaled rows."""
+    free = _free_columns(equations, structural)
+    rigid = [k for k, c in enumerate(free) if c not in equations.elastic_columns]
+    elastic = [k for k, c in enumerate(free) if c in equations.elastic_columns]
+    pairs = _pivot(_reduce(jacobian, structural, loop_rows, free), rigid, elastic, _row_scales(jacobian, loop_rows))
+    picked = {row for row, _ in pairs}
+    return [row for k, row in enumerate(loop_rows) if k not in picked]
+
+
+def choose_loops(equations: Equations, scene: Scene, structural: list[tuple[int, int]], loop_rows: list[int],
+                 jacobian: np.ndarray, redundant: list[int]) -> Choice:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
 
-    Raises SceneError when rows depend on each other (over-constrained) or the user's q_i cannot be independent.
+    loop_rows: independent rows, without the `redundant` ones. Raises SceneError when the user's q_i cannot be
+    independent.
     """
-    columns = {column for _, column in structural}
-    free = [c for c in range(len(equations.names)) if c not in columns]
+    free = _free_columns(equations, structural)
     reduced = _reduce(jacobian, structural, loop_rows, free)
     keep = _user_independent(equations, scene)
     rigid = [k for k, c in enumerate(free) if c not in keep and c not in equations.elastic_columns]
     elastic = [k for k, c in enumerate(free) if c not in keep and c in equations.elastic_columns]
-    picked = _pivot(reduced, rigid, elastic)
+    picked = [column for _, column in _pivot(reduced, rigid, elastic, _row_scales(jacobian, loop_rows))]
     if len(picked) < len(loop_rows):
-        _refuse(equations, reduced, loop_rows, bool(keep))
+        _refuse(equations, reduced, loop_rows)
     loop_columns = sorted(free[k] for k in picked)
     independent = [c for c in free if c not in loop_columns]
     if scene.partition.independent and keep != set(independent):
@@ -135,7 +151,17 @@ def choose_loops(
     if keep:
         independent = [equations.names.index(name) for name in scene.partition.independent or []]
     dependent = loop_columns + [column for _, column in structural]
-    return Choice(structural, loop_rows, loop_columns, independent, dependent)
+    return Choice(structural, loop_rows, loop_columns, independent, dependent, redundant)
+
+
+def _free_columns(equations: Equations, structural: list[tuple[int, int]]) -> list[int]:
+    columns = {column for _, column in structural}
+    return [c for c in range(len(equations.names)) if c not in columns]
+
+
+def _row_scales(jacobian: np.ndarray, rows: list[int]) -> np.ndarray:
+    """Largest entry of each row of C_q: what is left of a row is judged against it."""
+    return np.abs(jacobian[rows]).max(axis=1, initial=0.0)
 
 
 def _reduce(jacobian: np.ndarray, structural: list[tuple[int, int]], rows: list[int], free: list[int]) -> np.ndarray:
@@ -149,37 +175,36 @@ def _reduce(jacobian: np.ndarray, structural: list[tuple[int, int]], rows: list[
     return work[np.ix_(rows, free)]
 
 
-def _pivot(matrix: np.ndarray, rigid: list[int], elastic: list[int]) -> list[int]:
-    """Columns of a nonsingular square block, rigid ones first, the last acceptable one preferred."""
-    work, rows, picked = matrix.copy(), list(range(matrix.shape[0])), []
-    scale = np.abs(matrix).max(initial=0.0)
+def _pivot(matrix: np.ndarray, rigid: list[int], elastic: list[int], scales: np.ndarray) -> list[tuple[int, int]]:
+    """(row, column) of a nonsingular block, rigid columns first, the last acceptable one preferred.
+
+    A row whose entries fall below RANK_TOLERANCE of its scale depends on those picked before and is passed over.
+    """
+    work, rows, pairs = matrix.copy(), list(range(matrix.shape[0])), []
     for pool in (list(rigid), list(elastic)):
         while rows and pool:
             block = np.abs(work[np.ix_(rows, pool)])
+            block[block <= RANK_TOLERANCE * scales[rows, None]] = 0.0
             largest = block.max()
-            if largest <= RANK_TOLERANCE * scale:
+            if largest == 0.0:
                 break
             good = [k for k in range(len(pool)) if block[:, k].max() >= PIVOT_THRESHOLD * largest]
+            line = block[:, good[-1]]
             column = pool.pop(good[-1])
-            row = rows.pop(int(np.abs(work[rows, column]).argmax()))
+            row = rows.pop(int(np.flatnonzero(line >= (1 - RANK_TOLERANCE) * line.max())[0]))
             for other in rows:
                 work[other] -= work[other, column] / work[row, column] * work[row]
-            picked.append(column)
-    return picked
+            pairs.append((row, column))
+    return pairs
 
 
-def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int], user: bool) -> None:
+def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int]) -> None:
     left = np.linalg.svd(reduced)[0][:, -1] if reduced.size else np.ones(len(rows))
     names = sorted({equations.constraints[row].joint for row, weight in zip(rows, left, strict=True)
                     if abs(weight) > 1e-6})
-    if user:
-        raise SceneError("partition.independent", "the constraints cannot be solved for the remaining coordinates "
-                         f"at the initial state (loop of {', '.join(names)})",
-                         "choose other independent coordinates or leave the choice to symgen")
-    raise SceneError("joints", f"redundant constraints at the initial state: {', '.join(names)} repeat what other "
-                     "joints already say, or the position is singular",
-                     "remove or weaken one of these joints (a point_on_line instead of a revolute, for instance), "
-                     "or start from another position")
+    raise SceneError("partition.independent", "the constraints cannot be solved for the remaining coordinates "
+                     f"at the initial state (loop of {', '.join(names)})",
+                     "choose other independent coordinates or leave the choice to symgen")
 
 
 def _refuse_choice(equations: Equations, keep: set[int], independent: list[int]) -> None:

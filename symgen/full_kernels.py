@@ -48,23 +48,28 @@ def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
 def reactions(system: Condensed) -> Kernel:
     """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
 
+    lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
     joint_forces (3 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
     """
     eq, choice = system.equations, system.choice
     q_ddot = ca.SX.sym("q_ddot", len(eq.names))
     inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
     force = {c: eq.Q_star[c] - inertia.get(c, ca.SX(0)) for c in range(len(eq.names))}
-    lam: dict[int, ca.SX] = {}
-    if choice.loop_rows:
-        lam |= _loop_reactions(system, force)
+    lam_R = ca.SX.sym("lam_R", len(choice.redundant))
+    given = {row: lam_R[k] for k, row in enumerate(choice.redundant)}
+    for row, value in given.items():
+        for column, factor in eq.constraints[row].C_q.items():
+            force[column] = force[column] - factor * value
+    lam = _loop_reactions(system, force) if choice.loop_rows else {}
     for row, column in reversed(choice.structural):
         rest = force[column]
         for other, value in lam.items():
-            factor = eq.constraints[other].C_q.get(column)
-            if factor is not None:
-                rest = rest - factor * value
+            if column in eq.constraints[other].C_q:
+                rest = rest - eq.constraints[other].C_q[column] * value
         lam[row] = rest / eq.constraints[row].C_q[column]
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot, "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
+    inputs |= {"lam_R": lam_R, "t": eq.t} if given else {"t": eq.t}
+    lam |= given
     forces = ca.SX(3, len(eq.joints))
     for row, constraint in enumerate(eq.constraints):
         for axis, factor in enumerate(constraint.on_b):

@@ -66,8 +66,8 @@ def order_blocks(rows: Sequence[int], columns: Sequence[int], entries: Entries) 
         ready = next(k for k in waiting if set(label[needs[members[k]].any(axis=0)]) <= done | {k})
         waiting.remove(ready)
         done.add(ready)
-        blocks.append(LoopBlock(sorted(rows[row_of[j]] for j in members[ready]),
-                                [columns[j] for j in members[ready]]))
+        blocks.append(LoopBlock(sorted(rows[int(row_of[j])] for j in members[ready]),
+                                [columns[int(j)] for j in members[ready]]))
     return blocks
 
 

@@ -2,7 +2,7 @@
 
     scene        what is there                                     (symgen.scene)
     equations    M, Q*, C, C_q, gamma in all coordinates           (20)-(28)   SymPy templates evaluated on CasADi SX
-    choice       which coordinates are dependent                   (29)-(31)   along the structure, then by pivoting
+    choice       which rows are redundant, which q dependent       (29)-(31)   along the structure, then by pivoting
     condensed    substitutions for the dependent coordinates       (32)-(38)
     groups       the slow-to-fast groups of q_i                    (39), (72)
     kernels      named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
@@ -11,21 +11,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
 from runtime.engine.tape import Tape
-from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.initial import ConsistentState
+from symgen.assembly import ConstraintNumbers, assembled
 from symgen.condensation import Condensed, condense
-from symgen.elimination import choose_loops, constraint_jacobian, structural_pivots
+from symgen.elimination import Choice, choose_loops, dependent_rows, structural_pivots
 from symgen.equations import Equations, build_equations
 from symgen.forward_dynamics import NoInertia
 from symgen.hoisting import hoist
 from symgen.kernels import arguments_of, build_kernels
 from symgen.parameters import ParameterEntry, ParameterTable
 from symgen.partition import Group, choose_groups
+from symgen.redundancy import require_redundant
 from symgen.scene import Scene, SceneError
 
 
@@ -41,17 +43,31 @@ class Derived:
     parameters: list[ParameterEntry]
     tapes: dict[str, Tape]
 
+    @property
+    def redundant(self) -> list[int]:
+        """Constraint rows that the others imply, in scene order."""
+        return self.system.choice.redundant
 
-def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
+
+@dataclass(frozen=True)
+class Place:
+    """Where a partition is wanted: all coordinates by name, taken as they are, and the redundant rows by label."""
+
+    coordinates: Mapping[str, float]
+    redundant: frozenset[str] = frozenset()
+
+
+def derive(scene: Scene, functions: frozenset[str] | None = None, place: Place | None = None) -> Derived:
     """Scene to kernels. `functions` limits the kernels by name (all by default).
 
-    Raises SceneError for over- and under-constrained scenes, impossible initial states and impossible partitions.
+    place: the position at which coordinates are chosen, the scene's assembled initial state by default.
+    Raises SceneError for constraints in conflict, singular or impossible initial states and impossible partitions.
     """
     table = ParameterTable(scene)
     equations = build_equations(scene, table)
-    structural, loop_rows = structural_pivots(equations, scene)
-    initial, jacobian = _initial(scene, equations, table)
-    choice = choose_loops(equations, scene, structural, loop_rows, jacobian)
+    numbers = ConstraintNumbers(equations, table)
+    initial = assembled(scene, equations, numbers) if place is None else _at(place, equations)
+    choice = _choice(scene, equations, numbers, initial.q, place)
     if not choice.independent:
         raise SceneError("joints", "the mechanism has no degree of freedom left: every coordinate is determined",
                          "remove a joint or a prescribed motion, or give a body modes")
@@ -66,34 +82,22 @@ def derive(scene: Scene, functions: frozenset[str] | None = None) -> Derived:
     return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
 
 
-def _initial(scene: Scene, equations: Equations, table: ParameterTable) -> tuple[ConsistentState, np.ndarray]:
-    """Consistent state with default parameters, and C_q there."""
-    rows = equations.constraints
-    q, p = ca.vertcat(*equations.q), table.vector()
-    outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(constraint_jacobian(equations)),
-               ca.densify(ca.vertcat(*(row.C_t for row in rows)))]
-    function = ca.Function("constraints", [q, equations.t, p], outputs)
-    defaults = np.array([entry.default for entry in table.entries])
-
-    def evaluate(state: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        C, jacobian, C_t = function(state, 0.0, defaults)
-        return (np.asarray(C).ravel(), np.asarray(jacobian).reshape(len(rows), len(equations.names)),
-                np.asarray(C_t).ravel())
-
-    def velocity(state: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        _, jacobian, C_t = evaluate(state)
-        return jacobian, -C_t
-
-    try:
-        state = consistent_state(
-            equations.names, equations.elastic_columns, [row.label for row in rows],
-            lambda state: evaluate(state)[:2], velocity, _given(scene.initial.coordinates), _given(scene.initial.rates))
-    except InitialStateError as error:
-        raise SceneError("initial", str(error), "see above") from error
-    return state, evaluate(state.q)[1]
+def _at(place: Place, equations: Equations) -> ConsistentState:
+    q = np.array([place.coordinates[name] for name in equations.names])
+    return ConsistentState(q, np.zeros(len(q)), {})
 
 
-def _given(entries: dict) -> GivenValues:
-    values = {name: float(getattr(entry, "value", entry)) for name, entry in entries.items()}
-    fixed = frozenset(name for name, entry in entries.items() if getattr(entry, "fixed", False))
-    return GivenValues(values, fixed)
+def _choice(scene: Scene, equations: Equations, numbers: ConstraintNumbers, q: np.ndarray,
+            place: Place | None) -> Choice:
+    """Redundant rows first (known for a place, found otherwise), then the dependent coordinates."""
+    _, jacobian = numbers.position(q)
+    if place is not None:
+        redundant = [k for k, row in enumerate(equations.constraints) if row.label in place.redundant]
+        structural, loop_rows = structural_pivots(equations, scene, frozenset(redundant))
+        return choose_loops(equations, scene, structural, loop_rows, jacobian, redundant)
+    structural, loop_rows = structural_pivots(equations, scene)
+    redundant = dependent_rows(equations, structural, loop_rows, jacobian)
+    if redundant:
+        require_redundant(equations, numbers.position, q, redundant)
+    kept = [row for row in loop_rows if row not in redundant]
+    return choose_loops(equations, scene, structural, kept, jacobian, redundant)

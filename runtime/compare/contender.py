@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from runtime.compare.problem import Problem
-from runtime.observe import evaluate
+from runtime.sampling import evaluate
 from runtime.schemes.catalogue import scheme_kind
 from runtime.stepper import Stepper
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from runtime.compare.contender import Contender
 from runtime.model import Model
-from runtime.observe import evaluate, join
+from runtime.observe import join
+from runtime.sampling import evaluate
 
 
 @dataclass(frozen=True)

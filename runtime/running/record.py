@@ -15,9 +15,10 @@ import numpy as np
 
 from runtime import export
 from runtime.model import ModelError
-from runtime.observe import BLOCK, concatenated
+from runtime.observe import concatenated
 from runtime.running.leg import Leg
 from runtime.running.stream import StreamFile, Table, split
+from runtime.sampling import BLOCK
 from runtime.solution import Solution
 
 Columns = list[tuple[str, tuple[int, ...]]]

@@ -59,6 +59,7 @@ class GeneralizedAlpha(Scheme):
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.order_of_all = [*model.independent_columns, *model.dependent_columns]
         self.penalised = _singular_mass(model)
+        self.rows = [int(row) for row in model.kept_rows]
         super().__init__(model, grid, options)
 
     def weights(self) -> Weights:
@@ -72,7 +73,7 @@ class GeneralizedAlpha(Scheme):
     def fields(self) -> dict[str, int]:
         """See above."""
         n = len(self.model.coordinates)
-        return {"q": n, "v": n, "w": n, "w_old": n, "a": n, "lam": len(self.model.constraints), "unconverged": 1}
+        return {"q": n, "v": n, "w": n, "w_old": n, "a": n, "lam": len(self.rows), "unconverged": 1}
 
     def program(self) -> Program:
         """Guess the last accelerations and multipliers, iterate, move."""
@@ -137,8 +138,8 @@ class GeneralizedAlpha(Scheme):
         residual = ca.mtimes(found["M"], w) - found["Q_star"]
         if not self.model.constraints:
             return found["M"], ca.SX(0, q.numel()), residual, ca.SX(0, 1)
-        C = kernels.call("constraints", q=q, q_dot=v, t=t)["C"]
-        return found["M"], found["C_q"], residual + ca.mtimes(found["C_q"].T, lam), C
+        C_q, C = found["C_q"][self.rows, :], kernels.call("constraints", q=q, q_dot=v, t=t)["C"][self.rows]
+        return found["M"], C_q, residual + ca.mtimes(C_q.T, lam), C
 
     def _saddle(self, M: ca.SX, C_q: ca.SX, force: ca.SX, gamma: ca.SX) -> tuple[ca.SX, ca.SX]:
         """(x, y) of M x + C_q^T y = force, C_q x = gamma; unknowns in the order (y, x), the last eliminated first."""
@@ -164,7 +165,8 @@ class GeneralizedAlpha(Scheme):
         found = kernels.call("augmented", q=q, q_dot=v, t=t0)
         C_q, gamma = ca.SX(0, q.numel()), ca.SX(0, 1)
         if self.model.constraints:
-            C_q, gamma = found["C_q"], kernels.call("constraints", q=q, q_dot=v, t=t0)["gamma"]
+            C_q = found["C_q"][self.rows, :]
+            gamma = kernels.call("constraints", q=q, q_dot=v, t=t0)["gamma"][self.rows]
         w, lam = self._saddle(M=found["M"], C_q=C_q, force=found["Q_star"], gamma=gamma)
         return {"q": q, "v": v, "w": w, "a": w, "lam": lam}
 

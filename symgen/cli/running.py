@@ -19,7 +19,10 @@ MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 
 
 def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solution:
-    """Simulate with the options of `add_run_options`; kept: what of the run is kept where. Raises UsageError or ValueError subclasses."""
+    """Simulate with the options of `add_run_options`; kept: what of the run is kept where.
+
+    Raises UsageError or ValueError subclasses.
+    """
     from runtime.engine.compiled import CompilerError
     from runtime.simulate import simulate
 

@@ -50,6 +50,7 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "groups": [{"name": group.name, "coordinates": [eq.names[choice.independent[k]] for k in group.positions]}
                    for group in derived.groups],
         "constraints": [row.label for row in eq.constraints],
+        "redundant": [eq.constraints[row].label for row in derived.redundant],
         "joints": eq.joints,
         "measures": list(eq.measures),
         "outlines": [[body, len(points)] for body, points in outline_references(scene, ParameterTable(scene))],
@@ -57,7 +58,8 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
         "parameters": [{"name": entry.name, "unit": entry.unit, "description": entry.description, "kind": entry.kind}
                        for entry in derived.parameters],
-        "functions": {name: {"meaning": meaning(name), "operations": count} for name, count in operations.items()},
+        "functions": {name: {"meaning": meaning(name, bool(derived.redundant)), "operations": count}
+                      for name, count in operations.items()},
         "files": {name: sha256(text) for name, text in files.items()},
         "versions": {package: version(package) for package in ("casadi", "sympy", "symgen")},
     }

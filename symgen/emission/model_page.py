@@ -22,7 +22,8 @@ def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
     """Markdown page of a derived model."""
     scene = derived.scene
     parts = [f"# {scene.title or scene.name}", scene.description or "", _coordinates(derived), _bodies(derived),
-             _joints(derived), _loads(derived), _left_out(derived), _functions(operations), _parameters(derived)]
+             _joints(derived), _redundant(derived), _loads(derived), _left_out(derived),
+             _functions(derived, operations), _parameters(derived)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -75,6 +76,17 @@ def _joints(derived: Derived) -> str:
     return "\n".join(lines)
 
 
+def _redundant(derived: Derived) -> str:
+    """Rows that the others imply."""
+    if not derived.redundant:
+        return ""
+    rows = derived.system.equations.constraints
+    lines = ["## Redundant constraints", "",
+             "The other rows imply these at every position. They are checked, but nothing is solved from them; "
+             "reactions are those of least norm.", ""]
+    return "\n".join([*lines, *(f"- `{rows[row].label}` (joint {rows[row].joint})" for row in derived.redundant)])
+
+
 def _loads(derived: Derived) -> str:
     if not derived.scene.loads:
         return ""
@@ -106,9 +118,9 @@ def _left_out(derived: Derived) -> str:
     return "## Left out because the scene does not need it\n\n" + "\n".join(f"- {item}" for item in items)
 
 
-def _functions(operations: Mapping[str, int]) -> str:
+def _functions(derived: Derived, operations: Mapping[str, int]) -> str:
     lines = ["## Functions", "", "| function | operations | what it gives |", "|---|---|---|"]
-    lines += [f"| `{name}` | {count} | {meaning(name)} |" for name, count in operations.items()]
+    lines += [f"| `{name}` | {count} | {meaning(name, bool(derived.redundant))} |" for name, count in operations.items()]
     return "\n".join(lines)
 
 

@@ -30,14 +30,15 @@ MEANING = {
 }
 
 
-def meaning(name: str) -> str:
-    """One line on what an emitted function computes."""
+def meaning(name: str, redundant: bool = False) -> str:
+    """One line on what an emitted function computes; redundant: does the model have redundant rows?"""
     if name.startswith("substep_"):
         return "Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64)"
-    return MEANING[name]
+    return MEANING[name] + (WITH_REDUNDANT_ROWS if redundant and name == "reactions" else "")
 
 
-RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|q\w*|M\w*|C\w*|Q\w*|inputs|outputs|exaggeration)$")
+WITH_REDUNDANT_ROWS = "; lam_R: multipliers of the redundant rows, which the others go with"
+RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs|exaggeration)$")
 
 
 def local_names(names: list[str]) -> list[str]:
@@ -58,7 +59,7 @@ def model_text(derived: Derived) -> tuple[str, dict[str, int]]:
     labels = _labels(derived)
     operations = {name: tape.operations for name, tape in derived.tapes.items()}
     parts = [_header(derived)]
-    parts += [_function_text(name, tape, labels) for name, tape in derived.tapes.items()]
+    parts += [_function_text(name, tape, labels, meaning(name, bool(derived.redundant))) for name, tape in derived.tapes.items()]
     listing = "\n".join(f'    "{name}": {name},' for name in derived.tapes)
     parts.append(f"FUNCTIONS = {{\n{listing}\n}}\n")
     return "\n\n".join(parts), operations
@@ -81,6 +82,7 @@ def _labels(derived: Derived) -> dict[str, list[str]]:
     for source in ("q", "q_i", "q_d"):
         labels[f"{source}_dot"] = [f"{name}_dot" for name in labels[source]]
         labels[f"{source}_ddot"] = [f"{name}_ddot" for name in labels[source]]
+    labels["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
     slow = [k for group in derived.groups[:-1] for k in group.positions]
     labels["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]
     labels["p"] = local_names([entry.name for entry in derived.parameters])
@@ -88,9 +90,9 @@ def _labels(derived: Derived) -> dict[str, list[str]]:
     return labels
 
 
-def _function_text(name: str, tape: Tape, labels: Mapping[str, list[str]]) -> str:
+def _function_text(name: str, tape: Tape, labels: Mapping[str, list[str]], purpose: str) -> str:
     text = TapeText(tape, labels)
-    lines = [f"def {name}() -> ca.Function:", f'    """{meaning(name)}. {tape.operations} operations."""']
+    lines = [f"def {name}() -> ca.Function:", f'    """{purpose}. {tape.operations} operations."""']
     for argument, size in zip(tape.input_names, tape.input_sizes, strict=True):
         lines.append(f'    {argument} = ca.SX.sym("{argument}", {size})')
     for argument in tape.input_names:

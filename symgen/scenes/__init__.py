@@ -20,6 +20,7 @@ from symgen.scenes.flexible_slider_crank import (
 )
 from symgen.scenes.four_bar import four_bar
 from symgen.scenes.hub_beam import hub_beam
+from symgen.scenes.n_four_bar import n_four_bar
 from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
 from symgen.scenes.overdamped_joint import overdamped_joint
 from symgen.scenes.pendulum import pendulum
@@ -33,7 +34,7 @@ SCENES: dict[str, Callable[..., Scene]] = {
         pendulum, double_pendulum, elastic_pendulum, four_bar, slider_crank, flexible_slider_crank,
         flexible_slider_crank_free, flexible_slider_crank_torque, hub_beam, spin_up_beam, chain, two_oscillators,
         physical_slider_crank, stiff_slider_crank, near_singular_slider_crank, flexible_four_bar, flexible_joint_arm,
-        overdamped_joint,
+        overdamped_joint, n_four_bar,
     )
 }
 

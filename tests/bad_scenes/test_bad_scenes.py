@@ -80,8 +80,6 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     # connections
     ("loose body", S, "bodies/+", CRANK, "bodies[3] 'twin'", "joined to nothing"),
     ("loose group", S, "joints", [joint("revolute", "crank.tip", "rod.start")], "bodies[0] 'crank'", "no connection"),
-    ("welded twice", M, "joints/0", joint("weld", "arm.tip", "ball.origin"), "joints[1] 'glue'", "ring of welds"),
-    ("weld ring", M, "joints/+", joint("weld", "ball.center", "arm.origin"), "joints[2] 'extra'", "ring of welds"),
     ("nothing moves", S, "bodies", [], "bodies", "nothing in this scene can move"),
     ("structure and bodies", L, "bodies", [CRANK], "bodies", "structure has no bodies"),
     ("structure with gravity", L, "gravity", [0, -9.81], "gravity", "no effect on a structure"),

@@ -1,4 +1,4 @@
-"""How the joints connect the bodies: loose bodies and rings of welds."""
+"""How the joints connect the bodies: loose bodies."""
 
 from __future__ import annotations
 
@@ -26,26 +26,18 @@ class _Clusters:
         self._parent.update(dict.fromkeys(path, name))
         return name
 
-    def join(self, a: str, b: str) -> bool:
-        """Connect two names; False if they were connected before."""
-        root_a, root_b = self.root(a), self.root(b)
-        self._parent[root_a] = root_b
-        return root_a != root_b
+    def join(self, a: str, b: str) -> None:
+        """Connect two names."""
+        self._parent[self.root(a)] = self.root(b)
 
 
 def topology_errors(scene: Scene) -> Iterator[SceneError]:
-    """Bodies that hang on nothing (unless free), and welds that close a ring."""
-    joined, welded, touched = _Clusters(), _Clusters(), set()
-    for index, joint in enumerate(scene.joints):
+    """Bodies that hang on nothing, unless free."""
+    joined, touched = _Clusters(), set()
+    for joint in scene.joints:
         a, b = joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0]
         joined.join(a, b)
         touched |= {a, b}
-        if joint.type == "weld" and not welded.join(a, b) and a != b:
-            yield SceneError(
-                item_path("joints", index, joint.name),
-                f"closes a ring of welds: '{a}' and '{b}' are welded together already",
-                "remove one weld of the ring",
-            )
     free = {joined.root(body.name) for body in scene.moving_bodies if body.free}
     for index, body in enumerate(scene.bodies):
         held = joined.root(body.name) == joined.root("ground") or joined.root(body.name) in free

@@ -1,0 +1,50 @@
+"""The scene's constraints as numbers at default parameters, and the consistent initial state."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.initial import ConsistentState, GivenValues, InitialStateError, consistent_state
+from symgen.elimination import constraint_jacobian
+from symgen.equations import Equations
+from symgen.parameters import ParameterTable
+from symgen.scene import Scene, SceneError
+
+
+class ConstraintNumbers:
+    """C, C_q and C_t of all rows at a position and a time, with default parameters."""
+
+    def __init__(self, equations: Equations, table: ParameterTable) -> None:
+        rows = equations.constraints
+        outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(constraint_jacobian(equations)),
+                   ca.densify(ca.vertcat(*(row.C_t for row in rows)))]
+        self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, table.vector()], outputs)
+        self._defaults = np.array([entry.default for entry in table.entries])
+        self._shape = (len(rows), len(equations.names))
+
+    def position(self, q: np.ndarray, t: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+        """(C, C_q)."""
+        C, C_q, _ = self._function(q, t, self._defaults)
+        return np.asarray(C).ravel(), np.asarray(C_q).reshape(self._shape)
+
+    def velocity(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(C_q, nu) at t = 0."""
+        _, C_q, C_t = self._function(q, 0.0, self._defaults)
+        return np.asarray(C_q).reshape(self._shape), -np.asarray(C_t).ravel()
+
+
+def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) -> ConsistentState:
+    """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
+    try:
+        return consistent_state(
+            equations.names, equations.elastic_columns, [row.label for row in equations.constraints],
+            numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates))
+    except InitialStateError as error:
+        raise SceneError("initial", str(error), "see above") from error
+
+
+def _given(entries: dict) -> GivenValues:
+    values = {name: float(getattr(entry, "value", entry)) for name, entry in entries.items()}
+    fixed = frozenset(name for name, entry in entries.items() if getattr(entry, "fixed", False))
+    return GivenValues(values, fixed)
