@@ -23,6 +23,8 @@ from runtime.running.stream import StreamFile, Table
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.options import SchemeError
 from runtime.schemes.scheme import evaluation_operations
+from runtime.singular.guard import Guard
+from runtime.singular.variants import variant_of
 from runtime.solution import Solution
 from runtime.start_state import start_state
 from runtime.status import Event, Status
@@ -80,7 +82,7 @@ def simulate(
     changes = ", ".join(f"{key}: {given:.9g} -> {used:.9g}" for key, (given, used) in state.changed.items())
     settings = _Settings(plan, force, tuple(outputs or ()), changes or "none")
     record = _record(leg, settings, z, stream, keep_rows=bounded)
-    run = Run(leg, z, record, rule, settings.header(model), progress)
+    run = Run(leg, z, record, rule, settings.header(model), progress, engine=engine, guard=leg.new_guard())
     run.status = leg.watch.first(leg.stepper.state(z))
     record.add(0, z)
     return _finished(run, settings, set_up - started)
@@ -104,7 +106,11 @@ def resume(
     check_settings(kept, {"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
     settings = _Settings.of(model, header)
     started = time.perf_counter()
-    leg = Leg.build(model, settings.plan, kept.p, engine, bool(header["force"]))
+    legs = [Leg.build(model, settings.plan, kept.p, engine, settings.force)]
+    for q_i in header["legs"][1:]:
+        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["place"]))
+        legs.append(Leg.build(variant, settings.plan.on(variant), kept.p, engine, True))
+    leg = legs[-1]
     if len(leg.stepper.start(0.0, model.initial_q, model.initial_q_dot, leg.c, settings.plan.grid.dt_L)) != len(kept.z):
         raise ModelError(f"checkpoint {path} holds a state of another length than this scheme's; it was written by "
                          "another version")
@@ -113,9 +119,11 @@ def resume(
     leg.watch.resume(leg.stepper.state(z), [float(value) for value in header["watch"]])
     record = _record(leg, settings, z, stream or header["stream"],
                      keep_rows=bool(settings.outputs) or header["stream"] is not None, resumed=True)
+    record.legs[:] = legs
     record.restore(kept.arrays, int(header["rows"]), int(header["last_step"]))
     run = Run(leg, z, record, _rule(checkpoint or path, checkpoint_every), settings.header(model), progress,
-              [Event(*event) for event in header["events"]])
+              [Event(*event) for event in header["events"]], engine=engine, guard=Guard.remembered(header["guard"]),
+              earlier=kept.arrays.get("earlier"))
     return _finished(run, settings, set_up - started)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from runtime.model import Model
 from runtime.observe import observe_samples
 from runtime.running.plan import Plan
+from runtime.singular.guard import Guard
 from runtime.solution import Solution
 from runtime.status import Status
 from runtime.stepper import Stepper
@@ -52,6 +53,10 @@ class Leg:
         """Advance z in place."""
         self.forget_determinants(z)
         self.stepper.run(z, self.ready, steps)
+
+    def new_guard(self) -> Guard:
+        """For the determinants that the scheme keeps."""
+        return Guard.of(self.plan.scheme.layout.sizes["det_low"])
 
     def forget_determinants(self, z: np.ndarray) -> None:
         """Let det_low and det_high begin anew."""

@@ -15,6 +15,8 @@ from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.leg import Leg
 from runtime.running.record import Record
 from runtime.running.stream import StreamFile
+from runtime.singular.guard import FLOOR, Guard
+from runtime.singular.passage import Passage, locate
 from runtime.status import Event, Status
 
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
@@ -43,6 +45,9 @@ class Run:
     progress: Progress | None = None
     events: list[Event] = field(default_factory=list)
     status: Status | None = None
+    engine: str = "auto"
+    guard: Guard = field(default_factory=Guard)
+    earlier: np.ndarray | None = None  # a state of this leg at least a step before z, if there is one
 
     @property
     def step(self) -> int:
@@ -89,18 +94,66 @@ class Run:
                 self.progress(self.leg.plan.time(self.step), self.leg.plan.t_end)
 
     def _advance(self, n: int) -> None:
+        before = self.z.copy()
         self.leg.run(self.z, n)
-        self.status = self.leg.watch.after(self._state, last=self.step == self.leg.plan.steps)
+        determinants = self.leg.determinants(self.z)
+        if self.guard.alarm(*determinants):
+            self._pass(before, n)
+        else:
+            self.guard.accept(*determinants)
+            self.earlier = before
+        self.status = self.status or self._checked()
+
+    def _checked(self, closely: bool = False) -> Status | None:
+        return self.leg.watch.after(self._state, last=closely or self.step == self.leg.plan.steps)
+
+    def _pass(self, before: np.ndarray, n: int) -> None:
+        """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
+        z, previous, alarm = locate(self.leg, self.guard, self.earlier, before, n)
+        if not alarm:
+            self.z, self.earlier = z, before
+            return
+        if self.guard.threshold < FLOOR:
+            self._step_unguarded(z)
+            return
+        passage = Passage(self.leg, self.guard, self.record.legs[0], self.engine)
+        found = passage.go_on(z if previous is None else previous)
+        if found.event is not None and found.event.text not in [event.text for event in self.events]:
+            self.events.append(found.event)
+        self.status = found.status
+        if found.drop_from is None and found.status is None:  # look again later
+            self.z, self.earlier = z, previous
+            return
+        if found.drop_from is not None:
+            self.record.drop_from(found.drop_from)
+        for sample in found.samples:
+            self._keep(sample)
+        if found.leg is not self.leg:
+            self.leg, self.guard = found.leg, found.leg.new_guard()
+            self.record.legs.append(found.leg)
+        self.z, self.earlier = found.z, None
+
+    def _step_unguarded(self, z: np.ndarray) -> None:
+        """A step that nothing better was found for: if the other checks find nothing wrong, the branch is lost."""
+        self.z, self.earlier = z, None
+        good, time_ = z.copy(), self.leg.plan.time(self.leg.step_of(z))
+        self.leg.run(self.z, 1)
+        self.status = self._checked(closely=True)
+        if self.status is None:
+            self.z = good
+            self.status = Status("branch_lost", time_, None, "the loop closure is singular within the next step",
+                                 "Reduce the step, start elsewhere, or change a length a little.")
 
     def _batch(self, per_call: int) -> int:
         plan, done = self.leg.plan, self.step
         n = min(plan.save_every - done % plan.save_every, plan.steps - done, per_call)
         return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
 
-    def _keep(self) -> None:
-        plan = self.leg.plan
-        if self.status is None and (self.step % plan.save_every == 0 or self.step == plan.steps):
-            self.record.add(len(self.record.legs) - 1, self.z)
+    def _keep(self, z: np.ndarray | None = None) -> None:
+        plan, kept = self.leg.plan, self.z if z is None else z
+        step = self.leg.step_of(kept)
+        if self.status is None and (step % plan.save_every == 0 or step == plan.steps):
+            self.record.add(len(self.record.legs) - 1, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------
 
@@ -120,7 +173,10 @@ class Run:
                   "rows": 0 if table is None else table.rows, "step": self.step,
                   "stream": str(table.folder) if isinstance(table, StreamFile) else None,
                   "events": [[event.time, event.kind, event.text] for event in self.events],
-                  "legs": [list(leg.model.q_i) for leg in self.record.legs]}
+                  "legs": [list(leg.model.q_i) for leg in self.record.legs], "guard": self.guard.memory(),
+                  "place": self.leg.observed([self._state]).q[0].tolist()}
+        if self.earlier is not None:
+            arrays["earlier"] = self.earlier
         Checkpoint(header, self.z, self.leg.p, arrays).write(self.rule.path)
         self._written = time.monotonic()
 
