@@ -22,11 +22,13 @@ from runtime.status import Status
 
 IN_THE_GAP = 7 / 15  # of the step, in the middle of the gap
 CLOSURES = 5  # Newton steps: stages lie near the position, and guesses of early stages are of low order
-CLOSEST = (0.02, 0.004, 0.0008)  # determinants, of the largest, from which the step over the position is tried
+# determinants, of the largest, from which the step over the position is tried; rounding of q_ddot goes as det^-3
+CLOSEST = (0.1, 0.05, 0.02, 0.004, 0.0008)
 RTOL, ATOL = 1e-11, 1e-13
 STEP_ERROR = 1e-9  # error estimate of the step over the position, relative
 CONTINUITY = 1e-5  # by how much q may miss the integral of q_dot over the step, relative to its way
 ENERGY = 1e-8  # change of energy in the step, of the largest energy in motion
+LOOKS = 12  # steps at least while the determinant is followed down
 AHEAD = 3.0  # times the time that the determinant takes to zero at its present rate
 OBSERVED = ("q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 
@@ -100,20 +102,30 @@ class Pilot:
         state = self.seen(np.array([t]), y[None, :])
         return self.place.determinants(t, state.q[0], state.q_dot[0])
 
-    def run(self, t: float, y: np.ndarray, t_end: float, block: int = 0, until: float | None = None) -> tuple[
-            float, np.ndarray, bool]:
-        """(t, y, reached): to t_end, or to where the determinant of a block has come down to `until`."""
-
-        def height(t: float, y: np.ndarray) -> float:
-            assert until is not None
-            return float(abs(self.determinants(t, y)[0][block]) - until)
-
-        height.terminal, height.direction = True, -1  # type: ignore[attr-defined]
-        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL,
-                          events=None if until is None else height)
+    def run(self, t: float, y: np.ndarray, t_end: float) -> tuple[float, np.ndarray]:
+        """(t_end, y there)."""
+        if t_end == t:
+            return t, y
+        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL)
         if not found.success or not np.isfinite(found.y[:, -1]).all():
-            raise BranchLost("the equations cannot be integrated up to the singular position")
-        return float(found.t[-1]), found.y[:, -1].copy(), bool(until is not None and found.status == 1)
+            raise BranchLost("the equations cannot be integrated near the singular position")
+        return float(found.t[-1]), found.y[:, -1].copy()
+
+    def descend(self, t: float, y: np.ndarray, t_end: float, block: int,
+                height: float) -> tuple[float, np.ndarray] | None:
+        """(t, y) where the determinant of a block has come down to `height`; None if that is not before t_end."""
+        sign = float(np.sign(self.determinants(t, y)[0][block]))
+
+        def above(t: float, y: np.ndarray) -> float:
+            return float(sign * self.determinants(t, y)[0][block] - height)
+
+        above.terminal, above.direction = True, -1  # type: ignore[attr-defined]
+        try:
+            found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL, events=above,
+                              max_step=(t_end - t) / LOOKS)
+        except ValueError:  # not finite
+            return None
+        return (float(found.t[-1]), found.y[:, -1].copy()) if found.status == 1 else None
 
     def time_left(self, t: float, y: np.ndarray, block: int) -> float:
         """Time until the determinant of a block is zero, at its present rate [s]; infinite if it grows."""
@@ -126,8 +138,10 @@ def approach(pilot: Pilot, t: float, y: np.ndarray, block: int, height: float) -
     left = pilot.time_left(t, y, block)
     if not np.isfinite(left):
         return None
-    reached_t, reached, found = pilot.run(t, y, t + AHEAD * left, block, height)
-    return (reached_t, reached) if found else None
+    now = abs(float(pilot.determinants(t, y)[0][block]))
+    if now <= height:
+        return (t, y) if now > 0.5 * height else None
+    return pilot.descend(t, y, t + AHEAD * left, block, height)
 
 
 def cross(pilot: Pilot, t: float, y: np.ndarray, block: int, largest: float) -> Crossing:
@@ -169,14 +183,16 @@ def _step(pilot: Pilot, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, 
     K.append(pilot.slope(t + H, end))
     if not np.isfinite(end).all() or not np.isfinite(K[-1]).all():
         raise BranchLost("the equations are not finite beside it")
-    wrong = H * np.abs(sum((w * k for w, k in zip(DOP853.E5, K, strict=True)), np.zeros_like(y)))
-    return end, float((wrong / (1.0 + np.abs(y))).max())
+    fifth, third = (H * sum((w * k for w, k in zip(E, K, strict=True)), np.zeros_like(y)) / (1.0 + np.abs(y))
+                    for E in (DOP853.E5, DOP853.E3))
+    size = np.linalg.norm(fifth)  # SciPy's combination of the two estimates
+    return end, float(size**2 / np.hypot(size, 0.1 * np.linalg.norm(third))) if size > 0 else 0.0
 
 
 def _time_to_zero(pilot: Pilot, t: float, y: np.ndarray, block: int) -> float:
     """By u = det / det', which falls linearly to zero at a root of any multiplicity."""
     left = pilot.time_left(t, y, block)
-    earlier_t, earlier, _ = pilot.run(t, y, t - 0.5 * left)
+    earlier_t, earlier = pilot.run(t, y, t - 0.5 * left)
     slope = (pilot.time_left(earlier_t, earlier, block) - left) / (t - earlier_t)
     return left / slope if 0.2 < slope < 2 else left
 

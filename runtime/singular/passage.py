@@ -97,10 +97,7 @@ class Passage:
         pilot = Pilot(self.leg.model, self.leg.p, self.leg.c)
         t, y = float(seen.t[0]), pilot.pack(seen.q[0], seen.q_dot[0])
         largest = float(self.guard.largest[block]) or height
-        try:
-            near = approach(pilot, t, y, block, min(PILOT * largest, 0.3 * height))
-        except BranchLost:
-            near = None
+        near = approach(pilot, t, y, block, min(PILOT * largest, 0.3 * height))
         if near is None:
             return self._look_later(z)
         there = pilot.seen(np.array([near[0]]), near[1][None, :])
@@ -108,12 +105,12 @@ class Passage:
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         try:
-            crossing = cross(pilot, t, y, block, min(largest, 15 * height))
+            crossing = cross(pilot, t, y, block, largest)
+            return self._behind(z, pilot, (t, y), crossing, block, largest)
         except BranchLost as error:
             return self._lost("branch_lost", z, f"a singular position lies ahead, and the branch of the motion cannot "
                               f"be told behind it: {error}", "Start elsewhere, change a length a little, or stop the "
                               "run before it.")
-        return self._behind(z, pilot, (t, y), crossing, block, largest)
 
     # ---- another q_i ----------------------------------------------------------------------------------------
 
@@ -150,7 +147,7 @@ class Passage:
                 continue
             if t < over.t[1] <= target:
                 t, y = crossing.t, crossing.y
-            t, y, _ = pilot.run(t, y, target)
+            t, y = pilot.run(t, y, target)
             seen = pilot.seen(np.array([t]), y[None, :])
             samples.append(self._state(z, seen.q[0], seen.q_dot[0], step))
             height = abs(float(self.place.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
