@@ -8,10 +8,11 @@ closure a guess on the branch that the motion is on.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.integrate import DOP853, solve_ivp
+from scipy.optimize import brentq
 
 from runtime.condensed_ode import CondensedOde
 from runtime.model import Model
@@ -170,7 +171,20 @@ def _step_over(pilot: Pilot, t: float, y: np.ndarray, block: int) -> Crossing:
     end, error = _step(pilot, t, y, H)
     if error > STEP_ERROR:
         raise BranchLost(f"a step of {H:.3g} s over it is not accurate (error {error:.2g})")
-    return Crossing(t + ahead, t + H, end, _checked(pilot, t, y, H, end), t, y)
+    found = Crossing(t + ahead, t + H, end, _checked(pilot, t, y, H, end), t, y)
+    return replace(found, t_s=_zero_inside(pilot, found, block))
+
+
+def _zero_inside(pilot: Pilot, crossing: Crossing, block: int) -> float:
+    """The singular time, by the motion inside the step; that of the placement where the determinant has no sign."""
+    over = crossing.ends(pilot)
+
+    def determinant(t: float) -> float:
+        return float(pilot.place.determinants(t, *between(over, t))[0][block])
+
+    if determinant(crossing.t_near) * determinant(crossing.t) > 0:
+        return crossing.t_s
+    return float(brentq(determinant, crossing.t_near, crossing.t, xtol=1e-13))
 
 
 def _step(pilot: Pilot, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
