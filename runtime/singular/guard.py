@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-NEAR = 0.1  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
+NEAR = 0.15  # of the largest determinant so far: below this a better q_i, or a singular position, is looked for
 LOWERED = 0.3  # times the threshold, where nothing better was found and no singular position lies ahead
-LAST = 0.01  # threshold below which a run without the variant that it needs stops
+LAST = 0.05  # threshold below which a run without the variant that it needs stops
 FLOOR = 1e-4  # threshold below which looking again is of no use
 
 
