@@ -50,7 +50,7 @@ def consistent_state(
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
-    guess: where coordinates that were left open start (zero by default); reluctant: those among them that count as given;
+    guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
     first: rows that place bodies, satisfied by what was left open before the others are looked at.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
@@ -58,7 +58,7 @@ def consistent_state(
     free = stages[-1]
     if len(first):
         rows = np.array(first)
-        q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))  # type: ignore[arg-type,return-value]
+        q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))
     q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")

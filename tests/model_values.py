@@ -92,21 +92,17 @@ def condensed_accelerations(model: Model, state: State) -> Array:
 
 
 def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
-    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution.
-
-    Redundant rows are left out; lam of all rows is then the one of least norm that acts like lam of the others.
-    """
+    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution; lam of least norm."""
     result = evaluate(model, "augmented", **state.values())
-    n, kept = len(model.coordinates), model.kept_rows
-    rows = len(kept)
+    n, rows = len(model.coordinates), len(model.kept_rows)
     M, side = result["M"].reshape(n, n), result["Q_star"]
     if rows == 0:
         return np.linalg.solve(M, side), np.zeros(0)
     constraint = evaluate(model, "constraints", **state.values())
     all_C_q = constraint["C_q"].reshape(-1, n)
-    C_q = all_C_q[kept]
+    C_q = all_C_q[model.kept_rows]
     matrix = np.block([[M, C_q.T], [C_q, np.zeros((rows, rows))]])
-    side = np.concatenate([side, constraint["gamma"][kept]])
+    side = np.concatenate([side, constraint["gamma"][model.kept_rows]])
     # masses of elastic and rigid coordinates differ by orders of magnitude: scale symmetrically, then refine once
     scale = np.ones(n + rows)
     for _ in range(5):
@@ -116,16 +112,25 @@ def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
     solution += np.linalg.solve(scaled, scale * side - scaled @ solution)
     solution *= scale
     lam = solution[n:]
-    if model.redundant:
-        lam = np.linalg.lstsq(all_C_q.T, C_q.T @ lam, rcond=1e-10)[0]
+    if model.redundant:  # the same force C_q^T lam from all rows
+        lam = np.linalg.lstsq(all_C_q.T, C_q.T @ lam, rcond=1e-11)[0]
     return solution[:n], lam
 
 
-def reactions(model: Model, state: State, q_ddot: Array) -> tuple[Array, Array]:
-    """(lam of all rows, forces and moments of the joints by rows) for given accelerations (Eq. 37)."""
+def reactions(model: Model, state: State, q_ddot: Array) -> Array:
+    """lam of all constraint rows (Eq. 37), of least norm."""
+    return _reactions(model, state, q_ddot)[0]
+
+
+def joint_forces(model: Model, state: State, q_ddot: Array) -> dict[str, Array]:
+    """World force and moment of each joint on its body b, at marker b; with redundant rows those of least norm."""
+    return dict(zip(model.joints, _reactions(model, state, q_ddot)[1], strict=True))
+
+
+def _reactions(model: Model, state: State, q_ddot: Array) -> tuple[Array, Array]:
     values = {"q": state.q, "q_dot": state.q_dot, "q_ddot": q_ddot, "t": np.array([state.t])}
-    C_q = evaluate(model, "constraints", **state.values())["C_q"].reshape(-1, len(state.q))
-    lam, forces = joint_reactions(model, {name: value[None] for name, value in values.items()}, C_q.T.reshape(1, -1),
+    C_q = np.asarray(evaluate(model, "constraints", **state.values())["C_q"]).reshape(-1, len(model.coordinates))
+    lam, forces = joint_reactions(model, {key: value[None, :] for key, value in values.items()}, C_q.T.reshape(1, -1),
                                   model.constants(model.parameter_vector()))
     return lam[0], forces[0]
 
@@ -144,8 +149,6 @@ def power_gap(model: Model, state: State, q_ddot: Array, lam: Array) -> float:
     given = float(power["power_applied"][0]) + driven - float(power["power_dissipated"][0])
     assert float(power["power_dissipated"][0]) >= 0
     return abs(float(np.sum(parts)) - given) / (float(np.sum(np.abs(parts))) + 1e-2)
-
-
 def relative_error(value: Array, reference: Array) -> float:
     """Largest difference over the largest entry of the reference (1e-300 if that is zero)."""
     value, reference = np.asarray(value, dtype=float), np.asarray(reference, dtype=float)

@@ -12,7 +12,7 @@ from functools import cache
 
 import casadi as ca
 import numpy as np
-from model_values import Array, State, augmented_solution, evaluate
+from model_values import Array, State, augmented_solution, evaluate, joint_forces
 from scipy.spatial.transform import Rotation
 from twin_flexible_nodes import Nodes
 
@@ -128,10 +128,7 @@ def assembled(model: Model, q: Array, q_dot: Array, t: float) -> State:
 def solve(scene: Scene, model: Model, state: State) -> tuple[dict[str, Frame], Array, dict[str, Array]]:
     """(frames with accelerations, q_ddot, {joint: (force, moment) on its body b at marker b}) by the augmented form."""
     q_ddot, _ = augmented_solution(model, state)
-    out = evaluate(model, "reactions", **state.values(), q_ddot=q_ddot)["joint_forces"]
-    forces = np.asarray(out).reshape(6, len(model.joints))
-    return (frames(scene, state.q, state.q_dot, q_ddot), q_ddot,
-            {name: forces[:, k] for k, name in enumerate(model.joints)})
+    return frames(scene, state.q, state.q_dot, q_ddot), q_ddot, joint_forces(model, state, q_ddot)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12466,7 +12466,7 @@ def drawing() -> ca.Function:
     w4 = 2 * bar4_e0
     w5 = 2 * bar4_e1
     w6 = 2 * bar5_e0
-    xy = ca.vertcat(
+    xyz = ca.vertcat(
         0.0,
         0.0,
         0.0,
@@ -12504,10 +12504,10 @@ def drawing() -> ca.Function:
         bar5_y + (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c56,
         bar5_z + (bar5_e1 * w6 + bar5_e3 * (2 * bar5_e2)) * c56,
     )
-    xy = ca.reshape(xy, 3, 12)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    xyz = ca.reshape(xyz, 3, 12)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
 
 
 def dQ_hat_dq_i() -> ca.Function:

@@ -7471,7 +7471,7 @@ def drawing() -> ca.Function:
     w23 = 2 * left_rod_e1
     w24 = left_rod_e3 * w22 + left_rod_e2 * w23
     w25 = left_rod_e3 * w23 - left_rod_e2 * w22
-    xy = ca.vertcat(
+    xyz = ca.vertcat(
         shaft_x,
         shaft_y,
         shaft_z,
@@ -7509,10 +7509,10 @@ def drawing() -> ca.Function:
         left_rod_y + w24 * c99,
         left_rod_z + w25 * c99,
     )
-    xy = ca.reshape(xy, 3, 12)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    xyz = ca.reshape(xyz, 3, 12)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
 
 
 def dQ_hat_dq_i() -> ca.Function:

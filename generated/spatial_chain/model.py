@@ -1,4 +1,4 @@
-"""Chain of 3 links in space: equations of motion, emitted by symgen from the scene `spatial_chain_3`.
+"""Chain of 3 links in space: equations of motion, emitted by symgen from the scene `spatial_chain`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
 """
@@ -2397,7 +2397,7 @@ def drawing() -> ca.Function:
     w0 = ca.cos(link1_theta2)
     w1 = ca.cos(link2_theta2)
     w2 = ca.cos(link3_theta2)
-    xy = ca.vertcat(
+    xyz = ca.vertcat(
         link1_x,
         link1_y,
         link1_z,
@@ -2417,10 +2417,10 @@ def drawing() -> ca.Function:
         link3_y + w2 * ca.sin(link3_theta1) * c37,
         link3_z - ca.sin(link3_theta2) * c37,
     )
-    xy = ca.reshape(xy, 3, 6)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    xyz = ca.reshape(xyz, 3, 6)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
 
 
 def dQ_hat_dq_i() -> ca.Function:

@@ -647,7 +647,7 @@ def drawing() -> ca.Function:
     w2 = body_e3 * w1
     w3 = 2 * body_e1
     w4 = body_e2 * w3
-    xy = ca.vertcat(
+    xyz = ca.vertcat(
         body_x + (1.0 - 2 * body_e2**2 - w0) * c13,
         body_y + (w2 + w4) * c13,
         body_z + (body_e3 * w3 - body_e2 * w1) * c13,
@@ -655,10 +655,10 @@ def drawing() -> ca.Function:
         body_y + (1.0 - 2 * body_e1**2 - w0) * c14,
         body_z + (w1 * body_e1 + body_e3 * (2 * body_e2)) * c14,
     )
-    xy = ca.reshape(xy, 3, 2)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    xyz = ca.reshape(xyz, 3, 2)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
 
 
 def dQ_hat_dq_i() -> ca.Function:

@@ -1,11 +1,12 @@
 """Orientation of a spatial body's frame, derived in SymPy: rotation matrix A, turning axes, angular velocity (Eq. 17).
 
-For orientation coordinates theta_k the body turns with omega = sum_k g_k theta_k_dot, in body axes sum_k gb_k theta_k_dot.
-The columns gb_k are the axial vectors of A^T dA/dtheta_k, g_k = A gb_k, and the part of omega_dot in body axes that holds
-no second derivative is sb = sum_k gb_k_dot theta_k_dot.
+For orientation coordinates theta_k the body turns with omega = sum_k g_k theta_k_dot, in body axes with
+sum_k gb_k theta_k_dot. The columns gb_k are the axial vectors of A^T dA/dtheta_k, g_k = A gb_k, and the part of
+omega_dot in body axes that holds no second derivative is sb = sum_k gb_k_dot theta_k_dot.
 
-Two kinds: Euler angles of any sequence, A = A_1(theta_1) A_2(theta_2) A_3(theta_3) about moving axes, and Euler parameters
-(e0, e) of unit length. Products of sines, cosines and parameters are reduced by their norms, s^2 + c^2 = 1, e.e = 1.
+Two kinds: Euler angles of any sequence, A = A_1(theta_1) A_2(theta_2) A_3(theta_3) about moving axes, and Euler
+parameters (e0, e) of unit length. Products of sines, cosines and parameters are reduced by their norms, s^2 + c^2 = 1
+and e.e = 1.
 """
 
 from __future__ import annotations

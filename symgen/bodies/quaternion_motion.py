@@ -34,7 +34,8 @@ class QuaternionMotion:
                 add_to(rows[i], column, entry)
         rate = plus(quaternion_product(self.rate, other.value), quaternion_product(self.value, other.rate))
         mixed = quaternion_product(self.rate, other.rate)
-        bias = plus(quaternion_product(self.bias, other.value), quaternion_product(self.value, other.bias), mixed, mixed)
+        bias = plus(quaternion_product(self.bias, other.value), quaternion_product(self.value, other.bias), mixed,
+                    mixed)
         return QuaternionMotion(quaternion_product(self.value, other.value), rows, rate, bias)
 
     def conjugate(self) -> QuaternionMotion:

@@ -225,7 +225,8 @@ class _MarkerSpin:
         whole = body.quaternion()
         self.quaternion = None if whole is None else whole.times(self.local)
 
-    def _deformed(self, turning: Orientation, point: SpatialPoint, local: LocalMotion, elastic: list[int]) -> list[Vector]:
+    def _deformed(self, turning: Orientation, point: SpatialPoint, local: LocalMotion,
+                  elastic: list[int]) -> list[Vector]:
         """Add the deformation's share to omega, bias and rows; the marker's axes in the frame."""
         psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
         k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))

@@ -57,10 +57,10 @@ def _flexible(body: FlexibleBody, table: ParameterTable) -> SpatialIntegrals:
     name, nf = body.name, body.nf
 
     def symmetric(values: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> Matrix:
-        n = len(values) if values is not None else nf
-        rows = [[ZERO] * n for _ in range(n)]
-        for a in range(n if values is not None else 0):
-            for b in range(a, n):
+        rows = _square(nf if values is None else len(values))
+        for a in range(0 if values is None else len(values)):
+            assert values is not None
+            for b in range(a, len(values)):
                 rows[a][b] = rows[b][a] = table.quantity(values[a][b], f"{name}.{label}[{a},{b}]", unit, "modal data")
         return rows
 

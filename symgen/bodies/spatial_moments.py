@@ -20,8 +20,8 @@ class SpatialIntegrals:
     """Integrals over the mass about the frame origin, nf modes; matrices as lists of rows of SX.
 
     mass [kg]; S1 = int rho0 dm (3); J0 = int rho0 rho0^T dm (3 x 3); Sb[a] = int phi_a dm (3);
-    N[a] = int rho0 phi_a^T dm (3 x 3); P[a][b] = int phi_a phi_b^T dm (3 x 3), empty for none; M_ff, K_ff, D_ff (nf x nf);
-    S_H[i] = int H_i dm and G_H[i][j] = int rho0_i H_j dm (nf x nf), empty without second-order shapes.
+    N[a] = int rho0 phi_a^T dm (3 x 3); P[a][b] = int phi_a phi_b^T dm (3 x 3), empty for none; M_ff, K_ff, D_ff
+    (nf x nf); S_H[i] = int H_i dm and G_H[i][j] = int rho0_i H_j dm (nf x nf), empty without second-order shapes.
     """
 
     mass: ca.SX
@@ -141,7 +141,8 @@ class SpatialMoments:
     def mode_values(self, a: int) -> dict[sp.Symbol, ca.SX]:
         """And those of mode a."""
         L = self.L[a]
-        found = {**self.values(), t.tL: add(add(L[0][0], L[1][1]), L[2][2]), t.x_a: dot(self.omega, times(L, self.omega))}
+        found = {**self.values(), t.tL: add(add(L[0][0], L[1][1]), L[2][2]),
+                 t.x_a: dot(self.omega, times(L, self.omega))}
         for symbols, vector in ((t.s, self.s[a]), (t.B, self.B[a]), (t.Gd, self.Gd[a])):
             found |= dict(zip(symbols, vector, strict=True))
         return found

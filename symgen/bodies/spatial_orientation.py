@@ -13,7 +13,7 @@ from symgen.vectors import Vector, combination, cross, plus, times
 
 @dataclass(frozen=True)
 class Orientation:
-    """A (rows), turning axes of each coordinate in body and world axes, omega and the part of omega_dot without theta''.
+    """A (rows), turning axes of each coordinate in body and world axes, omega, and omega_dot without theta''.
 
     coordinates: SX of theta (angles or Euler parameters). Ground has none and A = 1.
     """
@@ -44,7 +44,8 @@ class Orientation:
 def fixed_orientation() -> Orientation:
     """The ground's."""
     zero = [ZERO] * 3
-    return Orientation([], [[ONE if i == j else ZERO for j in range(3)] for i in range(3)], [], [], zero, zero, zero, zero)
+    unit = [[ONE if i == j else ZERO for j in range(3)] for i in range(3)]
+    return Orientation([], unit, [], [], zero, zero, zero, zero)
 
 
 def orientation(kind: str, theta: Vector, theta_dot: Vector) -> Orientation:

@@ -1,18 +1,18 @@
 """Mass blocks and quadratic-velocity force of a spatial flexible body, derived in SymPy (Eq. 20).
 
-All in body axes: a mass point at rho = rho0 + Phi q_f, with the body's angular velocity w and rho_dot = Phi q_f_dot, has
+All in body axes: a mass point at rho = rho0 + Phi q_f, rho_dot = Phi q_f_dot, of a body with angular velocity w has
 
     velocity       v_o + w x rho + rho_dot                      (v_o: velocity of the frame origin)
     acceleration   a_o + w_dot x rho + Phi q_f_ddot + w x (w x rho) + 2 w x rho_dot + nu
 
-(nu = -q_f_dot^T H q_f_dot where the shapes are of second order). The virtual work of its inertia forces, summed over the
-points, gives the blocks. They are written below in shape integrals, with the sums that many entries share as symbols of
-their own; `body_template` derives them from the two lines above for one point and compares. As every block is linear in
-the mass, what holds for a point holds for the body.
+(nu = -q_f_dot^T H q_f_dot where the shapes are of second order). The virtual work of its inertia forces, summed over
+the points, gives the blocks. They are written below in shape integrals, with the sums that many entries share as
+symbols of their own; `body_template` derives them from the two lines above for one point and compares. As every block
+is linear in the mass, what holds for a point holds for the body.
 
-    h = int rho dm, J = int rho rho^T dm, u = J w, L_a = int rho phi_a^T dm, B_a = int rho x phi_a dm, s_a = int phi_a dm,
-    W = int rho rho_dot^T dm, y = W^T w, tW = tr W, hd = int rho_dot dm, x_a = w.(L_a w), tL_a = tr L_a,
-    Gd_a = int rho_dot x phi_a dm, hn = int nu dm
+    h = int rho dm, J = int rho rho^T dm, u = J w, L_a = int rho phi_a^T dm, B_a = int rho x phi_a dm,
+    s_a = int phi_a dm, W = int rho rho_dot^T dm, y = W^T w, tW = tr W, hd = int rho_dot dm, x_a = w.(L_a w),
+    tL_a = tr L_a, Gd_a = int rho_dot x phi_a dm, hn = int nu dm
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def _of_one_point() -> tuple[dict[str, sp.Expr], dict[sp.Symbol, sp.Expr]]:
 
 @cache
 def body_template() -> Template:
-    """Outputs M_RR, M_Rturn_ij, M_turnturn_ij, M_Rf_i, M_turnf_i and Q_R_i, Q_turn_i, Q_mode_0 of Eq. (20), body axes."""
+    """M_RR, M_Rturn_ij, M_turnturn_ij, M_Rf_i, M_turnf_i and Q_R_i, Q_turn_i, Q_mode_0 of Eq. (20), in body axes."""
     outputs = _mass() | {f"Q_{name}_{i}": component for name, components in _force().items()
                          for i, component in enumerate(components)}
     derived, values = _of_one_point()

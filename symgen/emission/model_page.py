@@ -141,7 +141,8 @@ def _left_out(derived: Derived) -> str:
 
 def _functions(derived: Derived, operations: Mapping[str, int]) -> str:
     lines = ["## Functions", "", "| function | operations | what it gives |", "|---|---|---|"]
-    lines += [f"| `{name}` | {count} | {meaning(name, bool(derived.redundant))} |" for name, count in operations.items()]
+    redundant = bool(derived.redundant)
+    lines += [f"| `{name}` | {count} | {meaning(name, redundant)} |" for name, count in operations.items()]
     return "\n".join(lines)
 
 

@@ -18,8 +18,8 @@ class ConstraintRow:
     """One row of the constraints: C (m or rad), C_q by column, C_t, gamma; label `joint.row`.
 
     joint: the joint's name, empty for the unit length of a body's Euler parameters. on_b: dC by a displacement and a
-    rotation of marker b (planar: x, y, angle; spatial: x, y, z and about them); the joint acts on body b with -lam times
-    that, at marker b.
+    rotation of marker b (planar: x, y, angle; spatial: x, y, z and about them); the joint acts on body b with -lam
+    times that, at marker b.
     """
 
     label: str

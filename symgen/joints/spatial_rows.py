@@ -49,7 +49,9 @@ TURNS: dict[str, tuple[tuple[int, str], ...]] = {  # (axis, coordinate) of the r
     "revolute": ((2, "angle"),), "cylindrical": ((2, "angle"),), "screw": ((2, "angle"),), "planar": ((2, "angle"),),
     "universal": ((2, "angle1"), (0, "angle2")), "prismatic": (), "weld": (),
 }
-TRAVELS: dict[str, dict[int, str]] = {"prismatic": {2: "travel"}, "cylindrical": {2: "travel"}, "planar": {0: "x", 1: "y"}}
+TRAVELS: dict[str, dict[int, str]] = {
+    "prismatic": {2: "travel"}, "cylindrical": {2: "travel"}, "planar": {0: "x", 1: "y"},
+}
 
 
 @dataclass(frozen=True)
@@ -107,11 +109,12 @@ def _without_own_axes(row: ConstraintRow, slides: list[Vector], turns: list[Vect
     return replace(row, on_b=(*force, *moment))
 
 
-def coordinate_row(name: str, label: str, found: JointCoordinate, motion: list[ca.SX], a: SpatialMarker) -> ConstraintRow:
+def coordinate_row(name: str, label: str, found: JointCoordinate, motion: list[ca.SX],
+                   a: SpatialMarker) -> ConstraintRow:
     """A prescribed motion of a joint's own coordinate about (angle) or along (travel) marker a's z-axis."""
     acting = (*zeros(), *a.axes[2]) if label == "angle" else (*a.axes[2], *zeros())
-    return ConstraintRow(f"{name}.{label}", name, found.value - motion[0], {found.column: ONE}, neg(motion[1]), motion[2],
-                         tuple(acting))
+    return ConstraintRow(f"{name}.{label}", name, found.value - motion[0], {found.column: ONE}, neg(motion[1]),
+                         motion[2], tuple(acting))
 
 
 def unit_length(body: SpatialBody) -> ConstraintRow:
@@ -139,8 +142,8 @@ def _orientation(name: str, a: SpatialMarker, b: SpatialMarker, turns: list[tupl
     for k in range(4):
         acting = [_turned_by(axis, own.value)[k] for axis in range(3)]
         signed = acting if forward else [neg(value) for value in acting]
-        rows.append(ConstraintRow(f"{name}.e{k}", name, C[k], minus_rows(own.rows[k], given.rows[k]), ZERO, given.bias[k],
-                                  (*zeros(), *signed)))
+        rows.append(ConstraintRow(f"{name}.e{k}", name, C[k], minus_rows(own.rows[k], given.rows[k]), ZERO,
+                                  given.bias[k], (*zeros(), *signed)))
     return rows
 
 
@@ -163,7 +166,8 @@ def _rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, motion: list
              (s.omega_b, b.omega), (s.travel, travel.value), (s.travel_dot, travel.rate)]
     for label, marker in (("a", a), ("b", b)):
         for axis, vector in zip("xyz", marker.axes, strict=True):
-            pairs += [(s.axes[f"{axis}_{label}"], vector), (s.axis_rates[f"{axis}_{label}"], cross(marker.omega, vector))]
+            key = f"{axis}_{label}"
+            pairs += [(s.axes[key], vector), (s.axis_rates[key], cross(marker.omega, vector))]
     for symbols, vector in pairs:
         values |= dict(zip(symbols, vector, strict=True))
     return template_rows(name, TYPES[kind](), values, slots, ON_B)

@@ -1,7 +1,7 @@
 """From a joint's rows in the markers' points and axes to C, C_q, C_t and gamma in space (Eqs. 21-27), in SymPy.
 
 A joint type states only its rows C(r_a, axes_a, r_b, axes_b, f(t)) = 0. An axis turns with its marker: its virtual
-change is pi x axis, its rate omega x axis. Axis rates are symbols of their own, which keeps the second derivative short.
+change is pi x axis, its rate omega x axis. Axis rates are symbols of their own, which keeps second derivatives short.
 """
 
 from __future__ import annotations
@@ -81,7 +81,8 @@ def spatial_joint_type(rows: Sequence[tuple[str, sp.Expr]]) -> JointType:
 
 def placed() -> list[tuple[str, sp.Expr]]:
     """r_b - r_a - travel along the axes of marker a: nothing for a hinge, the joint's own coordinates for a slide."""
-    return [(label, d[i] - travel[0] * x_a[i] - travel[1] * y_a[i] - travel[2] * z_a[i]) for i, label in enumerate("xyz")]
+    return [(label, d[i] - travel[0] * x_a[i] - travel[1] * y_a[i] - travel[2] * z_a[i])
+            for i, label in enumerate("xyz")]
 
 
 def parallel() -> list[tuple[str, sp.Expr]]:

@@ -1,4 +1,4 @@
-"""Loads between markers of planar bodies as generalised forces, with their potential, dissipated and applied power (Q_F of Eq. 20)."""
+"""Loads between markers of planar bodies as generalised forces, with potential and powers (Q_F of Eq. 20)."""
 
 from __future__ import annotations
 

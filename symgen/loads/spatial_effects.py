@@ -1,4 +1,4 @@
-"""Loads between markers of spatial bodies as generalised forces, with potential, dissipated and applied power (Eq. 20)."""
+"""Loads between markers of spatial bodies as generalised forces, with potential and powers (Q_F of Eq. 20)."""
 
 from __future__ import annotations
 
@@ -55,7 +55,8 @@ def torque(marker: SpatialMarker, value: ca.SX, reaction: SpatialMarker | None) 
     return LoadEffect(row, applied=value * rate)
 
 
-def spring_damper(a: SpatialMarker, b: SpatialMarker, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> LoadEffect:
+def spring_damper(a: SpatialMarker, b: SpatialMarker, stiffness: ca.SX, damping: ca.SX,
+                  free_length: ca.SX) -> LoadEffect:
     """Translational spring-damper between the points a and b."""
     out = spring_template.evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
     row: Row = {}
@@ -104,12 +105,12 @@ def bushing(a: SpatialMarker, b: SpatialMarker, stiffness: Sequence[Vector], dam
             motion: Motion) -> LoadEffect:
     """Springs and dampers along and about marker a's axes: (translation, rotation) constants, three each.
 
-    The rotation is the axial vector of the relative rotation matrix, sin(angle) times its axis; force and moment are the
-    gradient of the stored energy, so nothing is gained or lost at large rotations.
+    The rotation is the axial vector of the relative rotation matrix, sin(angle) times its axis; force and moment are
+    the gradient of the stored energy, so nothing is gained or lost at large rotations.
     """
     travel = [dot(axis, minus(b.r, a.r)) for axis in a.axes]
     cosines = [[dot(mine, other) for other in b.axes] for mine in a.axes]
-    turn = [(cosines[2][1] - cosines[1][2]) / 2, (cosines[0][2] - cosines[2][0]) / 2, (cosines[1][0] - cosines[0][1]) / 2]
+    turn = [(cosines[k][j] - cosines[j][k]) / 2 for j, k in ((1, 2), (2, 0), (0, 1))]
     values = [*travel, *turn]
     rates = [ca.jtimes(value, motion.q, motion.q_dot) for value in values]
     potential = total(k * value**2 / 2 for k, value in zip([*stiffness[0], *stiffness[1]], values, strict=True))

@@ -1,4 +1,4 @@
-"""Inertia shape integrals of a straight beam in space: bending in two planes and stretching, as numbers (Eqs. 15-20)."""
+"""Shape integrals of a straight beam in space: bending in two planes and stretching, as numbers (Eqs. 15-20)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TURN = {1: (2, 1.0), 2: (1, -1.0)}  # deflection along y turns about z, along z 
 
 @dataclass(frozen=True, eq=False)
 class SpatialBeamPoint:
-    """Shapes at a point: shape, turn (3, nf), rotation vector turn / L . q_f; H (nf, nf) foreshortening along x, 1/L."""
+    """Shapes at a point: shape and turn (3, nf), rotation vector turn / L . q_f; H (nf, nf): foreshortening along x."""
 
     shape: Array
     turn: Array
@@ -81,4 +81,5 @@ def spatial_beam(sets: tuple[tuple[int, LateralModes | AxialModes], ...]) -> Spa
         fixed(clean(np.einsum("k,kia,kjb->abij", mu, nodal, nodal), 1.0)),
         fixed(np.concatenate([np.diag(modes.mass) for _, modes in sets])),
         fixed(np.concatenate([np.diag(modes.kappa) for _, modes in sets])),
-        fixed(clean(np.einsum("k,kab->ab", mu, eta), size)), fixed(clean(np.einsum("k,kab->ab", mu * xi, eta), size)), sets)
+        fixed(clean(np.einsum("k,kab->ab", mu, eta), size)), fixed(clean(np.einsum("k,kab->ab", mu * xi, eta), size)),
+        sets)

@@ -35,10 +35,13 @@ from .simulation import Baumgarte, Group, Initial, InitialValue, Partition, Simu
 from .structure import Structure
 
 __all__ = [
-    "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body", "Bushing", "CylindricalJoint",
-    "DistanceJoint", "DistanceMeasure", "Expression", "FlexibleBody", "FlexibleMarker", "FlexibleStiffening", "Force", "Foreshortening", "Group", "GroundBody", "Initial",
+    "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
+    "Bushing", "CylindricalJoint",
+    "DistanceJoint", "DistanceMeasure", "Expression", "FlexibleBody", "FlexibleMarker", "FlexibleStiffening",
+    "Force", "Foreshortening", "Group", "GroundBody", "Initial",
     "InitialValue",
-    "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker", "Parameter", "Partition", "Place", "PlanarJoint",
+    "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
+    "Parameter", "Partition", "Place", "PlanarJoint",
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",

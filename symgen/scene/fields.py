@@ -121,7 +121,8 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
     if not isinstance(value, list | tuple):
         return _quantity(value)
     if len(value) != 3:
-        raise refuse(f"{show(value)} has {len(value)} entries", "give one moment of inertia (planar) or three (spatial)")
+        raise refuse(f"{show(value)} has {len(value)} entries",
+                     "give one moment of inertia (planar) or three (spatial)")
     return tuple(_quantity(entry) for entry in value)
 
 

@@ -25,7 +25,7 @@ class FlexibleMarker(MarkerDirections):
 
 
 class FlexibleStiffening(Model):
-    """Second-order displacement -1/2 q_f^T H_i q_f along axis i: H [i][a][b] = int H_i dm, xH [i][j][a][b] = int x_i H_j dm.
+    """Second-order displacement -1/2 q_f^T H_i q_f along axis i: H[i] = int H_i dm, xH[i][j] = int x_i H_j dm, nf x nf.
 
     They give centrifugal and other geometric stiffness.
     """

@@ -26,7 +26,7 @@ class RevoluteJoint(_Joint):
 
 
 class PrismaticJoint(_Joint):
-    """Rows n_a.(r_b - r_a), phi_b - phi_a: slides along marker_a's x-axis; in space along its z-axis. damping [N s/m]."""
+    """Rows n_a.(r_b - r_a), phi_b - phi_a: slides along marker_a's x-axis, in space its z-axis. damping [N s/m]."""
 
     type: Literal["prismatic"] = "prismatic"
     damping: Annotated[Quantity, Meaning("damping of the sliding", "N s/m", Bound.NON_NEGATIVE)] = 0.0

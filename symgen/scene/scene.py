@@ -32,7 +32,8 @@ Body = Annotated[AnyBody, Field(discriminator="type")]
 class Scene(Model):
     """A planar or spatial mechanism, or a linear structure, with its parameters, initial state and simulation.
 
-    gravity [m/s^2] in world axes. In a spatial scene a third component left out is zero. Lists keep their order; system coordinates follow the bodies' order.
+    gravity [m/s^2] in world axes. In a spatial scene a third component left out is zero. Lists keep their
+    order; system coordinates follow the bodies' order.
     Raises SceneError when anything in it is wrong.
     """
 
@@ -125,7 +126,7 @@ class Scene(Model):
         return body, markers[marker]
 
     def coordinates(self) -> list[str]:
-        """The names of the system coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
+        """The names of the coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
         if self.structure is not None:
             return list(self.structure.coordinates)
         names = [

@@ -29,6 +29,7 @@ from symgen.scenes.overdamped_joint import overdamped_joint
 from symgen.scenes.pendulum import pendulum
 from symgen.scenes.slider_crank import slider_crank
 from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.spatial_slider_crank import spatial_slider_crank
 from symgen.scenes.spin_up_beam import spin_up_beam
 from symgen.scenes.tumbling_body import tumbling_body
 from symgen.scenes.two_oscillators import two_oscillators
@@ -40,6 +41,7 @@ SCENES: dict[str, Callable[..., Scene]] = {
         flexible_slider_crank_free, flexible_slider_crank_torque, hub_beam, spin_up_beam, chain, two_oscillators,
         physical_slider_crank, stiff_slider_crank, near_singular_slider_crank, flexible_four_bar, flexible_joint_arm,
         overdamped_joint, n_four_bar, heavy_top, tumbling_body, bricard, flyball_governor, spatial_chain,
+        spatial_slider_crank,
     )
 }
 

@@ -10,9 +10,9 @@ AXES = ((0, 1, 0), (0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0))
 def bricard() -> Scene:
     """Case A04 of the IFToMM benchmark library: five bars between P0 and P5, the sixth is the ground; at rest."""
     builder = SceneBuilder("bricard", space="spatial", title="Bricard mechanism").gravity(0.0, -9.81, 0.0)
-    builder.ground(markers={"P0": {"position": POINTS[0], "axis": AXES[0]}, "P5": {"position": POINTS[5], "axis": AXES[5]}})
+    builder.ground(markers={f"P{k}": {"position": POINTS[k], "axis": AXES[k]} for k in (0, 5)})
     across, along = MASS * (LENGTH**2 + SIDE**2) / 12, MASS * SIDE**2 / 6
-    coordinates = {}
+    coordinates: dict[str, float] = {}
     for k in range(5):
         start, end = POINTS[k], POINTS[k + 1]
         span = [b - a for a, b in zip(start, end, strict=True)]

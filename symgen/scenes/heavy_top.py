@@ -5,7 +5,7 @@ from symgen.scene import Scene, SceneBuilder
 
 def heavy_top(orientation: str = "euler_parameters") -> Scene:
     """Spin 150 rad/s about the axis through its centre of mass, which starts level."""
-    builder = SceneBuilder("heavy_top", space="spatial", title="Heavy top").gravity(0.0, -9.81, 0.0)
+    builder = SceneBuilder("heavy_top", space="spatial", title="Heavy top").gravity(0.0, 0.0, -9.81)
     builder.rigid("top", mass=15.0, inertia=[0.234375, 0.46875, 0.234375], orientation=orientation,
                   markers={"foot": {"position": [0, -1, 0]}})
     builder.joint("spherical", "foot", "ground.origin", "top.foot")

@@ -9,8 +9,8 @@ LENGTH, SIDE = 0.2, 0.008
 
 def spatial_chain(links: int = 3, modes: int = 0, orientation: str = "zyx") -> Scene:
     """Links along their own x-axis, the first one starting level along x; Euler angles zyx by default."""
-    name = f"spatial_chain_{links}" + (f"_flexible{modes}" if modes else "")
-    builder = SceneBuilder(name, space="spatial", title=f"Chain of {links} links in space").gravity(0.0, 0.0, -9.81)
+    builder = SceneBuilder("spatial_chain", space="spatial", title=f"Chain of {links} links in space")
+    builder.gravity(0.0, 0.0, -9.81)
     mass, across = 2700 * SIDE**2 * LENGTH, SIDE**2 / 12
     slender = LENGTH**2 / 12 + across
     for k in range(links):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from symgen.equations import Equations, blank_equations
+from symgen.parameters import ParameterTable
+from symgen.scene import Scene
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
 from symgen.system.spatial import SpatialSpace
 from symgen.system.structure import structure_equations
-from symgen.equations import Equations, blank_equations
-from symgen.parameters import ParameterTable
-from symgen.scene import Scene
 
 
 def build_equations(scene: Scene, table: ParameterTable) -> Equations:

@@ -1,4 +1,4 @@
-"""The equations of a mechanism: bodies, joints, measures and loads of a scene put together, in scene order (Eqs. 15-28).
+"""The equations of a mechanism: bodies, joints, measures and loads put together in scene order (Eqs. 15-28).
 
 What a body, a joint or a load *is* depends on the dimensions of the scene and stands in planar.py and spatial.py.
 """
@@ -46,7 +46,7 @@ class Body(Protocol):
         """(stored energy, power lost)."""
 
 
-Marker = TypeVar("Marker")
+Marker = TypeVar("Marker", covariant=True)
 
 
 class Space(Protocol[Marker]):

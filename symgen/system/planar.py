@@ -6,7 +6,6 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.system.mechanism import components, friction, spring_values
 from symgen.bodies.outlines import outline_references
 from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
 from symgen.bodies.points import marker_shape
@@ -19,6 +18,7 @@ from symgen.parameters import ParameterTable
 from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
+from symgen.system.mechanism import components, friction, spring_values
 
 
 class PlanarSpace:

@@ -8,7 +8,6 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.system.mechanism import components, friction, spring_values
 from symgen.bodies.outlines import BEAM_FRACTIONS, drawn_references
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
@@ -25,6 +24,7 @@ from symgen.scene import BeamBody, Place, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.places import PLACING
+from symgen.system.mechanism import components, friction, spring_values
 from symgen.vectors import minus
 
 
@@ -150,7 +150,8 @@ class SpatialSpace:
                 points = [beam_spatial_point(body, at, self.table) for at in BEAM_FRACTIONS]
                 found.append((body.name, [self.bodies[body.name].marker(point).r for point in points]))
                 continue
-            markers = [self.marker(reference).r for reference in drawn_references(self.scene, body.name, list(body.markers))]
+            drawn = drawn_references(self.scene, body.name, list(body.markers))
+            markers = [self.marker(reference).r for reference in drawn]
             found += [(body.name, [point]) for point in markers] if body.type == "ground" else [(body.name, markers)]
         return found
 

@@ -77,7 +77,7 @@ def _flexible(scene: Scene, body: FlexibleBody, path: str) -> Iterator[SceneErro
     yield from bad_moments
     if not bad_mass and not bad_moments and not _is_definite(_spatial_mass_matrix(scene, body, moments), -TOLERANCE):
         yield SceneError(
-            path, "its mass matrix (mass, first_moment, inertia_moments, phi_integral, rho_phi) is not positive definite",
+            path, "its mass matrix (mass, first_moment, inertia_moments, phi_integral, ...) is not positive definite",
             "check the integrals: they must belong to one mass distribution, taken about the frame origin")
 
 

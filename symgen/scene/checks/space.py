@@ -90,7 +90,8 @@ def _marker(marker: Any, path: str, scene: Scene) -> Iterator[SceneError]:
         return
     turned = marker.axis != (0.0, 0.0, 1.0) or marker.x_axis is not None
     if scene.space == "planar" and turned:
-        yield SceneError(f"{path}.axis", "a planar marker is turned by its angle", 'give angle, or set space = "spatial"')
+        yield SceneError(f"{path}.axis", "a planar marker is turned by its angle",
+                         'give angle, or set space = "spatial"')
     if scene.space == "spatial":
         if marker.angle != 0:
             yield SceneError(f"{path}.angle", "a spatial marker is turned by its axes", "give axis and x_axis")

@@ -19,7 +19,7 @@ from symgen.scene import Scene, SceneBuilder
 
 def inertia(tensor: Any) -> dict[str, list[float]]:
     """Moments and products of an inertia tensor."""
-    return {"inertia": [tensor[0, 0], tensor[1, 1], tensor[2, 2]], "products": [tensor[0, 1], tensor[0, 2], tensor[1, 2]]}
+    return {"inertia": np.diag(tensor), "products": [tensor[0, 1], tensor[0, 2], tensor[1, 2]]}
 
 
 def marker(position: Any, axes: Any = None) -> dict[str, Any]:

@@ -18,7 +18,7 @@ import twin_spatial_double_pendulum
 import twin_spatial_hub_beam
 import twin_spatial_slider_crank
 from model_values import State, evaluate, make_state, relative_error
-from twin_spatial import euler_A, parameters_A, parameters_ddot, parameters_dot
+from twin_spatial import parameters_A, parameters_ddot, parameters_dot
 
 from runtime.model import Model
 from symgen.scene import Scene
@@ -129,8 +129,3 @@ def joint_forces(model: Model, state: State) -> Any:
     q_ddot = np.zeros(len(model.coordinates))
     q_ddot[model.independent_columns], q_ddot[model.dependent_columns] = a, a_d
     return evaluate(model, "reactions", **state.values(), q_ddot=q_ddot)["joint_forces"].T.reshape(-1, 6)
-
-
-def test_orientation_matrices() -> None:
-    """Conventions of twin and framework agree: A of Euler angles and of Euler parameters."""
-    assert np.allclose(euler_A("zyx", np.array([0.1, 0.2, 0.3])) @ euler_A("zyx", np.array([0.1, 0.2, 0.3])).T, np.eye(3))
