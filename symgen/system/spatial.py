@@ -20,10 +20,11 @@ from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, Motion
 from symgen.parameters import ParameterTable
 from symgen.scalar import ONE, ZERO, dot
-from symgen.scene import BeamBody, Place, Scene
+from symgen.scene import BeamBody, Place, Scene, SceneError
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.places import PLACING
+from symgen.scene.translate import item_path
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.vectors import minus
 
@@ -76,6 +77,11 @@ class SpatialSpace:
         prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
         if label is not None and prescribed is not None:
             return [coordinate_row(joint.name, label, prescribed, motion, a)]
+        if joint.type == "screw":
+            raise SceneError(item_path("joints", self.scene.joints.index(joint), joint.name), "a screw joint needs an angle of "
+                             "its own, which it has neither between bodies with Euler angles nor where it closes a loop",
+                             'use orientation = "euler_parameters", or name the screw before the joint that could close '
+                             "the loop in its place")
         return spatial_rows(joint.name, joint.type, a, b, motion)
 
     def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:
