@@ -65,6 +65,6 @@ def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> No
         sequence, middle = getattr(body, "orientation", ""), q[names.index(f"{body.name}.theta2")]
         if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
             raise SceneError(
-                f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: the first "
-                "and the last turn about the same axis", "start at another angle, choose another sequence, or use "
-                'orientation = "euler_parameters"')
+                f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: "
+                "the first and the last turn about the same axis", "start at another angle, choose another sequence, "
+                'or use orientation = "euler_parameters"')

@@ -50,3 +50,9 @@ def model_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene], Mode
         return models[key]
 
     return build
+
+
+@pytest.fixture(scope="session")
+def build(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Scene, frozenset[str] | None], Model]:
+    """Model of any scene with the named functions only (None: all), generated anew."""
+    return lambda scene, functions: load_model(generate(scene, tmp_path_factory.mktemp(scene.name), functions))

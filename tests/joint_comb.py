@@ -1,8 +1,8 @@
 """A free flexible body that carries one body on every type of joint: the joints' laws at one go.
 
-The body bends where the joints sit, so their markers move and turn with it. The same mechanism can be written with Euler
-parameters (joints place bodies by coordinates of their own) or with Euler angles (joints are equations), and with the
-two markers of a joint exchanged.
+The body bends where the joints sit, so their markers move and turn with it. The same mechanism can be written with
+Euler parameters (joints place bodies by coordinates of their own) or with Euler angles (joints are equations), and with
+the two markers of a joint exchanged.
 """
 
 from __future__ import annotations
@@ -50,7 +50,8 @@ def rigid(nodes: Nodes) -> dict[str, Any]:
     m, x = nodes.masses, nodes.positions
     centre = m @ x / m.sum()
     arms = x - centre
-    tensor = np.einsum("k,kij->ij", m, (arms**2).sum(axis=1)[:, None, None] * np.eye(3) - np.einsum("ki,kj->kij", arms, arms))
+    moments = np.einsum("k,ki,kj->ij", m, arms, arms)
+    tensor = np.trace(moments) * np.eye(3) - moments
     return {"mass": float(m.sum()), "center_of_mass": centre, **inertia(tensor)}
 
 

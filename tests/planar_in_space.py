@@ -27,7 +27,8 @@ def posed(scene: Scene, planar: Model) -> Scene:
         data["bodies"].insert(0, {"type": "ground", "name": "ground"})
     sliding = {joint[key] for joint in data["joints"] if joint["type"] in ALONG for key in ("marker_a", "marker_b")}
     for body in data["bodies"]:
-        _pose_body(scene, body, {reference.partition(".")[2] for reference in sliding if reference.startswith(body["name"] + ".")})
+        own = body["name"] + "."
+        _pose_body(scene, body, {reference.removeprefix(own) for reference in sliding if reference.startswith(own)})
     for joint in data["joints"]:
         if joint["type"] in ALONG:
             joint |= {key: f"{joint[key]}_slide" for key in ("marker_a", "marker_b")}

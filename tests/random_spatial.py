@@ -1,4 +1,4 @@
-"""Hypothesis strategies for spatial mechanisms: trees of rigid bodies and beams on any joints, closed loops, doubled joints."""
+"""Hypothesis strategies for spatial mechanisms of rigid bodies and beams: trees, closed loops, doubled joints."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from scipy.spatial.transform import Rotation
 from symgen.scene import Scene, SceneBuilder
 
 Draw = Any
-TREE_JOINTS = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "spherical", "point_on_line", "distance")
+TREE_JOINTS = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "spherical",
+               "point_on_line", "distance")
 MORE: dict[str, dict[str, float]] = {"screw": {"lead": 0.2}, "distance": {"length": 0.7}}
 FREEDOM = {"revolute": 1, "universal": 2, "cylindrical": 2, "spherical": 3}  # of the joints along a loop
 HELD = {"distance": 1, "point_on_line": 2, "spherical": 3, "revolute": 5}  # by the joint that closes it
@@ -43,8 +44,9 @@ class Assembly:
         fields: dict[str, Any] = {"orientation": orientation, "markers": {}, "type": "beam" if flexible else "rigid"}
         if flexible:
             side = self.rng.uniform(0.01, 0.03, 2)
-            fields |= {"length": LENGTH, "density": 3000.0, "area": side[0] * side[1], "youngs_modulus": 1e10, "elements": 8,
-                       "second_moment": side[0] * side[1]**3 / 12, "second_moment_z": side[1] * side[0]**3 / 12,
+            fields |= {"length": LENGTH, "density": 3000.0, "area": side[0] * side[1], "youngs_modulus": 1e10,
+                       "elements": 8, "second_moment": side[0] * side[1]**3 / 12,
+                       "second_moment_z": side[1] * side[0]**3 / 12,
                        "lateral": {"ends": "clamped-free", "modes": 1}, "stiffening": self.draw(st.booleans()),
                        "lateral_z": {"ends": "clamped-free", "modes": 1} if self.draw(st.booleans()) else None}
         else:
@@ -124,7 +126,7 @@ class Assembly:
 
 @st.composite
 def spatial_trees(draw: Draw, doubled: bool = False, most: int = 3) -> Scene:
-    """1 to `most` bodies on joints of any type, all with Euler angles or all with Euler parameters; perhaps a joint twice."""
+    """1 to `most` bodies on joints of any type, all with Euler angles or all with Euler parameters; a joint twice."""
     made, angles = Assembly(draw), draw(st.booleans())
     names = ["ground"]
     types = [kind for kind in TREE_JOINTS if not (angles and kind == "screw") and not (doubled and kind == "screw")]

@@ -78,10 +78,11 @@ class SpatialSpace:
         if label is not None and prescribed is not None:
             return [coordinate_row(joint.name, label, prescribed, motion, a)]
         if joint.type == "screw":
-            raise SceneError(item_path("joints", self.scene.joints.index(joint), joint.name), "a screw joint needs an angle of "
-                             "its own, which it has neither between bodies with Euler angles nor where it closes a loop",
-                             'use orientation = "euler_parameters", or name the screw before the joint that could close '
-                             "the loop in its place")
+            raise SceneError(
+                item_path("joints", self.scene.joints.index(joint), joint.name),
+                "a screw joint needs an angle of its own, which it has neither between bodies with Euler angles "
+                "nor where it closes a loop",
+                'use orientation = "euler_parameters", or name the screw before the joints that could place its body')
         return spatial_rows(joint.name, joint.type, a, b, motion)
 
     def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:

@@ -21,7 +21,8 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("position of one", A, "bodies/1/markers/tip/position", [1], f"{ARM}.markers.tip.position", "has 1 components"),
     ("centre of four", A, "bodies/1/center_of_mass", [1, 0, 0, 0], f"{ARM}.center_of_mass", "has 4 components"),
     ("force of one", A, "loads/0/components", [1], "loads[0] 'push'.components", "has 1 components"),
-    ("flexible position of two", A, "bodies/3/markers/edge/position", [1, 0], f"{PLATE}.markers.edge.position[2]", "missing"),
+    ("flexible position of two", A, "bodies/3/markers/edge/position", [1, 0], f"{PLATE}.markers.edge.position[2]",
+     "missing"),
     ("one moment of inertia", A, "bodies/1/inertia", 0.1, f"{ARM}.inertia", "three moments"),
     ("two moments of inertia", A, "bodies/1/inertia", [0.1, 0.2], f"{ARM}.inertia", "has 2 entries"),
     ("two products", A, "bodies/1/products", [0.1, 0.2], f"{ARM}.products", "has 2 entries"),
@@ -30,7 +31,8 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("axis zero", A, "bodies/1/markers/tip/axis", [0, 0, 0], f"{ARM}.markers.tip.axis", "has no direction"),
     ("axis of two", A, "bodies/1/markers/tip/axis", [0, 1], f"{ARM}.markers.tip.axis[2]", "is missing"),
     ("axis NaN", A, "bodies/1/markers/tip/axis", [0, 0, float("nan")], f"{ARM}.markers.tip.axis[2]", "not a finite"),
-    ("x_axis along axis", A, "bodies/0/markers/axle/x_axis", [0, -2, 0], "bodies[0] 'ground'.markers.axle.x_axis", "along"),
+    ("x_axis along axis", A, "bodies/0/markers/axle/x_axis", [0, -2, 0], "bodies[0] 'ground'.markers.axle.x_axis",
+     "along"),
     ("x_axis zero", A, "bodies/0/markers/axle/x_axis", [0, 0, 0], "bodies[0] 'ground'.markers.axle.x_axis", "zero"),
     ("angle in space", A, "bodies/1/markers/tip/angle", 0.3, f"{ARM}.markers.tip.angle", "by its axes"),
     # values
@@ -45,7 +47,8 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     # flexible bodies
     ("shape of two rows", A, "bodies/3/markers/edge/shape", [[1, 0], [0, 1]], f"{PLATE}.markers.edge.shape", "rows"),
     ("shape too narrow", A, "bodies/3/markers/edge/shape/1", [1], f"{PLATE}.markers.edge.shape[1]", "entries"),
-    ("rotation too wide", A, "bodies/3/markers/edge/rotation/0", [1, 0, 0], f"{PLATE}.markers.edge.rotation[0]", "entries"),
+    ("rotation too wide", A, "bodies/3/markers/edge/rotation/0", [1, 0, 0], f"{PLATE}.markers.edge.rotation[0]",
+     "entries"),
     ("K_ff too large", A, "bodies/3/K_ff", [[1, 0, 0], [0, 1, 0], [0, 0, 1]], f"{PLATE}.K_ff", "rows"),
     ("phi_integral of two rows", A, "bodies/3/phi_integral", [[0, 0], [0, 0]], f"{PLATE}.phi_integral", "rows"),
     ("rho_phi of one mode", A, "bodies/3/rho_phi", [ZEROS], f"{PLATE}.rho_phi", "1"),
@@ -60,13 +63,17 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
     ("joint named like a body", A, "joints/0/name", "arm", "joints[0] 'arm'", "has the name of a body"),
     ("modal in space", A, "bodies/1", {"type": "modal", "name": "arm", "mass": 1, "inertia": 1, "M_ff": [[1]],
                                        "K_ff": [[1]]}, f"{ARM}.type", "is planar"),
-    ("spherical in a plane", S, "joints/+", joint("spherical", "crank.tip", "rod.end"), "joints[4] 'extra'.type", "three"),
-    ("screw in a plane", S, "joints/+", joint("screw", "crank.tip", "rod.end", lead=1), "joints[4] 'extra'.type", "three"),
+    ("spherical in a plane", S, "joints/+", joint("spherical", "crank.tip", "rod.end"), "joints[4] 'extra'.type",
+     "three"),
+    ("screw in a plane", S, "joints/+", joint("screw", "crank.tip", "rod.end", lead=1), "joints[4] 'extra'.type",
+     "three"),
     ("bushing in a plane", S, "loads/+", {"type": "bushing", "name": "b", "marker_a": "ground.origin",
                                           "marker_b": "crank.tip"}, "loads[2] 'b'.type", "three dimensions"),
-    ("z in a plane", S, "measures/+", {"type": "z", "name": "z", "marker_b": "crank.tip"}, "measures[1] 'z'.type", "no z"),
+    ("z in a plane", S, "measures/+", {"type": "z", "name": "z", "marker_b": "crank.tip"}, "measures[1] 'z'.type",
+     "no z"),
     ("angles in a plane", S, "bodies/0/orientation", "zyx", "bodies[0] 'crank'.orientation", "angle theta"),
-    ("axis in a plane", S, "bodies/0/markers/tip/axis", [0, 1, 0], "bodies[0] 'crank'.markers.tip.axis", "by its angle"),
+    ("axis in a plane", S, "bodies/0/markers/tip/axis", [0, 1, 0], "bodies[0] 'crank'.markers.tip.axis",
+     "by its angle"),
     ("three moments in a plane", S, "bodies/0/inertia", [1, 1, 1], "bodies[0] 'crank'.inertia", "has one moment"),
     ("space is a number", A, "space", 3, "space", "not a possible"),
 ]  # fmt: skip
@@ -88,7 +95,8 @@ def test_the_good_scene_can_be_derived() -> None:
 
 def singular_start() -> SceneBuilder:
     """Euler angles zxz at their singular middle angle, where two axes of rotation coincide."""
-    return SceneBuilder("singular", space="spatial").rigid("body", mass=1.0, inertia=[1, 2, 3], orientation="zxz", free=True)
+    builder = SceneBuilder("singular", space="spatial")
+    return builder.rigid("body", mass=1.0, inertia=[1, 2, 3], orientation="zxz", free=True)
 
 
 def screw_with_angles() -> SceneBuilder:

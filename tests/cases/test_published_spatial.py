@@ -51,7 +51,7 @@ def test_p4_at_a_coarse_step() -> None:
 
 
 def test_p5_heavy_top(tmp_path) -> None:  # type: ignore[no-untyped-def]
-    """Spin 150 rad/s: position of the centre of mass, the spin and the energy kept; Euler angles xzy, singular only along x."""
+    """Spin 150 rad/s: position of the centre of mass, and the energy kept; Euler angles xzy, singular only along x."""
     top = load_model(generate(heavy_top("xzy"), tmp_path / "top"))
     solution = reference_solution(top, t_end=1.0, times=np.array(list(P5)), rtol=1e-12, atol=1e-13)
     for k, expected in enumerate(P5.values()):

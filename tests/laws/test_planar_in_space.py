@@ -1,4 +1,4 @@
-"""A planar scene posed in space moves as the planar one, with the same forces in the plane; spinning beams stiffen alike."""
+"""A planar scene posed in space moves as the planar one, with the same forces; spinning beams stiffen alike."""
 
 from __future__ import annotations
 
@@ -13,9 +13,7 @@ from planar_in_space import posed, posed_state
 from scipy.linalg import eigh
 from spatial_motion import frames
 
-from runtime import load_model
 from runtime.model import Model
-from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.chain import chain
 from symgen.scenes.four_bar import four_bar
@@ -25,17 +23,11 @@ Build = Callable[[Scene, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "constraints", "closure", "velocities", "accelerations", "reactions"})
 
 
-@pytest.fixture(scope="module")
-def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
-    """Model of a scene with the named kernels only."""
-    return lambda scene, functions: load_model(generate(scene, tmp_path_factory.mktemp("scene"), functions))
-
-
 def beam_pendulum() -> Scene:
     """A rigid arm, a flexible beam on a hinge with a spring and a damper, a slider with a spring; stiffening kept.
 
-    The section is so small that its rotary inertia, which a planar beam leaves out, is below rounding. Nothing is fixed to
-    the rotation of the beam's end, which counts as an angle in the plane and as a rotation (1, psi / 2) in space.
+    The section is so small that its rotary inertia, which a planar beam leaves out, is below rounding. Nothing is fixed
+    to the rotation of the beam's end, which counts as an angle in the plane and as a rotation (1, psi / 2) in space.
     """
     builder = SceneBuilder("beam_pendulum").gravity(0, -9.81)
     builder.ground(markers={"rail": {"position": (0.1, 0.2), "angle": 0.6}})

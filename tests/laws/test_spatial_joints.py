@@ -1,6 +1,6 @@
 """Laws of every joint type in space, on markers that turn with the deformation of a flexible body.
 
-C_q and gamma are the derivatives of C along any motion; joint forces satisfy Newton's and Euler's equations of each body;
+C_q and gamma are the derivatives of C along any motion; joint forces satisfy Newton's and Euler's equations;
 Euler angles or parameters, and the order of a joint's markers, change neither motion nor forces.
 """
 
@@ -15,10 +15,10 @@ from joint_comb import GRAVITY, ONE_WAY, OTHERS, PLACING, Variant, comb, exchang
 from model_values import Array, State, evaluate, make_state, relative_error
 from spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
+from runtime import load_model
 from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
-from runtime import load_model
 
 Build = Callable[[tuple[str, ...], Variant], tuple[Scene, Model]]
 WITHOUT_SCREW = tuple(kind for kind in PLACING if kind != "screw")
@@ -43,7 +43,8 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
 def states(model: Model, count: int) -> list[State]:
     """Assembled states around the start."""
     rng, n = np.random.default_rng(7), len(model.coordinates)
-    return [assembled(model, model.initial_q + rng.uniform(-0.4, 0.4, n), rng.uniform(-2, 2, n), T) for _ in range(count)]
+    return [assembled(model, model.initial_q + rng.uniform(-0.4, 0.4, n), rng.uniform(-2, 2, n), T)
+            for _ in range(count)]
 
 
 def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
@@ -60,8 +61,9 @@ def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
     return q, v, a
 
 
-@pytest.mark.parametrize("variant", [Variant(), Variant(exchanged=True), Variant(base_last=True), Variant(parameters=False)],
-                         ids=["parameters", "exchanged", "base last", "angles"])
+@pytest.mark.parametrize("variant", [
+    Variant(), Variant(exchanged=True), Variant(base_last=True), Variant(parameters=False),
+], ids=["parameters", "exchanged", "base last", "angles"])
 @pytest.mark.parametrize("types", [PLACING, OTHERS], ids=["placing", "others"])
 def test_rows_are_derivatives_of_C(build: Build, types: tuple[str, ...], variant: Variant) -> None:
     """C_q q_dot + C_t is the rate of C, and C_q q_ddot - gamma its second rate, far from any assembled position."""
@@ -69,7 +71,8 @@ def test_rows_are_derivatives_of_C(build: Build, types: tuple[str, ...], variant
     scene, model = build(kinds, variant)
     q, v, a = path(scene, model)
     kernel, s, t = model.kernel("constraints"), ca.SX.sym("s"), 0.8
-    values = {"q": q + s * v + s**2 / 2 * a, "q_dot": v + s * a, "t": t + s, "c": model.constants(model.parameter_vector())}
+    c = model.constants(model.parameter_vector())
+    values = {"q": q + s * v + s**2 / 2 * a, "q_dot": v + s * a, "t": t + s, "c": c}
     C = kernel.call({name: values[name] for name in kernel.name_in()})["C"]
     C_dot = ca.jacobian(C, s)
     along = ca.Function("along", [s], [C, C_dot, ca.jacobian(C_dot, s)])
@@ -99,7 +102,8 @@ def test_forces_satisfy_newton_and_euler(build: Build, types: tuple[str, ...]) -
             total = np.cross(body.centre, weight) + np.cross(points[kind], force) + moment
             np.testing.assert_allclose(body.angular, total, atol=1e-10 * largest, err_msg=kind)
         weights = {name: rate.mass * np.array(GRAVITY) for name, rate in rates.items()}
-        np.testing.assert_allclose(sum(rate.linear for rate in rates.values()), sum(weights.values()), atol=1e-10 * largest)
+        whole = sum(rate.linear for rate in rates.values())
+        np.testing.assert_allclose(whole, sum(weights.values()), atol=1e-10 * largest)
         expected = sum(np.cross(rate.centre, weights[name]) for name, rate in rates.items())
         np.testing.assert_allclose(sum(rate.angular for rate in rates.values()), expected, atol=1e-10 * largest)
 
