@@ -23,12 +23,13 @@ JACOBIANS = frozenset({"dQ_hat_dq_i", "dQ_hat_dq_i_dot"})
 WELL_POSED = 0.03  # smallest singular value of C_q on the dependent coordinates, over the largest
 
 
-def check_laws(scene: Scene, redundant: bool = False, jacobians: bool = False) -> None:
+def check_laws(scene: Scene, redundant: bool | None = False, jacobians: bool = False) -> None:
+    """redundant: whether rows are (None: they may be, where two joints of a loop fall into one point)."""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(scene, folder, KERNELS | JACOBIANS if jacobians else KERNELS))
         for name in model.builders:
             model.kernel(name)
-    assert bool(model.redundant) == redundant
+    assert redundant is None or bool(model.redundant) == redundant
     assume(well_posed(model))
     state, n = random_state(model), len(model.q_i)
     constraint = evaluate(model, "constraints", **state.values())
@@ -77,7 +78,7 @@ def check_jacobians(model: Model, state: State) -> None:
         if model.has(name):
             found = evaluate(model, name, **state.values())[name].reshape(len(along), -1) @ along
         noise = 1e-14 * np.max(np.abs(evaluate(model, "augmented", **state.values())["Q_star"])) / h
-        assert np.max(np.abs(found - (ahead - behind) / (2 * h))) < 1e-6 * np.max(np.abs(found)) + noise, name
+        assert np.max(np.abs(found - (ahead - behind) / (2 * h))) <= 1e-6 * np.max(np.abs(found)) + noise, name
 
 
 @QUICK
@@ -96,7 +97,7 @@ def test_jacobians(scene: Scene) -> None:
 @QUICK
 @given(spatial_loops())
 def test_closed_loops(scene: Scene) -> None:
-    check_laws(scene)
+    check_laws(scene, redundant=None)
 
 
 @QUICK

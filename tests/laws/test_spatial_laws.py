@@ -166,6 +166,9 @@ def test_all_sequences_of_angles_move_a_free_body_alike(build: Build) -> None:
     found = {}
     for kind in ("euler_parameters", *SEQUENCES):
         scene = spatial_scenes.free_flexible(params, kind)
+        if kind != "euler_parameters":  # some sequences are singular at zero
+            start = {"coordinates": {"body.theta2": 0.5}}
+            scene = Scene.from_dict({**scene.to_dict(), "initial": start})
         model = build(scene, FULL)
         state = place(scene, model, moving, 0.0)
         assert relative_error(frames(scene, state.q, state.q_dot, 0 * state.q)["body"].omega, more[2]) < 1e-12
