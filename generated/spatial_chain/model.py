@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 136 operations."""
+    """c: everything that depends on the parameters p only. 134 operations."""
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
     link1_mass = p[1]
@@ -37,15 +37,15 @@ def constants() -> ca.Function:
     w6 = w1 + w4
     w7 = link2_mass + link3_mass
     w8 = link2_mass * link2_center_of_mass_x
-    w9 = link3_mass * link2_end_x
-    w10 = link3_mass * link3_center_of_mass_x
-    w11 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
-    w12 = w11 - link2_inertia_yy
-    w13 = w11 - link2_inertia_zz
-    w14 = w12 + w13
-    w15 = w11 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
-    w16 = w13 + w15
-    w17 = w12 + w15
+    w9 = link3_mass * link3_center_of_mass_x
+    w10 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
+    w11 = w10 - link2_inertia_yy
+    w12 = w10 - link2_inertia_zz
+    w13 = w11 + w12
+    w14 = w10 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
+    w15 = w12 + w14
+    w16 = w11 + w14
+    w17 = link3_mass * link2_end_x
     w18 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
     w19 = w18 - link3_inertia_yy
     w20 = w18 - link3_inertia_zz
@@ -69,15 +69,15 @@ def constants() -> ca.Function:
         -w3,
         w8,
         link2_end_x,
-        w10,
+        w9,
+        w11,
         w12,
         w13,
         w14,
         w15,
         w16,
-        w17,
-        link2_end_x * w9,
-        -w14,
+        link2_end_x * w17,
+        -w13,
         w19,
         w20,
         w21,
@@ -93,19 +93,19 @@ def constants() -> ca.Function:
         w25,
         link1_mass * gravity_z,
         link3_end_x,
-        w8 + w9,
-        1.0 + 1.0,
-        w8 + w8,
-        w10 + w10,
-        w3 + w3,
-        w5 + w5,
-        w6 + w6,
-        w14 + w14,
-        w16 + w16,
-        w17 + w17,
-        w21 + w21,
-        w23 + w23,
-        w24 + w24,
+        w8 + w17,
+        2.0,
+        2 * w8,
+        2 * w9,
+        2 * w3,
+        2 * w5,
+        2 * w6,
+        2 * w13,
+        2 * w15,
+        2 * w16,
+        2 * w21,
+        2 * w23,
+        2 * w24,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -76,6 +76,25 @@ def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
     return nodes
 
 
+def as_function(name: str, tape: Tape) -> ca.Function:
+    """The SX Function of a tape, with CasADi's own simplifications."""
+    inputs = [ca.SX.sym(label, size) for label, size in zip(tape.input_names, tape.input_sizes, strict=True)]
+    entries = [ca.vertsplit(value) if value.numel() else [] for value in inputs]
+    values: list[ca.SX] = []
+    for node in tape.nodes:
+        if node.op == ca.OP_CONST:
+            values.append(ca.SX(node.value))
+        elif node.op == ca.OP_INPUT:
+            values.append(entries[node.a][node.b])
+        elif node.b == UNUSED:
+            values.append(ca.SX.unary(node.op, values[node.a]))
+        else:
+            values.append(ca.SX.binary(node.op, values[node.a], values[node.b]))
+    outputs = [ca.densify(ca.reshape(ca.vertcat(*(values[entry] for entry in found)), *shape))
+               for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)]
+    return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
+
+
 def uses(tape: Tape) -> list[int]:
     """How often each node is used, as an argument or as an output entry."""
     count = [0] * len(tape.nodes)
