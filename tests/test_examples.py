@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 import runpy
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
@@ -97,3 +99,17 @@ def test_optimise_torque(capsys, monkeypatch, tmp_path) -> None:
     torques = [float(line.split()[-3]) for line in text.splitlines() if line.startswith("t = ")]
     assert torques[0] > 0.1
     assert torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
+
+
+def test_mesh_connecting_rod(capsys, monkeypatch, tmp_path, tmp_path_factory) -> None:
+    """The data of the built-in scene is what the mesh gives, relative to each array's largest entry."""
+    path = tmp_path_factory.mktemp("rod") / "rod.json"
+    monkeypatch.setitem(ARGUMENTS, "mesh_connecting_rod", ["--out", str(path)])
+    text = output("mesh_connecting_rod", capsys, monkeypatch, tmp_path)
+    assert "5205 degrees of freedom" in text
+    meshed = json.loads(path.read_text(encoding="utf-8"))
+    kept = json.loads((EXAMPLES.parent / "symgen" / "scenes" / "connecting_rod.json").read_text(encoding="utf-8"))
+    assert meshed.keys() == kept.keys()
+    for key in meshed.keys() - {"markers"}:
+        found, expected = np.asarray(meshed[key]), np.asarray(kept[key])
+        assert np.abs(found - expected).max() <= 1e-8 * np.abs(expected).max()
