@@ -15,6 +15,7 @@ from PIL import Image
 from runtime.files import OutputError, replacing
 from runtime.model import Model, ModelError
 from runtime.plots import COLOURS
+from runtime.view import axis_labels, projected
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,12 +28,16 @@ GROUND = "ground"
 
 @dataclass(frozen=True)
 class Film:
-    """Points of all frames: xy and ghost (frames, 2, points) [m], t (frames,) [s], the exaggeration used."""
+    """Points of all frames: xy and ghost (frames, 2, points) [m], t (frames,) [s], the exaggeration used.
+
+    A spatial mechanism is shown from a fixed direction, see view.py; axes are the world's in a planar one.
+    """
 
     t: np.ndarray
     xy: np.ndarray
     ghost: np.ndarray
     exaggeration: float
+    axes: tuple[str, str]
 
     @property
     def limits(self) -> tuple[np.ndarray, np.ndarray]:
@@ -59,7 +64,7 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
     c = solution.model.constants(solution.parameters)
     ghost, true = (_points(solution.model, q, t, c, factor) for factor in (0.0, 1.0))
     factor = _automatic(true, ghost) if exaggeration is None else float(exaggeration)
-    return Film(t, _points(solution.model, q, t, c, factor), ghost, factor)
+    return Film(t, _points(solution.model, q, t, c, factor), ghost, factor, axis_labels(solution.model))
 
 
 def _points(model: Model, q: np.ndarray, t: np.ndarray, c: np.ndarray, exaggeration: float) -> np.ndarray:
@@ -67,11 +72,12 @@ def _points(model: Model, q: np.ndarray, t: np.ndarray, c: np.ndarray, exaggerat
     kernel = model.kernel("drawing")
     given: dict[str, Any] = {"q": q.T, "exaggeration": exaggeration, "t": t.reshape(1, -1), "c": c}
     arguments = {name: given[name] for name in kernel.name_in() if kernel.size1_in(name)}
-    flat = np.asarray(kernel(**arguments)["xy"], dtype=float)
-    points = kernel.size2_out("xy")
+    output = kernel.name_out()[0]
+    flat = np.asarray(kernel(**arguments)[output], dtype=float)
+    rows, points = kernel.size1_out(output), kernel.size2_out(output)
     if flat.shape[1] != points * len(t):  # nothing varies with q or t
         flat = np.tile(flat, (1, len(t)))
-    return flat.reshape(2, len(t), points).transpose(1, 0, 2)
+    return projected(model, flat.reshape(rows, len(t), points)).transpose(1, 0, 2)
 
 
 def _automatic(true: np.ndarray, ghost: np.ndarray) -> float:
@@ -136,8 +142,8 @@ def _stage(solution: Solution, shown: Film) -> tuple[Figure, Axes]:
     ax = figure.add_axes((0.7 / outer[0], 0.55 / outer[1], inner[0] / outer[0], inner[1] / outer[1]))
     ax.set_xlim(centre[0] - half[0], centre[0] + half[0])
     ax.set_ylim(centre[1] - half[1], centre[1] + half[1])
-    ax.set_xlabel("x [m]")
-    ax.set_ylabel("y [m]")
+    ax.set_xlabel(shown.axes[0])
+    ax.set_ylabel(shown.axes[1])
     ax.tick_params(labelsize=8)
     ax.grid(True, color="0.92", lw=0.7)
     ax.spines[["top", "right"]].set_visible(False)

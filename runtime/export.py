@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import zipfile
+from collections.abc import Sequence
 from dataclasses import asdict
 from importlib.util import find_spec
 from pathlib import Path
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from runtime.solution import Solution
 
 FORMAT = "symgen solution 2"
+FORCE_PARTS = {3: ("force_x", "force_y", "moment"),
+               6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z")}  # planar, spatial
 ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "constraint_rate_error",
           "measures", "joint_forces")
 NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
@@ -29,8 +32,9 @@ POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
 def unit(coordinate: str, derivative: int = 0) -> str:
-    """SI unit of a coordinate (angles are named `theta`) or of its time derivatives."""
-    base = "rad" if coordinate.rpartition(".")[2].startswith("theta") else "m"
+    """SI unit of a coordinate (angles: `theta`, `angle`; Euler parameters: e0 ... e3) or its derivatives."""
+    last = coordinate.rpartition(".")[2]
+    base = "rad" if last.startswith(("theta", "angle")) else "1" if last in ("e0", "e1", "e2", "e3") else "m"
     return base + ("", "/s", "/s^2")[derivative]
 
 
@@ -130,7 +134,7 @@ def table(solution: Solution) -> dict[str, np.ndarray]:
         columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
     columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
     columns |= {f"{joint}.{part}": solution.joint_forces[:, k, axis] for k, joint in enumerate(model.joints)
-                for axis, part in enumerate(("force_x", "force_y", "moment"))}
+                for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])}
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
     columns["constraint_rate_error"] = solution.constraint_rate_error
@@ -159,7 +163,7 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
         variables[key] = (("t", "coordinate"), values, {"units": units})
     variables["q_i"] = (("t", "independent"), solution.q_i)
     variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
-    variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N, N m"})
+    variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N m"})
     for key, series in solution.energy.items():
         variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
     variables["constraint_error"] = ("t", solution.constraint_error)
@@ -170,14 +174,14 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
         variables,
         coords={"t": ("t", solution.t, {"units": "s"}), "coordinate": _labels(model.coordinates),
                 "independent": _labels(model.q_i), "constraint": _labels(model.constraints),
-                "joint": _labels(model.joints), "component": _labels(["force_x", "force_y", "moment"]),
+                "joint": _labels(model.joints), "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
                 "measure": _labels(model.measures), "parameter": _labels([entry.name for entry in model.parameters])},
         attrs={"model": model.name, "title": model.title, "scheme": solution.scheme, "dt": solution.dt,
                "m": np.array(solution.m, dtype=int), "status": str(solution.status)})
     return dataset
 
 
-def _labels(names: list[str]) -> np.ndarray:
+def _labels(names: Sequence[str]) -> np.ndarray:
     return np.array(names, dtype=np.str_ if names else "U1")
 
 

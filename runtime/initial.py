@@ -7,7 +7,7 @@ Elastic coordinates move last, being small; those left open count as given zeros
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NoReturn
 
@@ -45,20 +45,24 @@ class ConsistentState:
 def consistent_state(
     names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
     velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
-    guess: np.ndarray | None = None,
+    guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(), first: Sequence[int] = (),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
-    guess: where coordinates that were left open start (zero by default).
+    guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
+    first: rows that place bodies, satisfied by what was left open before the others are looked at.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
-    q0, stages = _start(names, elastic, coordinates, guess)
+    q0, stages = _start(names, elastic, coordinates, guess, reluctant)
     free = stages[-1]
+    if len(first):
+        rows = np.array(first)
+        q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))
     q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
-    v0, stages = _start(names, elastic, rates)
+    v0, stages = _start(names, elastic, rates, None, reluctant)
     free = stages[-1]
     C_q, nu = velocity(q)
     v = next((v for mask in stages if (v := _velocities(v0, mask, C_q, nu)) is not None), None)
@@ -73,14 +77,15 @@ def consistent_state(
 
 
 def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
-           guess: np.ndarray | None = None) -> tuple[np.ndarray, list[np.ndarray]]:
-    """(starting values, what may move: first only what was left open, then given rigid values, then elastic ones)."""
+           guess: np.ndarray | None, reluctant: frozenset[int]) -> tuple[np.ndarray, list[np.ndarray]]:
+    """(starting values, what may move: first only what was left open, then what is reluctant, given, elastic)."""
     start = np.zeros(len(names)) if guess is None else guess
     value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
     is_elastic = np.array([k in elastic for k in range(len(names))], dtype=bool)
     free = np.array([name not in given.fixed for name in names], dtype=bool)
     is_open = np.array([name not in given.values for name in names], dtype=bool) & ~is_elastic
-    return value, [is_open & free, ~is_elastic & free, free]
+    is_reluctant = np.array([k in reluctant for k in range(len(names))], dtype=bool)
+    return value, [is_open & ~is_reluctant & free, is_open & free, ~is_elastic & free, free]
 
 
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:

@@ -27,7 +27,7 @@ def joint_reactions(model: Model, values: Mapping[str, np.ndarray], C_q: np.ndar
         jacobians = C_q.reshape(n, len(model.coordinates), len(model.constraints)).transpose(0, 2, 1)
         least = least_norm(found["lam"], jacobians, len(model.kept_rows))
         found = evaluate(kernel, {**given, "lam_R": least[:, model.redundant_rows]}, c)
-    return found["lam"], found["joint_forces"].reshape(n, len(model.joints), 3)
+    return found["lam"], found["joint_forces"].reshape(n, len(model.joints), kernel.size1_out("joint_forces"))
 
 
 def least_norm(lam: np.ndarray, C_q: np.ndarray, rank: int) -> np.ndarray:

@@ -16,6 +16,7 @@ from runtime.status import Status, StatusName
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
 CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
+SMALLEST_ARM = 1e-9  # m: what rounding leaves of a lever arm that is zero
 FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
@@ -171,7 +172,8 @@ class _ConstraintCheck:
         if self._function is not None:
             C_q = np.abs(np.asarray(self._function(z, self.c)[1]))
             arms = C_q[np.ix_(~self._angles, self._turning)]
-            self.length = float(arms.max(initial=0.0)) or 1.0
+            longest = float(arms.max(initial=0.0))
+            self.length = longest if longest > SMALLEST_ARM else 1.0
 
     def violated(self, z: np.ndarray) -> bool:
         """Is a constraint off by more than CONSTRAINT_LIMIT?"""

@@ -36,10 +36,13 @@ class ConstraintNumbers:
 
 def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) -> ConsistentState:
     """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
+    placed = {place.joint for place in scene.places()}
     try:
         return consistent_state(
             equations.names, equations.elastic_columns, [row.label for row in equations.constraints],
-            numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates))
+            numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates),
+            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]), equations.joint_columns,
+            [k for k, row in enumerate(equations.constraints) if row.joint in placed])
     except InitialStateError as error:
         raise SceneError("initial", str(error), "see above") from error
 

@@ -45,7 +45,7 @@ def structural_pivots(equations: Equations, scene: Scene,
     joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
                    for joint in scene.joints}
     rows = sorted((r for r in range(len(equations.constraints)) if r not in left_out),
-                  key=lambda r: (joint_depth[equations.constraints[r].joint], r))
+                  key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r))
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []

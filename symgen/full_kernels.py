@@ -49,7 +49,7 @@ def reactions(system: Condensed) -> Kernel:
     """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
 
     lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
-    joint_forces (3 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
+    joint_forces (3 or 6 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
     """
     eq, choice = system.equations, system.choice
     q_ddot = ca.SX.sym("q_ddot", len(eq.names))
@@ -70,8 +70,10 @@ def reactions(system: Condensed) -> Kernel:
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
     inputs |= {"lam_R": lam_R, "t": eq.t} if given else {"t": eq.t}
     lam |= given
-    forces = ca.SX(3, len(eq.joints))
+    forces = ca.SX(max((len(row.on_b) for row in eq.constraints), default=3), len(eq.joints))
     for row, constraint in enumerate(eq.constraints):
+        if not constraint.joint:
+            continue
         for axis, factor in enumerate(constraint.on_b):
             column = eq.joints.index(constraint.joint)
             forces[axis, column] = forces[axis, column] - factor * lam[row]

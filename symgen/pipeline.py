@@ -21,7 +21,7 @@ from runtime.initial import ConsistentState
 from symgen.assembly import ConstraintNumbers, assembled
 from symgen.condensation import Condensed, condense
 from symgen.elimination import Choice, choose_loops, dependent_rows, structural_pivots
-from symgen.equations import Equations, build_equations
+from symgen.equations import Equations
 from symgen.forward_dynamics import NoInertia
 from symgen.hoisting import hoist
 from symgen.kernels import arguments_of, build_kernels
@@ -29,6 +29,7 @@ from symgen.parameters import ParameterEntry, ParameterTable
 from symgen.partition import Group, choose_groups
 from symgen.redundancy import require_redundant
 from symgen.scene import Scene, SceneError
+from symgen.system.build import build_equations
 
 
 @dataclass(frozen=True)

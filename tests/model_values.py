@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from runtime.model import Model
+from runtime.reactions import joint_reactions
 
 Array = NDArray[Any]
 
@@ -90,16 +91,17 @@ def condensed_accelerations(model: Model, state: State) -> Array:
 
 
 def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
-    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution."""
+    """(q_ddot, lam) of Eq. (28), rows and columns scaled before the solution; lam of least norm."""
     result = evaluate(model, "augmented", **state.values())
-    n, rows = len(model.coordinates), len(model.constraints)
+    n, rows = len(model.coordinates), len(model.kept_rows)
     M, side = result["M"].reshape(n, n), result["Q_star"]
     if rows == 0:
         return np.linalg.solve(M, side), np.zeros(0)
     constraint = evaluate(model, "constraints", **state.values())
-    C_q = constraint["C_q"].reshape(rows, n)
+    all_C_q = constraint["C_q"].reshape(-1, n)
+    C_q = all_C_q[model.kept_rows]
     matrix = np.block([[M, C_q.T], [C_q, np.zeros((rows, rows))]])
-    side = np.concatenate([side, constraint["gamma"]])
+    side = np.concatenate([side, constraint["gamma"][model.kept_rows]])
     # masses of elastic and rigid coordinates differ by orders of magnitude: scale symmetrically, then refine once
     scale = np.ones(n + rows)
     for _ in range(5):
@@ -108,7 +110,19 @@ def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
     solution = np.linalg.solve(scaled, scale * side)
     solution += np.linalg.solve(scaled, scale * side - scaled @ solution)
     solution *= scale
-    return solution[:n], solution[n:]
+    lam = solution[n:]
+    if model.redundant:  # the same force C_q^T lam from all rows
+        lam = np.linalg.lstsq(all_C_q.T, C_q.T @ lam, rcond=1e-11)[0]
+    return solution[:n], lam
+
+
+def reactions(model: Model, state: State, q_ddot: Array) -> Array:
+    """lam of all constraint rows (Eq. 37), of least norm."""
+    values = {"q": state.q, "q_dot": state.q_dot, "q_ddot": q_ddot, "t": np.array([state.t])}
+    C_q = np.asarray(evaluate(model, "constraints", **state.values())["C_q"]).reshape(-1, len(model.coordinates))
+    lam, _ = joint_reactions(model, {key: value[None, :] for key, value in values.items()}, C_q.T.reshape(1, -1),
+                             model.constants(model.parameter_vector()))
+    return lam[0]
 
 
 def relative_error(value: Array, reference: Array) -> float:

@@ -24,6 +24,7 @@ FORBIDDEN_IMPORTS = {"pickle", "cloudpickle", "dill", "marshal", "shelve"}
 # what derivation modules may take from the runtime
 RUNTIME_IMPORTS = {
     "symgen.pipeline": {"runtime.initial", "runtime.engine.tape"},
+    "symgen.assembly": {"runtime.initial"},
     "symgen.hoisting": {"runtime.engine.tape"},
     "symgen.graph": {"runtime.engine.tape"},
     "symgen.emission": {"runtime.engine.tape", "runtime.files", "runtime.loading"},

@@ -9,7 +9,7 @@ from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_po
 from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, Scene
 
-BEAM_SAMPLES = 17
+BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))
 
 
 def outline_references(scene: Scene, table: ParameterTable) -> list[tuple[str, list[PointShape]]]:
@@ -18,10 +18,9 @@ def outline_references(scene: Scene, table: ParameterTable) -> list[tuple[str, l
     for body in scene.bodies:
         if isinstance(body, BeamBody):
             data = beam_integrals_of(body)
-            fractions = np.linspace(0.0, 1.0, BEAM_SAMPLES)
-            result.append((body.name, [beam_point(body, data, float(at), table) for at in fractions]))
+            result.append((body.name, [beam_point(body, data, at, table) for at in BEAM_FRACTIONS]))
             continue
-        references = _references(scene, body.name, list(body.markers))
+        references = drawn_references(scene, body.name, list(body.markers))
         points = [marker_shape(scene, reference, table)[1] for reference in references]
         if body.type == "ground":
             result += [(body.name, [point]) for point in points]
@@ -30,7 +29,7 @@ def outline_references(scene: Scene, table: ParameterTable) -> list[tuple[str, l
     return result
 
 
-def _references(scene: Scene, body: str, declared: list[str]) -> list[str]:
+def drawn_references(scene: Scene, body: str, declared: list[str]) -> list[str]:
     """The body's markers that joints and loads use or the scene declares; its origin first."""
     used = [ref for joint in scene.joints for ref in (joint.marker_a, joint.marker_b)]
     names = ["origin"] if f"{body}.origin" in used or len(declared) < 2 else []

@@ -59,6 +59,7 @@ class ShapeIntegrals:
 def rigid_integrals(body: RigidBody, table: ParameterTable) -> ShapeIntegrals:
     """Integrals of a rigid body: no modes."""
     mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
+    assert not isinstance(body.inertia, tuple)
     inertia = table.quantity(body.inertia, f"{body.name}.inertia", "kg m^2", "inertia about the centre of mass")
     center = _position(body.center_of_mass, f"{body.name}.center_of_mass", table)
     none, square = ca.SX(2, 0), ca.SX(0, 0)
@@ -197,7 +198,7 @@ def body_integrals(scene: Scene, name: str, table: ParameterTable) -> ShapeInteg
     raise TypeError(f"body {name} has no inertia")
 
 
-def _position(values: tuple[float | str, float | str], name: str, table: ParameterTable, unit: str = "m") -> ca.SX:
+def _position(values: Sequence[float | str], name: str, table: ParameterTable, unit: str = "m") -> ca.SX:
     return ca.vertcat(*(table.quantity(value, f"{name}.{axis}", unit, f"component {axis}")
                         for axis, value in zip("xy", values, strict=True)))
 

@@ -8,9 +8,7 @@ from collections.abc import Mapping
 from importlib.metadata import version
 
 from runtime.loading import manifest_digest
-from symgen.bodies.outlines import outline_references
 from symgen.emission.model_text import meaning
-from symgen.parameters import ParameterTable
 from symgen.pipeline import Derived
 
 FORMAT = 1
@@ -53,7 +51,7 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "redundant": [eq.constraints[row].label for row in derived.redundant],
         "joints": eq.joints,
         "measures": list(eq.measures),
-        "outlines": [[body, len(points)] for body, points in outline_references(scene, ParameterTable(scene))],
+        "outlines": [[outline.body, len(outline.points)] for outline in eq.outlines],
         "simulation": scene.simulation.model_dump(mode="json"),
         "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
         "parameters": [{"name": entry.name, "unit": entry.unit, "description": entry.description, "kind": entry.kind}

@@ -6,13 +6,14 @@ from collections.abc import Mapping
 
 from symgen.emission.model_text import meaning
 from symgen.pipeline import Derived
-from symgen.scene import BeamBody, ModalBody, RigidBody
+from symgen.scene import BeamBody, FlexibleBody, Joint, ModalBody, RigidBody
 
 JOINT_EQUATIONS = {
     "revolute": "r_b - r_a = 0",
     "prismatic": "n_a . (r_b - r_a) = 0, phi_b - phi_a = 0",
     "weld": "r_b - r_a = 0, phi_b - phi_a = 0",
     "point_on_line": "n_a . (r_b - r_a) = 0",
+    "distance": "|r_b - r_a| - length = 0",
     "prescribed_angle": "phi_b - phi_a - f(t) = 0",
     "prescribed_displacement": "t_a . (r_b - r_a) - f(t) = 0",
 }
@@ -57,10 +58,10 @@ def _bodies(derived: Derived) -> str:
             lines.append(f"| {body.name} | rigid | mass {body.mass}, inertia {body.inertia} about the centre of mass |")
         elif isinstance(body, BeamBody):
             sets = [f"{kind} modes {mode.ends} x {mode.modes}" for kind, mode in
-                    (("lateral", body.lateral), ("axial", body.axial)) if mode]
+                    (("lateral", body.lateral), ("lateral z", body.lateral_z), ("axial", body.axial)) if mode]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
             lines.append(f"| {body.name} | beam, {body.elements} elements, lumped mass | {', '.join(sets)}; {extra} |")
-        elif isinstance(body, ModalBody):
+        elif isinstance(body, ModalBody | FlexibleBody):
             lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
     return "\n".join(lines)
 
@@ -71,9 +72,28 @@ def _joints(derived: Derived) -> str:
     lines = ["## Joints", "", "| joint | type | between | equations |", "|---|---|---|---|"]
     for joint in derived.scene.joints:
         motion = getattr(joint, "motion", None)
-        equations = JOINT_EQUATIONS[joint.type] + (f", f(t) = `{motion}`" if motion else "")
+        equations = _joint_equations(derived, joint) + (f", f(t) = `{motion}`" if motion else "")
         lines.append(f"| {joint.name} | {joint.type} | {joint.marker_a} - {joint.marker_b} | {equations} |")
     return "\n".join(lines)
+
+
+SPATIAL_ROWS = {
+    "x": "(r_b - r_a)_x", "y": "(r_b - r_a)_y", "z": "(r_b - r_a)_z", "parallel_x": "z_b.x_a", "parallel_y": "z_b.y_a",
+    "twist": "x_b.y_a", "cross": "x_b.z_a", "across_x": "x_a.(r_b - r_a)", "across_y": "y_a.(r_b - r_a)",
+    "normal": "z_a.(r_b - r_a)", "length": "|r_b - r_a| - length", "angle": "angle - f(t)", "travel": "travel - f(t)",
+}
+
+
+def _joint_equations(derived: Derived, joint: Joint) -> str:
+    """What the joint's rows say; a joint that places a body says which and by what."""
+    place = next((place for place in derived.scene.places() if place.joint == joint.name), None)
+    if place is not None:
+        own = ", ".join(f"`{name}`" for name in place.coordinates)
+        return f"places {place.child}" + (f" by {own}" if own else "")
+    if derived.scene.space == "planar":
+        return JOINT_EQUATIONS[joint.type]
+    rows = [row.label.partition(".")[2] for row in derived.system.equations.constraints if row.joint == joint.name]
+    return ", ".join(SPATIAL_ROWS[row] for row in rows) + " = 0"
 
 
 def _redundant(derived: Derived) -> str:
@@ -100,7 +120,8 @@ def _left_out(derived: Derived) -> str:
     scene, eq = derived.scene, derived.system.equations
     items = []
     if scene.structure is None:
-        items.append("the third dimension: the scene is planar")
+        if scene.space == "planar":
+            items.append("the third dimension: the scene is planar")
         if all(component == 0 for component in scene.gravity):
             items.append("gravity: its components are zero")
     if eq.dissipated.is_zero():
@@ -120,7 +141,8 @@ def _left_out(derived: Derived) -> str:
 
 def _functions(derived: Derived, operations: Mapping[str, int]) -> str:
     lines = ["## Functions", "", "| function | operations | what it gives |", "|---|---|---|"]
-    lines += [f"| `{name}` | {count} | {meaning(name, bool(derived.redundant))} |" for name, count in operations.items()]
+    redundant = bool(derived.redundant)
+    lines += [f"| `{name}` | {count} | {meaning(name, redundant)} |" for name, count in operations.items()]
     return "\n".join(lines)
 
 

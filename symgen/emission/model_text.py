@@ -59,7 +59,8 @@ def model_text(derived: Derived) -> tuple[str, dict[str, int]]:
     labels = _labels(derived)
     operations = {name: tape.operations for name, tape in derived.tapes.items()}
     parts = [_header(derived)]
-    parts += [_function_text(name, tape, labels, meaning(name, bool(derived.redundant))) for name, tape in derived.tapes.items()]
+    redundant = bool(derived.redundant)
+    parts += [_function_text(name, tape, labels, meaning(name, redundant)) for name, tape in derived.tapes.items()]
     listing = "\n".join(f'    "{name}": {name},' for name in derived.tapes)
     parts.append(f"FUNCTIONS = {{\n{listing}\n}}\n")
     return "\n\n".join(parts), operations

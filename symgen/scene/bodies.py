@@ -1,4 +1,4 @@
-"""Ground, rigid bodies and uniform beams, with their markers (Eq. 15-20)."""
+"""Ground, rigid bodies and uniform beams, with their markers (Eq. 15-20), planar or spatial."""
 
 from __future__ import annotations
 
@@ -6,19 +6,34 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Strict
 
-from .fields import MARKER_ANGLE, Bound, Flag, Meaning, Model, Name, Number, Quantity
+from .fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Model, Name, Number, Quantity
 
 LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed"]
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
-Position = Annotated[tuple[Quantity, Quantity], Meaning("position in the body frame, (x, y)", "m")]
+Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
+Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
+Direction = tuple[Number, Number, Number]
+Orientation = Literal["euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx",
+                      "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"]
 
 
-class RigidMarker(Model):
-    """A point and a direction on the ground or on a rigid body. position [m], angle [rad]."""
+class MarkerDirections(Model):
+    """How a marker is turned in its body: by ``angle`` [rad] in a planar scene, by its axes in a spatial one.
+
+    axis: direction of the marker's z-axis in the body frame, of any length; x_axis: a direction in its xz-plane, on the
+    side of its x-axis (left out: the body's x-axis, or its z-axis where axis is along x).
+    """
+
+    angle: Annotated[Quantity, MARKER_ANGLE] = 0.0
+    axis: Direction = (0.0, 0.0, 1.0)
+    x_axis: Direction | None = None
+
+
+class RigidMarker(MarkerDirections):
+    """A point and directions on the ground or on a rigid body. position [m]."""
 
     position: Position = (0.0, 0.0)
-    angle: Annotated[Quantity, MARKER_ANGLE] = 0.0
 
 
 class GroundBody(Model):
@@ -41,7 +56,9 @@ class GroundBody(Model):
 class RigidBody(Model):
     """A rigid body with coordinates R_o, theta of its frame.
 
-    mass [kg]; inertia [kg m^2] about the centre of mass; center_of_mass [m] in the body frame.
+    mass [kg]; inertia [kg m^2] about the centre of mass: one number in a planar scene, the entries xx, yy, zz of the
+    inertia tensor in a spatial one, where products are its entries xy, xz, yz; center_of_mass [m] in the body frame.
+    orientation (spatial): Euler angles by their sequence of axes, or Euler parameters, which fail at no angle.
     ``free = true`` says that no joint is intended.
     """
 
@@ -49,9 +66,11 @@ class RigidBody(Model):
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
     inertia: Annotated[
-        Quantity, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)
+        Inertia, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)
     ]
+    products: Products = (0.0, 0.0, 0.0)
     center_of_mass: Position = (0.0, 0.0)
+    orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, RigidMarker] = Field(default_factory=dict)
 
@@ -79,11 +98,10 @@ class AxialModes(Model):
     modes: Modes
 
 
-class BeamMarker(Model):
-    """A point of a beam: ``at`` is the fraction of the length, 0 at the start, 1 at the end. angle [rad]."""
+class BeamMarker(MarkerDirections):
+    """A point of a beam: ``at`` is the fraction of the length, 0 at the start, 1 at the end."""
 
     at: Number
-    angle: Annotated[Quantity, MARKER_ANGLE] = 0.0
 
 
 class BeamBody(Model):
@@ -91,7 +109,8 @@ class BeamBody(Model):
 
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
     all modes. The frame lies at the start with x along the undeformed beam. q_f holds the lateral modes, then
-    the axial ones.
+    the axial ones. In a spatial scene second_moment and lateral are those of bending in the xy-plane; second_moment_z
+    and lateral_z those of bending in the xz-plane, whose modes come between the two. Torsion is rigid.
     ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
     """
 
@@ -104,16 +123,20 @@ class BeamBody(Model):
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
     elements: Annotated[int, Strict(), Field(ge=2, le=500)] = 20
     lateral: LateralModes | None = None
+    second_moment_z: Annotated[Quantity, Meaning("second moment of area for the xz-plane", "m^4",
+                                                 Bound.NON_NEGATIVE)] = 0.0
+    lateral_z: LateralModes | None = None
     axial: AxialModes | None = None
     stiffening: Flag = False
     damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0
+    orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, BeamMarker] = Field(default_factory=dict)
 
     @property
     def nf(self) -> int:
         """Number of elastic coordinates: lateral modes and axial modes."""
-        return sum(modes.modes for modes in (self.lateral, self.axial) if modes is not None)
+        return sum(modes.modes for modes in (self.lateral, self.lateral_z, self.axial) if modes is not None)
 
     def implicit_markers(self) -> dict[str, BeamMarker]:
         """The two ends of the beam."""

@@ -18,7 +18,7 @@ class SceneBuilder:
     """
 
     def __init__(self, name: str, **fields: Any) -> None:
-        """``fields``: title, description."""
+        """``fields``: title, description, space."""
         self._data: dict[str, Any] = {"name": name, **_plain(fields, "scene")}
 
     def parameter(self, name: str, default: float, unit: str = "", description: str = "") -> Self:
@@ -31,9 +31,9 @@ class SceneBuilder:
         )
         return self
 
-    def gravity(self, x: float | str, y: float | str) -> Self:
-        """Acceleration of gravity [m/s^2] in world axes."""
-        return self._set("gravity", [x, y])
+    def gravity(self, *components: float | str) -> Self:
+        """Acceleration of gravity [m/s^2] in world axes: x, y and, in a spatial scene, z."""
+        return self._set("gravity", list(components))
 
     def ground(self, **fields: Any) -> Self:
         """Markers on the ground."""
@@ -50,6 +50,14 @@ class SceneBuilder:
     def modal(self, name: str, **fields: Any) -> Self:
         """A `ModalBody`."""
         return self._add("bodies", "modal", name, fields)
+
+    def flexible(self, name: str, **fields: Any) -> Self:
+        """A `FlexibleBody`."""
+        return self._add("bodies", "flexible", name, fields)
+
+    def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A joint of any type by its name in a scene file."""
+        return self._pair("joints", type, name, marker_a, marker_b, fields)
 
     def revolute(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
         """A `RevoluteJoint`."""
@@ -83,9 +91,9 @@ class SceneBuilder:
             "joints", "prescribed_displacement", name, marker_a, marker_b, {"motion": motion, **fields}
         )
 
-    def force(self, name: str, marker: str, x: float | str, y: float | str, **fields: Any) -> Self:
-        """A `Force` with components x, y [N]."""
-        return self._add("loads", "force", name, {"marker": marker, "components": [x, y], **fields})
+    def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
+        """A `Force` with components x, y (and z) [N]."""
+        return self._add("loads", "force", name, {"marker": marker, "components": list(components), **fields})
 
     def torque(self, name: str, marker: str, value: float | str, **fields: Any) -> Self:
         """A `Torque` [N m]."""
@@ -98,6 +106,10 @@ class SceneBuilder:
     def rotational_spring_damper(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
         """A `RotationalSpringDamper`."""
         return self._pair("loads", "rotational_spring_damper", name, marker_a, marker_b, fields)
+
+    def bushing(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `Bushing`."""
+        return self._pair("loads", "bushing", name, marker_a, marker_b, fields)
 
     def measure(self, name: str, type: str, marker_b: str, marker_a: str = "ground.origin") -> Self:
         """A measure of ``type`` angle, distance, x or y from marker_a to marker_b."""

@@ -116,6 +116,16 @@ def _quantity(value: object) -> float | str:
     return _number(value)
 
 
+def _inertia(value: object) -> float | str | tuple[float | str, ...]:
+    """One quantity, or three in a list."""
+    if not isinstance(value, list | tuple):
+        return _quantity(value)
+    if len(value) != 3:
+        raise refuse(f"{show(value)} has {len(value)} entries",
+                     "give one moment of inertia (planar) or three (spatial)")
+    return tuple(_quantity(entry) for entry in value)
+
+
 def _text(value: str) -> str:
     if len(value) > MAX_TEXT:
         raise refuse(
@@ -150,6 +160,10 @@ Name = Annotated[
 ]
 Number = Annotated[float, PlainValidator(_number, json_schema_input_type=float)]
 Quantity = Annotated[float | str, PlainValidator(_quantity, json_schema_input_type=float | str)]
+Inertia = Annotated[
+    float | str | tuple[float | str, ...],
+    PlainValidator(_inertia, json_schema_input_type=float | str | list[float | str]),
+]
 MarkerRef = Annotated[str, PlainValidator(_marker_reference, json_schema_input_type=str)]
 Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
 Text = Annotated[str, Strict(), Field(max_length=MAX_TEXT)]

@@ -13,7 +13,11 @@ Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]
 RotationalStiffness = Annotated[Quantity, Meaning("stiffness", "N m/rad", Bound.NON_NEGATIVE)]
 RotationalDamping = Annotated[Quantity, Meaning("damping", "N m s/rad", Bound.NON_NEGATIVE)]
 FreeLength = Annotated[Quantity, Meaning("length without force", "m", Bound.NON_NEGATIVE)]
-ForceComponents = Annotated[tuple[Quantity, Quantity], Meaning("force, (x, y)", "N", scope=Scope.MEASURES)]
+ForceComponents = Annotated[tuple[Quantity, ...], Meaning("force, (x, y) or (x, y, z)", "N", scope=Scope.MEASURES)]
+Stiffnesses = Annotated[tuple[Quantity, ...], Meaning("stiffness along x, y, z", "N/m", Bound.NON_NEGATIVE)]
+Dampings = Annotated[tuple[Quantity, ...], Meaning("damping along x, y, z", "N s/m", Bound.NON_NEGATIVE)]
+TurningStiffnesses = Annotated[tuple[Quantity, ...], Meaning("stiffness about x, y, z", "N m/rad", Bound.NON_NEGATIVE)]
+TurningDampings = Annotated[tuple[Quantity, ...], Meaning("damping about x, y, z", "N m s/rad", Bound.NON_NEGATIVE)]
 
 
 class Force(Model):
@@ -27,7 +31,7 @@ class Force(Model):
 
 
 class Torque(Model):
-    """A torque [N m] at a marker, counter-clockwise; its opposite acts at ``reaction`` if given."""
+    """A torque [N m] about a marker's z-axis, counter-clockwise; its opposite acts at ``reaction`` if given."""
 
     type: Literal["torque"] = "torque"
     name: Name
@@ -49,7 +53,10 @@ class SpringDamper(Model):
 
 
 class RotationalSpringDamper(Model):
-    """A spring and damper on the angle phi_b - phi_a."""
+    """A spring and damper on the angle phi_b - phi_a; in space on the angle about marker a's z-axis.
+
+    In space the angle is that of the joint between the two markers, or else one between -pi and pi.
+    """
 
     type: Literal["rotational_spring_damper"] = "rotational_spring_damper"
     name: Name
@@ -60,4 +67,20 @@ class RotationalSpringDamper(Model):
     free_angle: Annotated[Quantity, Meaning("angle without torque", "rad")] = 0.0
 
 
-Load = Annotated[Force | Torque | SpringDamper | RotationalSpringDamper, Field(discriminator="type")]
+class Bushing(Model):
+    """Springs and dampers along and about marker a's axes on the displacement and small rotation of b (spatial).
+
+    stiffness [N/m], damping [N s/m], rotational_stiffness [N m/rad], rotational_damping [N m s/rad]: three each.
+    """
+
+    type: Literal["bushing"] = "bushing"
+    name: Name
+    marker_a: MarkerRef
+    marker_b: MarkerRef
+    stiffness: Stiffnesses = (0.0, 0.0, 0.0)
+    damping: Dampings = (0.0, 0.0, 0.0)
+    rotational_stiffness: TurningStiffnesses = (0.0, 0.0, 0.0)
+    rotational_damping: TurningDampings = (0.0, 0.0, 0.0)
+
+
+Load = Annotated[Force | Torque | SpringDamper | RotationalSpringDamper | Bushing, Field(discriminator="type")]

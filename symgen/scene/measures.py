@@ -16,7 +16,7 @@ class _Measure(Model):
 
 
 class AngleMeasure(_Measure):
-    """phi_b - phi_a [rad]."""
+    """phi_b - phi_a [rad]; in space the angle about marker a's z-axis, between -pi and pi."""
 
     type: Literal["angle"] = "angle"
 
@@ -39,4 +39,10 @@ class YMeasure(_Measure):
     type: Literal["y"] = "y"
 
 
-Measure = Annotated[AngleMeasure | DistanceMeasure | XMeasure | YMeasure, Field(discriminator="type")]
+class ZMeasure(_Measure):
+    """World z-component of r_b - r_a [m] (spatial scenes)."""
+
+    type: Literal["z"] = "z"
+
+
+Measure = Annotated[AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure, Field(discriminator="type")]

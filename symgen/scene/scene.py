@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
 
@@ -13,31 +13,35 @@ from .checks import check_scene
 from .errors import SceneError, did_you_mean, raise_all, show
 from .expressions import Expression, parse_expression
 from .fields import Meaning, Model, Name, Quantity, Text
+from .flexible import FlexibleBody, FlexibleMarker
 from .joints import Joint
 from .loads import Load
 from .measures import Measure
 from .modal import ModalBody, ModalMarker
 from .parameters import Parameter
+from .places import Place, joint_places
 from .simulation import Baumgarte, Initial, Partition, Simulation
 from .structure import Structure
 from .translate import scene_errors
 
-AnyBody = GroundBody | RigidBody | BeamBody | ModalBody
-AnyMarker = RigidMarker | BeamMarker | ModalMarker
+AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | FlexibleBody
+AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
 Body = Annotated[AnyBody, Field(discriminator="type")]
 
 
 class Scene(Model):
-    """A planar mechanism, or a linear structure, with its parameters, initial state and simulation.
+    """A planar or spatial mechanism, or a linear structure, with its parameters, initial state and simulation.
 
-    gravity [m/s^2] in world axes. Lists keep their order; system coordinates follow the bodies' order.
+    gravity [m/s^2] in world axes. In a spatial scene a third component left out is zero. Lists keep their
+    order; system coordinates follow the bodies' order.
     Raises SceneError when anything in it is wrong.
     """
 
     name: Name
     title: Text = ""
     description: Text = ""
-    gravity: Annotated[tuple[Quantity, Quantity], Meaning("acceleration of gravity, (x, y)", "m/s^2")] = (
+    space: Literal["planar", "spatial"] = "planar"
+    gravity: Annotated[tuple[Quantity, ...], Meaning("acceleration of gravity, (x, y) or (x, y, z)", "m/s^2")] = (
         0.0,
         0.0,
     )
@@ -100,7 +104,7 @@ class Scene(Model):
         return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
 
     @property
-    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody, ...]:
+    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | FlexibleBody, ...]:
         """All bodies but the ground, in the scene's order."""
         return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
 
@@ -122,14 +126,31 @@ class Scene(Model):
         return body, markers[marker]
 
     def coordinates(self) -> list[str]:
-        """The names of the system coordinates q, in order: x, y, theta, q1 ... q_nf of each body."""
+        """The names of the coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
         if self.structure is not None:
             return list(self.structure.coordinates)
-        return [
+        names = [
             f"{body.name}.{part}"
             for body in self.moving_bodies
-            for part in ("x", "y", "theta", *(f"q{k + 1}" for k in range(body.nf)))
+            for part in (*self.frame_coordinates(body), *(f"q{k + 1}" for k in range(body.nf)))
         ]
+        return names + [name for place in self.places() for name in place.coordinates]
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return 3 if self.space == "spatial" else 2
+
+    def frame_coordinates(self, body: AnyBody) -> tuple[str, ...]:
+        """The names of R_o and of the orientation of a body's frame."""
+        if self.space == "planar":
+            return ("x", "y", "theta")
+        angles = getattr(body, "orientation", "zyx") != "euler_parameters"
+        return ("x", "y", "z", *(("theta1", "theta2", "theta3") if angles else ("e0", "e1", "e2", "e3")))
+
+    def places(self) -> list[Place]:
+        """The joints that orient a body by coordinates of their own, in scene order (spatial scenes)."""
+        return joint_places(self) if self.space == "spatial" else []
 
     def parameter_defaults(self) -> dict[str, float]:
         """Parameter names and their default values, in SI units."""

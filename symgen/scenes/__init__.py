@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from symgen.scene import Scene
+from symgen.scenes.bricard import bricard
 from symgen.scenes.chain import chain
 from symgen.scenes.double_pendulum import double_pendulum
 from symgen.scenes.elastic_pendulum import elastic_pendulum
@@ -18,14 +19,19 @@ from symgen.scenes.flexible_slider_crank import (
     physical_slider_crank,
     stiff_slider_crank,
 )
+from symgen.scenes.flyball_governor import flyball_governor
 from symgen.scenes.four_bar import four_bar
+from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.hub_beam import hub_beam
 from symgen.scenes.n_four_bar import n_four_bar
 from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
 from symgen.scenes.overdamped_joint import overdamped_joint
 from symgen.scenes.pendulum import pendulum
 from symgen.scenes.slider_crank import slider_crank
+from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.spatial_slider_crank import spatial_slider_crank
 from symgen.scenes.spin_up_beam import spin_up_beam
+from symgen.scenes.tumbling_body import tumbling_body
 from symgen.scenes.two_oscillators import two_oscillators
 
 SCENES: dict[str, Callable[..., Scene]] = {
@@ -34,7 +40,8 @@ SCENES: dict[str, Callable[..., Scene]] = {
         pendulum, double_pendulum, elastic_pendulum, four_bar, slider_crank, flexible_slider_crank,
         flexible_slider_crank_free, flexible_slider_crank_torque, hub_beam, spin_up_beam, chain, two_oscillators,
         physical_slider_crank, stiff_slider_crank, near_singular_slider_crank, flexible_four_bar, flexible_joint_arm,
-        overdamped_joint, n_four_bar,
+        overdamped_joint, n_four_bar, heavy_top, tumbling_body, bricard, flyball_governor, spatial_chain,
+        spatial_slider_crank,
     )
 }
 

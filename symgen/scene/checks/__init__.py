@@ -14,6 +14,7 @@ from .names import name_errors
 from .partition import partition_errors
 from .references import reference_errors
 from .shapes import shape_errors
+from .space import space_errors
 from .topology import topology_errors
 from .values import value_errors
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from ..scene import Scene
 
 STAGES = (
-    (name_errors, shape_errors),
+    (name_errors, shape_errors, space_errors),
     (reference_errors, topology_errors, partition_errors, value_errors),
     (matrix_errors,),
 )

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ..bodies import RigidBody
 from ..errors import SceneError
 from ..fields import Matrix, Vector
+from ..flexible import FlexibleBody
 from ..modal import ModalBody
 from ..translate import item_path
 
@@ -29,6 +31,10 @@ def matrix_errors(scene: Scene) -> Iterator[SceneError]:
     for index, body in enumerate(scene.bodies):
         if isinstance(body, ModalBody):
             yield from _modal(scene, body, item_path("bodies", index, body.name))
+        elif isinstance(body, FlexibleBody):
+            yield from _flexible(scene, body, item_path("bodies", index, body.name))
+        elif isinstance(body, RigidBody) and isinstance(body.inertia, tuple):
+            yield from _inertia(scene, body, item_path("bodies", index, body.name))
 
 
 def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
@@ -56,6 +62,51 @@ def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
     for key, given in named.items():
         if given is not None:
             yield from _symmetric(f"{path}.{key}", _array(scene, given))
+
+
+def _flexible(scene: Scene, body: FlexibleBody, path: str) -> Iterator[SceneError]:
+    mass = _array(scene, body.M_ff)
+    bad_mass = _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
+    yield from bad_mass
+    for key in ("K_ff", "D_ff"):
+        if (given := getattr(body, key)) is not None:
+            value = _array(scene, given)
+            yield from _symmetric(f"{path}.{key}", value) or _semidefinite(f"{path}.{key}", value)
+    moments = _array(scene, body.inertia_moments)
+    bad_moments = _symmetric(f"{path}.inertia_moments", moments)
+    yield from bad_moments
+    if not bad_mass and not bad_moments and not _is_definite(_spatial_mass_matrix(scene, body, moments), -TOLERANCE):
+        yield SceneError(
+            path, "its mass matrix (mass, first_moment, inertia_moments, phi_integral, ...) is not positive definite",
+            "check the integrals: they must belong to one mass distribution, taken about the frame origin")
+
+
+def _spatial_mass_matrix(scene: Scene, body: FlexibleBody, moments: Array) -> Array:
+    """The (6 + nf) x (6 + nf) mass matrix of Eq. 20 at q_f = 0, in body axes."""
+    matrix = np.zeros((6 + body.nf, 6 + body.nf))
+    x, y, z = _array(scene, body.first_moment)
+    matrix[:3, :3] = _array(scene, (body.mass,))[0] * np.eye(3)
+    matrix[:3, 3:6] = -np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    matrix[3:6, 3:6] = np.trace(moments) * np.eye(3) - moments
+    if body.phi_integral:
+        matrix[:3, 6:] = _array(scene, body.phi_integral)
+    for a, block in enumerate(np.array(body.rho_phi, dtype=float)):
+        matrix[3:6, 6 + a] = [block[1, 2] - block[2, 1], block[2, 0] - block[0, 2], block[0, 1] - block[1, 0]]
+    matrix[3:, :3], matrix[6:, 3:6] = matrix[:3, 3:].T, matrix[3:6, 6:].T
+    matrix[6:, 6:] = _array(scene, body.M_ff)
+    return matrix
+
+
+def _inertia(scene: Scene, body: RigidBody, path: str) -> Iterator[SceneError]:
+    """An inertia tensor is positive semi-definite, and no principal moment exceeds the sum of the two others."""
+    assert isinstance(body.inertia, tuple)
+    (xx, yy, zz), (xy, xz, yz) = _array(scene, body.inertia), _array(scene, body.products)
+    principal = np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]))
+    slack = TOLERANCE * max(float(np.abs(principal).max()), 1e-300)
+    if principal[0] < -slack or principal[2] > principal[0] + principal[1] + slack:
+        yield SceneError(f"{path}.inertia", "no body has these moments of inertia (principal ones "
+                         f"{', '.join(f'{value:.4g}' for value in principal)})",
+                         "check units and signs; each must be at most the sum of the other two")
 
 
 def _body_mass_matrix(scene: Scene, body: ModalBody) -> Array:

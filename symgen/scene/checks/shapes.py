@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..bodies import BeamBody
 from ..errors import SceneError, show
+from ..flexible import FlexibleBody
 from ..modal import ModalBody
 from ..structure import Structure
 from ..translate import item_path
@@ -35,6 +36,8 @@ def shape_errors(scene: Scene) -> Iterator[SceneError]:
             yield from _beam(body, path)
         elif isinstance(body, ModalBody):
             yield from _modal(body, path)
+        elif isinstance(body, FlexibleBody):
+            yield from _flexible(body, path)
     if scene.structure is not None:
         yield from _structure(scene.structure)
 
@@ -44,14 +47,14 @@ def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
         yield SceneError(
             path, "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body"
         )
-    if beam.stiffening and beam.lateral is None:
+    if beam.stiffening and beam.lateral is None and beam.lateral_z is None:
         yield SceneError(
             f"{path}.stiffening", "only bending shortens a beam", "give lateral modes, or remove it"
         )
-    for kind, chosen in (("lateral", beam.lateral), ("axial", beam.axial)):
+    for kind, chosen in (("lateral", beam.lateral), ("lateral_z", beam.lateral_z), ("axial", beam.axial)):
         if chosen is None:
             continue
-        most = beam.elements + _MODES_LESS_ELEMENTS[kind][chosen.ends]
+        most = beam.elements + _MODES_LESS_ELEMENTS[kind.removesuffix("_z")][chosen.ends]
         if chosen.modes > most:
             yield SceneError(
                 f"{path}.{kind}.modes",
@@ -85,6 +88,29 @@ def _modal(body: ModalBody, path: str) -> Iterator[SceneError]:
         for key in ("shape_x", "shape_y", "slope"):
             yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key), nf)
         yield from _size(f"{path}.markers.{name}.foreshortening", marker.foreshortening, nf, nf)
+
+
+def _flexible(body: FlexibleBody, path: str) -> Iterator[SceneError]:
+    nf = body.nf
+    if nf == 0:
+        yield SceneError(f"{path}.M_ff", "the body has no modes", "give M_ff and K_ff, or describe a rigid body")
+    for key in ("M_ff", "K_ff", "D_ff"):
+        yield from _size(f"{path}.{key}", getattr(body, key), nf, nf)
+    yield from _size(f"{path}.inertia_moments", body.inertia_moments, 3, 3)
+    yield from _size(f"{path}.phi_integral", body.phi_integral or None, 3, nf)
+    yield from _size(f"{path}.rho_phi", body.rho_phi or None, nf)
+    yield from _size(f"{path}.phi_phi", body.phi_phi or None, nf, nf)
+    if body.stiffening is not None:
+        for axis, block in enumerate(body.stiffening.H):
+            yield from _size(f"{path}.stiffening.H[{axis}]", block, nf, nf)
+        yield from _size(f"{path}.stiffening.H", body.stiffening.H or None, 3)
+        yield from _size(f"{path}.stiffening.xH", body.stiffening.xH or None, 3, 3)
+        for axis, blocks in enumerate(body.stiffening.xH):
+            for other, block in enumerate(blocks):
+                yield from _size(f"{path}.stiffening.xH[{axis}][{other}]", block, nf, nf)
+    for name, marker in body.markers.items():
+        for key in ("shape", "rotation"):
+            yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key) or None, 3, nf)
 
 
 def _structure(structure: Structure) -> Iterator[SceneError]:

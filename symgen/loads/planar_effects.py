@@ -1,25 +1,13 @@
-"""Loads of the scene as generalised forces, with their potential, dissipated and applied power (Q_F of Eq. 20)."""
+"""Loads between markers of planar bodies as generalised forces, with potential and powers (Q_F of Eq. 20)."""
 
 from __future__ import annotations
-
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 import casadi as ca
 
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.loads import spring_template
+from symgen.loads.effect import LoadEffect
 from symgen.rows import Row, add_scaled
-
-
-@dataclass(frozen=True)
-class LoadEffect:
-    """Generalised force by system column [N, N m]; potential [J]; dissipated and applied power [W]."""
-
-    force: Row = field(default_factory=dict)
-    potential: ca.SX = field(default_factory=lambda: ca.SX(0))
-    dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
-    applied: ca.SX = field(default_factory=lambda: ca.SX(0))
 
 
 def point_force(marker: MarkerMotion, components: list[ca.SX], frame: str) -> LoadEffect:
@@ -47,19 +35,14 @@ def torque(marker: MarkerMotion, value: ca.SX, reaction: MarkerMotion | None) ->
 
 def spring_damper(a: MarkerMotion, b: MarkerMotion, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> LoadEffect:
     """Translational spring-damper between the points a and b."""
-    s = spring_template
-    values: Mapping = {
-        s.d[0]: b.r[0] - a.r[0], s.d[1]: b.r[1] - a.r[1],
-        s.d_dot[0]: b.r_dot[0] - a.r_dot[0], s.d_dot[1]: b.r_dot[1] - a.r_dot[1],
-        s.k: stiffness, s.c: damping, s.l_0: free_length,
-    }
-    length = s.template().evaluate(values, ["length"])["length"]
-    out = s.template().evaluate({**values, s.length: length}, ["force_x", "force_y", "potential", "dissipated"])
+    d, d_dot = ([first - second for first, second in zip(of_b, of_a, strict=True)]
+                for of_b, of_a in ((b.r, a.r), (b.r_dot, a.r_dot)))
+    out = spring_template.evaluate(d, d_dot, stiffness, damping, free_length)
     row: Row = {}
-    for axis, name in enumerate(("force_x", "force_y")):
-        add_scaled(row, out[name], b.r_columns[axis])
-        add_scaled(row, -out[name], a.r_columns[axis])
-    return LoadEffect(row, potential=out["potential"], dissipated=out["dissipated"])
+    for axis in range(2):
+        add_scaled(row, out.force[axis], b.r_columns[axis])
+        add_scaled(row, -out.force[axis], a.r_columns[axis])
+    return LoadEffect(row, potential=out.potential, dissipated=out.dissipated)
 
 
 def rotational_spring_damper(

@@ -1,0 +1,3964 @@
+"""Chain of 3 links in space: equations of motion, emitted by symgen from the scene `spatial_chain`.
+
+Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+"""
+
+import casadi as ca
+
+
+def constants() -> ca.Function:
+    """c: everything that depends on the parameters p only. 136 operations."""
+    p = ca.SX.sym("p", 19)
+    gravity_z = p[0]
+    link1_mass = p[1]
+    link1_center_of_mass_x = p[2]
+    link1_inertia_xx = p[3]
+    link1_inertia_yy = p[4]
+    link1_inertia_zz = p[5]
+    link2_mass = p[6]
+    link2_center_of_mass_x = p[7]
+    link2_inertia_xx = p[8]
+    link2_inertia_yy = p[9]
+    link2_inertia_zz = p[10]
+    link3_mass = p[11]
+    link3_center_of_mass_x = p[12]
+    link3_inertia_xx = p[13]
+    link3_inertia_yy = p[14]
+    link3_inertia_zz = p[15]
+    link1_end_x = p[16]
+    link2_end_x = p[17]
+    link3_end_x = p[18]
+    w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
+    w1 = w0 - link1_inertia_yy
+    w2 = w0 - link1_inertia_zz
+    w3 = w1 + w2
+    w4 = w0 - link1_inertia_xx + link1_mass * link1_center_of_mass_x**2
+    w5 = w2 + w4
+    w6 = w1 + w4
+    w7 = link2_mass + link3_mass
+    w8 = link2_mass * link2_center_of_mass_x
+    w9 = link3_mass * link2_end_x
+    w10 = link3_mass * link3_center_of_mass_x
+    w11 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
+    w12 = w11 - link2_inertia_yy
+    w13 = w11 - link2_inertia_zz
+    w14 = w12 + w13
+    w15 = w11 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
+    w16 = w13 + w15
+    w17 = w12 + w15
+    w18 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
+    w19 = w18 - link3_inertia_yy
+    w20 = w18 - link3_inertia_zz
+    w21 = w19 + w20
+    w22 = w18 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
+    w23 = w20 + w22
+    w24 = w19 + w22
+    w25 = link1_mass * link1_center_of_mass_x
+    c = ca.vertcat(
+        w1,
+        w2,
+        w3,
+        w4,
+        w5,
+        w6,
+        link1_end_x,
+        link2_mass,
+        link3_mass,
+        w7,
+        link1_end_x * (link1_end_x * w7),
+        -w3,
+        w8,
+        link2_end_x,
+        w10,
+        w12,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        link2_end_x * w9,
+        -w14,
+        w19,
+        w20,
+        w21,
+        w22,
+        w23,
+        w24,
+        -w21,
+        gravity_z,
+        w25 * gravity_z,
+        link2_mass * gravity_z,
+        link3_mass * gravity_z,
+        link1_mass,
+        w25,
+        link1_mass * gravity_z,
+        link3_end_x,
+        w8 + w9,
+        1.0 + 1.0,
+        w8 + w8,
+        w10 + w10,
+        w3 + w3,
+        w5 + w5,
+        w6 + w6,
+        w14 + w14,
+        w16 + w16,
+        w17 + w17,
+        w21 + w21,
+        w23 + w23,
+        w24 + w24,
+    )
+    c = ca.densify(c)
+    inputs, outputs = [p], [c]
+    return ca.Function("constants", inputs, outputs, ["p"], ["c"])
+
+
+def condensed() -> ca.Function:
+    """M_hat and Q_hat (Eq. 38). 737 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link3_theta1 = q_i[6]
+    link3_theta2 = q_i[7]
+    link3_theta3 = q_i[8]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link3_theta1_dot = q_i_dot[6]
+    link3_theta2_dot = q_i_dot[7]
+    link3_theta3_dot = q_i_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    w0 = ca.sin(link1_theta2)
+    w1 = ca.cos(link1_theta2)
+    w2 = ca.sin(link1_theta3)
+    w3 = w1 * w2
+    w4 = ca.cos(link1_theta3)
+    w5 = w1 * w4
+    w6 = ca.cos(link1_theta1)
+    w7 = w1 * w6
+    w8 = w7 * c6
+    w9 = ca.sin(link1_theta1)
+    w10 = w1 * w9
+    w11 = w10 * c6
+    w12 = w4 * c4
+    w13 = w2 * c5
+    w14 = w0 * c6
+    w15 = w9 * w14
+    w16 = w6 * w14
+    w17 = w3 * w12 - w5 * w13 - w8 * (w15 * c9) + w11 * (w16 * c9)
+    w18 = w0 * c11
+    w19 = ca.cos(link2_theta1)
+    w20 = ca.cos(link2_theta2)
+    w21 = w19 * w20
+    w22 = w21 * c12
+    w23 = w21 * c13
+    w24 = w22 + w23 * c8
+    w25 = ca.sin(link2_theta1)
+    w26 = w20 * w25
+    w27 = w26 * c12
+    w28 = w26 * c13
+    w29 = w27 + w28 * c8
+    w30 = w8 * w24 + w11 * w29
+    w31 = ca.sin(link2_theta2)
+    w32 = w31 * c12
+    w33 = w19 * w32
+    w34 = w31 * c13
+    w35 = w19 * w34
+    w36 = w35 * c8
+    w37 = w33 + w36
+    w38 = w25 * w32
+    w39 = w25 * w34
+    w40 = w39 * c8
+    w41 = w38 + w40
+    w42 = w11 * w37 - w8 * w41
+    w43 = ca.cos(link3_theta1)
+    w44 = ca.cos(link3_theta2)
+    w45 = w43 * w44
+    w46 = w45 * c14
+    w47 = ca.sin(link3_theta1)
+    w48 = w44 * w47
+    w49 = w48 * c14
+    w50 = w8 * w46 + w11 * w49
+    w51 = ca.sin(link3_theta2)
+    w52 = w51 * c14
+    w53 = w43 * w52
+    w54 = w47 * w52
+    w55 = w11 * w53 - w8 * w54
+    w56 = w1 * c6
+    w57 = w16 * w29 - w15 * w24
+    w58 = w20 * c12
+    w59 = w20 * c13
+    w60 = w56 * (w58 + w59 * c8) + w15 * w41 + w16 * w37
+    w61 = w16 * w49 - w15 * w46
+    w62 = w44 * c14
+    w63 = w56 * w62 + w15 * w54 + w16 * w53
+    w64 = ca.sin(link2_theta3)
+    w65 = w20 * w64
+    w66 = ca.cos(link2_theta3)
+    w67 = w20 * w66
+    w68 = w66 * c19
+    w69 = w64 * c20
+    w70 = w65 * w68 - w67 * w69 - w23 * w40 + w28 * w36
+    w71 = w31 * c22
+    w72 = w23 * w46 + w28 * w49
+    w73 = w28 * w53 - w23 * w54
+    w74 = w35 * w49 - w39 * w46
+    w75 = w59 * w62 + w39 * w54 + w35 * w53
+    w76 = ca.sin(link3_theta3)
+    w77 = w44 * w76
+    w78 = ca.cos(link3_theta3)
+    w79 = w44 * w78
+    w80 = w78 * c27
+    w81 = w76 * c28
+    w82 = w77 * w80 - w79 * w81
+    w83 = w51 * c29
+    w84 = link1_theta3_dot - w0 * link1_theta1_dot
+    w85 = w84 * c3
+    w86 = w5 * link1_theta1_dot - w2 * link1_theta2_dot
+    w87 = w86 * c1
+    w88 = w1 * link1_theta3_dot
+    w89 = link1_theta3_dot * link1_theta2_dot
+    w90 = link1_theta1_dot * (w4 * w88 - w2 * (w0 * link1_theta2_dot)) - w2 * w89
+    w91 = w85 * w86 - w84 * w87 - w90 * c4
+    w92 = w4 * link1_theta2_dot
+    w93 = w3 * link1_theta1_dot + w92
+    w94 = w93 * c0
+    w95 = w1 * (link1_theta1_dot * link1_theta2_dot)
+    w96 = w87 * w93 - w86 * w94 + w95 * c2
+    w97 = link1_theta1_dot * (w2 * w88 + w0 * w92) + w4 * w89
+    w98 = w84 * w94 - w85 * w93 + w97 * c5
+    w99 = w67 * link2_theta1_dot - w64 * link2_theta2_dot
+    w100 = w99 * c12
+    w101 = w66 * link2_theta2_dot
+    w102 = w65 * link2_theta1_dot + w101
+    w103 = w102 * c12
+    w104 = w99 * w100 + w102 * w103
+    w105 = w19 * w66
+    w106 = w105 + w64 * (w25 * w31)
+    w107 = w20 * link2_theta3_dot
+    w108 = link2_theta2_dot * link2_theta3_dot
+    w109 = link2_theta1_dot * (w64 * w107 + w31 * w101) + w66 * w108
+    w110 = link2_theta3_dot - w31 * link2_theta1_dot
+    w111 = w109 * c12 - w103 * w110
+    w112 = w25 * w66
+    w113 = w31 * w112 - w19 * w64
+    w114 = link2_theta1_dot * (w66 * w107 - w64 * (w31 * link2_theta2_dot)) - w64 * w108
+    w115 = w114 * c12 - w100 * w110
+    w116 = w0 * w95 + w3 * w90 - w5 * w97
+    w117 = w4 * w9
+    w118 = w4 * w6
+    w119 = w90 * (w2 * (w0 * w6) - w117) - w7 * w95 - w97 * (w2 * w9 + w0 * w118)
+    w120 = link1_theta1_dot - w0 * link1_theta3_dot
+    w121 = w6 * link1_theta2_dot + w10 * link1_theta3_dot
+    w122 = w14 * w121 + w11 * w120
+    w123 = w7 * link1_theta3_dot - w9 * link1_theta2_dot
+    w124 = w11 * w123 - w8 * w121
+    w125 = w8 * w116 + w14 * w119 - (w120 * w122 + w123 * w124)
+    w126 = w79 * link3_theta1_dot - w76 * link3_theta2_dot
+    w127 = w126 * c14
+    w128 = w78 * link3_theta2_dot
+    w129 = w77 * link3_theta1_dot + w128
+    w130 = w129 * c14
+    w131 = w126 * w127 + w129 * w130
+    w132 = w43 * w78
+    w133 = w44 * link3_theta3_dot
+    w134 = link3_theta2_dot * link3_theta3_dot
+    w135 = link3_theta1_dot * (w76 * w133 + w51 * w128) + w78 * w134
+    w136 = link3_theta3_dot - w51 * link3_theta1_dot
+    w137 = w135 * c14 - w130 * w136
+    w138 = w47 * w78
+    w139 = link3_theta1_dot * (w78 * w133 - w76 * (w51 * link3_theta2_dot)) - w76 * w134
+    w140 = w139 * c14 - w127 * w136
+    w141 = w20 * (link2_theta1_dot * link2_theta2_dot)
+    w142 = w31 * w141 + w65 * w114 - w67 * w109
+    w143 = w64 * (w19 * w31) - w112
+    w144 = w25 * w64 + w31 * w105
+    w145 = w114 * w143 - w21 * w141 - w109 * w144
+    w146 = link2_theta1_dot - w31 * link2_theta3_dot
+    w147 = w19 * link2_theta2_dot + w26 * link2_theta3_dot
+    w148 = w34 * w147 + w28 * w146
+    w149 = w21 * link2_theta3_dot - w25 * link2_theta2_dot
+    w150 = w28 * w149 - w23 * w147
+    w151 = w125 + (w23 * w142 + w34 * w145 - (w146 * w148 + w149 * w150))
+    w152 = w48 * w131 + (w132 + w76 * (w47 * w51)) * w137 + (w51 * w138 - w43 * w76) * w140 - w151 * c8
+    w153 = w26 * w104 + w106 * w111 + w113 * w115 - w125 * c7 + w152
+    w154 = w8 * w120 + w14 * w123
+    w155 = w90 * (w118 + w2 * (w0 * w9)) - w10 * w95 - w97 * (w0 * w117 - w2 * w6)
+    w156 = w121 * w124 - w120 * w154 - (w14 * w155 + w11 * w116)
+    w157 = w23 * w146 + w34 * w149
+    w158 = w106 * w114 - w26 * w141 - w109 * w113
+    w159 = w156 + (w147 * w150 - w146 * w157 - (w34 * w158 + w28 * w142))
+    w160 = w45 * w131 + w137 * (w76 * (w43 * w51) - w138) + w140 * (w47 * w76 + w51 * w132) - w159 * c8
+    w161 = w21 * w104 + w111 * w143 + w115 * w144 - w156 * c7 + w160
+    w162 = w123 * w154 + w121 * w122 + (w11 * w119 - w8 * w155)
+    w163 = w162 + (w149 * w157 + w147 * w148 + (w28 * w145 - w23 * w158))
+    w164 = w77 * w137 - w51 * w131 + w79 * w140 + c33 - w163 * c8
+    w165 = w4 * w91 - w2 * w98 - w1 * c31 - w56 * (w65 * w111 - w31 * w104 + w67 * w115 + c32 - w162 * c7 + w164)
+    w166 = w110 * c18
+    w167 = w99 * c16
+    w168 = w99 * w166 - w110 * w167 - w114 * c19
+    w169 = w102 * c15
+    w170 = w102 * w167 - w99 * w169 + w141 * c17
+    w171 = w110 * w169 - w102 * w166 + w109 * c20
+    w172 = w66 * w168 - w64 * w171 - w58 * c30 + (w33 * w156 + w38 * w125 + w58 * w162) - w59 * w164 - w39 * w152
+    w173 = w136 * c26
+    w174 = w126 * c24
+    w175 = w126 * w173 - w136 * w174 - w139 * c27
+    w176 = w129 * c23
+    w177 = w129 * w174 - w126 * w176 + w44 * (link3_theta1_dot * link3_theta2_dot) * c25
+    w178 = w136 * w176 - w129 * w173 + w135 * c28
+    M_hat = ca.vertcat(
+        w5 * (w5 * c5) + (w3 * (w3 * c4) + (w0 * (w0 * c2) + w1**2 * c10)),
+        w17,
+        w18,
+        w30,
+        w42,
+        0.0,
+        w50,
+        w55,
+        0.0,
+        w17,
+        w2 * w13 + (c10 + w4 * w12),
+        0.0,
+        w57,
+        w60,
+        0.0,
+        w61,
+        w63,
+        0.0,
+        w18,
+        0.0,
+        c2,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w30,
+        w57,
+        0.0,
+        w67 * (w67 * c20) + (w65 * (w65 * c19) + (w31 * (w31 * c17) + w20**2 * c21)),
+        w70,
+        w71,
+        w72,
+        w73,
+        0.0,
+        w42,
+        w60,
+        0.0,
+        w70,
+        w64 * w69 + (c21 + w66 * w68),
+        0.0,
+        w74,
+        w75,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w71,
+        0.0,
+        c17,
+        0.0,
+        0.0,
+        0.0,
+        w50,
+        w61,
+        0.0,
+        w72,
+        w74,
+        0.0,
+        w51 * (w51 * c25) + w77 * (w77 * c27) + w79 * (w79 * c28),
+        w82,
+        w83,
+        w55,
+        w63,
+        0.0,
+        w73,
+        w75,
+        0.0,
+        w82,
+        w78 * w80 + w76 * w81,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w83,
+        0.0,
+        c25,
+    )
+    M_hat = ca.reshape(M_hat, 9, 9)
+    M_hat = ca.densify(M_hat)
+    Q_hat = ca.vertcat(
+        w3 * w91 - w0 * w96 + w5 * w98 + w8 * w153 - w11 * w161,
+        w165 - w15 * w153 - w16 * w161,
+        w96,
+        w65 * w168 - w31 * w170 + w67 * w171 - (w22 * w125 - w27 * w156) + w23 * w152 - w28 * w160,
+        w172 - w35 * w160,
+        w170,
+        w77 * w175 - w51 * w177 + w79 * w178 - (w46 * w151 - w49 * w159),
+        w78 * w175 - w76 * w178 - w62 * c30 + (w53 * w159 + w54 * w151 + w62 * w163),
+        w177,
+    )
+    Q_hat = ca.densify(Q_hat)
+    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
+
+
+def closure() -> ca.Function:
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 39 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    c6 = c[6]
+    c13 = c[13]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.cos(link1_theta1) * w0 * c6
+    w2 = w0 * ca.sin(link1_theta1) * c6
+    w3 = ca.sin(link1_theta2) * c6
+    w4 = ca.cos(link2_theta2)
+    q_d_next = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w1,
+        w2,
+        -w3,
+        w1 + ca.cos(link2_theta1) * w4 * c13,
+        w2 + w4 * ca.sin(link2_theta1) * c13,
+        -(w3 + ca.sin(link2_theta2) * c13),
+    )
+    q_d_next = ca.densify(q_d_next)
+    inputs, outputs = [q_i, c], [q_d_next]
+    return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
+
+
+def velocities() -> ca.Function:
+    """q_d_dot (Eq. 36). 65 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    c6 = c[6]
+    c13 = c[13]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
+    w2 = ca.cos(link1_theta1)
+    w3 = ca.sin(link1_theta2) * c6
+    w4 = w0 * w1 * c6 * link1_theta1_dot + w2 * w3 * link1_theta2_dot
+    w5 = link1_theta1_dot * (w0 * w2 * c6) - link1_theta2_dot * (w1 * w3)
+    w6 = link1_theta2_dot * (w0 * c6)
+    w7 = ca.cos(link2_theta2)
+    w8 = ca.sin(link2_theta1)
+    w9 = ca.cos(link2_theta1)
+    w10 = ca.sin(link2_theta2) * c13
+    q_d_dot = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        -w4,
+        w5,
+        -w6,
+        -(w4 + w7 * w8 * c13 * link2_theta1_dot + w9 * w10 * link2_theta2_dot),
+        w5 + link2_theta1_dot * (w7 * w9 * c13) - link2_theta2_dot * (w8 * w10),
+        -(w6 + link2_theta2_dot * (w7 * c13)),
+    )
+    q_d_dot = ca.densify(q_d_dot)
+    inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
+    return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
+
+
+def accelerations() -> ca.Function:
+    """q_d_ddot (Eq. 35). 253 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link1_theta1_ddot = q_i_ddot[0]
+    link1_theta2_ddot = q_i_ddot[1]
+    link2_theta1_ddot = q_i_ddot[3]
+    link2_theta2_ddot = q_i_ddot[4]
+    c6 = c[6]
+    c13 = c[13]
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = ca.sin(link1_theta1)
+    w3 = w1 * w2
+    w4 = link1_theta2_dot * w0 + link1_theta3_dot * w3
+    w5 = w0 * w1
+    w6 = link1_theta3_dot * w5 - link1_theta2_dot * w2
+    w7 = w3 * c6
+    w8 = w5 * c6
+    w9 = w6 * w7 - w4 * w8
+    w10 = ca.sin(link1_theta2)
+    w11 = link1_theta1_dot - link1_theta3_dot * w10
+    w12 = w10 * c6
+    w13 = w8 * w11 + w6 * w12
+    w14 = ca.cos(link1_theta3)
+    w15 = w0 * w14
+    w16 = ca.sin(link1_theta3)
+    w17 = link1_theta3_dot * w1
+    w18 = link1_theta2_dot * link1_theta3_dot
+    w19 = link1_theta1_dot * (w14 * w17 - w16 * (link1_theta2_dot * w10)) - w16 * w18
+    w20 = w1 * (link1_theta2_dot * link1_theta1_dot)
+    w21 = w2 * w14
+    w22 = link1_theta1_dot * (w16 * w17 + w10 * (link1_theta2_dot * w14)) + w14 * w18
+    w23 = (w15 + w2 * w10 * w16) * w19 - w3 * w20 - (w10 * w21 - w0 * w16) * w22
+    w24 = w10 * w20 + w19 * (w1 * w16) - w22 * (w1 * w14)
+    w25 = w4 * w9 - w11 * w13 - (w12 * w23 + w7 * w24) - w7 * link1_theta1_ddot - w0 * w12 * link1_theta2_ddot
+    w26 = w19 * (w16 * (w0 * w10) - w21) - w5 * w20 - w22 * (w2 * w16 + w10 * w15)
+    w27 = w4 * w12 + w7 * w11
+    w28 = w8 * w24 + w12 * w26 - (w11 * w27 + w6 * w9) + w8 * link1_theta1_ddot - link1_theta2_ddot * (w2 * w12)
+    w29 = w6 * w13 + w4 * w27 + (w7 * w26 - w8 * w23) - link1_theta2_ddot * (w1 * c6)
+    w30 = ca.cos(link2_theta1)
+    w31 = ca.cos(link2_theta2)
+    w32 = ca.sin(link2_theta1)
+    w33 = w31 * w32
+    w34 = link2_theta2_dot * w30 + link2_theta3_dot * w33
+    w35 = w30 * w31
+    w36 = link2_theta3_dot * w35 - link2_theta2_dot * w32
+    w37 = w33 * c13
+    w38 = w35 * c13
+    w39 = w36 * w37 - w34 * w38
+    w40 = ca.sin(link2_theta2)
+    w41 = link2_theta1_dot - link2_theta3_dot * w40
+    w42 = w40 * c13
+    w43 = w38 * w41 + w36 * w42
+    w44 = ca.cos(link2_theta3)
+    w45 = w30 * w44
+    w46 = ca.sin(link2_theta3)
+    w47 = link2_theta3_dot * w31
+    w48 = link2_theta2_dot * link2_theta3_dot
+    w49 = link2_theta1_dot * (w44 * w47 - w46 * (link2_theta2_dot * w40)) - w46 * w48
+    w50 = w31 * (link2_theta2_dot * link2_theta1_dot)
+    w51 = w32 * w44
+    w52 = link2_theta1_dot * (w46 * w47 + w40 * (link2_theta2_dot * w44)) + w44 * w48
+    w53 = (w45 + w32 * w40 * w46) * w49 - w33 * w50 - (w40 * w51 - w30 * w46) * w52
+    w54 = w40 * w50 + w49 * (w31 * w46) - w52 * (w31 * w44)
+    w55 = w25 + (w34 * w39 - w41 * w43 - (w42 * w53 + w37 * w54)) - w37 * link2_theta1_ddot - w30 * w42 * link2_theta2_ddot
+    w56 = w49 * (w46 * (w30 * w40) - w51) - w35 * w50 - w52 * (w32 * w46 + w40 * w45)
+    w57 = w34 * w42 + w37 * w41
+    w58 = w28 + (w38 * w54 + w42 * w56 - (w41 * w57 + w36 * w39)) + w38 * link2_theta1_ddot - link2_theta2_ddot * (w32 * w42)
+    q_d_ddot = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w25,
+        w28,
+        w29,
+        w55,
+        w58,
+        w29 + (w36 * w43 + w34 * w57 + (w37 * w56 - w38 * w53)) - link2_theta2_ddot * (w31 * c13),
+    )
+    q_d_ddot = ca.densify(q_d_ddot)
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [q_d_ddot]
+    return ca.Function("accelerations", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["q_d_ddot"])
+
+
+def constraints() -> ca.Function:
+    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 440 operations."""
+    q = ca.SX.sym("q", 18)
+    q_dot = ca.SX.sym("q_dot", 18)
+    c = ca.SX.sym("c", 51)
+    link1_x = q[0]
+    link1_y = q[1]
+    link1_z = q[2]
+    link1_theta1 = q[3]
+    link1_theta2 = q[4]
+    link1_theta3 = q[5]
+    link2_x = q[6]
+    link2_y = q[7]
+    link2_z = q[8]
+    link2_theta1 = q[9]
+    link2_theta2 = q[10]
+    link2_theta3 = q[11]
+    link3_x = q[12]
+    link3_y = q[13]
+    link3_z = q[14]
+    link1_theta1_dot = q_dot[3]
+    link1_theta2_dot = q_dot[4]
+    link1_theta3_dot = q_dot[5]
+    link2_theta1_dot = q_dot[9]
+    link2_theta2_dot = q_dot[10]
+    link2_theta3_dot = q_dot[11]
+    c6 = c[6]
+    c13 = c[13]
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = w0 * w1
+    w3 = w2 * c6
+    w4 = ca.sin(link1_theta1)
+    w5 = w1 * w4
+    w6 = w5 * c6
+    w7 = ca.sin(link1_theta2)
+    w8 = w7 * c6
+    w9 = ca.cos(link2_theta1)
+    w10 = ca.cos(link2_theta2)
+    w11 = w9 * w10
+    w12 = w11 * c13
+    w13 = ca.sin(link2_theta1)
+    w14 = w10 * w13
+    w15 = w14 * c13
+    w16 = ca.sin(link2_theta2)
+    w17 = w16 * c13
+    w18 = w0 * link1_theta2_dot + w5 * link1_theta3_dot
+    w19 = w2 * link1_theta3_dot - w4 * link1_theta2_dot
+    w20 = w6 * w19 - w3 * w18
+    w21 = link1_theta1_dot - w7 * link1_theta3_dot
+    w22 = w3 * w21 + w8 * w19
+    w23 = ca.cos(link1_theta3)
+    w24 = w0 * w23
+    w25 = ca.sin(link1_theta3)
+    w26 = w1 * link1_theta3_dot
+    w27 = link1_theta2_dot * link1_theta3_dot
+    w28 = link1_theta1_dot * (w23 * w26 - w25 * (w7 * link1_theta2_dot)) - w25 * w27
+    w29 = w1 * (link1_theta2_dot * link1_theta1_dot)
+    w30 = w4 * w23
+    w31 = link1_theta1_dot * (w25 * w26 + w7 * (link1_theta2_dot * w23)) + w23 * w27
+    w32 = (w24 + w4 * w7 * w25) * w28 - w5 * w29 - (w7 * w30 - w0 * w25) * w31
+    w33 = w7 * w29 + w28 * (w1 * w25) - w31 * (w1 * w23)
+    w34 = w28 * (w25 * (w0 * w7) - w30) - w2 * w29 - w31 * (w4 * w25 + w7 * w24)
+    w35 = w8 * w18 + w6 * w21
+    w36 = w9 * link2_theta2_dot + w14 * link2_theta3_dot
+    w37 = w11 * link2_theta3_dot - w13 * link2_theta2_dot
+    w38 = w15 * w37 - w12 * w36
+    w39 = link2_theta1_dot - w16 * link2_theta3_dot
+    w40 = w12 * w39 + w17 * w37
+    w41 = ca.cos(link2_theta3)
+    w42 = w9 * w41
+    w43 = ca.sin(link2_theta3)
+    w44 = w10 * link2_theta3_dot
+    w45 = link2_theta2_dot * link2_theta3_dot
+    w46 = link2_theta1_dot * (w41 * w44 - w43 * (w16 * link2_theta2_dot)) - w43 * w45
+    w47 = w10 * (link2_theta2_dot * link2_theta1_dot)
+    w48 = w13 * w41
+    w49 = link2_theta1_dot * (w43 * w44 + w16 * (link2_theta2_dot * w41)) + w41 * w45
+    w50 = (w42 + w13 * w16 * w43) * w46 - w14 * w47 - (w16 * w48 - w9 * w43) * w49
+    w51 = w16 * w47 + w46 * (w10 * w43) - w49 * (w10 * w41)
+    w52 = w46 * (w43 * (w9 * w16) - w48) - w11 * w47 - w49 * (w13 * w43 + w16 * w42)
+    w53 = w17 * w36 + w15 * w39
+    C = ca.vertcat(
+        link1_x,
+        link1_y,
+        link1_z,
+        link2_x - (link1_x + w3),
+        link2_y - (link1_y + w6),
+        link2_z - (link1_z - w8),
+        link3_x - (link2_x + w12),
+        link3_y - (link2_y + w15),
+        link3_z - (link2_z - w17),
+    )
+    C = ca.densify(C)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w6,
+        -w3,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w0 * w8,
+        w4 * w8,
+        w1 * c6,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w15,
+        -w12,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w9 * w17,
+        w13 * w17,
+        w10 * c13,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 9, 18)
+    C_q = ca.densify(C_q)
+    C_t = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_t = ca.densify(C_t)
+    nu = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    nu = ca.densify(nu)
+    gamma = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w18 * w20 - w21 * w22 - (w8 * w32 + w6 * w33),
+        w3 * w33 + w8 * w34 - (w21 * w35 + w19 * w20),
+        w19 * w22 + w18 * w35 + (w6 * w34 - w3 * w32),
+        w36 * w38 - w39 * w40 - (w17 * w50 + w15 * w51),
+        w12 * w51 + w17 * w52 - (w39 * w53 + w37 * w38),
+        w37 * w40 + w36 * w53 + (w15 * w52 - w12 * w50),
+    )
+    gamma = ca.densify(gamma)
+    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
+
+
+def augmented() -> ca.Function:
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 1443 operations."""
+    q = ca.SX.sym("q", 18)
+    q_dot = ca.SX.sym("q_dot", 18)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q[3]
+    link1_theta2 = q[4]
+    link1_theta3 = q[5]
+    link2_theta1 = q[9]
+    link2_theta2 = q[10]
+    link2_theta3 = q[11]
+    link3_theta1 = q[15]
+    link3_theta2 = q[16]
+    link3_theta3 = q[17]
+    link1_theta1_dot = q_dot[3]
+    link1_theta2_dot = q_dot[4]
+    link1_theta3_dot = q_dot[5]
+    link2_theta1_dot = q_dot[9]
+    link2_theta2_dot = q_dot[10]
+    link2_theta3_dot = q_dot[11]
+    link3_theta1_dot = q_dot[15]
+    link3_theta2_dot = q_dot[16]
+    link3_theta3_dot = q_dot[17]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c11 = c[11]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
+    w2 = w0 * w1
+    w3 = -(w2 * c35)
+    w4 = ca.cos(link1_theta1)
+    w5 = ca.sin(link1_theta2)
+    w6 = w5 * c35
+    w7 = -(w4 * w6)
+    w8 = w0 * w4
+    w9 = w8 * c35
+    w10 = -(w1 * w6)
+    w11 = w0 * c35
+    w12 = -w11
+    w13 = ca.sin(link1_theta3)
+    w14 = w0 * w13
+    w15 = ca.cos(link1_theta3)
+    w16 = w0 * w15
+    w17 = w15 * c4
+    w18 = w13 * c5
+    w19 = w14 * w17 - w16 * w18
+    w20 = w5 * c11
+    w21 = ca.cos(link2_theta2)
+    w22 = ca.sin(link2_theta1)
+    w23 = w21 * w22
+    w24 = -(w23 * c12)
+    w25 = ca.cos(link2_theta1)
+    w26 = ca.sin(link2_theta2)
+    w27 = w26 * c12
+    w28 = -(w25 * w27)
+    w29 = w21 * w25
+    w30 = w29 * c12
+    w31 = -(w22 * w27)
+    w32 = w21 * c12
+    w33 = -w32
+    w34 = ca.sin(link2_theta3)
+    w35 = w21 * w34
+    w36 = ca.cos(link2_theta3)
+    w37 = w21 * w36
+    w38 = w36 * c19
+    w39 = w34 * c20
+    w40 = w35 * w38 - w37 * w39
+    w41 = w26 * c22
+    w42 = ca.cos(link3_theta2)
+    w43 = ca.sin(link3_theta1)
+    w44 = w42 * w43
+    w45 = -(w44 * c14)
+    w46 = ca.cos(link3_theta1)
+    w47 = ca.sin(link3_theta2)
+    w48 = w47 * c14
+    w49 = -(w46 * w48)
+    w50 = w42 * w46
+    w51 = w50 * c14
+    w52 = -(w43 * w48)
+    w53 = w42 * c14
+    w54 = -w53
+    w55 = ca.sin(link3_theta3)
+    w56 = w42 * w55
+    w57 = ca.cos(link3_theta3)
+    w58 = w42 * w57
+    w59 = w57 * c27
+    w60 = w55 * c28
+    w61 = w56 * w59 - w58 * w60
+    w62 = w47 * c29
+    w63 = w16 * link1_theta1_dot - w13 * link1_theta2_dot
+    w64 = w63 * c35
+    w65 = w15 * link1_theta2_dot
+    w66 = w14 * link1_theta1_dot + w65
+    w67 = w66 * c35
+    w68 = w63 * w64 + w66 * w67
+    w69 = w1 * w15
+    w70 = w13 * (w4 * w5) - w69
+    w71 = w0 * link1_theta3_dot
+    w72 = link1_theta2_dot * link1_theta3_dot
+    w73 = link1_theta1_dot * (w13 * w71 + w5 * w65) + w15 * w72
+    w74 = link1_theta3_dot - w5 * link1_theta1_dot
+    w75 = w73 * c35 - w67 * w74
+    w76 = w4 * w15
+    w77 = w1 * w13 + w5 * w76
+    w78 = link1_theta1_dot * (w15 * w71 - w13 * (w5 * link1_theta2_dot)) - w13 * w72
+    w79 = w78 * c35 - w64 * w74
+    w80 = w8 * w68 + w70 * w75 + w77 * w79
+    w81 = w76 + w13 * (w1 * w5)
+    w82 = w5 * w69 - w4 * w13
+    w83 = w2 * w68 + w75 * w81 + w79 * w82
+    w84 = w14 * w75 - w5 * w68 + w16 * w79
+    w85 = w74 * c3
+    w86 = w63 * c1
+    w87 = w63 * w85 - w74 * w86 - w78 * c4
+    w88 = w66 * c0
+    w89 = w0 * (link1_theta1_dot * link1_theta2_dot)
+    w90 = w66 * w86 - w63 * w88 + w89 * c2
+    w91 = w74 * w88 - w66 * w85 + w73 * c5
+    w92 = w14 * w87 - w5 * w90 + w16 * w91
+    w93 = w15 * w87 - w13 * w91
+    w94 = w37 * link2_theta1_dot - w34 * link2_theta2_dot
+    w95 = w94 * c12
+    w96 = w36 * link2_theta2_dot
+    w97 = w35 * link2_theta1_dot + w96
+    w98 = w97 * c12
+    w99 = w94 * w95 + w97 * w98
+    w100 = w22 * w36
+    w101 = w34 * (w25 * w26) - w100
+    w102 = w21 * link2_theta3_dot
+    w103 = link2_theta2_dot * link2_theta3_dot
+    w104 = link2_theta1_dot * (w34 * w102 + w26 * w96) + w36 * w103
+    w105 = link2_theta3_dot - w26 * link2_theta1_dot
+    w106 = w104 * c12 - w98 * w105
+    w107 = w25 * w36
+    w108 = w22 * w34 + w26 * w107
+    w109 = link2_theta1_dot * (w36 * w102 - w34 * (w26 * link2_theta2_dot)) - w34 * w103
+    w110 = w109 * c12 - w95 * w105
+    w111 = w29 * w99 + w101 * w106 + w108 * w110
+    w112 = w107 + w34 * (w22 * w26)
+    w113 = w26 * w100 - w25 * w34
+    w114 = w23 * w99 + w106 * w112 + w110 * w113
+    w115 = w35 * w106 - w26 * w99 + w37 * w110
+    w116 = w105 * c18
+    w117 = w94 * c16
+    w118 = w94 * w116 - w105 * w117 - w109 * c19
+    w119 = w97 * c15
+    w120 = w21 * (link2_theta1_dot * link2_theta2_dot)
+    w121 = w97 * w117 - w94 * w119 + w120 * c17
+    w122 = w105 * w119 - w97 * w116 + w104 * c20
+    w123 = w35 * w118 - w26 * w121 + w37 * w122
+    w124 = w36 * w118 - w34 * w122
+    w125 = w58 * link3_theta1_dot - w55 * link3_theta2_dot
+    w126 = w125 * c14
+    w127 = w57 * link3_theta2_dot
+    w128 = w56 * link3_theta1_dot + w127
+    w129 = w128 * c14
+    w130 = w125 * w126 + w128 * w129
+    w131 = w43 * w57
+    w132 = w42 * link3_theta3_dot
+    w133 = link3_theta2_dot * link3_theta3_dot
+    w134 = link3_theta1_dot * (w55 * w132 + w47 * w127) + w57 * w133
+    w135 = link3_theta3_dot - w47 * link3_theta1_dot
+    w136 = w134 * c14 - w129 * w135
+    w137 = w46 * w57
+    w138 = link3_theta1_dot * (w57 * w132 - w55 * (w47 * link3_theta2_dot)) - w55 * w133
+    w139 = w138 * c14 - w126 * w135
+    w140 = w50 * w130 + (w55 * (w46 * w47) - w131) * w136 + (w43 * w55 + w47 * w137) * w139
+    w141 = w44 * w130 + w136 * (w137 + w55 * (w43 * w47)) + w139 * (w47 * w131 - w46 * w55)
+    w142 = w56 * w136 - w47 * w130 + w58 * w139
+    w143 = w135 * c26
+    w144 = w125 * c24
+    w145 = w125 * w143 - w135 * w144 - w138 * c27
+    w146 = w128 * c23
+    w147 = w128 * w144 - w125 * w146 + w42 * (link3_theta1_dot * link3_theta2_dot) * c25
+    w148 = w135 * w146 - w128 * w143 + w134 * c28
+    w149 = w56 * w145 - w47 * w147 + w58 * w148
+    w150 = w57 * w145 - w55 * w148
+    w151 = w11 * c30
+    w152 = w32 * c30
+    w153 = w53 * c30
+    w154 = w2 * c6
+    w155 = w8 * c6
+    w156 = w5 * c6
+    w157 = w23 * c13
+    w158 = w29 * c13
+    w159 = w26 * c13
+    w160 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
+    w161 = w8 * link1_theta3_dot - w1 * link1_theta2_dot
+    w162 = w154 * w161 - w155 * w160
+    w163 = link1_theta1_dot - w5 * link1_theta3_dot
+    w164 = w155 * w163 + w156 * w161
+    w165 = w78 * w81 - w2 * w89 - w73 * w82
+    w166 = w5 * w89 + w14 * w78 - w16 * w73
+    w167 = w70 * w78 - w8 * w89 - w73 * w77
+    w168 = w156 * w160 + w154 * w163
+    w169 = w25 * link2_theta2_dot + w23 * link2_theta3_dot
+    w170 = w29 * link2_theta3_dot - w22 * link2_theta2_dot
+    w171 = w157 * w170 - w158 * w169
+    w172 = link2_theta1_dot - w26 * link2_theta3_dot
+    w173 = w158 * w172 + w159 * w170
+    w174 = w109 * w112 - w23 * w120 - w104 * w113
+    w175 = w26 * w120 + w35 * w109 - w37 * w104
+    w176 = w101 * w109 - w29 * w120 - w104 * w108
+    w177 = w159 * w169 + w157 * w172
+    M = ca.vertcat(
+        c34,
+        0.0,
+        0.0,
+        w3,
+        w7,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c34,
+        0.0,
+        w9,
+        w10,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c34,
+        0.0,
+        w12,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w3,
+        w9,
+        0.0,
+        w5 * (w5 * c2) + w14 * (w14 * c4) + w16 * (w16 * c5),
+        w19,
+        w20,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w7,
+        w10,
+        w12,
+        w19,
+        w15 * w17 + w13 * w18,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w20,
+        0.0,
+        c2,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c7,
+        0.0,
+        0.0,
+        w24,
+        w28,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c7,
+        0.0,
+        w30,
+        w31,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c7,
+        0.0,
+        w33,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w24,
+        w30,
+        0.0,
+        w26 * (w26 * c17) + w35 * (w35 * c19) + w37 * (w37 * c20),
+        w40,
+        w41,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w28,
+        w31,
+        w33,
+        w40,
+        w36 * w38 + w34 * w39,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w41,
+        0.0,
+        c17,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c8,
+        0.0,
+        0.0,
+        w45,
+        w49,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c8,
+        0.0,
+        w51,
+        w52,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        c8,
+        0.0,
+        w54,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w45,
+        w51,
+        0.0,
+        w47 * (w47 * c25) + w56 * (w56 * c27) + w58 * (w58 * c28),
+        w61,
+        w62,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w49,
+        w52,
+        w54,
+        w61,
+        w57 * w59 + w55 * w60,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w62,
+        0.0,
+        c25,
+    )
+    M = ca.reshape(M, 18, 18)
+    M = ca.densify(M)
+    K = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    K = ca.reshape(K, 18, 18)
+    K = ca.densify(K)
+    Q_v = ca.vertcat(
+        w80,
+        w83,
+        w84,
+        w92,
+        w93,
+        w90,
+        w111,
+        w114,
+        w115,
+        w123,
+        w124,
+        w121,
+        w140,
+        w141,
+        w142,
+        w149,
+        w150,
+        w147,
+    )
+    Q_v = ca.densify(Q_v)
+    Q_F = ca.vertcat(
+        0.0,
+        0.0,
+        c36,
+        0.0,
+        -w151,
+        0.0,
+        0.0,
+        0.0,
+        c32,
+        0.0,
+        -w152,
+        0.0,
+        0.0,
+        0.0,
+        c33,
+        0.0,
+        -w153,
+        0.0,
+    )
+    Q_F = ca.densify(Q_F)
+    Q_star = ca.vertcat(
+        w80,
+        w83,
+        w84 + c36,
+        w92,
+        w93 - w151,
+        w90,
+        w111,
+        w114,
+        c32 + w115,
+        w123,
+        w124 - w152,
+        w121,
+        w140,
+        w141,
+        c33 + w142,
+        w149,
+        w150 - w153,
+        w147,
+    )
+    Q_star = ca.densify(Q_star)
+    C_q = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w154,
+        -w155,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w4 * w156,
+        w1 * w156,
+        w0 * c6,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w157,
+        -w158,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w25 * w159,
+        w22 * w159,
+        w21 * c13,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    C_q = ca.reshape(C_q, 9, 18)
+    C_q = ca.densify(C_q)
+    gamma_b = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        w160 * w162 - w163 * w164 - (w156 * w165 + w154 * w166),
+        w155 * w166 + w156 * w167 - (w163 * w168 + w161 * w162),
+        w161 * w164 + w160 * w168 + (w154 * w167 - w155 * w165),
+        w169 * w171 - w172 * w173 - (w159 * w174 + w157 * w175),
+        w158 * w175 + w159 * w176 - (w172 * w177 + w170 * w171),
+        w170 * w173 + w169 * w177 + (w157 * w176 - w158 * w174),
+    )
+    gamma_b = ca.densify(gamma_b)
+    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
+
+
+def reactions() -> ca.Function:
+    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 373 operations."""
+    q = ca.SX.sym("q", 18)
+    q_dot = ca.SX.sym("q_dot", 18)
+    q_ddot = ca.SX.sym("q_ddot", 18)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q[3]
+    link1_theta2 = q[4]
+    link1_theta3 = q[5]
+    link2_theta1 = q[9]
+    link2_theta2 = q[10]
+    link2_theta3 = q[11]
+    link3_theta1 = q[15]
+    link3_theta2 = q[16]
+    link3_theta3 = q[17]
+    link1_theta1_dot = q_dot[3]
+    link1_theta2_dot = q_dot[4]
+    link1_theta3_dot = q_dot[5]
+    link2_theta1_dot = q_dot[9]
+    link2_theta2_dot = q_dot[10]
+    link2_theta3_dot = q_dot[11]
+    link3_theta1_dot = q_dot[15]
+    link3_theta2_dot = q_dot[16]
+    link3_theta3_dot = q_dot[17]
+    link1_x_ddot = q_ddot[0]
+    link1_y_ddot = q_ddot[1]
+    link1_z_ddot = q_ddot[2]
+    link1_theta1_ddot = q_ddot[3]
+    link1_theta2_ddot = q_ddot[4]
+    link2_x_ddot = q_ddot[6]
+    link2_y_ddot = q_ddot[7]
+    link2_z_ddot = q_ddot[8]
+    link2_theta1_ddot = q_ddot[9]
+    link2_theta2_ddot = q_ddot[10]
+    link3_x_ddot = q_ddot[12]
+    link3_y_ddot = q_ddot[13]
+    link3_z_ddot = q_ddot[14]
+    link3_theta1_ddot = q_ddot[15]
+    link3_theta2_ddot = q_ddot[16]
+    c7 = c[7]
+    c8 = c[8]
+    c12 = c[12]
+    c14 = c[14]
+    c32 = c[32]
+    c33 = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = w0 * w1
+    w3 = ca.cos(link1_theta3)
+    w4 = w1 * w3
+    w5 = ca.sin(link1_theta3)
+    w6 = link1_theta1_dot * w4 - link1_theta2_dot * w5
+    w7 = w6 * c35
+    w8 = w1 * w5
+    w9 = w3 * link1_theta2_dot
+    w10 = link1_theta1_dot * w8 + w9
+    w11 = w10 * c35
+    w12 = w6 * w7 + w10 * w11
+    w13 = ca.sin(link1_theta2)
+    w14 = ca.sin(link1_theta1)
+    w15 = w3 * w14
+    w16 = w1 * link1_theta3_dot
+    w17 = link1_theta2_dot * link1_theta3_dot
+    w18 = link1_theta3_dot - link1_theta1_dot * w13
+    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c35 - w11 * w18
+    w20 = w0 * w3
+    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c35 - w7 * w18
+    w22 = w1 * w14
+    w23 = w13 * c35
+    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * c34 - w22 * c35 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
+    w25 = ca.cos(link2_theta1)
+    w26 = ca.cos(link2_theta2)
+    w27 = w25 * w26
+    w28 = ca.cos(link2_theta3)
+    w29 = w26 * w28
+    w30 = ca.sin(link2_theta3)
+    w31 = link2_theta1_dot * w29 - link2_theta2_dot * w30
+    w32 = w31 * c12
+    w33 = w26 * w30
+    w34 = w28 * link2_theta2_dot
+    w35 = link2_theta1_dot * w33 + w34
+    w36 = w35 * c12
+    w37 = w31 * w32 + w35 * w36
+    w38 = ca.sin(link2_theta2)
+    w39 = ca.sin(link2_theta1)
+    w40 = w28 * w39
+    w41 = w26 * link2_theta3_dot
+    w42 = link2_theta2_dot * link2_theta3_dot
+    w43 = link2_theta3_dot - link2_theta1_dot * w38
+    w44 = (link2_theta1_dot * (w30 * w41 + w34 * w38) + w28 * w42) * c12 - w36 * w43
+    w45 = w25 * w28
+    w46 = (link2_theta1_dot * (w28 * w41 - w30 * (link2_theta2_dot * w38)) - w30 * w42) * c12 - w32 * w43
+    w47 = w26 * w39
+    w48 = w38 * c12
+    w49 = w27 * w37 + (w30 * (w25 * w38) - w40) * w44 + (w30 * w39 + w38 * w45) * w46 - (link2_x_ddot * c7 - w47 * c12 * link2_theta1_ddot - w25 * w48 * link2_theta2_ddot)
+    w50 = ca.cos(link3_theta1)
+    w51 = ca.cos(link3_theta2)
+    w52 = w50 * w51
+    w53 = ca.cos(link3_theta3)
+    w54 = w51 * w53
+    w55 = ca.sin(link3_theta3)
+    w56 = link3_theta1_dot * w54 - link3_theta2_dot * w55
+    w57 = w56 * c14
+    w58 = w51 * w55
+    w59 = w53 * link3_theta2_dot
+    w60 = link3_theta1_dot * w58 + w59
+    w61 = w60 * c14
+    w62 = w56 * w57 + w60 * w61
+    w63 = ca.sin(link3_theta2)
+    w64 = ca.sin(link3_theta1)
+    w65 = w53 * w64
+    w66 = w51 * link3_theta3_dot
+    w67 = link3_theta2_dot * link3_theta3_dot
+    w68 = link3_theta3_dot - link3_theta1_dot * w63
+    w69 = (link3_theta1_dot * (w55 * w66 + w59 * w63) + w53 * w67) * c14 - w61 * w68
+    w70 = w50 * w53
+    w71 = (link3_theta1_dot * (w53 * w66 - w55 * (link3_theta2_dot * w63)) - w55 * w67) * c14 - w57 * w68
+    w72 = w51 * w64
+    w73 = w63 * c14
+    w74 = w52 * w62 + (w55 * (w50 * w63) - w65) * w69 + (w55 * w64 + w63 * w70) * w71 - (link3_x_ddot * c8 - w72 * c14 * link3_theta1_ddot - w50 * w73 * link3_theta2_ddot)
+    w75 = w49 + w74
+    w76 = w24 + w75
+    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * c34 + link1_theta1_ddot * (w2 * c35) - link1_theta2_ddot * (w14 * w23))
+    w78 = w37 * w47 + w44 * (w45 + w30 * (w38 * w39)) + w46 * (w38 * w40 - w25 * w30) - (link2_y_ddot * c7 + link2_theta1_ddot * (w27 * c12) - link2_theta2_ddot * (w39 * w48))
+    w79 = w62 * w72 + w69 * (w70 + w55 * (w63 * w64)) + w71 * (w63 * w65 - w50 * w55) - (link3_y_ddot * c8 + link3_theta1_ddot * (w52 * c14) - link3_theta2_ddot * (w64 * w73))
+    w80 = w78 + w79
+    w81 = w77 + w80
+    w82 = c32 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * c7 - link2_theta2_ddot * (w26 * c12))
+    w83 = c33 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * c8 - link3_theta2_ddot * (w51 * c14))
+    w84 = w82 + w83
+    w85 = c36 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * c34 - link1_theta2_ddot * (w1 * c35)) + w84
+    lam = ca.vertcat(
+        w76,
+        w81,
+        w85,
+        w75,
+        w80,
+        w84,
+        w74,
+        w79,
+        w83,
+    )
+    lam = ca.densify(lam)
+    joint_forces = ca.vertcat(
+        -w76,
+        -w81,
+        -w85,
+        0.0,
+        0.0,
+        0.0,
+        -w75,
+        -w80,
+        -w84,
+        0.0,
+        0.0,
+        0.0,
+        -w74,
+        -w79,
+        -w83,
+        0.0,
+        0.0,
+        0.0,
+    )
+    joint_forces = ca.reshape(joint_forces, 6, 3)
+    joint_forces = ca.densify(joint_forces)
+    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
+
+
+def energy() -> ca.Function:
+    """Energies in J and powers in W. 299 operations."""
+    q = ca.SX.sym("q", 18)
+    q_dot = ca.SX.sym("q_dot", 18)
+    c = ca.SX.sym("c", 51)
+    link1_z = q[2]
+    link1_theta1 = q[3]
+    link1_theta2 = q[4]
+    link1_theta3 = q[5]
+    link2_z = q[8]
+    link2_theta1 = q[9]
+    link2_theta2 = q[10]
+    link2_theta3 = q[11]
+    link3_z = q[14]
+    link3_theta1 = q[15]
+    link3_theta2 = q[16]
+    link3_theta3 = q[17]
+    link1_x_dot = q_dot[0]
+    link1_y_dot = q_dot[1]
+    link1_z_dot = q_dot[2]
+    link1_theta1_dot = q_dot[3]
+    link1_theta2_dot = q_dot[4]
+    link1_theta3_dot = q_dot[5]
+    link2_x_dot = q_dot[6]
+    link2_y_dot = q_dot[7]
+    link2_z_dot = q_dot[8]
+    link2_theta1_dot = q_dot[9]
+    link2_theta2_dot = q_dot[10]
+    link2_theta3_dot = q_dot[11]
+    link3_x_dot = q_dot[12]
+    link3_y_dot = q_dot[13]
+    link3_z_dot = q_dot[14]
+    link3_theta1_dot = q_dot[15]
+    link3_theta2_dot = q_dot[16]
+    link3_theta3_dot = q_dot[17]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c7 = c[7]
+    c8 = c[8]
+    c12 = c[12]
+    c14 = c[14]
+    c17 = c[17]
+    c19 = c[19]
+    c20 = c[20]
+    c25 = c[25]
+    c27 = c[27]
+    c28 = c[28]
+    c30 = c[30]
+    c34 = c[34]
+    c35 = c[35]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
+    w2 = w0 * w1 * c35
+    w3 = ca.cos(link1_theta1)
+    w4 = ca.sin(link1_theta2)
+    w5 = w4 * c35
+    w6 = w3 * w5
+    w7 = w0 * w3 * c35
+    w8 = w1 * w5
+    w9 = link1_x_dot * (link1_x_dot * c34 - w2 * link1_theta1_dot - w6 * link1_theta2_dot) + link1_y_dot * (link1_y_dot * c34 + link1_theta1_dot * w7 - link1_theta2_dot * w8)
+    w10 = w0 * c35
+    w11 = w4 * c2
+    w12 = ca.sin(link1_theta3)
+    w13 = w0 * w12
+    w14 = ca.cos(link1_theta3)
+    w15 = w0 * w14
+    w16 = link1_y_dot * w7 - link1_x_dot * w2 + link1_theta1_dot * (w4 * w11 + w13 * (w13 * c4) + w15 * (w15 * c5))
+    w17 = w14 * c4
+    w18 = w12 * c5
+    w19 = w13 * w17 - w15 * w18
+    w20 = w9 + link1_z_dot * (link1_z_dot * c34 - link1_theta2_dot * w10) + link1_theta1_dot * (w16 + link1_theta2_dot * w19 - w11 * link1_theta3_dot)
+    w21 = link1_theta1_dot * w19 - (link1_x_dot * w6 + link1_y_dot * w8 + link1_z_dot * w10) + link1_theta2_dot * (w14 * w17 + w12 * w18)
+    w22 = w20 + link1_theta2_dot * w21 + link1_theta3_dot * (link1_theta3_dot * c2 - link1_theta1_dot * w11)
+    w23 = ca.cos(link2_theta2)
+    w24 = ca.sin(link2_theta1)
+    w25 = w23 * w24 * c12
+    w26 = ca.cos(link2_theta1)
+    w27 = ca.sin(link2_theta2)
+    w28 = w27 * c12
+    w29 = w26 * w28
+    w30 = w23 * w26 * c12
+    w31 = w24 * w28
+    w32 = w22 + link2_x_dot * (link2_x_dot * c7 - w25 * link2_theta1_dot - w29 * link2_theta2_dot) + link2_y_dot * (link2_y_dot * c7 + link2_theta1_dot * w30 - link2_theta2_dot * w31)
+    w33 = w23 * c12
+    w34 = w27 * c17
+    w35 = ca.sin(link2_theta3)
+    w36 = w23 * w35
+    w37 = ca.cos(link2_theta3)
+    w38 = w23 * w37
+    w39 = link2_y_dot * w30 - link2_x_dot * w25 + link2_theta1_dot * (w27 * w34 + w36 * (w36 * c19) + w38 * (w38 * c20))
+    w40 = w37 * c19
+    w41 = w35 * c20
+    w42 = w36 * w40 - w38 * w41
+    w43 = w32 + link2_z_dot * (link2_z_dot * c7 - link2_theta2_dot * w33) + link2_theta1_dot * (w39 + link2_theta2_dot * w42 - w34 * link2_theta3_dot)
+    w44 = link2_theta1_dot * w42 - (link2_x_dot * w29 + link2_y_dot * w31 + link2_z_dot * w33) + link2_theta2_dot * (w37 * w40 + w35 * w41)
+    w45 = w43 + link2_theta2_dot * w44 + link2_theta3_dot * (link2_theta3_dot * c17 - link2_theta1_dot * w34)
+    w46 = ca.cos(link3_theta2)
+    w47 = ca.sin(link3_theta1)
+    w48 = w46 * w47 * c14
+    w49 = ca.cos(link3_theta1)
+    w50 = ca.sin(link3_theta2)
+    w51 = w50 * c14
+    w52 = w49 * w51
+    w53 = w46 * w49 * c14
+    w54 = w47 * w51
+    w55 = w45 + link3_x_dot * (link3_x_dot * c8 - w48 * link3_theta1_dot - w52 * link3_theta2_dot) + link3_y_dot * (link3_y_dot * c8 + link3_theta1_dot * w53 - link3_theta2_dot * w54)
+    w56 = w46 * c14
+    w57 = w50 * c25
+    w58 = ca.sin(link3_theta3)
+    w59 = w46 * w58
+    w60 = ca.cos(link3_theta3)
+    w61 = w46 * w60
+    w62 = link3_y_dot * w53 - link3_x_dot * w48 + link3_theta1_dot * (w50 * w57 + w59 * (w59 * c27) + w61 * (w61 * c28))
+    w63 = w60 * c27
+    w64 = w58 * c28
+    w65 = w59 * w63 - w61 * w64
+    w66 = w55 + link3_z_dot * (link3_z_dot * c8 - link3_theta2_dot * w56) + link3_theta1_dot * (w62 + link3_theta2_dot * w65 - w57 * link3_theta3_dot)
+    w67 = link3_theta1_dot * w65 - (link3_x_dot * w52 + link3_y_dot * w54 + link3_z_dot * w56) + link3_theta2_dot * (w60 * w63 + w58 * w64)
+    w68 = w66 + link3_theta2_dot * w67 + link3_theta3_dot * (link3_theta3_dot * c25 - link3_theta1_dot * w57)
+    kinetic = ca.vertcat(
+        w68 / 2.0,
+    )
+    kinetic = ca.densify(kinetic)
+    elastic = ca.vertcat(
+        0.0,
+    )
+    elastic = ca.densify(elastic)
+    potential = ca.vertcat(
+        -((link1_z * c34 - w5) * c30 + (link2_z * c7 - w28) * c30 + (link3_z * c8 - w51) * c30),
+    )
+    potential = ca.densify(potential)
+    power_dissipated = ca.vertcat(
+        0.0,
+    )
+    power_dissipated = ca.densify(power_dissipated)
+    power_applied = ca.vertcat(
+        0.0,
+    )
+    power_applied = ca.densify(power_applied)
+    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
+
+
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 72 operations."""
+    q = ca.SX.sym("q", 18)
+    c = ca.SX.sym("c", 51)
+    link1_x = q[0]
+    link1_y = q[1]
+    link1_z = q[2]
+    link1_theta1 = q[3]
+    link1_theta2 = q[4]
+    link2_x = q[6]
+    link2_y = q[7]
+    link2_z = q[8]
+    link2_theta1 = q[9]
+    link2_theta2 = q[10]
+    link3_x = q[12]
+    link3_y = q[13]
+    link3_z = q[14]
+    link3_theta1 = q[15]
+    link3_theta2 = q[16]
+    c6 = c[6]
+    c13 = c[13]
+    c37 = c[37]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.cos(link2_theta2)
+    w2 = ca.cos(link3_theta2)
+    xyz = ca.vertcat(
+        link1_x,
+        link1_y,
+        link1_z,
+        link1_x + ca.cos(link1_theta1) * w0 * c6,
+        link1_y + w0 * ca.sin(link1_theta1) * c6,
+        link1_z - ca.sin(link1_theta2) * c6,
+        link2_x,
+        link2_y,
+        link2_z,
+        link2_x + ca.cos(link2_theta1) * w1 * c13,
+        link2_y + w1 * ca.sin(link2_theta1) * c13,
+        link2_z - ca.sin(link2_theta2) * c13,
+        link3_x,
+        link3_y,
+        link3_z,
+        link3_x + ca.cos(link3_theta1) * w2 * c37,
+        link3_y + w2 * ca.sin(link3_theta1) * c37,
+        link3_z - ca.sin(link3_theta2) * c37,
+    )
+    xyz = ca.reshape(xyz, 3, 6)
+    xyz = ca.densify(xyz)
+    inputs, outputs = [q, c], [xyz]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+
+
+def dQ_hat_dq_i() -> ca.Function:
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1702 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link3_theta1 = q_i[6]
+    link3_theta2 = q_i[7]
+    link3_theta3 = q_i[8]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link3_theta1_dot = q_i_dot[6]
+    link3_theta2_dot = q_i_dot[7]
+    link3_theta3_dot = q_i_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = w0 * w1
+    w3 = w2 * c6
+    w4 = ca.sin(link1_theta2)
+    w5 = w4 * c6
+    w6 = link1_theta1_dot * link1_theta2_dot
+    w7 = w1 * w6
+    w8 = ca.sin(link1_theta1)
+    w9 = w1 * w8
+    w10 = w7 * w9
+    w11 = w1 * link1_theta3_dot
+    w12 = ca.cos(link1_theta3)
+    w13 = w11 * w12
+    w14 = w4 * link1_theta2_dot
+    w15 = ca.sin(link1_theta3)
+    w16 = link1_theta2_dot * link1_theta3_dot
+    w17 = w15 * w16
+    w18 = link1_theta1_dot * (w13 - w14 * w15) - w17
+    w19 = w4 * w8
+    w20 = w0 * w12
+    w21 = w15 * w19 + w20
+    w22 = w18 * w21
+    w23 = w11 * w15
+    w24 = link1_theta2_dot * w12
+    w25 = w12 * w16
+    w26 = link1_theta1_dot * (w23 + w4 * w24) + w25
+    w27 = w0 * w15
+    w28 = w8 * w12
+    w29 = w4 * w28
+    w30 = w10 - w22 - w26 * (w27 - w29)
+    w31 = w1 * w15
+    w32 = w1 * w12
+    w33 = w4 * w7 + w18 * w31 - w26 * w32
+    w34 = w9 * c6
+    w35 = w33 * w34
+    w36 = w4 * link1_theta3_dot
+    w37 = link1_theta1_dot - w36
+    w38 = w2 * link1_theta3_dot - link1_theta2_dot * w8
+    w39 = w5 * w38 + w3 * w37
+    w40 = w37 * w39
+    w41 = w9 * link1_theta3_dot + w0 * link1_theta2_dot
+    w42 = w34 * w38 - w3 * w41
+    w43 = w41 * w42
+    w44 = w5 * w30 - w35 - (w40 - w43)
+    w45 = w44 * c8
+    w46 = w44 * c7 + w45
+    w47 = ca.cos(link2_theta2)
+    w48 = ca.sin(link2_theta1)
+    w49 = w47 * w48
+    w50 = ca.cos(link2_theta3)
+    w51 = w47 * w50
+    w52 = ca.sin(link2_theta3)
+    w53 = link2_theta2_dot * w52
+    w54 = link2_theta1_dot * w51 - w53
+    w55 = w54 * c12
+    w56 = w47 * w52
+    w57 = w50 * link2_theta2_dot
+    w58 = link2_theta1_dot * w56 + w57
+    w59 = w58 * c12
+    w60 = w54 * w55 + w58 * w59
+    w61 = ca.cos(link2_theta1)
+    w62 = w50 * w61
+    w63 = ca.sin(link2_theta2)
+    w64 = w48 * w63
+    w65 = w62 + w52 * w64
+    w66 = w47 * link2_theta3_dot
+    w67 = w52 * w66
+    w68 = link2_theta2_dot * link2_theta3_dot
+    w69 = w50 * w68
+    w70 = link2_theta1_dot * (w67 + w57 * w63) + w69
+    w71 = link2_theta3_dot - link2_theta1_dot * w63
+    w72 = w59 * w71
+    w73 = w70 * c12 - w72
+    w74 = w49 * w60 + w65 * w73
+    w75 = w48 * w50
+    w76 = w63 * w75
+    w77 = w52 * w61
+    w78 = w76 - w77
+    w79 = w50 * w66
+    w80 = link2_theta2_dot * w63
+    w81 = w52 * w68
+    w82 = link2_theta1_dot * (w79 - w52 * w80) - w81
+    w83 = w55 * w71
+    w84 = w82 * c12 - w83
+    w85 = w0 * w4
+    w86 = w15 * w85 - w28
+    w87 = w8 * w15
+    w88 = w87 + w4 * w20
+    w89 = w18 * w86 - w2 * w7 - w26 * w88
+    w90 = w3 * w33 + w5 * w89
+    w91 = w5 * w41 + w34 * w37
+    w92 = w37 * w91 + w38 * w42
+    w93 = w90 - w92
+    w94 = ca.cos(link3_theta2)
+    w95 = ca.sin(link3_theta1)
+    w96 = w94 * w95
+    w97 = ca.cos(link3_theta3)
+    w98 = w94 * w97
+    w99 = ca.sin(link3_theta3)
+    w100 = link3_theta2_dot * w99
+    w101 = link3_theta1_dot * w98 - w100
+    w102 = w101 * c14
+    w103 = w94 * w99
+    w104 = w97 * link3_theta2_dot
+    w105 = link3_theta1_dot * w103 + w104
+    w106 = w105 * c14
+    w107 = w101 * w102 + w105 * w106
+    w108 = ca.cos(link3_theta1)
+    w109 = w97 * w108
+    w110 = ca.sin(link3_theta2)
+    w111 = w95 * w110
+    w112 = w109 + w99 * w111
+    w113 = w94 * link3_theta3_dot
+    w114 = w99 * w113
+    w115 = link3_theta2_dot * link3_theta3_dot
+    w116 = w97 * w115
+    w117 = link3_theta1_dot * (w114 + w104 * w110) + w116
+    w118 = link3_theta3_dot - link3_theta1_dot * w110
+    w119 = w106 * w118
+    w120 = w117 * c14 - w119
+    w121 = w96 * w107 + w112 * w120
+    w122 = w95 * w97
+    w123 = w110 * w122
+    w124 = w99 * w108
+    w125 = w123 - w124
+    w126 = w97 * w113
+    w127 = link3_theta2_dot * w110
+    w128 = w99 * w115
+    w129 = link3_theta1_dot * (w126 - w99 * w127) - w128
+    w130 = w102 * w118
+    w131 = w129 * c14 - w130
+    w132 = link2_theta1_dot * link2_theta2_dot
+    w133 = w47 * w132
+    w134 = w63 * w133 + w56 * w82 - w51 * w70
+    w135 = w47 * w61
+    w136 = w135 * c13
+    w137 = w61 * w63
+    w138 = w52 * w137 - w75
+    w139 = w48 * w52
+    w140 = w139 + w62 * w63
+    w141 = w82 * w138 - w133 * w135 - w70 * w140
+    w142 = w63 * c13
+    w143 = w134 * w136 + w141 * w142
+    w144 = w63 * link2_theta3_dot
+    w145 = link2_theta1_dot - w144
+    w146 = link2_theta2_dot * w61 + w49 * link2_theta3_dot
+    w147 = w49 * c13
+    w148 = w142 * w146 + w145 * w147
+    w149 = link2_theta3_dot * w135 - w48 * link2_theta2_dot
+    w150 = w147 * w149 - w136 * w146
+    w151 = w145 * w148 + w149 * w150
+    w152 = w93 + (w143 - w151)
+    w153 = w121 + w125 * w131 - w152 * c8
+    w154 = w74 + w78 * w84 - w93 * c7 + w153
+    w155 = w60 * w135 + w73 * w138 + w84 * w140
+    w156 = w29 - w27
+    w157 = w22 - w10 - w26 * w156
+    w158 = w43 - w40 - (w35 + w5 * w157)
+    w159 = w94 * w108
+    w160 = w108 * w110
+    w161 = w99 * w160 - w122
+    w162 = w95 * w99
+    w163 = w162 + w109 * w110
+    w164 = w107 * w159 + w120 * w161 + w131 * w163
+    w165 = w146 * w150
+    w166 = w136 * w145 + w142 * w149
+    w167 = w145 * w166
+    w168 = w65 * w82
+    w169 = w49 * w133
+    w170 = w168 - w169 - w70 * w78
+    w171 = w134 * w147
+    w172 = w158 + (w165 - w167 - (w142 * w170 + w171))
+    w173 = w164 - w172 * c8
+    w174 = w155 - w158 * c7 + w173
+    w175 = w92 - w90
+    w176 = w175 * c8
+    w177 = w175 * c7 + w176
+    w178 = w0 * w5
+    w179 = w5 * w8
+    w180 = w38 * w39 + w41 * w91 + (w34 * w89 - w3 * w157)
+    w181 = w180 + (w149 * w166 + w146 * w148 + (w141 * w147 - w136 * w170))
+    w182 = c33 + (w103 * w120 - w107 * w110 + w98 * w131) - w181 * c8
+    w183 = w1 * c6
+    w184 = w3 * w89
+    w185 = w30 * w34 + w184 - (w184 - w34 * w157)
+    w186 = w135 * c12
+    w187 = w49 * c12
+    w188 = w63 * c12
+    w189 = w61 * w188
+    w190 = w48 * w188
+    w191 = w47 * c12
+    w192 = w47 * c13
+    w193 = w48 * w142
+    w194 = w61 * w142
+    w195 = w159 * c14
+    w196 = w96 * c14
+    w197 = w110 * c14
+    w198 = w108 * w197
+    w199 = w95 * w197
+    w200 = w94 * c14
+    w201 = link1_theta3_dot - w4 * link1_theta1_dot
+    w202 = w4 * w12
+    w203 = link1_theta1_dot * w202
+    w204 = w203 * c1
+    w205 = link1_theta2_dot * w15
+    w206 = link1_theta1_dot * w32 - w205
+    w207 = w206 * c1
+    w208 = w1 * link1_theta1_dot
+    w209 = w208 * c3
+    w210 = w201 * c3
+    w211 = link1_theta1_dot * (w12 * w36 + w15 * (w1 * link1_theta2_dot))
+    w212 = w201 * w204 + w207 * w208 - (w206 * w209 + w203 * w210) + w211 * c4
+    w213 = w206 * w210
+    w214 = w213 - w201 * w207 - w18 * c4
+    w215 = w4 * w15
+    w216 = w24 + link1_theta1_dot * w31
+    w217 = w216 * c0
+    w218 = link1_theta1_dot * w215
+    w219 = w218 * c0
+    w220 = w4 * w6
+    w221 = w206 * w219 + w203 * w217 - (w204 * w216 + w207 * w218) - w220 * c2
+    w222 = link1_theta1_dot * (w1 * w24 - w15 * w36)
+    w223 = w209 * w216 + w210 * w218 - (w201 * w219 + w208 * w217) + w222 * c5
+    w224 = w210 * w216
+    w225 = w201 * w217 - w224 + w26 * c5
+    w226 = w31 * w212 - w214 * w215 - (w1 * (w207 * w216 - w206 * w217 + w7 * c2) + w4 * w221) + (w32 * w223 - w202 * w225)
+    w227 = w1 * w7 - w4 * w220 - (w18 * w215 + w31 * w211) - (w32 * w222 - w26 * w202)
+    w228 = w85 * c6
+    w229 = w18 * (w2 * w15) - w86 * w211 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c39 - (w26 * (w1 * w20) + w88 * w222)
+    w230 = link1_theta3_dot * w19
+    w231 = w19 * c6
+    w232 = w41 * w183 - w5 * w230 - (w11 * w34 + w37 * w231)
+    w233 = link1_theta3_dot * w85
+    w234 = w3 * w230 + w41 * w228 - (w34 * w233 + w38 * w231)
+    w235 = w3 * w227 - w33 * w228 + (w5 * w229 + w89 * w183) - (w37 * w232 - w11 * w91 + (w38 * w234 - w42 * w233))
+    w236 = w235 * c8
+    w237 = w235 * c7 + w236
+    w238 = w38 * w183 - w5 * w233 - (w3 * w11 + w37 * w228)
+    w239 = w18 * (w9 * w15) - w21 * w211 + w8 * (link1_theta2_dot * (link1_theta1_dot * (w1 * w4))) * c39 - (w26 * (w1 * w28) + w156 * w222)
+    w240 = w41 * w234 - w42 * w230 - (w37 * w238 - w11 * w39) - (w5 * w239 + w157 * w183 + (w34 * w227 - w33 * w231))
+    w241 = w240 * c8
+    w242 = w240 * c7 + w241
+    w243 = w38 * w238 - w39 * w233 + (w41 * w232 - w91 * w230) + (w34 * w229 - w89 * w231 - (w3 * w239 - w157 * w228))
+    w244 = w183 * (w243 * c7 + w243 * c8) + w5 * (c32 + (w56 * w73 - w60 * w63 + w51 * w84) - w180 * c7 + w182)
+    w245 = w12 * w212 - w15 * w223 + w4 * c31 + w244 - (w154 * (w8 * w183) - w179 * w237) - (w174 * (w0 * w183) - w178 * w242)
+    w246 = w216 * c1
+    w247 = w25 + link1_theta1_dot * (w23 + w12 * w14)
+    w248 = w201 * w246 - w224 + w247 * c4
+    w249 = w206 * c0
+    w250 = w206 * w207 - w216 * w246 - (w206 * w249 - w216 * w217)
+    w251 = link1_theta1_dot * (w13 - w4 * w205) - w17
+    w252 = w201 * w249 - w213 + w251 * c5
+    w253 = w18 * w32 - w31 * w247 - (w32 * w251 - w26 * w31)
+    w254 = w18 * (w87 + w12 * w85) - w86 * w247 - (w26 * (w28 - w4 * w27) + w88 * w251)
+    w255 = w3 * w253 + w5 * w254
+    w256 = w255 * c8
+    w257 = w255 * c7 + w256
+    w258 = w18 * (w12 * w19 - w27) - w21 * w247 - (w156 * w251 - w26 * (w20 + w4 * w87))
+    w259 = w5 * w258 + w34 * w253
+    w260 = w259 * c8
+    w261 = w259 * c7 + w260
+    w262 = w34 * w254 - w3 * w258
+    w263 = w12 * w248 - w15 * w214 - (w12 * w225 + w15 * w252) + w183 * (w262 * c7 + w262 * c8) + w179 * w257
+    w264 = w77 - w76
+    w265 = w169 - w168 - w70 * w264
+    w266 = w142 * w265 - w171 - (w167 - w165)
+    w267 = w266 * c8
+    w268 = w155 - w267
+    w269 = w151 - w143
+    w270 = w269 * c8
+    w271 = w84 * w264 - w74 - w270
+    w272 = w136 * w141
+    w273 = w147 * w265 + w272 - (w272 - w147 * w170)
+    w274 = w273 * c8
+    w275 = w93 * w189 - w158 * w190 + w192 * w274 - (w153 * w194 - w193 * w267) + (w194 * w270 + w173 * w193)
+    w276 = w49 * w52
+    w277 = link2_theta1_dot * (w47 * w57 - w52 * w144)
+    w278 = w52 * w63
+    w279 = link2_theta1_dot * w278
+    w280 = w47 * link2_theta1_dot
+    w281 = w277 * c12 + (w71 * (w279 * c12) + w59 * w280)
+    w282 = w50 * w63
+    w283 = link2_theta1_dot * w282
+    w284 = w63 * (w54 * (link2_theta1_dot * w50)) * c40 + w63 * (w58 * (link2_theta1_dot * w52)) * c40
+    w285 = w47 * w75
+    w286 = link2_theta1_dot * (w50 * w144 + w52 * (w47 * link2_theta2_dot))
+    w287 = w71 * (w283 * c12) + w55 * w280 - w286 * c12
+    w288 = w63 * w132
+    w289 = w47 * w133 - w63 * w288 - (w82 * w278 + w56 * w286) - (w51 * w277 - w70 * w282)
+    w290 = w137 * c13
+    w291 = w52 * w135
+    w292 = w47 * w62
+    w293 = w82 * w291 - w138 * w286 + w63 * (w61 * (link2_theta2_dot * w280)) * c39 - (w70 * w292 + w140 * w277)
+    w294 = w64 * link2_theta3_dot
+    w295 = w64 * c13
+    w296 = w146 * w192 - w142 * w294 - (w66 * w147 + w145 * w295)
+    w297 = link2_theta3_dot * w137
+    w298 = w136 * w294 + w146 * w290 - (w147 * w297 + w149 * w295)
+    w299 = w136 * w289 - w134 * w290 + (w142 * w293 + w141 * w192) - (w145 * w296 - w66 * w148 + (w149 * w298 - w150 * w297))
+    w300 = w299 * c8
+    w301 = w73 * w276 + w65 * w281 - (w60 * w64 + w49 * w284) + (w84 * w285 + w78 * w287) - w300
+    w302 = w149 * w192 - w142 * w297 - (w66 * w136 + w145 * w290)
+    w303 = w82 * w276 - w65 * w286 + w63 * (link2_theta2_dot * (w49 * link2_theta1_dot)) * c39 - (w70 * w285 + w78 * w277)
+    w304 = w146 * w298 - w150 * w294 - (w145 * w302 - w66 * w166) - (w142 * w303 + w170 * w192 + (w147 * w289 - w134 * w295))
+    w305 = w304 * c8
+    w306 = w73 * w291 + w138 * w281 - (w60 * w137 + w135 * w284) + (w84 * w292 + w140 * w287) - w305
+    w307 = w149 * w302 - w166 * w297 + (w146 * w296 - w148 * w294) + (w147 * w293 - w141 * w295 - (w136 * w303 - w170 * w290))
+    w308 = w307 * c8
+    w309 = w183 * (w56 * w281 - w73 * w278 - (w47 * w60 - w63 * w284) + (w51 * w287 - w84 * w282) - w308) + w179 * w301
+    w310 = w283 * c16
+    w311 = w54 * c16
+    w312 = w280 * c18
+    w313 = w71 * c18
+    w314 = w71 * w310 + w280 * w311 - (w54 * w312 + w283 * w313) + w286 * c19
+    w315 = w54 * w313
+    w316 = w315 - w71 * w311 - w82 * c19
+    w317 = w58 * c15
+    w318 = w279 * c15
+    w319 = w54 * w318 + w283 * w317 - (w58 * w310 + w279 * w311) - w288 * c17
+    w320 = w58 * w312 + w279 * w313 - (w71 * w318 + w280 * w317) + w277 * c20
+    w321 = w58 * w313
+    w322 = w71 * w317 - w321 + w70 * c20
+    w323 = w56 * w314 - w278 * w316 - (w47 * (w58 * w311 - w54 * w317 + w133 * c17) + w63 * w319) + (w51 * w320 - w282 * w322)
+    w324 = w323 - (w158 * (w64 * c12) - w93 * (w137 * c12)) - (w136 * w300 + w153 * w290) + (w147 * w305 + w173 * w295)
+    w325 = w50 * w314 - w52 * w320 + w188 * c30 + (w158 * (w61 * w191) + w93 * (w48 * w191) - w180 * w188) + (w192 * w308 + w142 * w182)
+    w326 = w50 * w64 - w77
+    w327 = link2_theta1_dot * (w79 - w53 * w63) - w81
+    w328 = w327 * c12 - w83
+    w329 = w69 + link2_theta1_dot * (w67 + w50 * w80)
+    w330 = w72 - w329 * c12
+    w331 = w62 + w63 * w139
+    w332 = w51 * w82 - w56 * w329 - (w51 * w327 - w56 * w70)
+    w333 = w139 + w50 * w137
+    w334 = w75 - w63 * w77
+    w335 = w82 * w333 - w138 * w329 - (w70 * w334 + w140 * w327)
+    w336 = w136 * w332 + w142 * w335
+    w337 = w336 * c8
+    w338 = w73 * w326 + w65 * w328 + (w78 * w330 - w84 * w331) - w337
+    w339 = w82 * w326 - w65 * w329 - (w78 * w327 - w70 * w331)
+    w340 = w142 * w339 + w147 * w332
+    w341 = w340 * c8
+    w342 = w73 * w333 + w138 * w328 + (w84 * w334 + w140 * w330) + w341
+    w343 = w147 * w335 - w136 * w339
+    w344 = w343 * c8
+    w345 = w58 * c16
+    w346 = w71 * w345 - w321 + w329 * c19
+    w347 = w54 * c15
+    w348 = w54 * w311 - w58 * w345 - (w54 * w347 - w58 * w317)
+    w349 = w71 * w347 - w315 + w327 * c20
+    w350 = w131 * (w124 - w123) - w121
+    w351 = w110 * link3_theta3_dot
+    w352 = link3_theta1_dot * (w94 * w104 - w99 * w351)
+    w353 = w99 * w110
+    w354 = link3_theta1_dot * w353
+    w355 = w94 * link3_theta1_dot
+    w356 = w352 * c14 + (w118 * (w354 * c14) + w106 * w355)
+    w357 = w97 * w110
+    w358 = link3_theta1_dot * w357
+    w359 = w110 * (w101 * (link3_theta1_dot * w97)) * c41 + w110 * (w105 * (link3_theta1_dot * w99)) * c41
+    w360 = link3_theta1_dot * (w97 * w351 + w99 * (w94 * link3_theta2_dot))
+    w361 = w118 * (w358 * c14) + w102 * w355 - w360 * c14
+    w362 = w120 * (w96 * w99) + w112 * w356 - (w107 * w111 + w96 * w359) + (w131 * (w94 * w122) + w125 * w361)
+    w363 = w120 * (w99 * w159) + w161 * w356 - (w107 * w160 + w159 * w359) + (w131 * (w94 * w109) + w163 * w361)
+    w364 = w103 * w356 - w120 * w353 - (w94 * w107 - w110 * w359) + (w98 * w361 - w131 * w357)
+    w365 = w358 * c24
+    w366 = w101 * c24
+    w367 = w355 * c26
+    w368 = w118 * c26
+    w369 = w118 * w365 + w355 * w366 - (w101 * w367 + w358 * w368) + w360 * c27
+    w370 = w101 * w368
+    w371 = w370 - w118 * w366 - w129 * c27
+    w372 = w105 * c23
+    w373 = link3_theta1_dot * link3_theta2_dot
+    w374 = w354 * c23
+    w375 = w101 * w374 + w358 * w372 - (w105 * w365 + w354 * w366) - w110 * w373 * c25
+    w376 = w105 * w367 + w354 * w368 - (w118 * w374 + w355 * w372) + w352 * c28
+    w377 = w105 * w368
+    w378 = w118 * w372 - w377 + w117 * c28
+    w379 = w103 * w369 - w353 * w371 - (w94 * (w105 * w366 - w101 * w372 + w94 * w373 * c25) + w110 * w375) + (w98 * w376 - w357 * w378)
+    w380 = w97 * w369 - w99 * w376 + w197 * c30 + (w172 * (w108 * w200) + w152 * (w95 * w200) - w181 * w197)
+    w381 = link3_theta1_dot * (w126 - w100 * w110) - w128
+    w382 = w381 * c14 - w130
+    w383 = w116 + link3_theta1_dot * (w114 + w97 * w127)
+    w384 = w119 - w383 * c14
+    w385 = w120 * (w97 * w111 - w124) + w112 * w382 + (w125 * w384 - w131 * (w109 + w110 * w162))
+    w386 = w120 * (w162 + w97 * w160) + w161 * w382 + (w131 * (w122 - w110 * w124) + w163 * w384)
+    w387 = w98 * w120 + w103 * w382 + (w98 * w384 - w103 * w131)
+    w388 = w105 * c24
+    w389 = w118 * w388 - w377 + w383 * c27
+    w390 = w101 * c23
+    w391 = w101 * w366 - w105 * w388 - (w101 * w390 - w105 * w372)
+    w392 = w118 * w390 - w370 + w381 * c28
+    dQ_hat_dq_i = ca.vertcat(
+        -(w3 * w46 + w34 * w154 + (w3 * w174 - w34 * w177)),
+        w177 * w178 + w174 * w179 - (w154 * w178 - w46 * w179 - w183 * (w185 * c7 + w185 * c8)),
+        0.0,
+        w147 * w176 - (w44 * w186 - w175 * w187 + w45 * w136),
+        w63 * (w44 * w48) * c38 + (w47 * w185 * c38 + w137 * w175 * c38),
+        0.0,
+        -(w44 * w195 - w175 * w196),
+        w175 * w198 + w44 * w199 + w185 * w200,
+        0.0,
+        w226 - (w3 * w237 + w154 * w228) + (w34 * w242 + w174 * w231),
+        w245,
+        w221,
+        w147 * w241 - (w186 * w235 - w187 * w240 + w136 * w236),
+        w64 * w235 * c38 + (w47 * w243 * c38 + w137 * w240 * c38),
+        0.0,
+        -(w195 * w235 - w196 * w240),
+        w198 * w240 + w199 * w235 + w200 * w243,
+        0.0,
+        w32 * w214 + w31 * w248 - w4 * w250 + (w32 * w252 - w31 * w225) - w3 * w257 - w34 * w261,
+        w263 - w178 * w261,
+        w250,
+        -(w135 * w255 * c38 + w49 * w259 * c38),
+        w190 * w255 - w189 * w259 + w47 * w262 * c38 + w193 * w256 - w194 * w260,
+        0.0,
+        -(w195 * w255 + w196 * w259),
+        w199 * w255 - w198 * w259 + w200 * w262,
+        0.0,
+        w3 * w268 - w34 * w271,
+        w183 * w274 - w179 * w268 - w178 * w271,
+        0.0,
+        w93 * w187 + w158 * w186 - (w136 * w267 + w147 * w153) - (w136 * w173 - w147 * w270),
+        w275,
+        0.0,
+        -(w195 * w266 - w196 * w269),
+        w198 * w269 + w199 * w266 + w200 * w273,
+        0.0,
+        w3 * w301 - w34 * w306,
+        -(w309 + w178 * w306),
+        0.0,
+        w324,
+        w325 - (w153 * (w48 * w192) - w193 * w300) - (w173 * (w61 * w192) - w194 * w305),
+        w319,
+        -(w195 * w299 - w196 * w304),
+        w198 * w304 + w199 * w299 + w200 * w307,
+        0.0,
+        w3 * w338 - w34 * w342,
+        -(w183 * (w51 * w73 + w56 * w328 + (w51 * w330 - w56 * w84) - w344) + w179 * w338 + w178 * w342),
+        0.0,
+        w51 * w316 + w56 * w346 - w63 * w348 + (w51 * w349 - w56 * w322) - w136 * w337 - w147 * w341,
+        w50 * w346 - w52 * w316 - (w50 * w322 + w52 * w349) + w192 * w344 + w193 * w337 - w194 * w341,
+        w348,
+        -(w195 * w336 + w196 * w340),
+        w199 * w336 - w198 * w340 + w200 * w343,
+        0.0,
+        w3 * w164 - w34 * w350,
+        -(w164 * w179 + w178 * w350),
+        0.0,
+        w136 * w164 - w147 * w350,
+        -(w164 * w193 + w194 * w350),
+        0.0,
+        w152 * w196 + w172 * w195,
+        w152 * w198 - w172 * w199,
+        0.0,
+        w3 * w362 - w34 * w363,
+        -(w183 * w364 + w179 * w362 + w178 * w363),
+        0.0,
+        w136 * w362 - w147 * w363,
+        -(w192 * w364 + w193 * w362 + w194 * w363),
+        0.0,
+        w379 - (w172 * (w111 * c14) - w152 * (w160 * c14)),
+        w380,
+        w375,
+        w3 * w385 - w34 * w386,
+        -(w183 * w387 + w179 * w385 + w178 * w386),
+        0.0,
+        w136 * w385 - w147 * w386,
+        -(w192 * w387 + w193 * w385 + w194 * w386),
+        0.0,
+        w98 * w371 + w103 * w389 - w110 * w391 + (w98 * w392 - w103 * w378),
+        w97 * w389 - w99 * w371 - (w97 * w378 + w99 * w392),
+        w391,
+    )
+    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 9, 9)
+    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
+    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
+
+
+def dQ_hat_dq_i_dot() -> ca.Function:
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 1230 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link3_theta1 = q_i[6]
+    link3_theta2 = q_i[7]
+    link3_theta3 = q_i[8]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link3_theta1_dot = q_i_dot[6]
+    link3_theta2_dot = q_i_dot[7]
+    link3_theta3_dot = q_i_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c38 = c[38]
+    c40 = c[40]
+    c41 = c[41]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta3)
+    w2 = w0 * w1
+    w3 = ca.sin(link1_theta2)
+    w4 = link1_theta3_dot - link1_theta1_dot * w3
+    w5 = w4 * c3
+    w6 = ca.cos(link1_theta3)
+    w7 = w0 * w6
+    w8 = link1_theta1_dot * w7 - w1 * link1_theta2_dot
+    w9 = w3 * c3
+    w10 = w7 * c1
+    w11 = w8 * c1
+    w12 = w0 * link1_theta3_dot
+    w13 = w6 * w12 - w1 * (w3 * link1_theta2_dot)
+    w14 = w5 * w7 - w8 * w9 - (w4 * w10 - w3 * w11) - w13 * c4
+    w15 = w6 * link1_theta2_dot
+    w16 = w2 * link1_theta1_dot + w15
+    w17 = w2 * c0
+    w18 = w16 * c0
+    w19 = w0 * link1_theta2_dot
+    w20 = w10 * w16 + w2 * w11 - (w8 * w17 + w7 * w18) + w19 * c2
+    w21 = w1 * w12 + w3 * w15
+    w22 = w4 * w17 - w3 * w18 - (w2 * w5 - w9 * w16) + w21 * c5
+    w23 = ca.cos(link1_theta1)
+    w24 = w0 * w23
+    w25 = w24 * c6
+    w26 = w3 * w19 + w2 * w13 - w7 * w21
+    w27 = w3 * c6
+    w28 = ca.sin(link1_theta1)
+    w29 = w6 * w28
+    w30 = w1 * (w3 * w23) - w29
+    w31 = w6 * w23
+    w32 = w1 * w28 + w3 * w31
+    w33 = w13 * w30 - w19 * w24 - w21 * w32
+    w34 = w0 * w28
+    w35 = link1_theta2_dot * w23 + link1_theta3_dot * w34
+    w36 = link1_theta1_dot - link1_theta3_dot * w3
+    w37 = w34 * c6
+    w38 = w36 * w37
+    w39 = w27 * w35 + w38
+    w40 = w25 * w26 + w27 * w33 - (w38 + w39)
+    w41 = w40 * c8
+    w42 = w40 * c7 + w41
+    w43 = w25 * w36
+    w44 = link1_theta3_dot * w24 - link1_theta2_dot * w28
+    w45 = w43 + w27 * w44
+    w46 = w31 + w1 * (w3 * w28)
+    w47 = w3 * w29 - w1 * w23
+    w48 = w13 * w46 - w19 * w34 - w21 * w47
+    w49 = w43 + w45 + (w27 * w48 + w26 * w37)
+    w50 = w49 * c8
+    w51 = w49 * c7 + w50
+    w52 = w0 * c6
+    w53 = w25 * w44 + w35 * w37 + (w33 * w37 - w25 * w48)
+    w54 = w27 * w28
+    w55 = w23 * w27
+    w56 = ca.cos(link2_theta1)
+    w57 = ca.cos(link2_theta2)
+    w58 = w56 * w57
+    w59 = w58 * c12
+    w60 = ca.sin(link2_theta1)
+    w61 = w57 * w60
+    w62 = w61 * c12
+    w63 = w58 * c13
+    w64 = w61 * c13
+    w65 = ca.sin(link2_theta2)
+    w66 = w65 * c12
+    w67 = w57 * c13
+    w68 = w65 * c13
+    w69 = w60 * w68
+    w70 = w56 * w68
+    w71 = ca.cos(link3_theta1)
+    w72 = ca.cos(link3_theta2)
+    w73 = w71 * w72
+    w74 = w73 * c14
+    w75 = ca.sin(link3_theta1)
+    w76 = w72 * w75
+    w77 = w76 * c14
+    w78 = ca.sin(link3_theta2)
+    w79 = w78 * c14
+    w80 = w75 * w79
+    w81 = w71 * w79
+    w82 = w72 * c14
+    w83 = w1 * c1
+    w84 = link1_theta1_dot * (w1 * w3) + w1 * link1_theta3_dot
+    w85 = w4 * w83 - w1 * w5 + w84 * c4
+    w86 = w6 * c0
+    w87 = w0 * link1_theta1_dot
+    w88 = w6 * w11 - w16 * w83 - (w8 * w86 - w1 * w18) + w87 * c2
+    w89 = link1_theta1_dot * (w3 * w6) + link1_theta3_dot * w6
+    w90 = w4 * w86 - w5 * w6 + w89 * c5
+    w91 = w3 * w87 - w2 * w84 - w7 * w89
+    w92 = w30 * w84 + w24 * w87 + w32 * w89
+    w93 = w37 * w44 - w25 * w35
+    w94 = w25 * w91 - w27 * w92 - (w36 * w55 - (w28 * w93 + w44 * w52))
+    w95 = w94 * c8
+    w96 = w94 * c7 + w95
+    w97 = w46 * w84 + w34 * w87 + w47 * w89
+    w98 = w23 * w93 - w35 * w52 + w36 * w54 - (w37 * w91 - w27 * w97)
+    w99 = w98 * c8
+    w100 = w98 * c7 + w99
+    w101 = w23 * w39 + w35 * w55 - (w28 * w45 + w44 * w54) + (w25 * w97 - w37 * w92)
+    w102 = w60 * w65
+    w103 = w56 * w65
+    w104 = w8 * c3 - w11 - w8 * c4
+    w105 = w18 - w16 * c3 + w16 * c5
+    w106 = w2 * w8 - w7 * w16
+    w107 = w8 * w30 - w16 * w32
+    w108 = w27 * w34 - w3 * w37
+    w109 = w24 * w37 - w25 * w34
+    w110 = w25 * w106 + w27 * w107 - (w36 * w108 - w3 * w39 + (w24 * w93 + w44 * w109))
+    w111 = w110 * c8
+    w112 = w110 * c7 + w111
+    w113 = w24 * w27 - w3 * w25
+    w114 = w8 * w46 - w16 * w47
+    w115 = w34 * w93 + w35 * w109 - (w36 * w113 - w3 * w45) - (w27 * w114 + w37 * w106)
+    w116 = w115 * c8
+    w117 = w115 * c7 + w116
+    w118 = w24 * w45 + w44 * w113 + (w34 * w39 + w35 * w108) + (w37 * w107 - w25 * w114)
+    w119 = ca.cos(link2_theta3)
+    w120 = w57 * w119
+    w121 = ca.sin(link2_theta3)
+    w122 = link2_theta1_dot * w120 - link2_theta2_dot * w121
+    w123 = w57 * w121
+    w124 = w119 * link2_theta2_dot
+    w125 = link2_theta1_dot * w123 + w124
+    w126 = w120 * w122 * c40 + w123 * w125 * c40
+    w127 = w56 * w119
+    w128 = w127 + w102 * w121
+    w129 = w57 * link2_theta3_dot
+    w130 = w121 * w129 + w65 * w124
+    w131 = link2_theta3_dot - w65 * link2_theta1_dot
+    w132 = w130 * c12 - (w123 * c12 * w131 - w65 * (w125 * c12))
+    w133 = w60 * w119
+    w134 = w65 * w133 - w56 * w121
+    w135 = w119 * w129 - w121 * (w65 * link2_theta2_dot)
+    w136 = w135 * c12 - (w120 * c12 * w131 - w65 * (w122 * c12))
+    w137 = w57 * link2_theta2_dot
+    w138 = w65 * w137 + w123 * w135 - w120 * w130
+    w139 = w103 * w121 - w133
+    w140 = w60 * w121 + w65 * w127
+    w141 = w135 * w139 - w58 * w137 - w130 * w140
+    w142 = w56 * link2_theta2_dot + w61 * link2_theta3_dot
+    w143 = link2_theta1_dot - w65 * link2_theta3_dot
+    w144 = w64 * w143
+    w145 = w68 * w142 + w144
+    w146 = w63 * w138 + w68 * w141 - (w144 + w145)
+    w147 = w146 * c8
+    w148 = w61 * w126 + w128 * w132 + w134 * w136 - w147
+    w149 = w63 * w143
+    w150 = w58 * link2_theta3_dot - w60 * link2_theta2_dot
+    w151 = w149 + w68 * w150
+    w152 = w128 * w135 - w61 * w137 - w130 * w134
+    w153 = w149 + w151 + (w68 * w152 + w64 * w138)
+    w154 = w153 * c8
+    w155 = w58 * w126 + w132 * w139 + w136 * w140 + w154
+    w156 = w63 * w150 + w64 * w142 + (w64 * w141 - w63 * w152)
+    w157 = w156 * c8
+    w158 = w131 * c18
+    w159 = w65 * c18
+    w160 = w120 * c16
+    w161 = w122 * c16
+    w162 = w120 * w158 - w122 * w159 - (w131 * w160 - w65 * w161) - w135 * c19
+    w163 = w123 * c15
+    w164 = w125 * c15
+    w165 = w125 * w160 + w123 * w161 - (w122 * w163 + w120 * w164) + w137 * c17
+    w166 = w131 * w163 - w65 * w164 - (w123 * w158 - w125 * w159) + w130 * c20
+    w167 = w119 * w125 * c40 - w121 * w122 * c40
+    w168 = link2_theta1_dot * (w65 * w119) + w119 * link2_theta3_dot
+    w169 = w168 * c12 - w131 * (w119 * c12)
+    w170 = link2_theta1_dot * (w65 * w121) + w121 * link2_theta3_dot
+    w171 = w131 * (w121 * c12) - w170 * c12
+    w172 = w57 * link2_theta1_dot
+    w173 = w65 * w172 - w123 * w170 - w120 * w168
+    w174 = w139 * w170 + w58 * w172 + w140 * w168
+    w175 = w64 * w150 - w63 * w142
+    w176 = w63 * w173 - w68 * w174 - (w70 * w143 - (w60 * w175 + w67 * w150))
+    w177 = w176 * c8
+    w178 = w61 * w167 + w128 * w169 + w134 * w171 - w177
+    w179 = w128 * w170 + w61 * w172 + w134 * w168
+    w180 = w56 * w175 - w67 * w142 + w69 * w143 - (w64 * w173 - w68 * w179)
+    w181 = w180 * c8
+    w182 = w58 * w167 + w139 * w169 + w140 * w171 - w181
+    w183 = w56 * w145 + w70 * w142 - (w60 * w151 + w69 * w150) + (w63 * w179 - w64 * w174)
+    w184 = w183 * c8
+    w185 = w121 * c16
+    w186 = w131 * w185 - w121 * w158 + w170 * c19
+    w187 = w119 * c15
+    w188 = w119 * w161 - w125 * w185 - (w122 * w187 - w121 * w164) + w172 * c17
+    w189 = w131 * w187 - w119 * w158 + w168 * c20
+    w190 = w122 * w123 - w120 * w125
+    w191 = w122 * w139 - w125 * w140
+    w192 = w61 * w68 - w64 * w65
+    w193 = w58 * w64 - w61 * w63
+    w194 = w63 * w190 + w68 * w191 - (w143 * w192 - w65 * w145 + (w58 * w175 + w150 * w193))
+    w195 = w194 * c8
+    w196 = w58 * w68 - w63 * w65
+    w197 = w122 * w128 - w125 * w134
+    w198 = w61 * w175 + w142 * w193 - (w143 * w196 - w65 * w151) - (w68 * w197 + w64 * w190)
+    w199 = w198 * c8
+    w200 = w58 * w151 + w150 * w196 + (w61 * w145 + w142 * w192) + (w64 * w191 - w63 * w197)
+    w201 = w200 * c8
+    w202 = w122 * c18 - w161 - w122 * c19
+    w203 = w164 - w125 * c18 + w125 * c20
+    w204 = ca.cos(link3_theta3)
+    w205 = w72 * w204
+    w206 = ca.sin(link3_theta3)
+    w207 = link3_theta1_dot * w205 - link3_theta2_dot * w206
+    w208 = w72 * w206
+    w209 = w204 * link3_theta2_dot
+    w210 = link3_theta1_dot * w208 + w209
+    w211 = w205 * w207 * c41 + w208 * w210 * c41
+    w212 = w71 * w204
+    w213 = w212 + w206 * (w75 * w78)
+    w214 = w72 * link3_theta3_dot
+    w215 = w206 * w214 + w78 * w209
+    w216 = link3_theta3_dot - w78 * link3_theta1_dot
+    w217 = w215 * c14 - (w208 * c14 * w216 - w78 * (w210 * c14))
+    w218 = w75 * w204
+    w219 = w78 * w218 - w71 * w206
+    w220 = w204 * w214 - w206 * (w78 * link3_theta2_dot)
+    w221 = w220 * c14 - (w205 * c14 * w216 - w78 * (w207 * c14))
+    w222 = w76 * w211 + w213 * w217 + w219 * w221
+    w223 = w206 * (w71 * w78) - w218
+    w224 = w75 * w206 + w78 * w212
+    w225 = w73 * w211 + w217 * w223 + w221 * w224
+    w226 = w208 * w217 - w78 * w211 + w205 * w221
+    w227 = w216 * c26
+    w228 = w78 * c26
+    w229 = w205 * c24
+    w230 = w207 * c24
+    w231 = w205 * w227 - w207 * w228 - (w216 * w229 - w78 * w230) - w220 * c27
+    w232 = w208 * c23
+    w233 = w210 * c23
+    w234 = w210 * w229 + w208 * w230 - (w207 * w232 + w205 * w233) + w72 * link3_theta2_dot * c25
+    w235 = w216 * w232 - w78 * w233 - (w208 * w227 - w210 * w228) + w215 * c28
+    w236 = w204 * w210 * c41 - w206 * w207 * c41
+    w237 = link3_theta1_dot * (w78 * w204) + w204 * link3_theta3_dot
+    w238 = w237 * c14 - w216 * (w204 * c14)
+    w239 = link3_theta1_dot * (w78 * w206) + w206 * link3_theta3_dot
+    w240 = w216 * (w206 * c14) - w239 * c14
+    w241 = w76 * w236 + w213 * w238 + w219 * w240
+    w242 = w73 * w236 + w223 * w238 + w224 * w240
+    w243 = w208 * w238 - w78 * w236 + w205 * w240
+    w244 = w206 * c24
+    w245 = w216 * w244 - w206 * w227 + w239 * c27
+    w246 = w204 * c23
+    w247 = w204 * w230 - w210 * w244 - (w207 * w246 - w206 * w233) + w72 * link3_theta1_dot * c25
+    w248 = w216 * w246 - w204 * w227 + w237 * c28
+    w249 = w207 * c26 - w230 - w207 * c27
+    w250 = w233 - w210 * c26 + w210 * c28
+    dQ_hat_dq_i_dot = ca.vertcat(
+        w2 * w14 - w3 * w20 + w7 * w22 - w25 * w42 - w37 * w51,
+        w6 * w14 - w1 * w22 + w52 * (w53 * c7 + w53 * c8) + w42 * w54 - w51 * w55,
+        w20,
+        -(w57 * (w40 * w56) * c38 + w60 * (w49 * w57) * c38),
+        w40 * (w60 * w66) - w49 * (w56 * w66) + w53 * w57 * c38 + w41 * w69 - w50 * w70,
+        0.0,
+        -(w40 * w74 + w49 * w77),
+        w40 * w80 - w49 * w81 + w53 * w82,
+        0.0,
+        w2 * w85 - w3 * w88 + w7 * w90 - w25 * w96 + w37 * w100,
+        w6 * w85 - w1 * w90 + w52 * (w101 * c7 + w101 * c8) + w54 * w96 + w55 * w100,
+        w88,
+        w64 * w99 - (w59 * w94 - w62 * w98 + w63 * w95),
+        w94 * w102 * c38 + (w57 * w101 * c38 + w98 * w103 * c38),
+        0.0,
+        -(w74 * w94 - w77 * w98),
+        w81 * w98 + w80 * w94 + w82 * w101,
+        0.0,
+        w2 * w104 + w7 * w105 - w25 * w112 + w37 * w117,
+        w6 * w104 - w1 * w105 + w52 * (w118 * c7 + w118 * c8) + w54 * w112 + w55 * w117,
+        0.0,
+        w64 * w116 - (w59 * w110 - w62 * w115 + w63 * w111),
+        w102 * w110 * c38 + (w57 * w118 * c38 + w103 * w115 * c38),
+        0.0,
+        -(w74 * w110 - w77 * w115),
+        w81 * w115 + w80 * w110 + w82 * w118,
+        0.0,
+        w25 * w148 - w37 * w155,
+        -(w52 * (w123 * w132 - w65 * w126 + w120 * w136 - w157) + w54 * w148 + w55 * w155),
+        0.0,
+        w123 * w162 - w65 * w165 + w120 * w166 - w63 * w147 - w64 * w154,
+        w119 * w162 - w121 * w166 + w67 * w157 + w69 * w147 - w70 * w154,
+        w165,
+        -(w74 * w146 + w77 * w153),
+        w80 * w146 - w81 * w153 + w82 * w156,
+        0.0,
+        w25 * w178 - w37 * w182,
+        -(w52 * (w123 * w169 - w65 * w167 + w120 * w171 - w184) + w54 * w178 + w55 * w182),
+        0.0,
+        w123 * w186 - w65 * w188 + w120 * w189 - w63 * w177 + w64 * w181,
+        w119 * w186 - w121 * w189 + w67 * w184 + w69 * w177 + w70 * w181,
+        w188,
+        -(w74 * w176 - w77 * w180),
+        w81 * w180 + w80 * w176 + w82 * w183,
+        0.0,
+        w37 * w199 - w25 * w195,
+        w52 * w201 + w54 * w195 + w55 * w199,
+        0.0,
+        w123 * w202 + w120 * w203 - w63 * w195 + w64 * w199,
+        w119 * w202 - w121 * w203 + w67 * w201 + w69 * w195 + w70 * w199,
+        0.0,
+        -(w74 * w194 - w77 * w198),
+        w81 * w198 + w80 * w194 + w82 * w200,
+        0.0,
+        w25 * w222 - w37 * w225,
+        -(w52 * w226 + w54 * w222 + w55 * w225),
+        0.0,
+        w63 * w222 - w64 * w225,
+        -(w67 * w226 + w69 * w222 + w70 * w225),
+        0.0,
+        w208 * w231 - w78 * w234 + w205 * w235,
+        w204 * w231 - w206 * w235,
+        w234,
+        w25 * w241 - w37 * w242,
+        -(w52 * w243 + w54 * w241 + w55 * w242),
+        0.0,
+        w63 * w241 - w64 * w242,
+        -(w67 * w243 + w69 * w241 + w70 * w242),
+        0.0,
+        w208 * w245 - w78 * w247 + w205 * w248,
+        w204 * w245 - w206 * w248,
+        w247,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w208 * w249 + w205 * w250,
+        w204 * w249 - w206 * w250,
+        0.0,
+    )
+    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 9, 9)
+    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
+    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i_dot]
+    return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
+
+
+def dMa_dq_i() -> ca.Function:
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 660 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_ddot = ca.SX.sym("q_i_ddot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link3_theta1 = q_i[6]
+    link3_theta2 = q_i[7]
+    link3_theta3 = q_i[8]
+    link1_theta1_ddot = q_i_ddot[0]
+    link1_theta2_ddot = q_i_ddot[1]
+    link1_theta3_ddot = q_i_ddot[2]
+    link2_theta1_ddot = q_i_ddot[3]
+    link2_theta2_ddot = q_i_ddot[4]
+    link2_theta3_ddot = q_i_ddot[5]
+    link3_theta1_ddot = q_i_ddot[6]
+    link3_theta2_ddot = q_i_ddot[7]
+    link3_theta3_ddot = q_i_ddot[8]
+    c2 = c[2]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c7 = c[7]
+    c8 = c[8]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c17 = c[17]
+    c19 = c[19]
+    c20 = c[20]
+    c25 = c[25]
+    c27 = c[27]
+    c28 = c[28]
+    c38 = c[38]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    c47 = c[47]
+    c48 = c[48]
+    c49 = c[49]
+    c50 = c[50]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
+    w2 = w0 * w1 * c6
+    w3 = ca.cos(link1_theta1)
+    w4 = w0 * w3 * c6
+    w5 = ca.sin(link1_theta2)
+    w6 = w5 * c6
+    w7 = w1 * w6
+    w8 = link1_theta1_ddot * w4 - link1_theta2_ddot * w7
+    w9 = w8 * c7
+    w10 = w8 * c8
+    w11 = w9 + w10
+    w12 = w3 * w6
+    w13 = w2 * link1_theta1_ddot + link1_theta2_ddot * w12
+    w14 = w13 * c7
+    w15 = ca.cos(link2_theta2)
+    w16 = ca.sin(link2_theta1)
+    w17 = w15 * w16
+    w18 = w17 * c12
+    w19 = w18 * link2_theta1_ddot
+    w20 = ca.cos(link2_theta1)
+    w21 = ca.sin(link2_theta2)
+    w22 = w21 * c12
+    w23 = w20 * w22
+    w24 = w23 * link2_theta2_ddot
+    w25 = w17 * c13
+    w26 = link2_theta1_ddot * w25
+    w27 = w21 * c13
+    w28 = w20 * w27
+    w29 = link2_theta2_ddot * w28
+    w30 = w13 + w26 + w29
+    w31 = ca.cos(link3_theta2)
+    w32 = ca.sin(link3_theta1)
+    w33 = w31 * w32 * c14
+    w34 = w33 * link3_theta1_ddot
+    w35 = ca.cos(link3_theta1)
+    w36 = ca.sin(link3_theta2)
+    w37 = w36 * c14
+    w38 = w35 * w37
+    w39 = w38 * link3_theta2_ddot
+    w40 = w30 * c8 + w34 + w39
+    w41 = w14 + w19 + w24 + w40
+    w42 = w13 * c8
+    w43 = w14 + w42
+    w44 = w15 * w20
+    w45 = w44 * c12
+    w46 = link2_theta1_ddot * w45
+    w47 = w16 * w22
+    w48 = link2_theta2_ddot * w47
+    w49 = w44 * c13
+    w50 = link2_theta1_ddot * w49
+    w51 = w16 * w27
+    w52 = link2_theta2_ddot * w51
+    w53 = w8 + w50 - w52
+    w54 = w31 * w35 * c14
+    w55 = link3_theta1_ddot * w54
+    w56 = w32 * w37
+    w57 = link3_theta2_ddot * w56
+    w58 = w53 * c8 + w55 - w57
+    w59 = w9 + w46 - w48 + w58
+    w60 = w0 * c6
+    w61 = link1_theta2_ddot * w60
+    w62 = w15 * c12
+    w63 = w15 * c13
+    w64 = w61 + link2_theta2_ddot * w63
+    w65 = w31 * c14
+    w66 = w64 * c8 + link3_theta2_ddot * w65
+    w67 = w8 * w18
+    w68 = w13 * w45
+    w69 = w0 * c2
+    w70 = w0 * w5
+    w71 = ca.sin(link1_theta3)
+    w72 = w0 * w71
+    w73 = ca.cos(link1_theta3)
+    w74 = w0 * w73
+    w75 = w71 * c5
+    w76 = w73 * c4
+    w77 = w5 * w73 * w75 - w5 * w71 * w76
+    w78 = link1_theta1_ddot * (w70 * c42 - w71 * (w70 * w71) * c43 - w73 * (w70 * w73) * c44) + link1_theta2_ddot * w77
+    w79 = w3 * w5 * c6
+    w80 = w1 * w60
+    w81 = link1_theta1_ddot * w79 + link1_theta2_ddot * w80
+    w82 = w81 * c8
+    w83 = w81 * c7 + w82
+    w84 = w3 * w60
+    w85 = w1 * w5 * c6
+    w86 = link1_theta2_ddot * w84 - link1_theta1_ddot * w85
+    w87 = w86 * c8
+    w88 = w86 * c7 + w87
+    w89 = link1_theta2_ddot * w6
+    w90 = w89 * c8
+    w91 = link1_theta1_ddot * w77 - (w60 * (w89 * c7 + w90) + w6 * (w61 * c7 + link2_theta2_ddot * w62 + w66))
+    w92 = w73 * (w71 * w0**2)
+    w93 = w74 * w76 - w72 * (w71 * c4) - (w74 * (w73 * c5) - w72 * w75)
+    w94 = w71 * w73
+    w95 = w50 - w52
+    w96 = w95 * c8
+    w97 = w46 - w48 + w96
+    w98 = w26 + w29
+    w99 = w98 * c8
+    w100 = w19 + w24 + w99
+    w101 = w20 * w62
+    w102 = w16 * w21
+    w103 = w102 * c12
+    w104 = w20 * w63
+    w105 = w102 * c13
+    w106 = link2_theta2_ddot * w104 - link2_theta1_ddot * w105
+    w107 = w106 * c8
+    w108 = link2_theta2_ddot * w101 - link2_theta1_ddot * w103 + w107
+    w109 = w20 * w21
+    w110 = w109 * c12
+    w111 = w16 * w62
+    w112 = w109 * c13
+    w113 = w16 * w63
+    w114 = link2_theta1_ddot * w112 + link2_theta2_ddot * w113
+    w115 = w114 * c8
+    w116 = link2_theta1_ddot * w110 + link2_theta2_ddot * w111 + w115
+    w117 = link2_theta2_ddot * w27
+    w118 = w117 * c8
+    w119 = w15 * c17
+    w120 = w15 * w21
+    w121 = ca.sin(link2_theta3)
+    w122 = w15 * w121
+    w123 = ca.cos(link2_theta3)
+    w124 = w15 * w123
+    w125 = link2_theta1_ddot * (w120 * c45 - w121 * (w120 * w121) * c46 - w123 * (w120 * w123) * c47) - (w13 * w103 + w8 * w110)
+    w126 = w121 * c20
+    w127 = w123 * c19
+    w128 = w21 * w123 * w126 - w21 * w121 * w127
+    w129 = w125 + link2_theta2_ddot * w128 - w119 * link2_theta3_ddot - (w49 * w115 + w58 * w112) + (w25 * w107 - w40 * w105)
+    w130 = w13 * w101 - w8 * w111 - w22 * w61 + link2_theta1_ddot * w128 - (w63 * w118 + w27 * w66) - (w58 * w113 - w51 * w115)
+    w131 = w123 * (w121 * w15**2)
+    w132 = w124 * w127 - w122 * (w121 * c19) - (w124 * (w123 * c20) - w122 * w126)
+    w133 = w121 * w123
+    w134 = w55 - w57
+    w135 = w34 + w39
+    w136 = w35 * w65
+    w137 = w32 * w36 * c14
+    w138 = link3_theta2_ddot * w136 - link3_theta1_ddot * w137
+    w139 = w35 * w36 * c14
+    w140 = w32 * w65
+    w141 = link3_theta1_ddot * w139 + link3_theta2_ddot * w140
+    w142 = w37 * link3_theta2_ddot
+    w143 = w31 * c25
+    w144 = w31 * w36
+    w145 = ca.sin(link3_theta3)
+    w146 = w31 * w145
+    w147 = ca.cos(link3_theta3)
+    w148 = w31 * w147
+    w149 = link3_theta1_ddot * (w144 * c48 - w145 * (w144 * w145) * c49 - w147 * (w144 * w147) * c50) - (w30 * w137 + w53 * w139)
+    w150 = w145 * c28
+    w151 = w147 * c27
+    w152 = w36 * w147 * w150 - w36 * w145 * w151
+    w153 = w147 * (w145 * w31**2)
+    w154 = w148 * w151 - w146 * (w145 * c27) - (w148 * (w147 * c28) - w146 * w150)
+    w155 = w145 * w147
+    dMa_dq_i = ca.vertcat(
+        w2 * w11 + w4 * w41 - (w4 * w43 + w2 * w59),
+        w11 * w12 - w7 * w41 - (w12 * w59 - w7 * w43),
+        0.0,
+        w67 - w68 - w42 * w49 + w10 * w25,
+        w21 * (w13 * w16) * c38 + w21 * (w8 * w20) * c38,
+        0.0,
+        w8 * w33 - w13 * w54,
+        w8 * w38 + w13 * w56,
+        0.0,
+        w78 - w69 * link1_theta3_ddot - (w4 * w83 + w59 * w79) + (w2 * w88 - w41 * w85),
+        w91 - (w59 * w80 - w7 * w83) + (w12 * w88 + w41 * w84),
+        -(link1_theta1_ddot * w69),
+        w18 * w86 - w45 * w81 - w49 * w82 + w25 * w87,
+        w23 * w86 + w47 * w81 - w62 * w89 - w63 * w90 + w51 * w82 + w28 * w87,
+        0.0,
+        w33 * w86 - w54 * w81,
+        w38 * w86 + w56 * w81 - w65 * w89,
+        0.0,
+        link1_theta1_ddot * (w92 * c43 - w92 * c44) + link1_theta2_ddot * w93,
+        link1_theta1_ddot * w93 + link1_theta2_ddot * (w94 * c44 - w94 * c43),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w2 * w97 - w4 * w100,
+        w7 * w100 + w12 * w97,
+        0.0,
+        w68 - w67 - (w49 * w99 + w25 * w58) + (w25 * w96 + w40 * w49),
+        w28 * w96 - w40 * w51 - (w8 * w23 + w13 * w47 + (w28 * w58 - w51 * w99)),
+        0.0,
+        w33 * w95 - w54 * w98,
+        w38 * w95 + w56 * w98,
+        0.0,
+        w2 * w108 - w4 * w116,
+        w7 * w116 - w60 * (w22 * link2_theta2_ddot + w118) + w12 * w108,
+        0.0,
+        w129,
+        w130 + (w28 * w107 + w40 * w104),
+        -(link2_theta1_ddot * w119),
+        w33 * w106 - w54 * w114,
+        w38 * w106 + w56 * w114 - w65 * w117,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link2_theta1_ddot * (w131 * c46 - w131 * c47) + link2_theta2_ddot * w132,
+        link2_theta1_ddot * w132 + link2_theta2_ddot * (w133 * c47 - w133 * c46),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        w2 * w134 - w4 * w135,
+        w7 * w135 + w12 * w134,
+        0.0,
+        w25 * w134 - w49 * w135,
+        w51 * w135 + w28 * w134,
+        0.0,
+        w30 * w54 - w33 * w53,
+        -(w30 * w56 + w38 * w53),
+        0.0,
+        w2 * w138 - w4 * w141,
+        w7 * w141 - w60 * w142 + w12 * w138,
+        0.0,
+        w25 * w138 - w49 * w141,
+        w51 * w141 - w63 * w142 + w28 * w138,
+        0.0,
+        w149 + link3_theta2_ddot * w152 - w143 * link3_theta3_ddot,
+        w30 * w136 - w53 * w140 - w37 * w64 + link3_theta1_ddot * w152,
+        -(link3_theta1_ddot * w143),
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link3_theta1_ddot * (w153 * c49 - w153 * c50) + link3_theta2_ddot * w154,
+        link3_theta1_ddot * w154 + link3_theta2_ddot * (w155 * c50 - w155 * c49),
+        0.0,
+    )
+    dMa_dq_i = ca.reshape(dMa_dq_i, 9, 9)
+    dMa_dq_i = ca.densify(dMa_dq_i)
+    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+
+
+def forward_dynamics() -> ca.Function:
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 874 operations."""
+    q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
+    c = ca.SX.sym("c", 51)
+    link1_theta1 = q_i[0]
+    link1_theta2 = q_i[1]
+    link1_theta3 = q_i[2]
+    link2_theta1 = q_i[3]
+    link2_theta2 = q_i[4]
+    link2_theta3 = q_i[5]
+    link3_theta1 = q_i[6]
+    link3_theta2 = q_i[7]
+    link3_theta3 = q_i[8]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link3_theta1_dot = q_i_dot[6]
+    link3_theta2_dot = q_i_dot[7]
+    link3_theta3_dot = q_i_dot[8]
+    c0 = c[0]
+    c1 = c[1]
+    c2 = c[2]
+    c3 = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c6 = c[6]
+    c8 = c[8]
+    c9 = c[9]
+    c12 = c[12]
+    c13 = c[13]
+    c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c23 = c[23]
+    c24 = c[24]
+    c25 = c[25]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta3)
+    w2 = w0 * w1
+    w3 = ca.sin(link1_theta2)
+    w4 = link1_theta3_dot - link1_theta1_dot * w3
+    w5 = w4 * c3
+    w6 = ca.cos(link1_theta3)
+    w7 = w0 * w6
+    w8 = link1_theta1_dot * w7 - w1 * link1_theta2_dot
+    w9 = w8 * c1
+    w10 = w0 * link1_theta3_dot
+    w11 = link1_theta3_dot * link1_theta2_dot
+    w12 = link1_theta1_dot * (w6 * w10 - w1 * (w3 * link1_theta2_dot)) - w1 * w11
+    w13 = w5 * w8 - w4 * w9 - w12 * c4
+    w14 = w6 * link1_theta2_dot
+    w15 = w2 * link1_theta1_dot + w14
+    w16 = w15 * c0
+    w17 = w0 * (link1_theta1_dot * link1_theta2_dot)
+    w18 = w9 * w15 - w8 * w16 + w17 * c2
+    w19 = w3 * w18
+    w20 = link1_theta1_dot * (w1 * w10 + w3 * w14) + w6 * w11
+    w21 = w4 * w16 - w5 * w15 + w20 * c5
+    w22 = ca.cos(link1_theta1)
+    w23 = w0 * w22
+    w24 = w23 * c6
+    w25 = ca.cos(link2_theta2)
+    w26 = ca.sin(link2_theta1)
+    w27 = w25 * w26
+    w28 = ca.cos(link2_theta3)
+    w29 = w25 * w28
+    w30 = ca.sin(link2_theta3)
+    w31 = link2_theta1_dot * w29 - link2_theta2_dot * w30
+    w32 = w31 * c12
+    w33 = w25 * w30
+    w34 = w28 * link2_theta2_dot
+    w35 = link2_theta1_dot * w33 + w34
+    w36 = w35 * c12
+    w37 = w31 * w32 + w35 * w36
+    w38 = ca.cos(link2_theta1)
+    w39 = w28 * w38
+    w40 = ca.sin(link2_theta2)
+    w41 = w39 + w30 * (w26 * w40)
+    w42 = w25 * link2_theta3_dot
+    w43 = link2_theta2_dot * link2_theta3_dot
+    w44 = link2_theta1_dot * (w30 * w42 + w34 * w40) + w28 * w43
+    w45 = link2_theta3_dot - link2_theta1_dot * w40
+    w46 = w44 * c12 - w36 * w45
+    w47 = w26 * w28
+    w48 = w40 * w47 - w30 * w38
+    w49 = link2_theta1_dot * (w28 * w42 - w30 * (link2_theta2_dot * w40)) - w30 * w43
+    w50 = w49 * c12 - w32 * w45
+    w51 = ca.cos(link3_theta2)
+    w52 = ca.sin(link3_theta1)
+    w53 = w51 * w52
+    w54 = ca.cos(link3_theta3)
+    w55 = w51 * w54
+    w56 = ca.sin(link3_theta3)
+    w57 = link3_theta1_dot * w55 - link3_theta2_dot * w56
+    w58 = w57 * c14
+    w59 = w51 * w56
+    w60 = w54 * link3_theta2_dot
+    w61 = link3_theta1_dot * w59 + w60
+    w62 = w61 * c14
+    w63 = w57 * w58 + w61 * w62
+    w64 = ca.cos(link3_theta1)
+    w65 = w54 * w64
+    w66 = ca.sin(link3_theta2)
+    w67 = w51 * link3_theta3_dot
+    w68 = link3_theta2_dot * link3_theta3_dot
+    w69 = link3_theta1_dot * (w56 * w67 + w60 * w66) + w54 * w68
+    w70 = link3_theta3_dot - link3_theta1_dot * w66
+    w71 = w69 * c14 - w62 * w70
+    w72 = w52 * w54
+    w73 = link3_theta1_dot * (w54 * w67 - w56 * (link3_theta2_dot * w66)) - w56 * w68
+    w74 = w73 * c14 - w58 * w70
+    w75 = w25 * (link2_theta1_dot * link2_theta2_dot)
+    w76 = w40 * w75 + w33 * w49 - w29 * w44
+    w77 = w25 * w38
+    w78 = w77 * c13
+    w79 = w30 * (w38 * w40) - w47
+    w80 = w26 * w30 + w39 * w40
+    w81 = w49 * w79 - w75 * w77 - w44 * w80
+    w82 = w40 * c13
+    w83 = link2_theta1_dot - w40 * link2_theta3_dot
+    w84 = link2_theta2_dot * w38 + w27 * link2_theta3_dot
+    w85 = w27 * c13
+    w86 = w82 * w84 + w83 * w85
+    w87 = link2_theta3_dot * w77 - w26 * link2_theta2_dot
+    w88 = w85 * w87 - w78 * w84
+    w89 = w76 * w78 + w81 * w82 - (w83 * w86 + w87 * w88)
+    w90 = w53 * w63 + (w65 + w56 * (w52 * w66)) * w71 + (w66 * w72 - w56 * w64) * w74 - w89 * c8
+    w91 = w66 * c14
+    w92 = w52 * w91
+    w93 = w54 * c27
+    w94 = w56 * c28
+    w95 = w54 * w93 + w56 * w94
+    w96 = w92 / w95
+    w97 = w70 * c26
+    w98 = w57 * c24
+    w99 = w57 * w97 - w70 * w98 - w73 * c27
+    w100 = w61 * c23
+    w101 = w70 * w100 - w61 * w97 + w69 * c28
+    w102 = w53 * c14
+    w103 = w51 * w64
+    w104 = w103 * c14
+    w105 = w51 * c14
+    w106 = w78 * w83 + w82 * w87
+    w107 = w41 * w49 - w27 * w75 - w44 * w48
+    w108 = w87 * w106 + w84 * w86 + (w81 * w85 - w78 * w107)
+    w109 = w64 * w91
+    w110 = w84 * w88 - w83 * w106 - (w82 * w107 + w76 * w85)
+    w111 = w54 * w99 - w56 * w101 - w105 * c30 + w105 * w108 + w89 * w92 + w109 * w110
+    w112 = w59 * w93 - w55 * w94
+    w113 = w104 + w96 * w112
+    w114 = w66 * c25
+    w115 = w66 * w114
+    w116 = w112 / w95
+    w117 = w115 + w59 * (w59 * c27) + w55 * (w55 * c28) - w115 - w112 * w116
+    w118 = w113 / w117
+    w119 = w61 * w98 - w57 * w100 + w51 * (link3_theta1_dot * link3_theta2_dot) * c25
+    w120 = w66 * w119
+    w121 = w120 + (w59 * w99 - w120 + w55 * w101 - w89 * w104 + w102 * w110) - w111 * w116
+    w122 = w105 / w95
+    w123 = w112 * w122
+    w124 = w96 * w105 + w118 * w123
+    w125 = ca.sin(link1_theta1)
+    w126 = link1_theta3_dot * w23 - link1_theta2_dot * w125
+    w127 = link1_theta1_dot - link1_theta3_dot * w3
+    w128 = w3 * c6
+    w129 = w24 * w127 + w126 * w128
+    w130 = w0 * w125
+    w131 = link1_theta2_dot * w22 + link1_theta3_dot * w130
+    w132 = w130 * c6
+    w133 = w128 * w131 + w127 * w132
+    w134 = w6 * w125
+    w135 = w6 * w22
+    w136 = w12 * (w1 * (w3 * w22) - w134) - w17 * w23 - w20 * (w1 * w125 + w3 * w135)
+    w137 = w12 * (w135 + w1 * (w3 * w125)) - w17 * w130 - w20 * (w3 * w134 - w1 * w22)
+    w138 = w126 * w129 + w131 * w133 + (w132 * w136 - w24 * w137)
+    w139 = c9 - w92 * w96 - w113 * w118
+    w140 = w3 * w17 + w2 * w12 - w7 * w20
+    w141 = w126 * w132 - w24 * w131
+    w142 = w24 * w140 + w128 * w136 - (w127 * w133 + w126 * w141)
+    w143 = w27 * w37 + w41 * w46 + w48 * w50 + w90 + w96 * w111 - w118 * w121 + w124 * w138 - w139 * w142
+    w144 = w109 / w95
+    w145 = w112 * w144 - w102
+    w146 = w145 / w117
+    w147 = w92 * w144 + w113 * w146
+    w148 = w24 * w147
+    w149 = w131 * w141 - w127 * w129 - (w128 * w137 + w132 * w140)
+    w150 = w63 * w103 + w71 * (w56 * (w64 * w66) - w72) + w74 * (w52 * w56 + w65 * w66) - w110 * c8
+    w151 = w105 * w144 + w123 * w146
+    w152 = c9 - w109 * w144 - w145 * w146
+    w153 = w37 * w77 + w46 * w79 + w50 * w80 + w150 + w111 * w144 - w121 * w146 + w138 * w151 + w142 * w147 - w149 * w152
+    w154 = w25 * c13
+    w155 = w26 * w82
+    w156 = w38 * w82
+    w157 = w105 * w154 + w92 * w155 + w109 * w156
+    w158 = w40 * c12
+    w159 = w155 * c8
+    w160 = w157 / w95
+    w161 = w102 * w156 - w104 * w155 - w112 * w160
+    w162 = w96 * w157 - (w26 * w158 + w159) - w118 * w161
+    w163 = w156 * c8
+    w164 = w144 * w157 - (w38 * w158 + w163) - w146 * w161
+    w165 = w24 * w162 - w132 * w164
+    w166 = w28 * c19
+    w167 = w30 * c20
+    w168 = w161 / w117
+    w169 = w30 * w167 + (c21 + w28 * w166) - w157 * w160 - w161 * w168
+    w170 = w165 / w169
+    w171 = w45 * c18
+    w172 = w31 * c16
+    w173 = w31 * w171 - w45 * w172 - w49 * c19
+    w174 = w35 * c15
+    w175 = w45 * w174 - w35 * w171 + w44 * c20
+    w176 = w25 * c12
+    w177 = c33 + (w59 * w71 - w63 * w66 + w55 * w74) - w108 * c8
+    w178 = w28 * w173 - w30 * w175 - w176 * c30 - w154 * w177 - w90 * w155 - w150 * w156 - w111 * w160 - w121 * w168
+    w179 = w123 / w117
+    w180 = w122 * w157 - (w154 * c8 + w176) - w161 * w179
+    w181 = w178 - w138 * w180 - w142 * w162 - w149 * w164
+    w182 = w85 * w109 - w78 * w92
+    w183 = w182 / w95
+    w184 = w78 * w104 + w85 * w102 - w112 * w183
+    w185 = w77 * c12 + w78 * c8 + w96 * w182 - w118 * w184
+    w186 = w144 * w182 - (w27 * c12 + w85 * c8) - w146 * w184
+    w187 = w184 / w117
+    w188 = w33 * w166 - w29 * w167 - w78 * w159 + w85 * w163 - w157 * w183 - w161 * w187
+    w189 = w24 * w185 - w132 * w186 - w170 * w188
+    w190 = w40 * c17
+    w191 = w40 * w190
+    w192 = w29 * (w29 * c20) + (w33 * (w33 * c19) + (w191 + w25**2 * c21)) - w182 * w183 - w184 * w187 - w191
+    w193 = w188 / w169
+    w194 = w192 - w188 * w193
+    w195 = w189 / w194
+    w196 = w35 * w172 - w31 * w174 + w75 * c17
+    w197 = w40 * w196
+    w198 = w122 * w182 - w179 * w184
+    w199 = w33 * w173 - w197 + w29 * w175 + w78 * w90 - w85 * w150 - w111 * w183 - w121 * w187 - w138 * w198
+    w200 = w197 + (w199 - w142 * w185 - w149 * w186) - w181 * w193
+    w201 = w19 + (w2 * w13 - w19 + w7 * w21 + w24 * w143 + w148 * w149 - w132 * w153 - w170 * w181 - w195 * w200)
+    w202 = w6 * c4
+    w203 = w1 * c5
+    w204 = w0 * c6
+    w205 = w124 * w204
+    w206 = w125 * w128
+    w207 = w205 - w139 * w206
+    w208 = w22 * w128
+    w209 = w151 * w204 + w147 * w206
+    w210 = w209 - w152 * w208
+    w211 = w180 * w204 + w162 * w206 + w164 * w208
+    w212 = w211 / w169
+    w213 = w188 * w212 - (w198 * w204 + w185 * w206 + w186 * w208)
+    w214 = w2 * w202 - w7 * w203 + w24 * w207 + (w148 * w208 - w132 * w210) + w170 * w211 - w195 * w213
+    w215 = c9 - w105 * w122 - w123 * w179
+    w216 = w6 * w202 + w1 * w203 + w204 * (w204 * w215) - (w206 * w207 + w205 * w206) - (w208 * w210 + w208 * w209)
+    w217 = w213 / w194
+    w218 = w216 - w211 * w212 - w213 * w217
+    w219 = w214 / w218
+    w220 = w204 * (w177 + (c32 + (w33 * w46 - w37 * w40 + w29 * w50)) + w111 * w122 - w121 * w179 - w138 * w215)
+    w221 = w6 * w13 - w1 * w21 - w0 * c31 - w220 - w142 * w205 - w143 * w206 - w149 * w209 - w153 * w208 + w181 * w212
+    w222 = w221 - w200 * w217
+    w223 = w3 * c2
+    w224 = w3 * w223
+    w225 = w224 + w2 * (w2 * c4) + w7 * (w7 * c5) + w24 * (w24 * w139) + (w132 * (w148 + w132 * w152) + w132 * w148)
+    w226 = (w201 - w219 * w222) / (w225 - w165 * w170 - w189 * w195 - w224 - w214 * w219)
+    w227 = (w222 - w214 * w226) / w218
+    w228 = (w200 - (w213 * w227 + w189 * w226)) / w194
+    w229 = (w181 - (w188 * w228 - w211 * w227 + w165 * w226)) / w169
+    w230 = w142 + (w24 * w226 - w206 * w227)
+    w231 = w149 - (w132 * w226 + w208 * w227)
+    w232 = w138 - w204 * w227
+    w233 = (w121 - (w113 * w230 + w184 * w228 + w161 * w229 + w145 * w231 + w123 * w232)) / w117
+    w234 = (w111 - (w112 * w233 - w105 * w232 + w157 * w229 - w92 * w230 + w182 * w228 - w109 * w231)) / w95
+    q_i_ddot = ca.vertcat(
+        w226,
+        w227,
+        (w18 + w223 * w226) / c2,
+        w228,
+        w229,
+        (w196 + w190 * w228) / c17,
+        w233,
+        w234,
+        (w119 + w114 * w233) / c25,
+    )
+    q_i_ddot = ca.densify(q_i_ddot)
+    inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
+    return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
+
+
+FUNCTIONS = {
+    "constants": constants,
+    "condensed": condensed,
+    "closure": closure,
+    "velocities": velocities,
+    "accelerations": accelerations,
+    "constraints": constraints,
+    "augmented": augmented,
+    "reactions": reactions,
+    "energy": energy,
+    "drawing": drawing,
+    "dQ_hat_dq_i": dQ_hat_dq_i,
+    "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
+    "dMa_dq_i": dMa_dq_i,
+    "forward_dynamics": forward_dynamics,
+}

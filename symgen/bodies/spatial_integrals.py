@@ -1,0 +1,203 @@
+"""Shape integrals and markers of the bodies of a spatial scene, as SX over the parameters p (Eqs. 18-20)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import casadi as ca
+import numpy as np
+
+from symgen.bodies.marker_axes import marker_rotation, quaternion_of
+from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
+from symgen.modes import AxialModes, LateralModes, axial_modes, lateral_modes
+from symgen.modes.spatial_beam import SpatialBeam, spatial_beam
+from symgen.parameters import ParameterTable
+from symgen.scalar import ZERO, add, entries, mul, neg
+from symgen.scene import BeamBody, BeamMarker, FlexibleBody, FlexibleMarker, MarkerDirections, RigidBody, Scene
+from symgen.vectors import Vector, scaled, zeros
+
+
+def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> SpatialIntegrals:
+    """Integrals of the named body."""
+    body = scene.body(name)
+    if isinstance(body, RigidBody):
+        return _rigid(body, table)
+    if isinstance(body, FlexibleBody):
+        return _flexible(body, table)
+    assert isinstance(body, BeamBody)
+    return _beam(body, table)
+
+
+def three(values: Sequence[float | str], name: str, unit: str, table: ParameterTable, what: str) -> Vector:
+    """Three components of a quantity; a z left out is zero."""
+    padded = [*values, 0.0][:3]
+    return [table.quantity(value, f"{name}.{axis}", unit, what) for value, axis in zip(padded, "xyz", strict=True)]
+
+
+def _rigid(body: RigidBody, table: ParameterTable) -> SpatialIntegrals:
+    """J0 = tr(I)/2 - I of the inertia tensor, plus the centre of mass's share."""
+    mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
+    center = three(body.center_of_mass, f"{body.name}.center_of_mass", "m", table, "centre of mass")
+    assert isinstance(body.inertia, tuple)
+    about = [table.quantity(value, f"{body.name}.inertia.{axis}", "kg m^2", f"moment of inertia about {axis}")
+             for value, axis in zip(body.inertia, ("xx", "yy", "zz"), strict=True)]
+    xy, xz, yz = (table.quantity(value, f"{body.name}.products.{axis}", "kg m^2", f"entry {axis} of the inertia tensor")
+                  for value, axis in zip(body.products, ("xy", "xz", "yz"), strict=True))
+    half = (about[0] + about[1] + about[2]) / 2
+    J0 = [[half - about[0], neg(xy), neg(xz)], [neg(xy), half - about[1], neg(yz)], [neg(xz), neg(yz), half - about[2]]]
+    for i in range(3):
+        for j in range(3):
+            J0[i][j] = add(J0[i][j], mul(mass, mul(center[i], center[j])))
+    return SpatialIntegrals(mass, scaled(mass, center), J0, [], [], [], [], [], [], [], [])
+
+
+def _flexible(body: FlexibleBody, table: ParameterTable) -> SpatialIntegrals:
+    """The body's own numbers; symmetric matrices share their entries."""
+    name, nf = body.name, body.nf
+
+    def symmetric(values: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> Matrix:
+        rows = _square(nf if values is None else len(values))
+        for a in range(0 if values is None else len(values)):
+            assert values is not None
+            for b in range(a, len(values)):
+                rows[a][b] = rows[b][a] = table.quantity(values[a][b], f"{name}.{label}[{a},{b}]", unit, "modal data")
+        return rows
+
+    def block(values: np.ndarray, label: str, unit: str) -> Matrix:
+        return entries(table.data(values, f"{name}.{label}", unit, "shape integral"))
+
+    rho_phi = np.array(body.rho_phi or np.zeros((nf, 3, 3)), dtype=float)
+    phi_phi = np.array(body.phi_phi, dtype=float)
+    bent = body.stiffening
+    S_H = [block(np.array(bent.H[i]), f"H[{i}]", "kg/m") for i in range(3)] if bent and bent.H else []
+    G_H = [[block(np.array(bent.xH[i][j]), f"xH[{i},{j}]", "kg") for j in range(3)] for i in range(3)] \
+        if bent and bent.xH else []
+    phi = body.phi_integral or ((0.0,) * nf,) * 3
+    P = [[block(phi_phi[a, b] if a <= b else phi_phi[b, a].T, f"phi_phi[{a},{b}]", "kg") for b in range(nf)]
+         for a in range(nf)] if len(body.phi_phi) else []
+    return SpatialIntegrals(
+        mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
+        S1=three(body.first_moment, f"{name}.first_moment", "kg m", table, "int rho0 dm"),
+        J0=symmetric(body.inertia_moments, "inertia_moments", "kg m^2"),
+        Sb=[[table.quantity(phi[i][a], f"{name}.phi_integral[{i},{a}]", "kg", "int Phi dm") for i in range(3)]
+            for a in range(nf)],
+        N=[block(rho_phi[a], f"rho_phi[{a}]", "kg m") for a in range(nf)], P=P,
+        M_ff=symmetric(body.M_ff, "M_ff", "kg"), K_ff=symmetric(body.K_ff, "K_ff", "N/m"),
+        D_ff=symmetric(body.D_ff, "D_ff", "N s/m"), S_H=S_H, G_H=G_H)
+
+
+def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
+    """A uniform beam along x: bending in both planes and stretching over lumped nodal masses, rigid in torsion.
+
+    The cross-section's rotary inertia counts in J0, so that the beam has one about its own axis.
+    """
+    data, key, name, nf = spatial_beam_of(body), spatial_mesh_key(body), body.name, body.nf
+    length = table.quantity(body.length, f"{name}.length", "m", "length")
+    density = table.quantity(body.density, f"{name}.density", "kg/m^3", "density")
+    area = table.quantity(body.area, f"{name}.area", "m^2", "cross-section area")
+    modulus = table.quantity(body.youngs_modulus, f"{name}.youngs_modulus", "N/m^2", "Young's modulus")
+    section = [table.quantity(value, f"{name}.{label}", "m^4", "second moment of area")
+               for label, value in (("second_moment", body.second_moment), ("second_moment_z", body.second_moment_z))]
+    zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
+    mass = density * area * length
+
+    def numbers(values: np.ndarray, label: str) -> Matrix:
+        return entries(table.data(values, f"{key}.{label}", "1", "shape integral of the mesh"))
+
+    def by(factor: ca.SX, matrix: Matrix) -> Matrix:
+        return [scaled(factor, row) for row in matrix]
+
+    J0 = [zeros() for _ in range(3)]
+    J0[0][0] = mass * length**2 * numbers(np.array([[data.i0]]), "i0")[0][0]
+    J0[1][1], J0[2][2] = density * length * section[0], density * length * section[1]
+    stiffness = (modulus * area / length, modulus * section[0] / length**3, modulus * section[1] / length**3)
+    M_ff, K_ff, D_ff = by(mass, numbers(np.diag(data.mass), "mass")), numbers(np.diag(data.kappa), "kappa"), _square(nf)
+    for a, axis in enumerate(data.axes):
+        K_ff[a][a] = mul(stiffness[axis], K_ff[a][a])
+        D_ff[a][a] = mul(mul(ca.SX(2), zeta), ca.sqrt(K_ff[a][a] * M_ff[a][a]))
+    N = [[scaled(mass * length, numbers(data.x_phi[a:a + 1], f"x_phi[{a}]")[0]), zeros(), zeros()] for a in range(nf)]
+    P = [[by(mass, numbers(data.pairs[a, b], f"pairs[{a},{b}]")) for b in range(nf)] for a in range(nf)]
+    S_H = [by(mass / length, numbers(data.H, "H")), _square(nf), _square(nf)] if body.stiffening else []
+    G_H = [[by(mass, numbers(data.xH, "xH")), _square(nf), _square(nf)], [_square(nf)] * 3, [_square(nf)] * 3] \
+        if body.stiffening else []
+    Sb = by(mass, numbers(data.phi.T, "phi"))
+    return SpatialIntegrals(mass, [mass * length / 2, ZERO, ZERO], J0, Sb, N, P, M_ff, K_ff, D_ff, S_H, G_H)
+
+
+def _square(n: int) -> Matrix:
+    return [zeros(n) for _ in range(n)]
+
+
+def spatial_beam_of(body: BeamBody) -> SpatialBeam:
+    """Dimensionless integrals of a beam's mesh and modes (numbers); equal meshes are computed once."""
+    plane = ((1, body.lateral), (2, body.lateral_z))
+    lateral = tuple((axis, modes.ends, modes.modes) for axis, modes in plane if modes)
+    return _mesh(body.elements, lateral, (body.axial.ends, body.axial.modes) if body.axial else None)
+
+
+@lru_cache(maxsize=64)
+def _mesh(elements: int, lateral: tuple[tuple[int, str, int], ...], axial: tuple[str, int] | None) -> SpatialBeam:
+    sets: list[tuple[int, LateralModes | AxialModes]] = [
+        (axis, lateral_modes(elements, ends, modes)) for axis, ends, modes in lateral]
+    if axial:
+        sets.append((0, axial_modes(elements, *axial)))
+    return spatial_beam(tuple(sets))
+
+
+def spatial_mesh_key(body: BeamBody) -> str:
+    """Name of a beam's mesh and mode sets: beams that share it share their data in p."""
+    sets = (("y", body.lateral), ("z", body.lateral_z), ("axial", body.axial))
+    return "/".join([f"beam{body.elements}", *(f"{axis}-{modes.ends}{modes.modes}" for axis, modes in sets if modes)])
+
+
+def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, SpatialPoint]:
+    """(body name, point) of the marker "body.marker"."""
+    body, marker = scene.marker(reference)
+    assert isinstance(marker, MarkerDirections)
+    axes, quaternion = _turned(marker, reference, table)
+    if isinstance(marker, BeamMarker):
+        assert isinstance(body, BeamBody)
+        point = beam_spatial_point(body, float(marker.at), table)
+        return body.name, SpatialPoint(point.position, point.shapes, point.turns, point.H, axes, quaternion)
+    position = three(getattr(marker, "position", ()), reference, "m", table, "marker position")
+    shapes, turns = ([zeros() for _ in range(body.nf)] for _ in range(2))
+    if isinstance(marker, FlexibleMarker):
+        for target, rows, label in ((shapes, marker.shape, "shape"), (turns, marker.rotation, "rotation")):
+            for i, row in enumerate(rows):
+                for a, value in enumerate(row):
+                    target[a][i] = table.quantity(value, f"{reference}.{label}[{i},{a}]", "1", "modal data at a marker")
+    return body.name, SpatialPoint(position, shapes, turns, [], axes, quaternion)
+
+
+def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:
+    """A point of a beam at the fraction `at` of its length, with the frame's axes."""
+    data, key, nf = spatial_beam_of(body).point(at), f"{spatial_mesh_key(body)}@{at!r}", body.nf
+    length = table.quantity(body.length, f"{body.name}.length", "m", "length")
+
+    def columns(values: np.ndarray, label: str) -> list[Vector]:
+        return entries(table.data(values.T, f"{key}.{label}", "1", "mode shapes at a marker"))
+
+    turns = [scaled(1 / length, turn) for turn in columns(data.turn, "turn")]
+    H: list[Matrix] = []
+    if body.stiffening:
+        along = entries(table.data(data.H, f"{key}.H", "1", "foreshortening at a marker") / length)
+        H = [along, _square(nf), _square(nf)]
+    fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")
+    position = [length if at == 1.0 else length * fraction, ZERO, ZERO]
+    axes = [[ca.SX(float(i == j)) for j in range(3)] for i in range(3)]
+    return SpatialPoint(position, columns(data.shape, "shape"), turns, H, axes, [ca.SX(1), ZERO, ZERO, ZERO])
+
+
+def _turned(marker: MarkerDirections, reference: str, table: ParameterTable) -> tuple[Matrix, Vector]:
+    """The marker's axes and quaternion: zeros and ones stay numbers, the rest are entries of p."""
+    rotation = marker_rotation(marker)
+
+    def entry(value: float, label: str) -> ca.SX:
+        if value in (0.0, 1.0, -1.0):
+            return ca.SX(value)
+        return table.data(np.array([[value]]), f"{reference}.{label}", "1", "direction of a marker")
+
+    axes = [[entry(float(rotation[i, j]), f"axes[{i},{j}]") for j in range(3)] for i in range(3)]
+    return axes, [entry(float(value), f"quaternion[{k}]") for k, value in enumerate(quaternion_of(rotation))]
+

@@ -1,0 +1,155 @@
+"""Shape integrals of a spatial body and their values at its current q_f (Eq. 20), all in body axes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import sympy as sp
+
+from symgen.bodies import spatial_template as t
+from symgen.rows import Row
+from symgen.scalar import ZERO, add, dot, mul, neg, sub, total
+from symgen.vectors import Vector, axial, plus, scaled, times, transposed_times, zeros
+
+Matrix = list[Vector]
+
+
+@dataclass(frozen=True)
+class SpatialIntegrals:
+    """Integrals over the mass about the frame origin, nf modes; matrices as lists of rows of SX.
+
+    mass [kg]; S1 = int rho0 dm (3); J0 = int rho0 rho0^T dm (3 x 3); Sb[a] = int phi_a dm (3);
+    N[a] = int rho0 phi_a^T dm (3 x 3); P[a][b] = int phi_a phi_b^T dm (3 x 3), empty for none; M_ff, K_ff, D_ff
+    (nf x nf); S_H[i] = int H_i dm and G_H[i][j] = int rho0_i H_j dm (nf x nf), empty without second-order shapes.
+    """
+
+    mass: ca.SX
+    S1: Vector
+    J0: Matrix
+    Sb: list[Vector]
+    N: list[Matrix]
+    P: list[list[Matrix]]
+    M_ff: Matrix
+    K_ff: Matrix
+    D_ff: Matrix
+    S_H: list[Matrix]
+    G_H: list[list[Matrix]]
+
+    @property
+    def nf(self) -> int:
+        """Number of modes."""
+        return len(self.M_ff)
+
+
+@dataclass(frozen=True)
+class SpatialPoint:
+    """A marker of a body: position (3), shapes[a] (3), turns[a] (3, rotation by mode a), H[i] (nf x nf) or empty.
+
+    axes: columns are the marker's axes in the body frame; quaternion: the same rotation.
+    """
+
+    position: Vector
+    shapes: list[Vector]
+    turns: list[Vector]
+    H: list[Matrix]
+    axes: Matrix
+    quaternion: Vector
+
+
+class LocalMotion:
+    """Body-frame motion of a point: rho, drho/dq_a, rho_dot, nu = -q_f_dot^T H q_f_dot and the small rotation psi."""
+
+    def __init__(self, point: SpatialPoint, q_f: Vector, q_f_dot: Vector) -> None:
+        self.shapes = [list(shape) for shape in point.shapes]
+        self.rho, self.nu = list(point.position), zeros()
+        for a, q in enumerate(q_f):
+            self.rho = plus(self.rho, scaled(q, point.shapes[a]))
+        for i, H in enumerate(point.H):
+            bent = times(H, q_f)
+            self.rho[i] = sub(self.rho[i], mul(ca.SX(0.5), dot(q_f, bent)))
+            self.nu[i] = neg(dot(q_f_dot, times(H, q_f_dot)))
+            for a in range(len(q_f)):
+                self.shapes[a][i] = sub(self.shapes[a][i], bent[a])
+        self.rho_dot = _sum(self.shapes, q_f_dot)
+        self.psi, self.psi_dot = _sum(point.turns, q_f), _sum(point.turns, q_f_dot)
+
+    @staticmethod
+    def turn_rows(point: SpatialPoint, columns: list[int]) -> list[Row]:
+        """dpsi_i/dq."""
+        return [{column: point.turns[a][i] for a, column in enumerate(columns) if not point.turns[a][i].is_zero()}
+                for i in range(3)]
+
+
+class SpatialMoments:
+    """Values of the body template's symbols for one body."""
+
+    def __init__(self, data: SpatialIntegrals, q_f: Vector, q_f_dot: Vector, omega: Vector) -> None:
+        self.data, self.omega = data, omega
+        nf = len(q_f)
+        self.s = [list(data.Sb[a]) for a in range(nf)]
+        self.h, self.hn = plus(data.S1, _sum(data.Sb, q_f)), zeros()
+        for i, S_H in enumerate(data.S_H):
+            bent = times(S_H, q_f)
+            self.h[i] = sub(self.h[i], mul(ca.SX(0.5), dot(q_f, bent)))
+            self.hn[i] = neg(dot(q_f_dot, times(S_H, q_f_dot)))
+            for a in range(nf):
+                self.s[a][i] = sub(self.s[a][i], bent[a])
+        self.hd = _sum(self.s, q_f_dot)
+        self.L = [self._pairs(a, q_f) for a in range(nf)]
+        self.J = [[data.J0[i][j] for j in range(3)] for i in range(3)]
+        for a, q in enumerate(q_f):  # J = J0 + sum q_a sym(N_a + L_a)
+            N, L = data.N[a], self.L[a]
+            for i in range(3):
+                for j in range(i, 3):
+                    change = add(add(N[i][j], N[j][i]), add(L[i][j], L[j][i]))
+                    self.J[i][j] = self.J[j][i] = add(self.J[i][j], mul(mul(ca.SX(0.5), change), q))
+        self.B = [axial(L) for L in self.L]
+        self.Gd = [axial(self._rates(a, q_f_dot)) for a in range(nf)]
+        W = [[total(mul(L[i][j], rate) for L, rate in zip(self.L, q_f_dot, strict=True)) for j in range(3)]
+             for i in range(3)]
+        self.tW, self.y = add(add(W[0][0], W[1][1]), W[2][2]), transposed_times(W, omega)
+        self.u, self.ww = times(self.J, omega), dot(omega, omega)
+
+    def _pairs(self, a: int, q_f: Vector) -> Matrix:
+        """L_a = N_a + sum_b q_b (P_ba - G_H_ab)."""
+        data = self.data
+        result = [list(row) for row in data.N[a]]
+        for b, q in enumerate(q_f):
+            for i in range(3):
+                for j in range(3):
+                    value = data.P[b][a][i][j] if data.P else ZERO
+                    if data.G_H:
+                        value = sub(value, data.G_H[i][j][a][b])
+                    result[i][j] = add(result[i][j], mul(q, value))
+        return result
+
+    def _rates(self, a: int, q_f_dot: Vector) -> Matrix:
+        """int rho_dot phi_a^T dm."""
+        P = self.data.P
+        return [[total(mul(rate, P[b][a][i][j]) for b, rate in enumerate(q_f_dot)) if P else ZERO for j in range(3)]
+                for i in range(3)]
+
+    def values(self) -> dict[sp.Symbol, ca.SX]:
+        """Symbols that belong to the body as a whole."""
+        found = {t.m: self.data.mass, t.tW: self.tW, t.ww: self.ww}
+        for symbols, vector in ((t.w, self.omega), (t.h, self.h), (t.u, self.u), (t.y, self.y), (t.hd, self.hd),
+                                (t.hn, self.hn)):
+            found |= dict(zip(symbols, vector, strict=True))
+        return found | {t.J[i][j]: self.J[i][j] for i in range(3) for j in range(i, 3)}
+
+    def mode_values(self, a: int) -> dict[sp.Symbol, ca.SX]:
+        """And those of mode a."""
+        L = self.L[a]
+        found = {**self.values(), t.tL: add(add(L[0][0], L[1][1]), L[2][2]),
+                 t.x_a: dot(self.omega, times(L, self.omega))}
+        for symbols, vector in ((t.s, self.s[a]), (t.B, self.B[a]), (t.Gd, self.Gd[a])):
+            found |= dict(zip(symbols, vector, strict=True))
+        return found
+
+
+def _sum(columns: list[Vector], factors: Vector) -> Vector:
+    result = zeros()
+    for column, factor in zip(columns, factors, strict=True):
+        result = plus(result, scaled(factor, column))
+    return result

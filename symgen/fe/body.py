@@ -1,0 +1,212 @@
+"""A flexible body from a finite-element model: modes, markers and inertia shape integrals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symgen.modes.cleaning import Array, fixed
+
+from .errors import FiniteElementError
+from .frame import LineMesh, frame_structure
+from .inertia import InertiaIntegrals, dusted, inertia_integrals
+from .interfaces import Interface, NodeSet, interface
+from .losses import FlexibilityLoss, effective_masses, flexibility_losses
+from .lumping import lumped
+from .material import Material
+from .mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
+from .nastran import BULK, nastran_matrices, nastran_nodes
+from .reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
+from .report import body_report
+from .rigid_check import RigidCheck, check_free_body
+from .solids import solid_structure
+from .structure import AXES, Structure, structure
+
+MASSES = ("consistent", "lumped")
+
+
+@dataclass(frozen=True, eq=False)
+class Marker:
+    """An interface on the body: position (3,) [m] from the origin; shape, rotation (3, nf): per unit of q_f."""
+
+    position: Array
+    shape: Array
+    rotation: Array
+
+
+@dataclass(frozen=True, eq=False)
+class FlexibleBody:
+    """Deformation u = Phi q_f of a finite-element model (Eqs. 15-20), the shapes mass-orthonormal.
+
+    structure: the model the modes are those of.  interfaces, markers: by name.  integrals: about `origin` (3,) [m].
+    """
+
+    structure: Structure
+    interfaces: Mapping[str, Interface]
+    markers: Mapping[str, Marker]
+    mode_set: str
+    origin: Array
+    modes: ModeSet
+    integrals: InertiaIntegrals
+    check: RigidCheck
+
+    @classmethod
+    def from_matrices(cls, K: MatrixSource, M: MatrixSource, nodes: TableSource, *,
+                      dofs: int | TableSource = 3, **choices: Any) -> FlexibleBody:
+        """From stiffness [N/m] and mass [kg], as matrices or files, and the node table `id x y z` [m].
+
+        dofs: 3 or 6 per node, or a dof map with rows `node component`.  choices: those of `from_structure`.
+        The matrices are those of the body without supports. Raises FiniteElementError.
+        """
+        ids, positions = read_nodes(nodes)
+        node, component = read_dofs(dofs, ids)
+        matrices = read_matrix("stiffness", K), read_matrix("mass", M)
+        return cls.from_structure(structure(*matrices, ids, positions, node, component), **choices)
+
+    @classmethod
+    def from_mesh(cls, mesh: Any, material: Material, *, order: int = 2, **choices: Any) -> FlexibleBody:
+        """From a scikit-fem MeshTet or MeshHex with elements of `order` 1 or 2, or from a LineMesh of beams.
+
+        Node ids count from 0, vertices of the mesh first.  choices: those of `from_structure`.
+        Raises FiniteElementError.
+        """
+        body = frame_structure(mesh, material) if isinstance(mesh, LineMesh) else solid_structure(mesh, material, order)
+        return cls.from_structure(body, **choices)
+
+    @classmethod
+    def from_nastran(cls, path: str | Path, nodes: TableSource, *, stiffness: str = "kaa", mass: str = "maa",
+                     dofs: int | TableSource = 6, **choices: Any) -> FlexibleBody:
+        """From two matrices of an OP4 or OP2 file, and a node table or the bulk data file with the GRID cards.
+
+        dofs and choices as in `from_matrices`. Raises FiniteElementError, also where pyYeti is not installed.
+        """
+        K, M = nastran_matrices(path, stiffness, mass)
+        bulk = isinstance(nodes, str | Path) and Path(nodes).suffix.lower() in BULK
+        return cls.from_matrices(K, M, nastran_nodes(str(nodes)) if bulk else nodes, dofs=dofs, **choices)
+
+    @classmethod
+    def from_structure(cls, body: Structure, *, interface: Mapping[str, NodeSet], modes: int, mode_set: str = "free",
+                       fixed: Sequence[str] = (), mass: str = "consistent",
+                       origin: str | ArrayLike = (0.0, 0.0, 0.0),
+                       marker_positions: Mapping[str, ArrayLike] | None = None) -> FlexibleBody:
+        """From a checked Structure.
+
+        interface: named node sets (ids, or a function of all positions), each becomes a marker.
+        marker_positions: where a marker is [m], if not at the mean of its nodes; it moves with their average.
+        modes: number of modes; for "fixed_interface", of the normal modes beside the constraint modes.
+        mode_set: "free", "fixed_interface" (Craig-Bampton) or "mixed", where the interfaces `fixed` are held.
+        mass: "consistent" or "lumped".
+        origin: of the body's frame, a point [m] or the name of an interface; the axes are those of the mesh.
+        Raises FiniteElementError.
+        """
+        _known("mode_set", mode_set, MODE_SETS)
+        _known("mass", mass, MASSES)
+        if fixed and mode_set != "mixed":
+            raise FiniteElementError("fixed", f"interfaces are held in a mixed set, not in '{mode_set}'",
+                                     "take mode_set='mixed', or leave fixed out")
+        body = lumped(body) if mass == "lumped" else body
+        parts = _interfaces(body, interface, marker_positions or {})
+        for name in fixed:
+            _known("fixed", name, tuple(parts))
+        # Rigid motions about the middle of the body are the best conditioned.
+        rigid = body.rigid(body.positions.mean(axis=0))
+        check = check_free_body(body, rigid)
+        if mode_set == "free":
+            found = free_modes(body, rigid, modes)
+        elif mode_set == "mixed":
+            found = mixed_modes(body, [parts[name] for name in fixed], modes)
+        else:
+            found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
+        at = _origin(origin, parts)
+        return cls(body, parts, {name: _marker(part, found.shapes, at) for name, part in parts.items()}, mode_set, at,
+                   found, inertia_integrals(body, found.shapes, at), check)
+
+    @property
+    def nf(self) -> int:
+        """Number of modes."""
+        return len(self.modes.eigenvalues)
+
+    @property
+    def frequencies(self) -> Array:
+        """Frequencies of the modes [Hz], (nf,)."""
+        return np.sqrt(self.modes.eigenvalues) / (2.0 * np.pi)
+
+    def fields(self, damping_ratio: float | Sequence[float] = 0.0) -> dict[str, Any]:
+        """Plain numbers and lists for a spatial modal body of a scene; `damping_ratio` of all modes or of each.
+
+        M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are diagonal.
+        Raises FiniteElementError for a ratio that is negative or for a wrong number of ratios.
+        """
+        ratios = np.asarray(damping_ratio, dtype=np.float64)
+        if ratios.shape not in ((), (self.nf,)) or not np.all(np.isfinite(ratios)) or np.any(ratios < 0.0):
+            raise FiniteElementError("damping_ratio", f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
+                                     f"give one number or {self.nf}")
+        these = self.integrals
+        arrays = {
+            "first_moment": these.first_moment, "inertia_moments": these.moments, "M_ff": these.M_ff,
+            "K_ff": np.diag(self.modes.eigenvalues), "D_ff": np.diag(2.0 * ratios * np.sqrt(self.modes.eigenvalues)),
+            "phi_integral": these.phi_integral, "rho_phi": these.rho_phi, "phi_phi": these.phi_phi,
+        }
+        markers = {name: {"position": one.position.tolist(), "shape": one.shape.tolist(),
+                          "rotation": one.rotation.tolist()} for name, one in self.markers.items()}
+        return {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
+
+    def losses(self) -> list[FlexibilityLoss]:
+        """What the modes lose of the static flexibility at each interface, against the full model.
+
+        First with the body free (mixed: held as its modes are), then with the first interface held.
+        """
+        parts = list(self.interfaces.values())
+        losses = flexibility_losses(self.structure, self.modes, parts, None)
+        if self.mode_set == "mixed":
+            return losses
+        return losses + flexibility_losses(self.structure, self.modes, parts, parts[0])
+
+    def report(self) -> str:
+        """Frequencies, effective modal masses, what truncation loses and the check of rigid modes, in Markdown."""
+        body, modes = self.structure, self.modes
+        held = (np.sqrt(modes.held_eigenvalues) / (2.0 * np.pi), effective_masses(body, modes.held_shapes))
+        title = f"{body.n_dof} degrees of freedom, {self.nf} modes ({self.mode_set}), {self.integrals.mass:.6g} kg"
+        return body_report(title, self.frequencies, effective_masses(body, modes.shapes),
+                           held if self.mode_set == "fixed_interface" else None, self.losses(), self.check)
+
+
+def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
+    if value not in choices:
+        raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
+
+
+def _interfaces(body: Structure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
+    if not sets:
+        raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
+    for name in at:
+        _known("marker_positions", name, tuple(sets))
+    return {name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
+            for name, nodes in sets.items()}
+
+
+def _origin(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
+    if isinstance(origin, str):
+        _known("origin", origin, tuple(parts))
+        return fixed(parts[origin].position)
+    return fixed(_point("origin", origin))
+
+
+def _point(item: str, value: ArrayLike) -> Array:
+    point = np.asarray(value, dtype=np.float64)
+    if point.shape != (AXES,) or not np.all(np.isfinite(point)):
+        raise FiniteElementError(item, f"{value!r} is not a point", "give x, y, z in metres")
+    return point
+
+
+def _marker(part: Interface, shapes: Array, origin: Array) -> Marker:
+    moved = part.average @ shapes
+    position = part.position - origin
+    return Marker(fixed(dusted(position, float(np.linalg.norm(position)))),
+                  fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
+                  fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))))

@@ -1,0 +1,139 @@
+"""The three mode sets: free, fixed-interface (Craig-Bampton), mixed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symgen.modes.cleaning import Array
+
+from .eigen import lowest_modes, rayleigh_ritz, signed
+from .errors import FiniteElementError
+from .interfaces import Interface, check_apart, spider
+from .static import Solve, held_solve, inertia_relief
+from .structure import RIGID_MOTIONS, Integers, Structure
+
+MODE_SETS = ("free", "fixed_interface", "mixed")
+GUARD = 4  # modes computed beyond those asked for: the last ones converge with them
+RIGID_RATIO = 1e-3  # a zero mode's frequency is below this share of the lowest elastic one's
+ORTHONORMAL = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class ModeSet:
+    """Elastic modes of a body: mass-orthonormal shapes (n_dof, nf), eigenvalues lambda = omega^2 (nf,).
+
+    elastic: the static solver whose displacements the modes stand for (free: inertia relief; mixed: held).
+    held_shapes (n_dof, k), held_eigenvalues (k,): the normal modes with all interfaces held, Craig-Bampton only.
+    """
+
+    shapes: Array
+    eigenvalues: Array
+    elastic: Solve
+    held_shapes: Array
+    held_eigenvalues: Array
+
+
+def free_modes(body: Structure, rigid: Array, count: int) -> ModeSet:
+    """The `count` lowest modes of the free body, without the rigid ones: they are M-orthogonal to these."""
+    elastic = inertia_relief(body.K, body.M, rigid)
+    _enough(body, count, RIGID_MOTIONS)
+    return _modes(body, elastic, count, RIGID_MOTIONS)
+
+
+def mixed_modes(body: Structure, fixed: Sequence[Interface], count: int) -> ModeSet:
+    """The `count` lowest modes with the nodes of `fixed` held, the other interfaces free.
+
+    An interface tells a rotation, so that holding one leaves no rigid motion.
+    Raises FiniteElementError if none is held.
+    """
+    if not fixed:
+        raise FiniteElementError("fixed", "a mixed mode set needs an interface that is held",
+                                 "name it, fixed=['pin'], or take mode_set='free'")
+    held = held_rows(body, fixed)
+    _enough(body, count, len(held))
+    return _modes(body, held_solve(body.K, held), count, len(held))
+
+
+def fixed_interface_modes(body: Structure, rigid: Array, interfaces: Sequence[Interface], count: int) -> ModeSet:
+    """Craig-Bampton: six constraint modes per interface and `count` normal modes with all interfaces held.
+
+    Each interface moves as one rigid piece. The reduced problem is made orthonormal in the mass and its six
+    rigid modes are removed: 6 (number of interfaces) + count - 6 modes remain.
+    Raises FiniteElementError without interfaces, for shared nodes, and if not six rigid modes are found.
+    """
+    if not interfaces:
+        raise FiniteElementError("interface", "fixed-interface modes need at least one interface",
+                                 "name one, or take mode_set='free'")
+    check_apart(body, list(interfaces))
+    held = held_rows(body, interfaces)
+    _enough(body, count, len(held))
+    solve = held_solve(body.K, held)
+    normal = _modes(body, solve, count, len(held))
+    basis = np.hstack([_constraint_modes(body, one, solve) for one in interfaces] + [normal.shapes])
+    value, shapes = _without_rigid(body, rigid, basis)
+    return ModeSet(signed(body, shapes), value, inertia_relief(body.K, body.M, rigid),
+                   normal.shapes, normal.eigenvalues)
+
+
+def _constraint_modes(body: Structure, at: Interface, solve: Solve) -> Array:
+    """Static displacements (n_dof, 6) for the six unit motions of one interface, the others held."""
+    moved = np.zeros((body.n_dof, RIGID_MOTIONS))
+    moved[at.rows(body)] = spider(body, at)
+    return moved - solve(body.K @ moved)
+
+
+def _without_rigid(body: Structure, rigid: Array, basis: Array) -> tuple[Array, Array]:
+    """Elastic modes of the reduced body: eigenvalues and shapes, the six rigid ones taken out."""
+    value, shapes = rayleigh_ritz(body.K, body.M, basis / np.sqrt(np.sum(basis * (body.M @ basis), axis=0)))
+    if len(value) <= RIGID_MOTIONS:
+        raise FiniteElementError("modes", "one interface and no normal modes give rigid motions only",
+                                 "ask for modes, or name a second interface")
+    found = int(np.sum(value <= RIGID_RATIO**2 * value[RIGID_MOTIONS]))
+    if found != RIGID_MOTIONS:
+        raise FiniteElementError("modes", f"{found} rigid modes among the reduced ones, a free body has "
+                                 f"{RIGID_MOTIONS}; frequencies {_hertz(value[:RIGID_MOTIONS + 2])} Hz",
+                                 "check the interfaces and the supports in the matrices")
+    kept = shapes[:, RIGID_MOTIONS:]
+    massed = body.M @ rigid
+    kept = kept - rigid @ np.linalg.solve(rigid.T @ massed, massed.T @ kept)
+    return rayleigh_ritz(body.K, body.M, kept)
+
+
+def _modes(body: Structure, solve: Solve, count: int, lost: int) -> ModeSet:
+    """The lowest modes of K on the subspace that `solve` maps to, refined once, signed."""
+    nothing = np.zeros((body.n_dof, 0))
+    if count == 0:
+        return ModeSet(nothing, np.zeros(0), solve, nothing, np.zeros(0))
+    spare = min(GUARD, _massive(body) - lost - count)
+    _, found = lowest_modes(solve, body.M, count + max(spare, 0))
+    # One more inverse iteration: what the eigenvalue solver left of higher modes shrinks once more.
+    value, shapes = rayleigh_ritz(body.K, body.M, solve(body.M @ found))
+    shapes, value = signed(body, shapes[:, :count]), value[:count]
+    if np.max(np.abs(shapes.T @ (body.M @ shapes) - np.eye(count))) > ORTHONORMAL or value[0] <= 0.0:
+        raise FiniteElementError("modes", "the modes found are not mass-orthonormal with positive frequencies",
+                                 "check that the matrices are those of one connected structure")
+    return ModeSet(shapes, value, solve, nothing, np.zeros(0))
+
+
+def _massive(body: Structure) -> int:
+    """Number of rows that carry mass."""
+    return int(np.sum(body.M.diagonal() > 0.0))
+
+
+def _enough(body: Structure, count: int, lost: int) -> None:
+    available = _massive(body) - lost
+    if count < 0 or count > available:
+        raise FiniteElementError("modes", f"{count} modes asked for, the model has {max(available, 0)}",
+                                 "ask for fewer modes or refine the mesh")
+
+
+def _hertz(values: Array) -> list[float]:
+    return [float(f"{np.sqrt(abs(value)) / (2.0 * np.pi):.3g}") for value in values]
+
+
+def held_rows(body: Structure, interfaces: Sequence[Interface]) -> Integers:
+    """All rows of the nodes of these interfaces, ascending."""
+    return np.unique(np.concatenate([one.rows(body) for one in interfaces]))

@@ -1,0 +1,130 @@
+"""A finite-element model as numbers: stiffness, mass, nodes, and which row is which motion of which node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from symgen.modes.cleaning import Array
+
+from .errors import FiniteElementError
+
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+AXES = 3
+RIGID_MOTIONS = 6
+SYMMETRY_TOLERANCE = 1e-6  # matrices written with 7 digits pass; a triangle or a permuted matrix does not
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """An unsupported structure: K u = f - M u'' in n_dof rows.
+
+    K [N/m], M [kg]: sparse (n_dof, n_dof), symmetric.  ids (n,): names of the nodes.  positions (n, 3) [m].
+    node (n_dof,): place of the row's node in `ids`.  component (n_dof,): 0, 1, 2 for the translations and
+    3, 4, 5 for the rotations about x, y, z.  Build it with `structure`, which checks.
+    """
+
+    K: sp.csr_matrix
+    M: sp.csr_matrix
+    ids: Integers
+    positions: Array
+    node: Integers
+    component: Integers
+
+    @property
+    def n_dof(self) -> int:
+        """Number of rows."""
+        return len(self.node)
+
+    @cached_property
+    def rows(self) -> Integers:
+        """Row of each node's six components, (n, 6); -1 where the node has no such freedom."""
+        table = np.full((len(self.ids), RIGID_MOTIONS), -1, dtype=np.int64)
+        table[self.node, self.component] = np.arange(self.n_dof)
+        return table
+
+    def rigid(self, origin: Array) -> Array:
+        """The six rigid motions, (n_dof, 6): unit translations, then unit rotations about `origin` (3,)."""
+        arms = (self.positions - origin)[self.node]
+        motions = np.zeros((self.n_dof, RIGID_MOTIONS))
+        for row_component in range(AXES):
+            here = self.component == row_component
+            motions[here, row_component] = 1.0
+            one, two = (row_component + 1) % AXES, (row_component + 2) % AXES
+            # (omega x arm)_i = omega_j arm_k - omega_k arm_j for (i, j, k) in cyclic order
+            motions[here, AXES + one] = arms[here, two]
+            motions[here, AXES + two] = -arms[here, one]
+            motions[self.component == AXES + row_component, AXES + row_component] = 1.0
+        return motions
+
+    def nodal(self, vectors: Array, first: int) -> Array:
+        """Components first, first + 1, first + 2 of `vectors` (n_dof, k) at the nodes, (n, 3, k); 0 where absent."""
+        rows = self.rows[:, first : first + AXES]
+        return np.where((rows >= 0)[:, :, None], vectors[rows], 0.0)
+
+    def places(self, item: str, ids: Iterable[int]) -> Integers:
+        """Places of nodes in the table. Raises FiniteElementError for unknown or repeated ids, or for none."""
+        wanted = np.asarray(list(ids), dtype=np.int64)
+        place = {int(name): k for k, name in enumerate(self.ids)}
+        unknown = [int(name) for name in wanted if int(name) not in place]
+        if unknown:
+            raise FiniteElementError(item, f"nodes {unknown[:5]} are not in the node table",
+                                     f"the table has ids from {min(place)} to {max(place)}")
+        if len(wanted) == 0 or len(np.unique(wanted)) < len(wanted):
+            raise FiniteElementError(item, "the list of nodes is empty or names a node twice",
+                                     "name each node of the interface once")
+        return np.array([place[int(name)] for name in wanted], dtype=np.int64)
+
+
+def structure(K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array,
+              node: Integers, component: Integers) -> Structure:
+    """A checked Structure; arguments as its fields.
+
+    Raises FiniteElementError for wrong sizes, NaN, unsymmetric matrices, doubled rows of the dof map,
+    rows without stiffness and mass, and negative diagonals.
+    """
+    n = len(node)
+    if np.shape(positions) != (len(ids), AXES) or not np.all(np.isfinite(positions)):
+        raise FiniteElementError("nodes", f"the table has shape {np.shape(positions)} or entries that are not finite",
+                                 "give x, y, z of every node")
+    if len(np.unique(ids)) < len(ids):
+        raise FiniteElementError("nodes", "an id stands twice in the table", "give each node one row")
+    if len(np.unique(np.stack([node, component]), axis=1).T) < n:
+        raise FiniteElementError("dofs", "a motion of a node stands twice in the dof map", "give each one row")
+    stiffness, mass = _checked("stiffness", K, n), _checked("mass", M, n)
+    empty = np.flatnonzero((stiffness.diagonal() == 0.0) & (mass.diagonal() == 0.0))
+    if empty.size:
+        row = int(empty[0])
+        raise FiniteElementError(
+            "stiffness", f"{empty.size} rows have neither stiffness nor mass, the first is component "
+            f"{component[row] + 1} of node {ids[node[row]]}", "leave these rows out of the matrices and of the dof map")
+    return Structure(stiffness, mass, np.asarray(ids, dtype=np.int64), np.asarray(positions, dtype=np.float64),
+                     np.asarray(node, dtype=np.int64), np.asarray(component, dtype=np.int64))
+
+
+def _checked(item: str, matrix: sp.spmatrix, n: int) -> sp.csr_matrix:
+    """The matrix as csr, exactly symmetric, or FiniteElementError."""
+    if matrix.shape != (n, n):
+        raise FiniteElementError(item, f"the matrix is {matrix.shape[0]} x {matrix.shape[1]}, the nodes have {n} dofs",
+                                 "check the number of dofs per node, or give a dof map with one row (node, component) "
+                                 "for each row of the matrix")
+    values = sp.csr_matrix(matrix, dtype=np.float64)
+    values.sum_duplicates()
+    if not np.all(np.isfinite(values.data)):
+        raise FiniteElementError(item, "an entry is not a finite number", "export the matrix again")
+    size = float(np.max(np.abs(values.data), initial=0.0))
+    lacking = float(np.max(np.abs((values - values.T).data), initial=0.0))
+    if lacking > SYMMETRY_TOLERANCE * size:
+        raise FiniteElementError(item, f"the matrix is not symmetric (by {lacking:.3g}, largest entry {size:.3g})",
+                                 "a file with one triangle must say 'symmetric' in its header")
+    if values.diagonal().min(initial=0.0) < 0.0:
+        raise FiniteElementError(item, f"row {int(values.diagonal().argmin()) + 1} has a negative diagonal",
+                                 "check the units and the export; a matrix of inertia or stiffness has none")
+    return sp.csr_matrix(0.5 * (values + values.T))

@@ -1,0 +1,19 @@
+"""What a load does: generalised force, stored energy, dissipated and applied power (Q_F of Eq. 20)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from symgen.rows import Row
+
+
+@dataclass(frozen=True)
+class LoadEffect:
+    """Generalised force by system column [N, N m]; potential [J]; dissipated and applied power [W]."""
+
+    force: Row = field(default_factory=dict)
+    potential: ca.SX = field(default_factory=lambda: ca.SX(0))
+    dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
+    applied: ca.SX = field(default_factory=lambda: ca.SX(0))

@@ -1,0 +1,129 @@
+"""Two or three dimensions: everything in a scene fits its `space`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..bodies import BeamBody, MarkerDirections, RigidBody
+from ..errors import SceneError
+from ..flexible import FlexibleBody
+from ..modal import ModalBody
+from ..translate import item_path
+
+if TYPE_CHECKING:
+    from ..scene import Scene
+
+SPATIAL_JOINTS = ("spherical", "universal", "cylindrical", "screw", "planar")
+
+
+def space_errors(scene: Scene) -> Iterator[SceneError]:
+    """Vectors with the wrong number of components, and bodies, joints or loads that the other space has."""
+    yield from _components("gravity", scene.gravity, scene)
+    for index, body in enumerate(scene.bodies):
+        path = item_path("bodies", index, body.name)
+        yield from _body(body, path, scene)
+        for name, marker in body.markers.items():
+            yield from _marker(marker, f"{path}.markers.{name}", scene)
+    for index, joint in enumerate(scene.joints):
+        if joint.type in SPATIAL_JOINTS and scene.space == "planar":
+            yield SceneError(f"{item_path('joints', index, joint.name)}.type",
+                             f"a {joint.type} joint needs three dimensions", _SPATIAL)
+    for index, load in enumerate(scene.loads):
+        path = item_path("loads", index, load.name)
+        if load.type == "force":
+            yield from _components(f"{path}.components", load.components, scene)
+        elif load.type == "bushing":
+            yield from _bushing(load, path, scene)
+    for index, measure in enumerate(scene.measures):
+        if measure.type == "z" and scene.space == "planar":
+            yield SceneError(f"{item_path('measures', index, measure.name)}.type", "a planar scene has no z", _SPATIAL)
+    yield from _joint_names(scene)
+
+
+_SPATIAL = 'set space = "spatial", or use what a planar scene has'
+
+
+def _components(path: str, values: tuple[Any, ...], scene: Scene) -> Iterator[SceneError]:
+    if scene.space == "planar" and len(values) != 2:
+        remedy = "give (x, y)" + ("" if len(values) < 2 else ', or set space = "spatial"')
+        yield SceneError(path, f"has {len(values)} components in a planar scene", remedy)
+    elif scene.space == "spatial" and len(values) not in (2, 3):
+        yield SceneError(path, f"has {len(values)} components", "give (x, y, z); a z left out is zero")
+
+
+def _body(body: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+    spatial = scene.space == "spatial"
+    if isinstance(body, FlexibleBody) and not spatial:
+        yield SceneError(f"{path}.type", "a flexible body needs three dimensions", 'use type = "modal" or "beam"')
+    if isinstance(body, ModalBody) and spatial:
+        yield SceneError(f"{path}.type", "a modal body is planar", 'use type = "flexible" in a spatial scene')
+    if not spatial and getattr(body, "orientation", "euler_parameters") != "euler_parameters":
+        yield SceneError(f"{path}.orientation", "a planar body is oriented by its angle theta", "remove it")
+    if isinstance(body, RigidBody):
+        yield from _rigid(body, path, scene)
+    if isinstance(body, BeamBody):
+        given = body.lateral_z is not None or body.second_moment_z != 0
+        if given and not spatial:
+            yield SceneError(f"{path}.lateral_z", "a planar beam bends in its plane only", _SPATIAL)
+        if spatial and body.second_moment_z == 0:
+            yield SceneError(f"{path}.second_moment_z", "is missing", "give the second moment of area for the xz-plane")
+
+
+def _rigid(body: RigidBody, path: str, scene: Scene) -> Iterator[SceneError]:
+    three = isinstance(body.inertia, tuple)
+    if three != (scene.space == "spatial"):
+        yield SceneError(f"{path}.inertia", f"a {scene.space} body has {'one moment' if three else 'three moments'} of "
+                         "inertia", "give one number" if three else "give the moments about x, y, z: [xx, yy, zz]")
+    if len(body.products) != 3:
+        yield SceneError(f"{path}.products", f"has {len(body.products)} entries", "give the entries xy, xz, yz")
+    elif scene.space == "planar" and any(value != 0 for value in body.products):
+        yield SceneError(f"{path}.products", "a planar body has no products of inertia", "remove it")
+    yield from _components(f"{path}.center_of_mass", body.center_of_mass, scene)
+
+
+def _marker(marker: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+    position = getattr(marker, "position", None)
+    if position is not None:
+        yield from _components(f"{path}.position", position, scene)
+    if not isinstance(marker, MarkerDirections):
+        return
+    turned = marker.axis != (0.0, 0.0, 1.0) or marker.x_axis is not None
+    if scene.space == "planar" and turned:
+        yield SceneError(f"{path}.axis", "a planar marker is turned by its angle",
+                         'give angle, or set space = "spatial"')
+    if scene.space == "spatial":
+        if marker.angle != 0:
+            yield SceneError(f"{path}.angle", "a spatial marker is turned by its axes", "give axis and x_axis")
+        yield from _directions(marker, path)
+
+
+def _directions(marker: MarkerDirections, path: str) -> Iterator[SceneError]:
+    z, x = marker.axis, marker.x_axis
+    if all(entry == 0 for entry in z):
+        yield SceneError(f"{path}.axis", "has no direction", "give a vector that is not zero")
+    elif x is not None:
+        cross = (z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0])
+        size = max(abs(entry) for entry in z) * max(abs(entry) for entry in x)
+        if max(abs(entry) for entry in cross) <= 1e-9 * size:
+            yield SceneError(f"{path}.x_axis", "is along the axis, or zero", "give a direction across it")
+
+
+def _bushing(load: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+    if scene.space == "planar":
+        yield SceneError(f"{path}.type", "a bushing needs three dimensions",
+                         "use a spring_damper and a rotational_spring_damper")
+    for key in ("stiffness", "damping", "rotational_stiffness", "rotational_damping"):
+        if len(getattr(load, key)) != 3:
+            yield SceneError(f"{path}.{key}", f"has {len(getattr(load, key))} entries", "give three, for x, y and z")
+
+
+def _joint_names(scene: Scene) -> Iterator[SceneError]:
+    """Coordinates of joints and of bodies share their names."""
+    if scene.space == "planar" or scene.structure is not None:
+        return
+    bodies = {body.name for body in scene.bodies}
+    for index, joint in enumerate(scene.joints):
+        if joint.name in bodies:
+            yield SceneError(item_path("joints", index, joint.name), "has the name of a body", "rename one of them: "
+                             "joints of a spatial scene have coordinates too")

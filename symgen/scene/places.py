@@ -1,0 +1,87 @@
+"""Which joints of a spatial scene place a body by coordinates of their own.
+
+Along a spanning tree from the ground, a joint that fixes an orientation up to its own angles gives them as coordinates:
+body b then follows in closed form from body a and the joint, over any number of turns and without a singular angle.
+Joints that close loops, and those of bodies with Euler angles, stay equations between the bodies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .joints import Joint
+    from .scene import Scene
+
+# joint type -> names of its coordinates
+PLACING: dict[str, tuple[str, ...]] = {
+    "revolute": ("angle",),
+    "prismatic": ("travel",),
+    "cylindrical": ("angle", "travel"),
+    "screw": ("angle",),
+    "universal": ("angle1", "angle2"),
+    "planar": ("x", "y", "angle"),
+    "weld": (),
+}
+
+
+@dataclass(frozen=True)
+class Place:
+    """Joint `joint` places body `child` relative to body `parent`; forward: the child is the body of marker b."""
+
+    joint: str
+    type: str
+    parent: str
+    child: str
+    forward: bool
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the joint's coordinates."""
+        return [f"{self.joint}.{name}" for name in PLACING[self.type]]
+
+
+def joint_places(scene: Scene) -> list[Place]:
+    """The placing joints, in scene order. What placing joints do not reach from the ground is oriented by itself."""
+    found: dict[str, Place] = {}
+    reached, queue = {"ground"}, ["ground"]
+    roots = [body.name for body in scene.moving_bodies]
+    while queue or roots:
+        if not queue:
+            root = _next_root(scene, roots, reached)
+            roots.remove(root)
+            if root not in reached:
+                reached.add(root)
+                queue.append(root)
+            continue
+        parent = queue.pop(0)
+        for joint, child, forward in _placing_from(scene, parent):
+            if child not in reached:
+                reached.add(child)
+                queue.append(child)
+                found[joint.name] = Place(joint.name, joint.type, parent, child, forward)
+    return [found[joint.name] for joint in scene.joints if joint.name in found]
+
+
+def _next_root(scene: Scene, roots: list[str], reached: set[str]) -> str:
+    """A body joined to what has been reached, if there is one."""
+    for joint in scene.joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        for near, far in (ends, ends[::-1]):
+            if near in reached and far in roots and far not in reached:
+                return far
+    return roots[0]
+
+
+def _placing_from(scene: Scene, body: str) -> Iterator[tuple[Joint, str, bool]]:
+    """Placing joints of a body with the body at their other end."""
+    for joint in scene.joints:
+        ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        if joint.type in PLACING and body in ends and all(_free_of_angles(scene, end) for end in ends):
+            yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body
+
+
+def _free_of_angles(scene: Scene, name: str) -> bool:
+    return getattr(scene.body(name), "orientation", "euler_parameters") == "euler_parameters"

@@ -1,0 +1,198 @@
+"""The equations of a mechanism: bodies, joints, measures and loads put together in scene order (Eqs. 15-28).
+
+What a body, a joint or a load *is* depends on the dimensions of the scene and stands in planar.py and spatial.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Generic, Protocol, TypeVar
+
+import casadi as ca
+
+from symgen.equations import Equations, Outline
+from symgen.joints.instance import ConstraintRow
+from symgen.loads.effect import LoadEffect
+from symgen.parameters import ParameterTable
+from symgen.rows import Row, add_to
+from symgen.scalar import add
+from symgen.scene import Scene
+from symgen.scene.joints import Joint
+from symgen.scene.loads import Load
+
+
+class Body(Protocol):
+    """What the assembly asks of a body that moves."""
+
+    def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
+        """Upper triangle of its mass matrix."""
+
+    def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
+        """Its K, both triangles."""
+
+    def quadratic_velocity_force(self) -> Row:
+        """Its Q_v."""
+
+    def damping_force(self) -> Row:
+        """Its modal damping."""
+
+    def gravity_force(self, gravity: list[ca.SX]) -> Row:
+        """Its weight."""
+
+    def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
+        """Potential of its weight."""
+
+    def elastic_energy(self) -> tuple[ca.SX, ca.SX]:
+        """(stored energy, power lost)."""
+
+
+Marker = TypeVar("Marker", covariant=True)
+
+
+class Space(Protocol[Marker]):
+    """Kinematics of a planar or a spatial scene."""
+
+    axes: str
+
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Body, int]:
+        """Build a body from the columns that begin with its own; (body, how many are its own)."""
+
+    def marker(self, reference: str) -> Marker:
+        """Motion of "body.marker"."""
+
+    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+        """Constraint rows of a joint."""
+
+    def body_rows(self) -> list[ConstraintRow]:
+        """Constraint rows of the bodies' own coordinates."""
+
+    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
+        """Viscous friction in a joint."""
+
+    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+        """A scalar of the motion between two markers."""
+
+    def load(self, load: Load, value: Any) -> LoadEffect:
+        """Effect of a load; value(text, item) reads an expression."""
+
+    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
+        """World points that show each body."""
+
+
+class Mechanism(Generic[Marker]):
+    """Puts the equations together; `equations` is the result."""
+
+    def __init__(self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations) -> None:
+        self.scene, self.table, self.space, self.equations = scene, table, space, equations
+        gravity = [*scene.gravity, 0.0][:len(space.axes)]
+        self.gravity = [table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
+                        for g, axis in zip(gravity, space.axes, strict=True)]
+        self._add_bodies()
+        for joint in scene.joints:
+            self._add_joint(joint)
+        equations.constraints += space.body_rows()
+        self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t}
+        self._add_measures()
+        for load in scene.loads:
+            self._add_effect(space.load(load, self._expression))
+        equations.outlines = [Outline(body, points) for body, points in space.outlines()]
+        if scene.baumgarte is not None:
+            equations.baumgarte = (
+                table.quantity(scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors"),
+                table.quantity(scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors"))
+
+    def _add_bodies(self) -> None:
+        eq, first = self.equations, 0
+        elastic: set[int] = set()
+        for description in self.scene.moving_bodies:
+            columns = list(range(first, len(eq.names)))
+            body, size = self.space.add_body(description.name, columns, eq.q[first:], eq.q_dot[first:])
+            columns, first = columns[:size], first + size
+            eq.body_columns[description.name] = columns
+            elastic.update(columns[size - description.nf:])
+            self._add_inertia(body)
+        eq.elastic_columns = frozenset(elastic)
+        for place in self.scene.places():
+            eq.body_columns[place.child] += [eq.names.index(name) for name in place.coordinates]
+        eq.joint_columns = frozenset(range(first, len(eq.names)))
+        eq.at_rest = {column: 1.0 for column, name in enumerate(eq.names) if name.endswith(".e0")}
+
+    def _add_inertia(self, body: Body) -> None:
+        eq = self.equations
+        for row, column, value in body.mass_entries():
+            add_to(eq.M[row], column, value)
+            if row != column:
+                add_to(eq.M[column], row, value)
+        for row, column, value in body.stiffness_entries():
+            add_to(eq.K[row], column, value)
+        for column, value in body.quadratic_velocity_force().items():
+            eq.Q_v[column] = add(eq.Q_v[column], value)
+        self._add_force(body.damping_force())
+        self._add_force(body.gravity_force(self.gravity))
+        elastic, dissipated = body.elastic_energy()
+        eq.elastic, eq.dissipated = eq.elastic + elastic, eq.dissipated + dissipated
+        eq.potential = eq.potential + body.gravity_potential(self.gravity)
+
+    def _add_force(self, force: Row) -> None:
+        for column, value in force.items():
+            self.equations.Q_F[column] = add(self.equations.Q_F[column], value)
+
+    def _add_effect(self, effect: LoadEffect) -> None:
+        eq = self.equations
+        self._add_force(effect.force)
+        eq.elastic = eq.elastic + effect.potential
+        eq.dissipated = eq.dissipated + effect.dissipated
+        eq.applied = eq.applied + effect.applied
+
+    def _add_joint(self, joint: Joint) -> None:
+        eq = self.equations
+        motion = [ca.SX(0)] * 3
+        text = getattr(joint, "motion", None)
+        if text is not None:
+            env: Mapping[str, ca.SX] = {**self.table.environment(), "t": eq.t}
+            f = self.scene.expression(text, f"joints.{joint.name}.motion", ("t",)).to_casadi(env)
+            f_t = ca.jacobian(f, eq.t)
+            motion = [f, f_t, ca.jacobian(f_t, eq.t)]
+        length = getattr(joint, "length", None)
+        if length is not None:
+            motion[0] = self.table.quantity(length, f"{joint.name}.length", "m", "length of the rod")
+        eq.constraints += self.space.joint_rows(joint, motion)
+        for effect in self.space.joint_friction(joint):
+            self._add_effect(effect)
+
+    def _add_measures(self) -> None:
+        eq = self.equations
+        for measure in self.scene.measures:
+            value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
+            rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
+            eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
+        self.environment = {**self.environment, **eq.measures}
+
+    def _expression(self, text: float | str, item: str) -> ca.SX:
+        if not isinstance(text, str):
+            return self.table.quantity(text, item, "N or N m")
+        names = ("t", *self.equations.measures)
+        return self.scene.expression(text, item, names).to_casadi(self.environment)
+
+
+def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:
+    """Stiffness, damping and free length or angle of a spring-damper."""
+    turning = load.type == "rotational_spring_damper"
+    units = ("N m/rad", "N m s/rad", "rad") if turning else ("N/m", "N s/m", "m")
+    fields = ("stiffness", "damping", "free_angle" if turning else "free_length")
+    return [table.quantity(getattr(load, field), f"{load.name}.{field}", unit)
+            for field, unit in zip(fields, units, strict=True)]
+
+
+def friction(joint: Joint, key: str, table: ParameterTable) -> ca.SX | None:
+    """The damping `key` of a joint as SX; None where it has none."""
+    value = getattr(joint, key, 0)
+    return None if value == 0 else table.quantity(value, f"{joint.name}.{key}", "N s/m or N m s", "joint damping")
+
+
+def components(texts: Sequence[float | str], item: str, axes: str, value: Any) -> list[ca.SX]:
+    """Components of a force; a z left out is zero."""
+    return [value(text, f"{item}.components.{axis}")
+            for axis, text in zip(axes, [*texts, 0.0][:len(axes)], strict=True)]
+
+

@@ -1,0 +1,89 @@
+"""Bodies, joints and loads of a planar scene."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+
+from symgen.bodies.outlines import outline_references
+from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
+from symgen.bodies.points import marker_shape
+from symgen.bodies.shape_integrals import body_integrals
+from symgen.joints.instance import ConstraintRow
+from symgen.joints.planar_rows import planar_rows
+from symgen.loads import planar_effects as effects
+from symgen.loads.effect import LoadEffect
+from symgen.parameters import ParameterTable
+from symgen.scene import Scene
+from symgen.scene.joints import Joint
+from symgen.scene.loads import Load
+from symgen.system.mechanism import components, friction, spring_values
+
+
+class PlanarSpace:
+    """Three rigid coordinates a body; a marker is a point and an angle."""
+
+    axes = "xy"
+
+    def __init__(self, scene: Scene, table: ParameterTable) -> None:
+        self.scene, self.table = scene, table
+        self.bodies = {"ground": PlanarBody("ground", BodyCoordinates.ground(), None)}
+        self._markers: dict[str, MarkerMotion] = {}
+
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[PlanarBody, int]:
+        """x, y, theta, q_f."""
+        integrals = body_integrals(self.scene, name, self.table)
+        size = 3 + integrals.nf
+        body = PlanarBody(name, BodyCoordinates(columns[:size], q[:2], q[2], q[3:size], q_dot[:2], q_dot[2],
+                                                q_dot[3:size]), integrals)
+        self.bodies[name] = body
+        return body, size
+
+    def marker(self, reference: str) -> MarkerMotion:
+        """Motion of "body.marker", built once."""
+        if reference not in self._markers:
+            body, shape = marker_shape(self.scene, reference, self.table)
+            self._markers[reference] = self.bodies[body].marker(shape)
+        return self._markers[reference]
+
+    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+        """Rows between the joint's markers."""
+        return planar_rows(joint.name, joint.type, self.marker(joint.marker_a), self.marker(joint.marker_b), motion)
+
+    def body_rows(self) -> list[ConstraintRow]:
+        """None: an angle needs no constraint."""
+        return []
+
+    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
+        """Of a slide along it, of a hinge about it."""
+        damping, zero = friction(joint, "damping", self.table), ca.SX(0)
+        if damping is None:
+            return []
+        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+        return [effects.slide_friction(a, b, damping) if joint.type == "prismatic"
+                else effects.rotational_spring_damper(a, b, zero, damping, zero)]
+
+    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+        """Angle, x, y or distance."""
+        first, second = self.marker(a), self.marker(b)
+        d = [second.r[0] - first.r[0], second.r[1] - first.r[1]]
+        value = {"angle": second.phi - first.phi, "x": d[0], "y": d[1]}.get(kind)
+        return ca.sqrt(d[0] ** 2 + d[1] ** 2) if value is None else value
+
+    def load(self, load: Load, value: Any) -> LoadEffect:
+        """Force, torque or spring-damper."""
+        if load.type == "force":
+            return effects.point_force(self.marker(load.marker), components(load.components, load.name, "xy", value),
+                                       load.frame)
+        if load.type == "torque":
+            reaction = self.marker(load.reaction) if load.reaction else None
+            return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
+        turning = load.type == "rotational_spring_damper"
+        effect = effects.rotational_spring_damper if turning else effects.spring_damper
+        return effect(self.marker(load.marker_a), self.marker(load.marker_b), *spring_values(load, self.table))
+
+    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
+        """Points of beams and markers."""
+        return [(body, [self.bodies[body].marker(shape).r for shape in shapes])
+                for body, shapes in outline_references(self.scene, self.table)]

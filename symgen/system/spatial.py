@@ -1,0 +1,160 @@
+"""Bodies, joints and loads of a spatial scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import casadi as ca
+
+from symgen.bodies.outlines import BEAM_FRACTIONS, drawn_references
+from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
+from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
+from symgen.bodies.spatial_orientation import orientation
+from symgen.equations import Equations
+from symgen.joints.instance import ConstraintRow
+from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_rows, spatial_rows, unit_length
+from symgen.loads import spatial_effects as effects
+from symgen.loads.effect import LoadEffect
+from symgen.loads.spatial_effects import Angle, Motion
+from symgen.parameters import ParameterTable
+from symgen.scalar import ONE, ZERO, dot
+from symgen.scene import BeamBody, Place, Scene
+from symgen.scene.joints import Joint
+from symgen.scene.loads import Load
+from symgen.scene.places import PLACING
+from symgen.system.mechanism import components, friction, spring_values
+from symgen.vectors import minus
+
+
+class SpatialSpace:
+    """Six or seven rigid coordinates a body; a marker is a point and three axes. Some joints have coordinates too."""
+
+    axes = "xyz"
+
+    def __init__(self, scene: Scene, table: ParameterTable, equations: Equations) -> None:
+        self.scene, self.table = scene, table
+        self.motion = Motion(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
+        self.bodies = {"ground": SpatialBody.ground()}
+        self._markers: dict[str, SpatialMarker] = {}
+        self._places: dict[str, Place] = {place.joint: place for place in scene.places()}
+        self._coordinates: dict[str, JointCoordinate] = {}
+        for name in (name for place in self._places.values() for name in place.coordinates):
+            column = equations.names.index(name)
+            self._coordinates[name] = JointCoordinate(equations.q[column], equations.q_dot[column], column)
+
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[SpatialBody, int]:
+        """x, y, z, angles or Euler parameters, q_f."""
+        description, integrals = self.scene.body(name), spatial_integrals(self.scene, name, self.table)
+        turning = len(self.scene.frame_coordinates(description))
+        size = turning + integrals.nf
+        coordinates = SpatialCoordinates(columns[:size], q[:3], q[3:turning], q[turning:size], q_dot[:3],
+                                         q_dot[3:turning], q_dot[turning:size])
+        kind = getattr(description, "orientation", "euler_parameters")
+        body = SpatialBody(name, coordinates, orientation(kind, coordinates.theta, coordinates.theta_dot), integrals)
+        self.bodies[name] = body
+        return body, size
+
+    def marker(self, reference: str) -> SpatialMarker:
+        """Motion of "body.marker", built once."""
+        if reference not in self._markers:
+            body, point = spatial_point(self.scene, reference, self.table)
+            self._markers[reference] = self.bodies[body].marker(point)
+        return self._markers[reference]
+
+    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+        """Rows that place a body, prescribe a joint's coordinate, or stand between the markers."""
+        a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+        place = self._places.get(joint.name)
+        if place is not None:
+            own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
+            lead = self.table.quantity(getattr(joint, "lead", 0), f"{joint.name}.lead", "m", "travel of a turn")
+            return placing_rows(joint.name, joint.type, a, b, own, self.bodies[place.child], self.bodies[place.parent],
+                                place.forward, lead / (2 * math.pi))
+        label = {"prescribed_angle": "angle", "prescribed_displacement": "travel"}.get(joint.type)
+        prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
+        if label is not None and prescribed is not None:
+            return [coordinate_row(joint.name, label, prescribed, motion, a)]
+        return spatial_rows(joint.name, joint.type, a, b, motion)
+
+    def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:
+        """The coordinate `label` of a placing joint between two markers."""
+        for joint in self.scene.joints:
+            if (joint.marker_a, joint.marker_b) == (a, b) and f"{joint.name}.{label}" in self._coordinates:
+                return self._coordinates[f"{joint.name}.{label}"]
+        return None
+
+    def body_rows(self) -> list[ConstraintRow]:
+        """Unit length of Euler parameters that no joint gives."""
+        placed = {place.child for place in self._places.values()}
+        return [unit_length(body) for name, body in self.bodies.items()
+                if name not in placed and len(body.coordinates.theta) == 4]
+
+    def joint_friction(self, joint: Joint) -> list[LoadEffect]:
+        """Of turning and of sliding."""
+        turning, sliding = friction(joint, "damping", self.table), friction(joint, "travel_damping", self.table)
+        if joint.type == "prismatic":
+            turning, sliding = None, turning
+        found = []
+        if turning is not None:
+            own = self._coordinates.get(f"{joint.name}.angle")
+            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+            found.append(effects.hinge_friction(a, b, turning) if own is None else
+                         effects.turning_spring_damper(_angle(own), ZERO, turning, ZERO))
+        if sliding is not None:
+            own = self._coordinates.get(f"{joint.name}.travel")
+            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
+            found.append(effects.slide_friction(a, b, sliding, self.motion) if own is None else
+                         effects.turning_spring_damper(_angle(own), ZERO, sliding, ZERO))
+        return found
+
+    def measure(self, kind: str, a: str, b: str) -> ca.SX:
+        """Angle about marker a's z-axis, x, y, z or distance."""
+        first, second = self.marker(a), self.marker(b)
+        if kind == "angle":
+            return effects.angle_about_z(first, second, self.motion).value
+        d = minus(second.r, first.r)
+        return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
+
+    def load(self, load: Load, value: Any) -> LoadEffect:
+        """Force, torque, spring-damper or bushing."""
+        if load.type == "force":
+            return effects.point_force(self.marker(load.marker), components(load.components, load.name, "xyz", value),
+                                       load.frame)
+        if load.type == "torque":
+            reaction = self.marker(load.reaction) if load.reaction else None
+            return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
+        a, b = self.marker(load.marker_a), self.marker(load.marker_b)
+        if load.type == "bushing":
+            return effects.bushing(a, b, (self._triple(load, "stiffness", "N/m"),
+                                          self._triple(load, "rotational_stiffness", "N m/rad")),
+                                   (self._triple(load, "damping", "N s/m"),
+                                    self._triple(load, "rotational_damping", "N m s/rad")), self.motion)
+        values = spring_values(load, self.table)
+        if load.type == "spring_damper":
+            return effects.spring_damper(a, b, *values)
+        own = self._between(load.marker_a, load.marker_b, "angle")
+        angle = effects.angle_about_z(a, b, self.motion) if own is None else _angle(own)
+        return effects.turning_spring_damper(angle, *values)
+
+    def _triple(self, load: Load, key: str, unit: str) -> list[ca.SX]:
+        values: Sequence[float | str] = getattr(load, key)
+        return three(values, f"{load.name}.{key}", unit, self.table, key.replace("_", " "))
+
+    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
+        """Points of beams and markers."""
+        found: list[tuple[str, list[list[ca.SX]]]] = []
+        for body in self.scene.bodies:
+            if isinstance(body, BeamBody):
+                points = [beam_spatial_point(body, at, self.table) for at in BEAM_FRACTIONS]
+                found.append((body.name, [self.bodies[body.name].marker(point).r for point in points]))
+                continue
+            drawn = drawn_references(self.scene, body.name, list(body.markers))
+            markers = [self.marker(reference).r for reference in drawn]
+            found += [(body.name, [point]) for point in markers] if body.type == "ground" else [(body.name, markers)]
+        return found
+
+
+def _angle(own: JointCoordinate) -> Angle:
+    return Angle(own.value, own.rate, {own.column: ONE})

@@ -1,0 +1,41 @@
+"""The equations of a linear structure, M x'' + D x' + K x = F(t) (Eqs. 3-14): already in independent coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import casadi as ca
+
+from symgen.equations import Equations, blank_equations
+from symgen.parameters import ParameterTable
+from symgen.rows import Row
+from symgen.scalar import mul, total
+from symgen.scene import Scene
+
+
+def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
+    """Equations of the scene's structure."""
+    structure = scene.structure
+    assert structure is not None
+    eq = blank_equations(scene.coordinates())
+    env = {**table.environment(), "t": eq.t}
+
+    def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
+        return [{} if rows is None else {
+            column: table.quantity(value, f"{label}[{row},{column}]", unit)
+            for column, value in enumerate(rows[row]) if value != 0} for row in range(len(eq.names))]
+
+    eq.M = matrix(structure.mass, "M", "kg")
+    eq.K = matrix(structure.stiffness, "K", "N/m")
+    D = matrix(structure.damping, "D", "N s/m")
+    for row in range(len(eq.names)):
+        spring = total(mul(value, eq.q[column]) for column, value in eq.K[row].items())
+        damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
+        load = ca.SX(0)
+        if structure.force is not None:
+            load = scene.expression(structure.force[row], f"force[{row}]", ("t",)).to_casadi(env)
+        eq.Q_F[row] = load - damper
+        eq.elastic = eq.elastic + eq.q[row] * spring / 2
+        eq.dissipated = eq.dissipated + eq.q_dot[row] * damper
+        eq.applied = eq.applied + eq.q_dot[row] * load
+    return eq
