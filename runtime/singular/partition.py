@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.export import unit
 from runtime.model import Model
 
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
@@ -52,8 +53,8 @@ def best_exchange(model: Model, C_q: np.ndarray) -> Exchange | None:
 
 
 def is_angle(name: str) -> bool:
-    """Is a coordinate an angle?"""
-    return name.rpartition(".")[2].startswith("theta")
+    """Does a coordinate turn something (an angle or an Euler parameter)?"""
+    return unit(name) != "m"
 
 
 def mechanism_length(model: Model, C_q: np.ndarray) -> float:
