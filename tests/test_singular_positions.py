@@ -211,6 +211,26 @@ def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Pa
     assert_same(resume(model, tmp_path / "run.npz"), whole)
 
 
+def test_tumbling_body_changes_its_euler_parameters_and_resumes(built_in: Load, tmp_path: Path) -> None:
+    """There and back many times; samples of the same q_i lie apart, in memory and in a stream."""
+    model = built_in("tumbling_body")
+    settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "save_every": 10}
+    whole = simulate(model, **settings)
+    assert whole.status.ok and len(whole.events) >= 4
+    assert len({event.text.split(" took")[0] for event in whole.events}) < len(whole.events)
+    assert energy_error(whole) < 1e-6 and whole.constraint_error.max() < 1e-10
+    assert np.array_equal(whole.q_i, whole.q[:, model.independent_columns])
+
+    def stop(t: float, t_end: float) -> None:
+        if t >= 13.0:
+            raise KeyboardInterrupt
+
+    for more in ({}, {"stream": tmp_path / "rows"}):
+        simulate(model, **settings, **more, checkpoint=tmp_path / "run.npz", checkpoint_every=9, progress=stop)
+        again = resume(model, tmp_path / "run.npz")
+        assert_same(Solution.load(tmp_path / "rows", model) if more else again, whole)
+
+
 # ---- random mechanisms ----------------------------------------------------------------------------------------
 
 
