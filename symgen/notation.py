@@ -29,7 +29,7 @@ SYMBOLS: tuple[Symbol, ...] = (
     # coordinates
     Symbol("q", "q", "15", "n", "mixed", "all coordinates: R_o, theta, q_f of each body in scene order"),
     Symbol("R_o", "R^o", "16", "2 or 3", "m", "origin of a body's floating frame in world axes"),
-    Symbol("theta", "theta", "17", "1, 3 or 4", "rad", "absolute angle of a body's frame; Euler angles or parameters e"),
+    Symbol("theta", "theta", "17", "1, 3 or 4", "rad", "angle of a body's frame; Euler angles or parameters e"),
     Symbol("q_f", "q_f", "18", "nf", "m", "elastic (modal) coordinates of a body"),
     Symbol("Phi", "phi_k", "19", "2 or 3 x nf", "1", "shape functions at a point of a body"),
     Symbol("q_i", "q_i", "29", "n_i", "mixed", "independent coordinates, in the order of the partition"),

@@ -1,4 +1,4 @@
-"""Published cases whose independent coordinates change on the way: windows that pass singular positions, spinning bodies."""
+"""Published cases that change their independent coordinates on the way, or pass singular positions."""
 
 from __future__ import annotations
 
