@@ -31,13 +31,6 @@ NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
-def unit(coordinate: str, derivative: int = 0) -> str:
-    """SI unit of a coordinate (angles: `theta`, `angle`; Euler parameters: e0 ... e3) or its derivatives."""
-    last = coordinate.rpartition(".")[2]
-    base = "rad" if last.startswith(("theta", "angle")) else "1" if last in ("e0", "e1", "e2", "e3") else "m"
-    return base + ("", "/s", "/s^2")[derivative]
-
-
 def write_npz(solution: Solution, path: str | Path) -> None:
     """Plain arrays, and one JSON text for the rest. Raises OutputError."""
     header = {"format": FORMAT, **run_header(solution), "energy": list(solution.energy),
