@@ -16,6 +16,7 @@ from runtime.files import replacing
 from runtime.model import Group, Model, ModelError, Parameter
 from runtime.running.stream import read_blocks, read_header
 from runtime.status import Event, Status
+from runtime.units import unit
 
 if TYPE_CHECKING:
     import xarray
