@@ -7,6 +7,8 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
+from spatial_scenes import flexible
+from twin_flexible_nodes import scattered
 
 from runtime import load_model
 from symgen.generate import generate
@@ -14,6 +16,7 @@ from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES, generated_folder
 from symgen.scenes.chain import chain
+from symgen.scenes.spatial_chain import spatial_chain
 
 CONDENSED = frozenset({"condensed"})
 
@@ -52,6 +55,24 @@ def four_general_modes() -> Scene:
     (two_pinned_modes(), 170), (four_general_modes(), 620), (chain(10), 750), (chain(10, 2), 5600),
 ], ids=["two pinned modes", "four general modes", "rigid chain of 10", "flexible chain of 10"])
 def test_condensed_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
+    assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
+
+
+def dense_spatial_chain() -> Scene:
+    """Ten links of two modes each with every shape integral and every tip shape non-zero, on spherical joints."""
+    builder, rng = SceneBuilder("dense", space="spatial").gravity(0, 0, -9.81), np.random.default_rng(1)
+    for k in range(10):
+        end = {"position": rng.normal(size=3), "shape": rng.normal(size=(3, 2))}
+        builder.flexible(f"link{k + 1}", **flexible(scattered(7, 2, seed=k)), orientation="zyx", markers={"end": end})
+        builder.joint("spherical", f"joint{k + 1}", f"link{k}.end" if k else "ground.origin", f"link{k + 1}.origin")
+    return builder.build()
+
+
+@pytest.mark.parametrize(("scene", "budget"), [
+    (spatial_chain(10), 4000), (spatial_chain(10, 2), 13_500), (dense_spatial_chain(), 17_700),
+], ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"])
+def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
+    """Well below 8,100 operations (rigid) and 23,100 (two modes a link)."""
     assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
 
 
