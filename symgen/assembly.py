@@ -66,5 +66,5 @@ def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> No
         if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
             raise SceneError(
                 f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
-                "first and the last turn about the same axis", "start at another angle, choose another sequence, or use "
-                'orientation = "euler_parameters"')
+                "first and the last turn about the same axis",
+                'start at another angle, choose another sequence, or use orientation = "euler_parameters"')
