@@ -39,7 +39,8 @@ def skew_pendulum() -> Scene:
 @pytest.fixture(scope="module")
 def model(model_of: Build) -> Model:
     found = model_of(skew_pendulum())
-    assert [[found.q_i[k] for k in group.positions] for group in found.groups] == [["hinge.angle"], ["beam.q1", "beam.q2"]]
+    groups = [[found.q_i[k] for k in group.positions] for group in found.groups]
+    assert groups == [["hinge.angle"], ["beam.q1", "beam.q2"]]
     return found
 
 
