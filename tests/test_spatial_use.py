@@ -23,6 +23,17 @@ def run(scene: SceneBuilder, folder: Path, t_end: float, dt: float) -> Solution:
                     engine="interpreted")
 
 
+def test_a_controller_reads_the_angle_of_a_hinge_over_full_turns(tmp_path: Path) -> None:
+    """The measure is the hinge's own angle: a wrapped one would throw the controller off after half a turn."""
+    scene = (builder().rigid("wheel", mass=1.0, inertia=[0.1, 0.1, 0.1])
+             .revolute("hinge", "ground.origin", "wheel.origin")
+             .measure("turned", "angle", "wheel.origin", "ground.origin")
+             .torque("motor", "wheel.origin", "5 * (10 * t - turned) + 10 - turned_dot"))
+    found = run(scene, tmp_path, 3.0, 1e-3)
+    assert found["hinge.angle"][-1] == pytest.approx(30.0, abs=1e-4)
+    assert np.array_equal(found["turned"], found["hinge.angle"])
+
+
 def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(tmp_path: Path) -> None:
     """Where rod and arm come to lie in line every lever arm is zero there: the mechanism's size is that elsewhere."""
     scene = (builder().gravity(0, 0, -9.81)
