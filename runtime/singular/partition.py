@@ -30,15 +30,19 @@ class Exchange:
         return [self.into if name == self.out else name for name in names]
 
 
-def best_exchange(model: Model, C_q: np.ndarray) -> Exchange | None:
-    """The exchange of a rigid coordinate that gains most at C_q (rows x coordinates); None if C_qd is singular."""
+def best_exchange(model: Model, C_q: np.ndarray, length: float = 0.0) -> Exchange | None:
+    """The exchange of a rigid coordinate that gains most at C_q (rows x coordinates); None if C_qd is singular.
+
+    length [m] of the mechanism elsewhere: the lever arms of C_q alone shrink to nothing where a single rod and the arm
+    that it turns lie in one line, just where an angle is about to determine nothing.
+    """
     rows = model.kept_rows
     C_qd, C_qi = C_q[np.ix_(rows, model.dependent_columns)], C_q[np.ix_(rows, model.independent_columns)]
     try:
         W = -np.linalg.solve(C_qd, C_qi)
     except np.linalg.LinAlgError:
         return None
-    length = mechanism_length(model, C_q)
+    length = max(length, mechanism_length(model, C_q))
     scale = np.array([length if turns(name) else 1.0 for name in model.coordinates])
     gains = np.abs(W) * scale[model.dependent_columns][:, None] / scale[model.independent_columns][None, :]
     gains[[name in model.elastic for name in model.q_d]] = 0.0

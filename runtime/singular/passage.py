@@ -20,6 +20,7 @@ from runtime.singular.place import Place
 from runtime.singular.variants import NoVariant, variant_of
 from runtime.solution import Solution
 from runtime.status import Event, Status
+from runtime.units import mechanism_length
 
 PILOT = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
@@ -78,6 +79,7 @@ class Passage:
     def __init__(self, leg: Leg, guard: Guard, legs: list[Leg], engine: str) -> None:
         self.leg, self.guard, self.legs, self.engine = leg, guard, legs, engine
         self.place = Place(leg.model, leg.c)
+        self.length = mechanism_length(leg.model, self.place.jacobian(0.0, legs[0].model.initial_q))
 
     def go_on(self, z: np.ndarray) -> Outcome:
         """From z, the last state whose determinants were good."""
@@ -87,7 +89,7 @@ class Passage:
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
         block = self.guard.worst(values)
-        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q))
+        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         return self._ahead(z, seen, block, abs(float(values[block])))
@@ -101,7 +103,7 @@ class Passage:
         if near is None:
             return self._look_later(z)
         there = pilot.seen(np.array([near[0]]), near[1][None, :])
-        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]))
+        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         try:
