@@ -16,6 +16,7 @@ from runtime.files import replacing
 from runtime.model import Group, Model, ModelError, Parameter
 from runtime.running.stream import read_blocks, read_header
 from runtime.status import Event, Status
+from runtime.units import unit
 
 if TYPE_CHECKING:
     import xarray
@@ -29,13 +30,6 @@ ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_e
           "measures", "joint_forces")
 NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
 POWERS = ("power_dissipated", "power_applied", "power_driven")
-
-
-def unit(coordinate: str, derivative: int = 0) -> str:
-    """SI unit of a coordinate (angles: `theta`, `angle`; Euler parameters: e0 ... e3) or its derivatives."""
-    last = coordinate.rpartition(".")[2]
-    base = "rad" if last.startswith(("theta", "angle")) else "1" if last in ("e0", "e1", "e2", "e3") else "m"
-    return base + ("", "/s", "/s^2")[derivative]
 
 
 def write_npz(solution: Solution, path: str | Path) -> None:

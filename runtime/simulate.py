@@ -110,7 +110,7 @@ def resume(
     for q_i in header["legs"][1:]:
         variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["place"]))
         legs.append(Leg.build(variant, settings.plan.on(variant), kept.p, engine, True))
-    leg = legs[-1]
+    leg = legs[int(header["leg"])]
     if len(leg.stepper.start(0.0, model.initial_q, model.initial_q_dot, leg.c, settings.plan.grid.dt_L)) != len(kept.z):
         raise ModelError(f"checkpoint {path} holds a state of another length than this scheme's; it was written by "
                          "another version")
@@ -187,7 +187,7 @@ def _finished(run: Run, settings: _Settings, setup: float) -> Solution:
     began = time.perf_counter()
     status = run.status if run.step == 0 and run.status is not None else run.go()
     wall = time.perf_counter() - began
-    last = (len(run.record.legs) - 1, run.leg.stepper.state(run.z))
+    last = (run.record.legs.index(run.leg), run.leg.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
     stats = {**_statistics(run.leg, run.z, setup, wall), **solution.stats, "initial_changes": settings.initial_changes}

@@ -12,11 +12,11 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.step_limit import StepLimit
 from runtime.stability.modes import ModeSolver, State
 from runtime.status import Status, StatusName
+from runtime.units import length_rows, mechanism_length
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
 CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
-SMALLEST_ARM = 1e-9  # m: what rounding leaves of a lever arm that is zero
 FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
@@ -161,8 +161,7 @@ class _ConstraintCheck:
 
     def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
         self.c, self.length = scheme.constants(c), 1.0
-        self._turning = np.array([name.endswith(".theta") for name in model.coordinates], dtype=bool)
-        self._angles = np.array([label.endswith(".angle") for label in model.constraints], dtype=bool)
+        self._model, self._lengths = model, length_rows(model)
         active = bool(model.constraints) and model.has("constraints")
         self._function = _constraints(model, scheme) if active else None
         self._mass = _mass(model, scheme)
@@ -170,18 +169,14 @@ class _ConstraintCheck:
     def start(self, z: np.ndarray) -> None:
         """Take the mechanism's size from the lever arms in C_q."""
         if self._function is not None:
-            C_q = np.abs(np.asarray(self._function(z, self.c)[1]))
-            arms = C_q[np.ix_(~self._angles, self._turning)]
-            longest = float(arms.max(initial=0.0))
-            self.length = longest if longest > SMALLEST_ARM else 1.0
+            self.length = mechanism_length(self._model, np.asarray(self._function(z, self.c)[1]))
 
     def violated(self, z: np.ndarray) -> bool:
         """Is a constraint off by more than CONSTRAINT_LIMIT?"""
         if self._function is None:
             return False
         C = np.abs(np.asarray(self._function(z, self.c)[0]).ravel())
-        return not bool((C <= CONSTRAINT_LIMIT * np.where(self._angles, 1.0, self.length)).all())  # NaN is off too
-
+        return not bool((C <= CONSTRAINT_LIMIT * np.where(self._lengths, self.length, 1.0)).all())  # NaN is off too
 
     def positive_mass(self, z: np.ndarray) -> bool:
         """Is M_hat finite and positive definite?"""

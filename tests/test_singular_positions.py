@@ -79,8 +79,8 @@ def test_singular_times_are_those_of_the_exact_motion(built_in: Load) -> None:
     assert "branch kept by continuity" in run.events[0].text
 
 
-@pytest.mark.parametrize("start", [0.70, 0.7143, 0.714355, 0.7144])
-def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float) -> None:
+@pytest.mark.parametrize("start, passed", [(0.70, 3), (0.7143, 3), (0.714355, 3), (0.7144, 2)])
+def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float, passed: int) -> None:
     """The determinant has no larger values to be compared with, and few steps before the position."""
     model = built_in("n_four_bar")
     exact = solve_ivp(lambda t, y: [y[1], 3.5 * 9.81 / 3 * math.sin(y[0])], (0, start), [0.0, 1.0], rtol=1e-12,
@@ -88,28 +88,32 @@ def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float
     initial = {f"upright{k}.theta": math.pi / 2 - exact[0] for k in range(3)}
     initial |= {"upright0.theta_dot": -exact[1]}
     run = simulate(model, scheme="rk4", dt=1e-3, t_end=2.0, initial=initial, save_every=10)
-    assert run.status.ok or run.status.name in ("branch_lost", "constraints_lost", "diverged")
-    if run.status.ok:
-        assert bars_stay_parallel(run) and energy_error(run) < 1e-2
-        assert len(run.events) in (2, 3)
+    assert run.status.ok and len(run.events) == passed
+    assert bars_stay_parallel(run) and energy_error(run) < 1e-6
 
 
-def equal_slider_crank() -> Scene:
-    """Crank and rod of one length: upright, the rod may go on beside the crank or turn with it."""
-    scene = SceneBuilder("equal").gravity(0, -9.81)
-    for name in ("crank", "rod"):
-        scene.rigid(name, mass=1.0, inertia=0.02, center_of_mass=(0.25, 0), markers={"tip": {"position": (0.5, 0)}})
+def loop(crank: float, rod: float, independent: str) -> SceneBuilder:
+    """A slider-crank. With crank and rod of one length, upright, the rod may go on beside the crank or turn with it."""
+    scene = SceneBuilder("loop").gravity(0, -9.81)
+    for name, length in (("crank", crank), ("rod", rod)):
+        scene.rigid(name, mass=1.0, inertia=0.02, center_of_mass=(length / 2, 0),
+                    markers={"tip": {"position": (length, 0)}})
     scene.rigid("slider", mass=0.5, inertia=0.01)
     scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
     scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
-    scene.initial({"crank.theta": 0.5, "rod.theta": -0.5}).rates({"crank.theta": 6.0}).independent("crank.theta")
-    return scene.simulation(t_end=5.0, dt=1e-3, scheme="single_rate").build()
+    scene.initial({"crank.theta": 0.5, "rod.theta": -math.asin(crank * math.sin(0.5) / rod)})
+    scene.rates({"crank.theta": 6.0}).independent(independent)
+    return scene.simulation(t_end=5.0, dt=1e-3, scheme="single_rate")
 
 
-@pytest.mark.parametrize("scheme, dt, energy", [("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5),
-                                                ("single_rate", 1e-2, 0.5)])
+def equal_slider_crank() -> SceneBuilder:
+    return loop(0.5, 0.5, "crank.theta")
+
+
+@pytest.mark.parametrize("scheme, dt, energy", [
+    ("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5), ("single_rate", 1e-2, 0.5)])
 def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: float, energy: float) -> None:
-    run = simulate(model_of(equal_slider_crank()), scheme=scheme, dt=dt, save_every=round(0.01 / dt))
+    run = simulate(model_of(equal_slider_crank().build()), scheme=scheme, dt=dt, save_every=round(0.01 / dt))
     assert run.status.ok and len(run.events) == 8
     assert np.abs(run["rod.theta"] + run["crank.theta"]).max() < 1e-9
     assert run["slider.x"].min() < -0.99
@@ -119,18 +123,20 @@ def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: f
 
 def test_damped_and_driven_mechanisms_pass_too(model_of: Build) -> None:
     """Energy is compared by the work of dampers and loads."""
-    scene = equal_slider_crank().to_dict()
-    scene["name"] = "equal_driven"
-    builder = Scene.from_dict(scene)
-    run = simulate(model_of(builder), scheme="rk4", t_end=1.0, save_every=1)
-    assert run.status.ok and len(run.events) == 2
+    scene = equal_slider_crank().torque("drive", "crank.origin", "2 + 3 * sin(5 * t)")
+    scene.rotational_spring_damper("bearing", "ground.origin", "crank.origin", stiffness=0.5,
+                                   damping=0.1)
+    run = simulate(model_of(scene.build()), scheme="rk4", t_end=1.5, save_every=1)
+    assert run.status.ok and len(run.events) >= 2
+    assert np.abs(run.work()).max() > 1.0 and energy_error(run) < 1e-6
+    assert np.abs(run["rod.theta"] + run["crank.theta"]).max() < 1e-9
 
 
 def test_a_step_that_misses_the_energy_is_not_taken(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever the crossing does wrong, the run ends with the named status before the position."""
     monkeypatch.setattr(crossing, "ENERGY", -1.0)
     run = simulate(built_in("n_four_bar"), scheme="rk4", dt=1e-3, t_end=2.0, save_every=10)
-    assert run.status.name == "branch_lost" and "energy changes" in run.status.cause
+    assert run.status.name == "branch_lost" and "cannot be told" in run.status.cause
     assert 0.6 < run.status.time < FIRST and run.t[-1] == run.status.time and not run.events
     assert energy_error(run) < 1e-6
 
@@ -192,12 +198,7 @@ def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path,
 
 
 def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Path) -> None:
-    scene = equal_slider_crank().to_dict()
-    scene["bodies"]["crank"]["markers"]["tip"]["position"] = [0.2, 0]
-    scene["partition"] = {"independent": ["slider.x"]}
-    scene["initial"] = {"coordinates": {"crank.theta": 0.5, "rod.theta": -math.asin(0.4 * math.sin(0.5))},
-                        "rates": {"crank.theta": 6.0}}
-    model = model_of(Scene.from_dict(scene))
+    model = model_of(loop(0.2, 0.5, "slider.x").build())
     settings: dict[str, Any] = {"scheme": "single_rate", "dt": 1e-3, "t_end": 1.0, "save_every": 5}
     whole = simulate(model, **settings)
     assert [event.kind for event in whole.events] == ["repartition"]
@@ -208,6 +209,26 @@ def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Pa
 
     simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=9, progress=stop)
     assert_same(resume(model, tmp_path / "run.npz"), whole)
+
+
+def test_tumbling_body_changes_its_euler_parameters_and_resumes(built_in: Load, tmp_path: Path) -> None:
+    """There and back many times; samples of the same q_i lie apart, in memory and in a stream."""
+    model = built_in("tumbling_body")
+    settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "save_every": 10}
+    whole = simulate(model, **settings)
+    assert whole.status.ok and len(whole.events) >= 4
+    assert len({event.text.split(" took")[0] for event in whole.events}) < len(whole.events)
+    assert energy_error(whole) < 1e-6 and whole.constraint_error.max() < 1e-10
+    assert np.array_equal(whole.q_i, whole.q[:, model.independent_columns])
+
+    def stop(t: float, t_end: float) -> None:
+        if t >= 13.0:
+            raise KeyboardInterrupt
+
+    for more in ({}, {"stream": tmp_path / "rows"}):
+        simulate(model, **settings, **more, checkpoint=tmp_path / "run.npz", checkpoint_every=9, progress=stop)
+        again = resume(model, tmp_path / "run.npz")
+        assert_same(Solution.load(tmp_path / "rows", model) if more else again, whole)
 
 
 # ---- random mechanisms ----------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 70 operations."""
+    """c: everything that depends on the parameters p only. 71 operations."""
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
     top_mass = p[1]
@@ -21,42 +21,36 @@ def constants() -> ca.Function:
     w3 = w1 + w2
     w4 = w0 - top_inertia_xx
     w5 = w2 + w4
-    w6 = 2 * w3
-    w7 = w5 * -2.0
-    w8 = w1 + w4
-    w9 = 2 * w8
-    w10 = w3 * -2.0
-    w11 = w9 * -2.0
-    w12 = w8 * -2.0
-    w13 = 2 * w5
-    w14 = w13 * -2.0
-    w15 = top_mass * gravity_z
+    w6 = w1 + w4
+    w7 = -4.0 * w6
+    w8 = -4.0 * w5
+    w9 = top_mass * gravity_z
     c = ca.vertcat(
         w1,
         w2,
         w3,
         w4,
         w5,
-        w8,
+        w6,
         top_foot_y,
         top_mass,
-        w7 * -2.0 + w11,
-        2 * w6 + w14,
-        w12 * -2.0 + w6 * -2.0,
-        2 * w9 + 2 * w10,
-        w10 * -2.0 + w14,
-        w11 + 2 * w13,
-        w15,
-        -top_foot_y,
-        -w15,
-        2 * top_foot_y,
-        w6,
-        w7,
+        4.0 * w5 + w7,
+        4.0 * w3 + w8,
+        4.0 * w6 + -4.0 * w3,
+        4.0 * w6 + -4.0 * w3,
+        4.0 * w3 + w8,
+        w7 + 4.0 * w5,
         w9,
-        w10,
-        w12,
-        w13,
-        top_foot_y * 4.0,
+        -top_foot_y,
+        -w9,
+        2 * top_foot_y,
+        2 * w3,
+        -2.0 * w5,
+        2 * w6,
+        -2.0 * w3,
+        -2.0 * w6,
+        2 * w5,
+        4.0 * top_foot_y,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -1,4 +1,4 @@
-"""A leg of a run: the stretch that is stepped with one choice of q_i. Most runs have one."""
+"""A leg of a run: what is stepped with one choice of q_i. Most runs have one; a run may come back to one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from runtime.watch import Watch
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
-@dataclass
+@dataclass(eq=False)
 class Leg:
     """model and plan of the leg, its compiled stepper, p and c, what the program reads, and who watches it."""
 

@@ -26,7 +26,7 @@ SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
 
 
 class Record:
-    """Samples of a run, whose legs are appended to `legs` as it goes on.
+    """Samples of a run, whose legs are appended to `legs` as it goes on; samples name theirs by its position there.
 
     table: where rows of columns go; None keeps whole states. outputs: names of the columns, () for all there are.
     """
@@ -74,14 +74,15 @@ class Record:
         if self.table is not None and not isinstance(self.table, StreamFile):
             found["table"] = self.table.all_rows()
         kept = self.samples if self.table is None else ([self.first] if self.first else [])
-        for leg, part in _by_leg(kept):
-            found[f"samples_{leg}"] = np.array(part)
+        for position, (leg, part) in enumerate(_by_leg(kept)):
+            found[f"samples_{position}_{leg}"] = np.array(part)
         return found
 
     def restore(self, arrays: dict[str, np.ndarray], rows: int, last_step: int) -> None:
         """Continue from `arrays`; a stream is cut to so many rows. Raises ModelError if it has fewer."""
-        kept = [(leg, z) for leg in range(len(self.legs)) if f"samples_{leg}" in arrays
-                for z in arrays[f"samples_{leg}"]]
+        parts = sorted((tuple(map(int, name.split("_")[1:])), part) for name, part in arrays.items()
+                       if name.startswith("samples_"))
+        kept = [(leg, z) for (_, leg), part in parts for z in part]
         self.first, self.last_step = (kept[0] if kept else None), last_step
         if self.table is None:
             self.samples = kept

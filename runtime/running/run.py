@@ -72,9 +72,13 @@ class Run:
                 self._write_checkpoint()
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
             self.record.drop_from(self.step)
-            self.record.add(len(self.record.legs) - 1, self.z)
+            self.record.add(self._leg_number, self.z)
         self.record.flush()
         return self.status or Status("completed", self.leg.plan.t_end)
+
+    @property
+    def _leg_number(self) -> int:
+        return self.record.legs.index(self.leg)
 
     @property
     def _state(self) -> np.ndarray:
@@ -116,9 +120,10 @@ class Run:
         if self.guard.threshold < FLOOR:
             self._step_unguarded(z)
             return
-        passage = Passage(self.leg, self.guard, self.record.legs[0], self.engine)
+        passage = Passage(self.leg, self.guard, self.record.legs, self.engine)
         found = passage.go_on(z if previous is None else previous)
-        if found.event is not None and found.event.text not in [event.text for event in self.events]:
+        if found.event is not None and (found.event.kind != "no_variant" or not any(
+                event.text == found.event.text for event in self.events)):  # said once
             self.events.append(found.event)
         self.status = found.status
         if found.drop_from is None and found.status is None:  # look again later
@@ -130,7 +135,8 @@ class Run:
             self._keep(sample)
         if found.leg is not self.leg:
             self.leg, self.guard = found.leg, found.leg.new_guard()
-            self.record.legs.append(found.leg)
+            if found.leg not in self.record.legs:
+                self.record.legs.append(found.leg)
         self.z, self.earlier = found.z, None
 
     def _step_unguarded(self, z: np.ndarray) -> None:
@@ -153,7 +159,7 @@ class Run:
         plan, kept = self.leg.plan, self.z if z is None else z
         step = self.leg.step_of(kept)
         if self.status is None and (step % plan.save_every == 0 or step == plan.steps):
-            self.record.add(len(self.record.legs) - 1, kept)
+            self.record.add(self._leg_number, kept)
 
     # ---- checkpoints ----------------------------------------------------------------------------------------
 
@@ -173,8 +179,8 @@ class Run:
                   "rows": 0 if table is None else table.rows, "step": self.step,
                   "stream": str(table.folder) if isinstance(table, StreamFile) else None,
                   "events": [[event.time, event.kind, event.text] for event in self.events],
-                  "legs": [list(leg.model.q_i) for leg in self.record.legs], "guard": self.guard.memory(),
-                  "place": self.leg.observed([self._state]).q[0].tolist()}
+                  "legs": [list(leg.model.q_i) for leg in self.record.legs], "leg": self._leg_number,
+                  "guard": self.guard.memory(), "place": self.leg.observed([self._state]).q[0].tolist()}
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         Checkpoint(header, self.z, self.leg.p, arrays).write(self.rule.path)

@@ -2,8 +2,8 @@
 
 At a singular position of the mechanism C_q loses rank, and with it every choice of q_i; the motion on its branch is
 smooth all the same. So the right-hand side is evaluated before and after it only: the singular time t_s is placed in
-the largest gap between the nodes of DOP853, 1/3 and 0.6 of the step. Loop unknowns are integrated along, which gives the
-closure a guess on the branch that the motion is on.
+the largest gap between the nodes of DOP853, 1/3 and 0.6 of the step. Loop unknowns are integrated along, which gives
+the closure a guess on the branch that the motion is on.
 """
 
 from __future__ import annotations

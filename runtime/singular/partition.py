@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.model import Model
+from runtime.units import mechanism_length, turns
 
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
 LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms
@@ -29,16 +30,20 @@ class Exchange:
         return [self.into if name == self.out else name for name in names]
 
 
-def best_exchange(model: Model, C_q: np.ndarray) -> Exchange | None:
-    """The exchange of a rigid coordinate that gains most at C_q (rows x coordinates); None if C_qd is singular."""
+def best_exchange(model: Model, C_q: np.ndarray, length: float = 0.0) -> Exchange | None:
+    """The exchange of a rigid coordinate that gains most at C_q (rows x coordinates); None if C_qd is singular.
+
+    length [m] of the mechanism elsewhere: the lever arms of C_q alone shrink to nothing where a single rod and the arm
+    that it turns lie in one line, just where an angle is about to determine nothing.
+    """
     rows = model.kept_rows
     C_qd, C_qi = C_q[np.ix_(rows, model.dependent_columns)], C_q[np.ix_(rows, model.independent_columns)]
     try:
         W = -np.linalg.solve(C_qd, C_qi)
     except np.linalg.LinAlgError:
         return None
-    length = mechanism_length(model, C_q)
-    scale = np.array([length if is_angle(name) else 1.0 for name in model.coordinates])
+    length = max(length, mechanism_length(model, C_q))
+    scale = np.array([length if turns(name) else 1.0 for name in model.coordinates])
     gains = np.abs(W) * scale[model.dependent_columns][:, None] / scale[model.independent_columns][None, :]
     gains[[name in model.elastic for name in model.q_d]] = 0.0
     gains[:, [name in model.elastic for name in model.q_i]] = 0.0
@@ -49,15 +54,3 @@ def best_exchange(model: Model, C_q: np.ndarray) -> Exchange | None:
     chosen = preferred if preferred.max() >= LIKELY * gains.max() else gains
     j, k = np.unravel_index(int(chosen.argmax()), chosen.shape)
     return Exchange(model.q_i[int(k)], model.q_d[int(j)], float(chosen[j, k]))
-
-
-def is_angle(name: str) -> bool:
-    """Is a coordinate an angle?"""
-    return name.rpartition(".")[2].startswith("theta")
-
-
-def mechanism_length(model: Model, C_q: np.ndarray) -> float:
-    """The largest lever arm in C_q [m], 1 if there is none."""
-    turning = [is_angle(name) for name in model.coordinates]
-    arms = np.abs(C_q[np.ix_([not label.endswith(".angle") for label in model.constraints], turning)])
-    return float(arms.max(initial=0.0)) or 1.0

@@ -20,6 +20,7 @@ from runtime.singular.place import Place
 from runtime.singular.variants import NoVariant, variant_of
 from runtime.solution import Solution
 from runtime.status import Event, Status
+from runtime.units import mechanism_length
 
 PILOT = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
@@ -75,9 +76,10 @@ def locate(leg: Leg, guard: Guard, earlier: np.ndarray | None, before: np.ndarra
 class Passage:
     """Looks at a place where the alarm was raised, and decides."""
 
-    def __init__(self, leg: Leg, guard: Guard, first: Leg, engine: str) -> None:
-        self.leg, self.guard, self.first, self.engine = leg, guard, first, engine
+    def __init__(self, leg: Leg, guard: Guard, legs: list[Leg], engine: str) -> None:
+        self.leg, self.guard, self.legs, self.engine = leg, guard, legs, engine
         self.place = Place(leg.model, leg.c)
+        self.length = mechanism_length(leg.model, self.place.jacobian(0.0, legs[0].model.initial_q))
 
     def go_on(self, z: np.ndarray) -> Outcome:
         """From z, the last state whose determinants were good."""
@@ -87,7 +89,7 @@ class Passage:
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
         block = self.guard.worst(values)
-        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q))
+        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         return self._ahead(z, seen, block, abs(float(values[block])))
@@ -101,7 +103,7 @@ class Passage:
         if near is None:
             return self._look_later(z)
         there = pilot.seen(np.array([near[0]]), near[1][None, :])
-        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]))
+        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         try:
@@ -117,9 +119,7 @@ class Passage:
     def _exchanged(self, z: np.ndarray, seen: Solution, exchange: Exchange) -> Outcome:
         names = exchange.apply(list(self.leg.model.q_i))
         try:
-            model = (self.first.model if names == list(self.first.model.q_i)
-                     else variant_of(self.first.model, names, seen.q[0]))
-            leg = Leg.build(model, self.leg.plan.on(model), self.leg.p, self.engine, True)
+            leg = self._leg_with(names, seen.q[0])
         except (NoVariant, SchemeError) as error:
             if self.guard.threshold > LAST:
                 return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
@@ -130,6 +130,14 @@ class Passage:
         event = Event(float(seen.t[0]), "repartition", f"{exchange.into} took the place of {exchange.out} in q_i, "
                       f"which makes the closure {exchange.gain:.3g} times better determined")
         return Outcome(leg, new, [], leg.step_of(new) + 1, event)
+
+    def _leg_with(self, names: list[str], q: np.ndarray) -> Leg:
+        """One that the run has had, or a new one. Raises NoVariant or SchemeError."""
+        known = next((leg for leg in self.legs if list(leg.model.q_i) == names), None)
+        if known is not None:
+            return known
+        model = variant_of(self.legs[0].model, names, q)
+        return Leg.build(model, self.leg.plan.on(model), self.leg.p, self.engine, True)
 
     # ---- over the position ----------------------------------------------------------------------------------
 

@@ -20,11 +20,10 @@ from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, Motion
 from symgen.parameters import ParameterTable
 from symgen.scalar import ONE, ZERO, dot
-from symgen.scene import BeamBody, Place, Scene, SceneError
+from symgen.scene import BeamBody, Place, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.places import PLACING
-from symgen.scene.translate import item_path
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.vectors import minus
 
@@ -77,12 +76,6 @@ class SpatialSpace:
         prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
         if label is not None and prescribed is not None:
             return [coordinate_row(joint.name, label, prescribed, motion, a)]
-        if joint.type == "screw":
-            raise SceneError(
-                item_path("joints", self.scene.joints.index(joint), joint.name),
-                "a screw joint needs an angle of its own, which it has neither between bodies with Euler angles "
-                "nor where it closes a loop",
-                'use orientation = "euler_parameters", or name the screw before the joints that could place its body')
         return spatial_rows(joint.name, joint.type, a, b, motion)
 
     def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:
@@ -117,10 +110,11 @@ class SpatialSpace:
         return found
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
-        """Angle about marker a's z-axis, x, y, z or distance."""
+        """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
         first, second = self.marker(a), self.marker(b)
         if kind == "angle":
-            return effects.angle_about_z(first, second, self.motion).value
+            own = self._between(a, b, "angle")
+            return effects.angle_about_z(first, second, self.motion).value if own is None else own.value
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 
