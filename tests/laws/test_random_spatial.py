@@ -15,7 +15,7 @@ from runtime.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 
-QUICK = settings(deadline=None, max_examples=6, derandomize=True, phases=(Phase.generate,),
+QUICK = settings(deadline=None, max_examples=4, derandomize=True, phases=(Phase.generate,),
                  suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
 KERNELS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions",
                      "energy"})
