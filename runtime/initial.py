@@ -17,6 +17,10 @@ MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
+REMEDY = {
+    "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
+                "closer to an assembled position",
+    "velocity": "free one of the fixed rates, or remove one of these joints or prescribed motions"}
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -158,5 +162,4 @@ def _refuse(residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: lis
     reason = f"; fixed there: {', '.join(held)}" if held else ""
     raise InitialStateError(
         f"no consistent initial state at {level} level: {', '.join(joints)} cannot all be satisfied "
-        f"(largest error {np.abs(residual).max():.3g}){reason}; "
-        "free one of the fixed values, correct the lengths, or start closer to an assembled position")
+        f"(largest error {np.abs(residual).max():.3g}){reason}; {REMEDY[level]}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from runtime import load_model, simulate
 from runtime.solution import Solution
 from symgen.generate import generate
 from symgen.scene import SceneBuilder, SceneError
+from symgen.scene.joints import Joint
 
 
 def builder() -> SceneBuilder:
@@ -73,3 +75,62 @@ def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(t
     assert [event.kind for event in found.events] == ["repartition"]
     assert np.abs(found.energy_balance()).max() < 0.05
     assert found.constraint_error.max() < 1e-10
+
+
+@pytest.mark.parametrize("sequence, coordinates, rates", [
+    ("zxz", {}, {"top.theta1": 2.0}),
+    ("zxz", {"top.theta2": 0.3}, {"top.theta2": -1.0, "top.theta1": 0.2}),
+    ("zyx", {"top.theta2": math.pi / 2}, {"top.theta1": 1.0})])
+def test_a_run_that_euler_angles_stop_says_so(tmp_path: Path, sequence: str, coordinates: dict[str, float],
+                                              rates: dict[str, float]) -> None:
+    scene = (builder().rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation=sequence, free=True)
+             .initial(coordinates).rates(rates))
+    found = run(scene, tmp_path, 2.0, 1e-3)
+    assert not found.status.ok
+    assert f"Euler angles {sequence} of top" in found.status.advice
+    assert "euler_parameters" in found.status.advice
+
+
+def test_another_stop_does_not_blame_euler_angles(tmp_path: Path) -> None:
+    scene = (builder().rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation="zyx", free=True)
+             .spring_damper("spring", "ground.origin", "top.origin", stiffness=1e6))
+    found = run(scene.initial({"top.x": 1.0}), tmp_path, 1.0, 0.1)
+    assert found.status.name == "step_too_long"
+    assert "Euler" not in found.status.advice
+
+
+def pendulum() -> SceneBuilder:
+    return builder().rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.1]).revolute("hinge", "ground.origin", "rod.origin")
+
+
+def door() -> SceneBuilder:
+    ends = {"low": {"position": [0, 0, 0.3]}, "high": {"position": [0, 0, 1.7]}}
+    moved = {"low": ends["low"], "high": {"position": [0.001, 0, 1.7]}}
+    return (builder().ground(markers=moved).rigid("door", mass=20.0, inertia=[2.0, 3.0, 1.0], markers=ends)
+            .revolute("lower", "ground.low", "door.low").revolute("upper", "ground.high", "door.high"))
+
+
+@pytest.mark.parametrize("scene, item, problem, remedy", [
+    (pendulum().torque("motor", "rod.origin", "-hinge.angle"), "loads[0] 'motor'.value", "'hinge.angle'", "measure"),
+    (builder().rigid("rod", mass=1.0, inertia=np.eye(3), free=True), "bodies[0] 'rod'.inertia", "matrix", "products"),
+    (door(), "initial", "lower, upper cannot all be satisfied", "a joint that leaves more free"),
+    (pendulum().prescribed_angle("p1", "ground.origin", "rod.origin", "t")
+     .prescribed_angle("p2", "ground.origin", "rod.origin", "2 * t"), "initial", "p1, p2 cannot", "remove one of"),
+])
+def test_a_mistake_is_named_with_its_remedy(tmp_path: Path, scene: SceneBuilder, item: str, problem: str,
+                                            remedy: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        generate(scene.build(), tmp_path / "bad")
+    assert caught.value.item == item
+    assert problem in caught.value.problem
+    assert remedy in caught.value.remedy
+
+
+def test_every_joint_has_a_method_of_the_builder() -> None:
+    further = {"screw": {"lead": 0.1}, "distance": {"length": 1.0}, "prescribed_angle": {"motion": "t"},
+               "prescribed_displacement": {"motion": "t"}}
+    for kind in get_args(get_args(Joint)[0]):
+        name = kind.model_fields["type"].default
+        scene = builder().rigid("a", mass=1.0, inertia=[0.1, 0.1, 0.1])
+        getattr(scene, name)("link", "ground.origin", "a.origin", **further.get(name, {}))
+        assert scene.build().joints[0].type == name
