@@ -39,7 +39,7 @@ class GivenValues:
 
 @dataclass(frozen=True)
 class ConsistentState:
-    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}."""
+    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}, deflections included."""
 
     q: np.ndarray
     q_dot: np.ndarray
@@ -61,7 +61,7 @@ def consistent_state(
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
-    free = stages[-1]
+    free, given = stages[-1], q0
     if len(first):
         rows = np.array(first)
         q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))
@@ -76,8 +76,8 @@ def consistent_state(
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
         _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
-    changed = {name: (coordinates.values[name], float(q[k])) for k, name in enumerate(names)
-               if name in coordinates.values and q[k] != coordinates.values[name]}
+    changed = {name: (float(given[k]), float(q[k])) for k, name in enumerate(names)
+               if (name in coordinates.values or k in elastic) and q[k] != given[k]}
     changed |= {f"{name}_dot": (rates.values[name], float(v[k])) for k, name in enumerate(names)
                 if name in rates.values and v[k] != rates.values[name]}
     return ConsistentState(q, v, changed)
