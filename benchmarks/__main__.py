@@ -7,14 +7,15 @@ import json
 import sys
 from pathlib import Path
 
-from benchmarks import exudyn_slider_crank, generation, operations, rhs_chain, step_slider_crank
+from benchmarks import exudyn_slider_crank, generation, iftomm, operations, rhs_chain, rhs_pinocchio, step_slider_crank
 from benchmarks.machine import describe_machine
 from benchmarks.page import as_json, as_markdown
 from benchmarks.result import Benchmark, Skipped
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run, "rhs_chain": rhs_chain.run, "generation": generation.run,
-    "operations": operations.run, "exudyn_slider_crank": exudyn_slider_crank.run,
+    "rhs_pinocchio": rhs_pinocchio.run, "operations": operations.run, "iftomm": iftomm.run,
+    "exudyn_slider_crank": exudyn_slider_crank.run,
 }
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
 

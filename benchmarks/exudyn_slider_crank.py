@@ -14,13 +14,12 @@ from scipy.interpolate import CubicSpline
 
 from benchmarks.exudyn_models import SPEED, Cable, is_installed, version
 from benchmarks.models import model_of, workplace
+from benchmarks.native_run import native_run
 from benchmarks.result import Line, Result, Skipped
 from benchmarks.timing import Timing, interleave
 from runtime.model import Model
-from runtime.schemes.catalogue import scheme_kind
 from runtime.simulate import simulate
 from runtime.start_state import start_state
-from runtime.stepper import Stepper
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.flexible_slider_crank import J1, L1, L2, M1, M3, RHO, WIDTH, E
 
@@ -114,7 +113,7 @@ def _set_up(folder: Path) -> tuple[Model, list[Line]]:
     """The model, and what is not in the times of the contest."""
     started = time.perf_counter()
     model = model_of(slider_crank(), folder)
-    _worker(model, stretched(model), "exponential", [1], 100)
+    native_run(model, "exponential", [1], T_END, 100, stretched(model), "given")
     here = time.perf_counter() - started
     cable, started = Cable(8), time.perf_counter()
     _ = cable.system
@@ -178,7 +177,7 @@ def _cables() -> list[Entry]:
 
 def _schemes(model: Model, initial: dict[str, float]) -> list[Entry]:
     return [Entry(f"this project, {name}" + (f" m={m[0]}" if m else ""), partial(_ours, model, initial, name, m),
-                  partial(_worker, model, initial, name, m))
+                  lambda steps, name=name, m=m: native_run(model, name, m, T_END, steps, initial, "given"))
             for name, m in (("single_rate", None), ("rk4", None), ("linearised", [4]), ("exponential", [1]),
                             ("exponential", [2]), ("exponential", [4]))]
 
@@ -191,23 +190,6 @@ def _ours(model: Model, initial: dict[str, float], scheme: str, m: list[int] | N
     if solution.status.name != "completed":
         return None
     return solution.t, np.column_stack([solution["x"], solution["y"]])
-
-
-def _worker(model: Model, initial: dict[str, float], name: str, m: list[int] | None,
-            steps: int) -> Callable[[int], None]:
-    scheme = scheme_kind(name).build(name, model, T_END / steps, m, {})
-    p = model.parameter_vector()
-    c = model.constants(p)
-    stepper, state = Stepper(scheme, "compiled"), start_state(model, p, c, 0.0, initial, "given")
-    ready, start = stepper.ready(c, T_END / steps), stepper.start(0.0, state.q, state.q_dot, c, T_END / steps)
-    z = start.copy()
-
-    def work(n: int) -> None:
-        for _ in range(n):
-            z[:] = start
-            stepper.run(z, ready, steps)
-
-    return work
 
 
 def _contest(title: str, tolerance: float, entries: list[tuple[Entry, Path2D]], details: dict[str, Any],

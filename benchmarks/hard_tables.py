@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,6 +23,9 @@ PAGE = Path(__file__).resolve().parents[1] / "docs" / "hard-suite.md"
 TOLERANCES = (1e-9, 1e-11)  # rtol; atol is 1/100 of it
 SAMPLES, EVERY = 1001, 10  # frequencies at every tenth sample
 SHOWN = 6  # frequencies listed in full up to here, else the lowest and the highest
+
+HEADER = ("| case | scene | start | t_end [s] | frequencies at the start [rad/s] | largest over the motion "
+          "| rate [1/s] | agreement | evaluations |", "|---|---|---|---:|---|---|---:|---:|---:|")
 
 INTRODUCTION = """# Hard suite
 
@@ -81,17 +85,13 @@ def measure(case: HardCase, folder: Path) -> Measured:
     return Measured(case, fine, agreement, along[0], along.max(axis=0), modes[0].fastest_decay if damped else None)
 
 
-def summary(results: list[Measured]) -> str:
-    """One row a case."""
-    rows = ["| case | scene | start | t_end [s] | frequencies at the start [rad/s] | largest over the motion "
-            "| rate [1/s] | agreement | evaluations |", "|---|---|---|---:|---|---|---:|---:|---:|"]
-    for one in results:
-        case = one.case
-        decay = "-" if one.decay is None else f"{one.decay:.4g}"
-        rows.append(f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
-                    f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
-                    f"{one.solution.stats['evaluations']} |")
-    return "\n".join(rows) + "\n"
+def row(one: Measured) -> str:
+    """A case in the table."""
+    case = one.case
+    decay = "-" if one.decay is None else f"{one.decay:.4g}"
+    return (f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
+            f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
+            f"{one.solution.stats['evaluations']} |")
 
 
 def section(one: Measured) -> str:
@@ -111,27 +111,36 @@ def _listed(values: np.ndarray) -> str:
     return f"{values[0]:.4g} to {values[-1]:.4g} ({len(values)})"
 
 
-def page(results: list[Measured]) -> str:
-    """The page docs/hard-suite.md."""
+def page(rows: Mapping[str, str], sections: Mapping[str, str]) -> str:
+    """The page docs/hard-suite.md, from the texts of its cases by name."""
     introduction = INTRODUCTION.format(coarse=TOLERANCES[0], fine=TOLERANCES[1])
-    return "\n".join([introduction, summary(results), *map(section, results)]).rstrip() + "\n"
+    table = "\n".join([*HEADER, *rows.values()]) + "\n"
+    return "\n".join([introduction, table, *sections.values()]).rstrip() + "\n"
+
+
+def published() -> tuple[dict[str, str], dict[str, str]]:
+    """(rows, sections) by case, as the page has them."""
+    text = PAGE.read_text(encoding="utf-8")
+    rows = {name: line for line in text.splitlines() for name in HARD_SUITE if line.startswith(f"| [{name}](")}
+    parts = text.split("\n## ")[1:]
+    return rows, {part.split("\n", 1)[0]: f"## {part.rstrip()}\n" for part in parts}
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Compute and print the page; --publish also writes it."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.hard_tables", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), metavar="CASE")
-    parser.add_argument("--publish", action="store_true", help="also write docs/hard-suite.md")
+    parser.add_argument("--publish", action="store_true", help="also write docs/hard-suite.md; with --only, the other cases stay as they are")
     options = parser.parse_args(arguments)
-    if options.publish and options.only:
-        print("--publish needs all cases: leave out --only", file=sys.stderr)
-        return 2
-    results = []
+    chosen = options.only or list(HARD_SUITE)
+    rows, sections = published() if options.publish and options.only else ({}, {})
     with tempfile.TemporaryDirectory() as folder:
-        for name in options.only or HARD_SUITE:
+        for name in chosen:
             print(f"{name} ...", file=sys.stderr, flush=True)
-            results.append(measure(HARD_SUITE[name], Path(folder)))
-    text = page(results)
+            one = measure(HARD_SUITE[name], Path(folder))
+            rows[name], sections[name] = row(one), section(one)
+    names = [name for name in HARD_SUITE if name in rows]
+    text = page({name: rows[name] for name in names}, {name: sections[name] for name in names})
     if options.publish:
         PAGE.write_text(text, encoding="utf-8")
     print(text)

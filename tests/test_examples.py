@@ -32,7 +32,7 @@ def numbers(text: str) -> list[float]:
 
 def test_every_example_is_here() -> None:
     tested = {"build_slider_crank", "compare_schemes", "from_toml", "linear_structure", "optimise_torque",
-              "parameter_study", "mesh_connecting_rod"}
+              "parameter_study", "mesh_connecting_rod", "build_spatial_arm"}
     assert {path.stem for path in EXAMPLES.glob("*.py")} == tested
 
 
@@ -99,6 +99,13 @@ def test_optimise_torque(capsys, monkeypatch, tmp_path) -> None:
     torques = [float(line.split()[-3]) for line in text.splitlines() if line.startswith("t = ")]
     assert torques[0] > 0.1
     assert torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
+
+
+def test_build_spatial_arm(capsys, monkeypatch, tmp_path) -> None:
+    text = output("build_spatial_arm", capsys, monkeypatch, tmp_path)
+    assert text.startswith("completed at t = 1 s")
+    (balance,) = (numbers(line)[-1] for line in text.splitlines() if "balance" in line)
+    assert balance < 1e-3  # J; the load is lifted by 0.1 m
 
 
 def test_mesh_connecting_rod(capsys, monkeypatch, tmp_path, tmp_path_factory) -> None:

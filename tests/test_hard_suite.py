@@ -20,7 +20,7 @@ PART = 0.02  # of t_end that is run
 EXPLICIT = 0.05  # step times the fastest rate
 LARGE = 0.5  # the same for the other scheme, but no more steps than MOST
 MOST = 200
-UNLIKE = {"chain": "dop853"}  # exponential steps of 30 coordinates would double the time of the test
+UNLIKE = {"chain": "dop853", "bricard": "rk4"}  # exponential steps of these would double the time of the test
 
 
 def run(model: Model, case: HardCase, steps: int = 1, scheme: str = "single_rate") -> Solution:

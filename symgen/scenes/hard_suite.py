@@ -8,6 +8,7 @@ from functools import partial
 from typing import Literal
 
 from symgen.scene import Scene
+from symgen.scenes.bricard import bricard
 from symgen.scenes.chain import chain
 from symgen.scenes.flexible_four_bar import flexible_four_bar
 from symgen.scenes.flexible_joint_arm import flexible_joint_arm
@@ -18,9 +19,11 @@ from symgen.scenes.flexible_slider_crank import (
     physical_slider_crank,
     stiff_slider_crank,
 )
+from symgen.scenes.flyball_governor import flyball_governor
 from symgen.scenes.hub_beam import hub_beam
 from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
 from symgen.scenes.overdamped_joint import overdamped_joint
+from symgen.scenes.spatial_chain import spatial_chain
 from symgen.scenes.spin_up_beam import spin_up_beam
 from symgen.scenes.two_oscillators import two_oscillators
 
@@ -49,6 +52,8 @@ ROD = ("rod.q1", "rod.q2")
 CRANK_AND_ROD = ("crank.theta", *ROD)
 HUB = ("hub.theta", "beam.q1", "beam.q2", "beam.q3")
 LINK_ANGLES = tuple(f"link{k}.theta" for k in range(1, LINKS + 1))
+GOVERNOR = ("spin.angle", "height.travel", "right_swing.angle", "left_swing.angle")
+IN_SPACE = tuple(f"link{k}.{name}" for k in (1, 2) for name in ("theta1", "theta2", "theta3", "q1", "q2"))
 LINK_MODES = tuple(f"link{k}.q{mode}" for k in range(1, LINKS + 1) for mode in (1, 2))
 
 
@@ -94,5 +99,12 @@ CASES = (
              "axial modes 200 times as fast as the fastest graded one, nonlinear, undamped", "quasi_static"),
     HardCase("joint_arm", flexible_joint_arm, ("link1.theta", "link2.theta", "rotor1.theta", "rotor2.theta"), 2.0,
              "stiff springs in the rows of the slow coordinates: coupling by stiffness, not by inertia"),
+    HardCase("governor", flyball_governor, GOVERNOR, 2.0,
+             "in space; dampers give rates of 8100 and 1450 1/s, while the motion stays below 25 rad/s"),
+    HardCase("spatial_chain", partial(spatial_chain, 2, 2), IN_SPACE, 0.15,
+             "two links in space on spherical joints, bending in two planes; a link's twist has hardly any inertia",
+             initial={"link1.theta3_dot": 4.0, "link2.theta3_dot": -6.0}),
+    HardCase("bricard", bricard, ("hinge0.angle",), 1.0,
+             "a spatial loop of six hinges with one constraint too many: one coordinate, four loop unknowns"),
 )
 HARD_SUITE: dict[str, HardCase] = {case.name: case for case in CASES}
