@@ -17,6 +17,10 @@ MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
+REMEDY = {
+    "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
+                "closer to an assembled position",
+    "velocity": "free one of the fixed rates, or remove one of these joints or prescribed motions"}
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -35,7 +39,7 @@ class GivenValues:
 
 @dataclass(frozen=True)
 class ConsistentState:
-    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}."""
+    """q and q_dot (all coordinates), and what had to be changed: {name: (given, used)}, deflections included."""
 
     q: np.ndarray
     q_dot: np.ndarray
@@ -57,7 +61,7 @@ def consistent_state(
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
-    free = stages[-1]
+    free, given = stages[-1], q0
     if len(first):
         rows = np.array(first)
         q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))
@@ -72,8 +76,8 @@ def consistent_state(
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
         _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
-    changed = {name: (coordinates.values[name], float(q[k])) for k, name in enumerate(names)
-               if name in coordinates.values and q[k] != coordinates.values[name]}
+    changed = {name: (float(given[k]), float(q[k])) for k, name in enumerate(names)
+               if (name in coordinates.values or k in elastic) and q[k] != given[k]}
     changed |= {f"{name}_dot": (rates.values[name], float(v[k])) for k, name in enumerate(names)
                 if name in rates.values and v[k] != rates.values[name]}
     return ConsistentState(q, v, changed)
@@ -158,5 +162,4 @@ def _refuse(residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: lis
     reason = f"; fixed there: {', '.join(held)}" if held else ""
     raise InitialStateError(
         f"no consistent initial state at {level} level: {', '.join(joints)} cannot all be satisfied "
-        f"(largest error {np.abs(residual).max():.3g}){reason}; "
-        "free one of the fixed values, correct the lengths, or start closer to an assembled position")
+        f"(largest error {np.abs(residual).max():.3g}){reason}; {REMEDY[level]}")

@@ -28,10 +28,10 @@ class Solution:
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
     power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
     constraint_rate_error (N,) = max |C_q q_dot + C_t|;
-    measures (N, len(model.measures)); joint_forces (N, joints, 3): world force [N] and moment [N m] of each joint on
-    its body b, at marker b; parameters: the vector p that was used; m: ratio of each next group's step; events: what
-    happened on the way; outputs: the columns that a run with `outputs` kept at every saved sample, "t" first (all other
-    arrays then hold the first and the last sample only).
+    measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
+    [N m] of each joint on its body b, at marker b; parameters: the vector p that was used; m: ratio of each next
+    group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
+    sample, "t" first (all other arrays then hold the first and the last sample only).
     """
 
     model: Model
@@ -82,7 +82,7 @@ class Solution:
         return self.lam[:, self._column(row, self.model.constraints, "constraint")]
 
     def joint_force(self, joint: str) -> np.ndarray:
-        """(N, 3) world force [N] and moment [N m] of a joint on the body of its marker b, at that marker."""
+        """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
         return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
 
     def _column(self, name: str, names: Sequence[str], kind: str) -> int:

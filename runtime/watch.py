@@ -10,6 +10,7 @@ import numpy as np
 from runtime.model import Model
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.step_limit import StepLimit
+from runtime.singular.euler_angles import singular_angles
 from runtime.stability.modes import ModeSolver, State
 from runtime.status import Status, StatusName
 from runtime.units import length_rows, mechanism_length
@@ -44,7 +45,7 @@ class Watch:
         """Check the start and remember its scale."""
         if not np.all(np.isfinite(z)):
             return Status("not_finite", float(z[0]), None, "the accelerations at the start are not finite",
-                          "M_hat may be singular: check masses, inertias and the initial position.")
+                          self._angles(z) or "M_hat may be singular: check masses, inertias and the initial position.")
         layout = self.scheme.layout
         x, d = z[layout.slice("x")], self._increments(z)
         self._scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
@@ -133,7 +134,16 @@ class Watch:
         except np.linalg.LinAlgError:  # not finite, or M_hat is singular
             return None
 
+    def _angles(self, z: np.ndarray) -> str | None:
+        """What is to be said if Euler angles are near their singular orientation."""
+        seen = self.scheme.observer(z=z, c=self.c)
+        values = {name: float(value) for names, key in ((self.model.q_i, "q_i"), (self.model.q_d, "q_d"))
+                  for name, value in zip(names, np.asarray(seen[key]).ravel(), strict=True)}
+        return singular_angles(self.model.scene_toml, values)
+
     def _advice(self, name: str) -> str:
+        if self._good is not None and (turned := self._angles(self._good)) is not None:
+            return turned
         if name == "mass_not_positive":
             return ("A deflection is too large for second-order geometric stiffening, or a mass is not positive: "
                     "use more or stiffer bodies, smaller loads, or a shorter step if it grew by instability.")

@@ -117,6 +117,16 @@ def test_a_toml_scene_is_simulated_without_leaving_code(capsys, folder, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
+def test_no_energy_balance_is_claimed_where_the_samples_were_not_kept(capsys, folder) -> None:
+    words = ["simulate", str(folder / "code"), "--t-end", "0.1", "--engine", "interpreted"]
+    assert main(words) == 0
+    assert "largest energy balance error" in capsys.readouterr().out
+    assert main([*words, "--outputs", "kinetic"]) == 0
+    printed = capsys.readouterr().out
+    assert "no energy balance: only the first and the last state were kept" in printed
+    assert "balance is off" not in printed
+
+
 def test_a_run_that_fails_exits_with_one_and_keeps_its_report(capsys, folder, tmp_path) -> None:
     code, data = run(capsys, "simulate", folder / "code", "--dt", 0.5, "--t-end", 500, "--engine", "interpreted",
                      "--out", tmp_path)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from runtime import load_model, simulate
 from runtime.solution import Solution
 from symgen.generate import generate
 from symgen.scene import SceneBuilder, SceneError
+from symgen.scene.joints import Joint
 
 
 def builder() -> SceneBuilder:
@@ -32,6 +34,17 @@ def test_a_controller_reads_the_angle_of_a_hinge_over_full_turns(tmp_path: Path)
     found = run(scene, tmp_path, 3.0, 1e-3)
     assert found["hinge.angle"][-1] == pytest.approx(30.0, abs=1e-4)
     assert np.array_equal(found["turned"], found["hinge.angle"])
+
+
+def test_a_spring_on_a_hinge_does_not_care_which_marker_is_named_first(tmp_path: Path) -> None:
+    """Its angle goes beyond half a turn either way; between -pi and pi it would throw the wheel on."""
+    scene = (builder().rigid("wheel", mass=1.0, inertia=[0.2, 0.2, 0.3])
+             .revolute("hinge", "ground.origin", "wheel.origin")
+             .rotational_spring_damper("spring", "wheel.origin", "ground.origin", stiffness=1.0)
+             .measure("back", "angle", "ground.origin", "wheel.origin").rates({"hinge.angle": 10.0}))
+    found = run(scene, tmp_path, 4.0, 1e-3)
+    assert np.abs(found["hinge.angle"]).max() == pytest.approx(10 * math.sqrt(0.3), rel=1e-5)
+    assert np.array_equal(found["back"], -found["hinge.angle"])
 
 
 def test_a_motor_does_not_turn_what_it_does_not_drive(tmp_path: Path) -> None:
@@ -73,3 +86,74 @@ def test_a_body_on_a_rod_exchanges_the_angle_that_no_longer_changes_the_length(t
     assert [event.kind for event in found.events] == ["repartition"]
     assert np.abs(found.energy_balance()).max() < 0.05
     assert found.constraint_error.max() < 1e-10
+
+
+@pytest.mark.parametrize("sequence, start", [
+    ("zxz", {"top.theta2": 0.0, "top.theta1_dot": 2.0}),
+    ("zxz", {"top.theta2": 0.3, "top.theta2_dot": -1.0, "top.theta1_dot": 0.2}),
+    ("zyx", {"top.theta2": math.pi / 2, "top.theta1_dot": 1.0})])
+def test_a_run_that_euler_angles_stop_says_so(tmp_path: Path, sequence: str, start: dict[str, float]) -> None:
+    scene = (builder().rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation=sequence, free=True)
+             .initial({"top.theta2": 0.5}))
+    model = load_model(generate(scene.build(), tmp_path / "use"))
+    found = simulate(model, t_end=2.0, dt=1e-3, scheme="single_rate", engine="interpreted", initial=start)
+    assert not found.status.ok
+    assert f"Euler angles {sequence} of top" in found.status.advice
+    assert "euler_parameters" in found.status.advice
+
+
+def test_another_stop_does_not_blame_euler_angles(tmp_path: Path) -> None:
+    scene = (builder().rigid("top", mass=1.0, inertia=[0.1, 0.2, 0.3], orientation="zyx", free=True)
+             .spring_damper("spring", "ground.origin", "top.origin", stiffness=1e6))
+    found = run(scene.initial({"top.x": 1.0}), tmp_path, 1.0, 0.1)
+    assert found.status.name == "step_too_long"
+    assert "Euler" not in found.status.advice
+
+
+def pendulum() -> SceneBuilder:
+    return builder().rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.1]).revolute("hinge", "ground.origin", "rod.origin")
+
+
+def door() -> SceneBuilder:
+    ends = {"low": {"position": [0, 0, 0.3]}, "high": {"position": [0, 0, 1.7]}}
+    moved = {"low": ends["low"], "high": {"position": [0.001, 0, 1.7]}}
+    return (builder().ground(markers=moved).rigid("door", mass=20.0, inertia=[2.0, 3.0, 1.0], markers=ends)
+            .revolute("lower", "ground.low", "door.low").revolute("upper", "ground.high", "door.high"))
+
+
+@pytest.mark.parametrize("scene, item, problem, remedy", [
+    (pendulum().torque("motor", "rod.origin", "-hinge.angle"), "loads[0] 'motor'.value", "'hinge.angle'", "measure"),
+    (builder().rigid("rod", mass=1.0, inertia=np.eye(3), free=True), "bodies[0] 'rod'.inertia", "matrix", "products"),
+    (door(), "initial", "lower, upper cannot all be satisfied", "a joint that leaves more free"),
+    (pendulum().prescribed_angle("p1", "ground.origin", "rod.origin", "t")
+     .prescribed_angle("p2", "ground.origin", "rod.origin", "2 * t"), "initial", "p1, p2 cannot", "remove one of"),
+])
+def test_a_mistake_is_named_with_its_remedy(tmp_path: Path, scene: SceneBuilder, item: str, problem: str,
+                                            remedy: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        generate(scene.build(), tmp_path / "bad")
+    assert caught.value.item == item
+    assert problem in caught.value.problem
+    assert remedy in caught.value.remedy
+
+
+def test_every_joint_has_a_method_of_the_builder() -> None:
+    further = {"screw": {"lead": 0.1}, "distance": {"length": 1.0}, "prescribed_angle": {"motion": "t"},
+               "prescribed_displacement": {"motion": "t"}}
+    for kind in get_args(get_args(Joint)[0]):
+        name = kind.model_fields["type"].default
+        scene = builder().rigid("a", mass=1.0, inertia=[0.1, 0.1, 0.1])
+        getattr(scene, name)("link", "ground.origin", "a.origin", **further.get(name, {}))
+        assert scene.build().joints[0].type == name
+
+
+def test_a_beam_that_is_bent_to_close_a_loop_is_reported(tmp_path: Path) -> None:
+    """A rod 0.05 m too short for its place closes by stretching only; nobody gave that deflection."""
+    scene = (builder().ground(markers={"far": {"position": [1.1, 0, 0]}})
+             .beam("rod", length=1.0, density=2700.0, area=1e-4, second_moment=1e-9, second_moment_z=1e-9,
+                   youngs_modulus=7e10, axial={"ends": "fixed-free", "modes": 1},
+                   lateral={"ends": "clamped-free", "modes": 1})
+             .weld("root", "ground.origin", "rod.start").distance("tip", "ground.far", "rod.end", length=0.05))
+    model = load_model(generate(scene.build(), tmp_path / "use"))
+    before, after = model.initial_changes["rod.q2"]
+    assert before == 0.0 and abs(after) > 0.01

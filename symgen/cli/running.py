@@ -67,13 +67,12 @@ def exit_code(solution: Solution) -> int:
 def summary(solution: Solution) -> list[str]:
     """A few lines on a run for a person."""
     model, stats = solution.model, solution.stats
-    balance = float(abs(solution.energy_balance()).max())
     m = ",".join(map(str, solution.m)) or "-"
     lines = [f"{model.title or model.name}: {solution.status}",
              f"scheme {solution.scheme}, dt = {solution.dt:g} s, m = {m}, {stats.get('steps', '?')} steps, "
              f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
-             f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, "
-             f"largest energy balance error {balance:.3g} J (total {float(solution.total_energy[-1]):.6g} J)"]
+             f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, {_energy(solution)}"]
+    balance = float(abs(solution.energy_balance()).max()) if len(solution.t) > 2 else 0.0
     scale = float(solution.energy["kinetic"].max() + solution.energy["elastic"].max())
     if balance > BALANCE_REMARK * scale:
         lines.append(f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
@@ -91,6 +90,14 @@ def summary(solution: Solution) -> list[str]:
     final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in model.q_i[:6])
     more = ", ..." if len(model.q_i) > 6 else ""
     return [*lines, f"at t = {float(solution.t[-1]):.6g} s: {final}{more}"]
+
+
+def _energy(solution: Solution) -> str:
+    """The energy balance, unless the samples between the ends, over which work is integrated, were not kept."""
+    total = f"total energy {float(solution.total_energy[-1]):.6g} J"
+    if len(solution.t) < 3:
+        return f"{total} (no energy balance: only the first and the last state were kept)"
+    return f"largest energy balance error {float(abs(solution.energy_balance()).max()):.3g} J ({total})"
 
 
 def _seconds(value: Any) -> str:

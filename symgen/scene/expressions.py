@@ -139,6 +139,9 @@ class _Reader:
                 return Binary(_OPERATORS[type(sign)], left, right)
             case ast.Call(func=ast.Name(id=function), args=arguments, keywords=keywords):
                 return self._call(function, arguments, bool(keywords), depth)
+            case ast.Attribute(value=ast.Name(id=item), attr=name):
+                raise self._error(f"'{_short(f'{item}.{name}')}' cannot be read in an expression",
+                                  "declare a measure of it, and use the measure's name and its rate <measure>_dot")
             case ast.Compare():
                 raise self._error("a comparison stands outside of where()", "write where(condition, a, b)")
         kind = type(tree.value if isinstance(tree, ast.Constant) else tree).__name__

@@ -123,6 +123,8 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
     if len(value) != 3:
         raise refuse(f"{show(value)} has {len(value)} entries",
                      "give one moment of inertia (planar) or three (spatial)")
+    if any(isinstance(entry, list | tuple) for entry in value):
+        raise refuse("is a matrix", "give inertia = [xx, yy, zz] and products = [xy, xz, yz]")
     return tuple(_quantity(entry) for entry in value)
 
 

@@ -85,6 +85,13 @@ class SpatialSpace:
                 return self._coordinates[f"{joint.name}.{label}"]
         return None
 
+    def _joint_angle(self, a: str, b: str) -> Angle | None:
+        """The angle of a placing joint between two markers, its negative where the joint names them the other way."""
+        own, opposite = self._between(a, b, "angle"), self._between(b, a, "angle")
+        if own is not None or opposite is None:
+            return None if own is None else _angle(own)
+        return Angle(-opposite.value, -opposite.rate, {opposite.column: -ONE})
+
     def body_rows(self) -> list[ConstraintRow]:
         """Unit length of Euler parameters that no joint gives."""
         placed = {place.child for place in self._places.values()}
@@ -113,7 +120,7 @@ class SpatialSpace:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
         first, second = self.marker(a), self.marker(b)
         if kind == "angle":
-            own = self._between(a, b, "angle")
+            own = self._joint_angle(a, b)
             return effects.angle_about_z(first, second, self.motion).value if own is None else own.value
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
@@ -135,8 +142,7 @@ class SpatialSpace:
         values = spring_values(load, self.table)
         if load.type == "spring_damper":
             return effects.spring_damper(a, b, *values)
-        own = self._between(load.marker_a, load.marker_b, "angle")
-        angle = effects.angle_about_z(a, b, self.motion) if own is None else _angle(own)
+        angle = self._joint_angle(load.marker_a, load.marker_b) or effects.angle_about_z(a, b, self.motion)
         return effects.turning_spring_damper(angle, *values)
 
     def _triple(self, load: Load, key: str, unit: str) -> list[ca.SX]:
