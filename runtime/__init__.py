@@ -7,9 +7,9 @@ from runtime.model import Group, Model, ModelError
 from runtime.reference import reference_solution
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import Options, SchemeError
-from runtime.simulate import simulate
+from runtime.simulate import resume, simulate
 from runtime.solution import Solution
 from runtime.status import Status
 
 __all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
-           "Status", "augmented_solution", "load_model", "reference_solution", "simulate"]
+           "Status", "augmented_solution", "load_model", "reference_solution", "resume", "simulate"]

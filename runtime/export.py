@@ -14,47 +14,31 @@ import numpy as np
 
 from runtime.files import replacing
 from runtime.model import Group, Model, ModelError, Parameter
-from runtime.status import Status
+from runtime.running.stream import read_blocks, read_header
+from runtime.status import Event, Status
+from runtime.units import unit
 
 if TYPE_CHECKING:
     import xarray
 
     from runtime.solution import Solution
 
-FORMAT = "symgen solution 1"
+FORMAT = "symgen solution 2"
 FORCE_PARTS = {3: ("force_x", "force_y", "moment"),
                6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z")}  # planar, spatial
-ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "measures", "joint_forces")
+ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "constraint_rate_error",
+          "measures", "joint_forces")
 NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
-def unit(coordinate: str, derivative: int = 0) -> str:
-    """SI unit of a coordinate (angles: `theta`, `angle`; Euler parameters: e0 ... e3) or its derivatives."""
-    last = coordinate.rpartition(".")[2]
-    base = "rad" if last.startswith(("theta", "angle")) else "1" if last in ("e0", "e1", "e2", "e3") else "m"
-    return base + ("", "/s", "/s^2")[derivative]
-
-
 def write_npz(solution: Solution, path: str | Path) -> None:
     """Plain arrays, and one JSON text for the rest. Raises OutputError."""
-    model = solution.model
-    header = {
-        "format": FORMAT,
-        "model": {
-            **{key: getattr(model, key) for key in NAMES},
-            "groups": [asdict(group) for group in model.groups],
-            "outlines": [list(entry) for entry in model.outlines],
-            "parameters": [asdict(parameter) for parameter in model.parameters],
-            "initial_q": model.initial_q.tolist(), "initial_q_dot": model.initial_q_dot.tolist(),
-            "simulation": dict(model.simulation), "operations": dict(model.operations),
-        },
-        "scheme": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
-        "stats": {key: _plain(value) for key, value in solution.stats.items()}, "status": asdict(solution.status),
-        "energy": list(solution.energy),
-    }
+    header = {"format": FORMAT, **run_header(solution), "energy": list(solution.energy),
+              "outputs": list(solution.outputs)}
     arrays = {key: np.asarray(getattr(solution, key), dtype=float) for key in ARRAYS}
     arrays |= {f"energy_{key}": np.asarray(series, dtype=float) for key, series in solution.energy.items()}
+    arrays |= {f"output_{key}": np.asarray(series, dtype=float) for key, series in solution.outputs.items()}
     with replacing(Path(path)) as temporary, open(temporary, "wb") as stream:
         np.savez_compressed(stream, allow_pickle=False, header=np.array(json.dumps(header)), **arrays)
 
@@ -68,18 +52,57 @@ def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
                 raise ModelError(f"{path} is a saved solution in another format; simulate again")
             fields: dict[str, Any] = {key: data[key] for key in ARRAYS}
             fields["energy"] = {key: data[f"energy_{key}"] for key in header["energy"]}
-        recorded = _recorded_model(header["model"])
-        fields |= {key: header[key] for key in ("scheme", "dt", "m", "stats")}
-        fields["status"] = Status(**header["status"])
+            fields["outputs"] = {key: data[f"output_{key}"] for key in header["outputs"]}
+        fields |= read_run_header(header, path, model)
     except ModelError:
         raise
     except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, zipfile.BadZipFile) as error:
         reason = getattr(error, "strerror", None) or error
         raise ModelError(f"{path} is not a saved solution ({reason})") from error
+    return fields
+
+
+def read_stream(path: str | Path, model: Model | None) -> dict[str, Any]:
+    """The fields of a Solution from a stream of whole samples. Raises ModelError."""
+    header = read_header(path)
+    if header.get("outputs"):
+        raise ModelError(f"{path} holds chosen outputs only; read them with runtime.running.stream.read_blocks")
+    blocks = list(read_blocks(path))
+    if not blocks:
+        raise ModelError(f"{path} holds no samples; simulate again")
+    columns = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    fields: dict[str, Any] = {key: columns[key] for key in ARRAYS if key != "parameters"}
+    fields["energy"] = {key.removeprefix("energy_"): values for key, values in columns.items()
+                        if key.startswith("energy_")}
+    return {**fields, "parameters": np.array(header["parameters"], dtype=float), **read_run_header(header, path, model)}
+
+
+def run_header(solution: Solution) -> dict[str, Any]:
+    """What can be said in JSON of the model, the scheme and how the run ended."""
+    model = solution.model
+    return {
+        "model": {
+            **{key: getattr(model, key) for key in NAMES},
+            "groups": [asdict(group) for group in model.groups],
+            "outlines": [list(entry) for entry in model.outlines],
+            "parameters": [asdict(parameter) for parameter in model.parameters],
+            "initial_q": model.initial_q.tolist(), "initial_q_dot": model.initial_q_dot.tolist(),
+            "simulation": dict(model.simulation), "operations": dict(model.operations),
+        },
+        "scheme": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
+        "stats": {key: _plain(value) for key, value in solution.stats.items()}, "status": asdict(solution.status),
+        "events": [asdict(event) for event in solution.events],
+    }
+
+
+def read_run_header(header: dict[str, Any], path: str | Path, model: Model | None) -> dict[str, Any]:
+    """Fields of a Solution from `run_header`'s dictionary. Raises ModelError if it belongs to another model."""
+    recorded = _recorded_model(header["model"])
     for key in ("coordinates", "q_i", "constraints", "measures"):
         if model is not None and getattr(model, key) != getattr(recorded, key):
             raise ModelError(f"{path} belongs to model {recorded.name}, whose {key} differ from those of {model.name}")
-    return {**fields, "model": model or recorded}
+    return {**{key: header[key] for key in ("scheme", "dt", "m", "stats")}, "status": Status(**header["status"]),
+            "events": [Event(**event) for event in header["events"]], "model": model or recorded}
 
 
 def _recorded_model(header: dict[str, Any]) -> Model:
@@ -108,12 +131,13 @@ def table(solution: Solution) -> dict[str, np.ndarray]:
                 for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])}
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
+    columns["constraint_rate_error"] = solution.constraint_rate_error
     return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
 
 
 def to_csv(solution: Solution, path: str | Path) -> None:
     """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
-    columns = table(solution)
+    columns = solution.outputs or table(solution)
     with replacing(path) as temporary:
         np.savetxt(temporary, np.column_stack(list(columns.values())), fmt="%.17g", delimiter=",",
                    header=",".join(columns), comments="", encoding="utf-8")
@@ -137,6 +161,7 @@ def to_xarray(solution: Solution) -> xarray.Dataset:
     for key, series in solution.energy.items():
         variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
     variables["constraint_error"] = ("t", solution.constraint_error)
+    variables["constraint_rate_error"] = ("t", solution.constraint_rate_error)
     variables["measures"] = (("t", "measure"), solution.measures)
     variables["parameters"] = ("parameter", solution.parameters)
     dataset = xarray.Dataset(

@@ -46,12 +46,14 @@ def consistent_state(
     names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
     velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
     guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(), first: Sequence[int] = (),
+    following: frozenset[int] = frozenset(),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
     names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
     guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
-    first: rows that place bodies, satisfied by what was left open before the others are looked at.
+    first: rows that place bodies, satisfied by what was left open before the others are looked at; following:
+    coordinates that these rows give, whose rates cost nothing, so that those of all others change least.
     Raises InitialStateError if no state within reach satisfies the constraints.
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
@@ -65,7 +67,8 @@ def consistent_state(
     v0, stages = _start(names, elastic, rates, None, reluctant)
     free = stages[-1]
     C_q, nu = velocity(q)
-    v = next((v for mask in stages if (v := _velocities(v0, mask, C_q, nu)) is not None), None)
+    cheap = np.array([k in following for k in range(len(names))], dtype=bool)
+    v = next((v for mask in stages if (v := _velocities(v0, mask, cheap, C_q, nu)) is not None), None)
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
         _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
@@ -114,11 +117,24 @@ def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray
     return best
 
 
-def _velocities(v0: np.ndarray, free: np.ndarray, C_q: np.ndarray, nu: np.ndarray) -> np.ndarray | None:
-    v = v0 + _least_change(C_q, nu - C_q @ v0, free)
+def _velocities(v0: np.ndarray, free: np.ndarray, cheap: np.ndarray, C_q: np.ndarray,
+                nu: np.ndarray) -> np.ndarray | None:
+    v = v0 + _least_dear_change(C_q, nu - C_q @ v0, free, cheap)
     v = v + _least_change(C_q, nu - C_q @ v, free)
     residual = float(np.abs(nu - C_q @ v).max(initial=0.0))
     return v if residual <= VELOCITY_TOLERANCE * _scale(v) else None
+
+
+def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, cheap: np.ndarray) -> np.ndarray:
+    """A step with C_q step = side whose part without the cheap coordinates is smallest; they follow from it."""
+    if not (cheap & free).any():
+        return _least_change(C_q, side, free)
+    Q, R = np.linalg.qr(C_q[:, cheap & free])
+    rank_deficient = np.abs(np.diag(R)).min() <= 1e-10 * np.abs(R).max()
+    if rank_deficient:  # a placed body whose own rows do not give all of it: treat all alike
+        return _least_change(C_q, side, free)
+    step = _least_change(C_q - Q @ (Q.T @ C_q), side - Q @ (Q.T @ side), free & ~cheap)
+    return step + _least_change(C_q, side - C_q @ step, free & cheap)
 
 
 def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.ndarray:

@@ -39,7 +39,7 @@ def load_model(folder: str | Path) -> Model:
     try:
         texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])
-        return _model(manifest, json.loads(texts["data.json"]), module)
+        return _model(manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         if isinstance(error, ModelError):
             raise
@@ -88,7 +88,7 @@ def _module(path: Path, text: str) -> ModuleType:
     return module
 
 
-def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType) -> Model:
+def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
     q_i = manifest["q_i"]
     groups = [Group(group["name"], [q_i.index(name) for name in group["coordinates"]]) for group in manifest["groups"]]
     parameters = [Parameter(**entry, default=data["p"][entry["name"]]) for entry in manifest["parameters"]]
@@ -103,4 +103,4 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType) -
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         builders=module.FUNCTIONS, simulation=manifest["simulation"],
         operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
-        redundant=manifest["redundant"])
+        digest=manifest["sha256"], scene_toml=scene_toml, redundant=manifest["redundant"])

@@ -44,6 +44,7 @@ class Model:
 
     redundant: constraint rows that the others imply; nothing is solved from them, their multipliers are a choice.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
+    digest: SHA-256 of the manifest; scene_toml: the scene that the model was generated from; "" if not known.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -66,6 +67,8 @@ class Model:
     simulation: Mapping[str, Any] = field(default_factory=dict)
     operations: Mapping[str, int] = field(default_factory=dict)
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    digest: str = ""
+    scene_toml: str = ""
     redundant: list[str] = field(default_factory=list)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)

@@ -17,8 +17,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from runtime.export import unit
 from runtime.files import OutputError, replacing
+from runtime.units import unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import casadi as ca
 import numpy as np
 
 BLOCK = 256  # samples a call
 
 
+@lru_cache(maxsize=64)
+def _mapped(function: ca.Function, size: int) -> ca.Function:
+    """The Function of `size` samples a call; building one takes time for each sample."""
+    constant = [k for k, name in enumerate(function.name_in()) if name == "c"]
+    return function.map("samples", "serial", size, constant, [])
+
+
 def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray) -> dict[str, np.ndarray]:
     """Outputs (N, size) of a Function at N samples (rows of each value), matrices flattened column by column."""
     n = next(iter(values.values())).shape[0]
-    constant = [k for k, name in enumerate(function.name_in()) if name == "c"]
-    size = min(BLOCK, max(1, n))
-    mapped = function.map("samples", "serial", size, constant, [])  # building a map takes time for each sample
+    size = min(BLOCK, 1 << max(0, n - 1).bit_length())  # few sizes
+    mapped = _mapped(function, size)
     output = {name: np.zeros((n, function.numel_out(name))) for name in function.name_out()}
     for first in range(0, n, size):
         rows = np.minimum(np.arange(first, first + size), n - 1)

@@ -1,51 +1,35 @@
-"""Run a scheme on a model: many major steps a native call, checks and output in between."""
+"""Run a scheme on a model, or go on with a run from a checkpoint: the public doors."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from math import ceil
-from numbers import Real
-from operator import index
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from runtime.auto import AUTO, choose
 from runtime.engine.choose import sub_step_operations
-from runtime.model import Model
-from runtime.observe import observe_samples
+from runtime.export import run_header
+from runtime.model import Model, ModelError
+from runtime.running.checkpoint import check_model, check_settings, read_checkpoint
+from runtime.running.leg import Leg
+from runtime.running.plan import Plan, make_plan, whole_number
+from runtime.running.record import Record, columns_of
+from runtime.running.run import CheckpointRule, Progress, Run
+from runtime.running.stream import StreamFile, Table
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.grid import Grid
 from runtime.schemes.options import SchemeError
-from runtime.schemes.scheme import Scheme, evaluation_operations
+from runtime.schemes.scheme import evaluation_operations
+from runtime.singular.guard import Guard
+from runtime.singular.variants import variant_of
 from runtime.solution import Solution
 from runtime.start_state import start_state
-from runtime.status import Status
-from runtime.stepper import Stepper
-from runtime.watch import Watch
+from runtime.status import Event, Status
 
-MAX_SAMPLES = 10_000_000
-MAX_STEPS = 1e15
-STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
-CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
-Progress = Callable[[float, float], None]
-
-
-@dataclass(frozen=True)
-class Plan:
-    """Checked arguments of a run."""
-
-    scheme: Scheme
-    steps: int
-    save_every: int
-    t0: float
-
-    @property
-    def grid(self) -> Grid:
-        """Groups and steps."""
-        return self.scheme.grid
+__all__ = ["Plan", "make_plan", "resume", "simulate"]
 
 
 def simulate(
@@ -54,6 +38,8 @@ def simulate(
     initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
     options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None, force: bool = False,
     start: str | None = None, tolerance: float | None = None, graded: list[str] | None = None,
+    outputs: Sequence[str] | None = None, stream: str | Path | None = None, checkpoint: str | Path | None = None,
+    checkpoint_every: int | None = None,
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
 
@@ -64,130 +50,172 @@ def simulate(
     parameters and initial change values by name (rates as `<coordinate>_dot`). save_every counts major steps.
     progress(t, t_end) is called between native calls. start: `given` or `quasi_static` (elastic coordinates in
     equilibrium). A run whose step is above the stability limit at the start stops there, unless `force`.
-    Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError or
-    CompilerError for arguments that cannot be used.
+
+    outputs: names of coordinates, rates, measures or energies; only these are kept of the saved samples, in
+    Solution.outputs. stream: a folder that takes the samples instead of memory (runtime.running.stream). checkpoint:
+    a file that `resume` goes on from, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
+
+    Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
+    OutputError or CompilerError for arguments that cannot be used.
     """
+    kept: dict[str, Any] = {"outputs": outputs, "stream": stream, "checkpoint": checkpoint,
+                            "checkpoint_every": checkpoint_every}
     if (scheme or model.simulation.get("scheme")) == AUTO:
         if dt is not None or m is not None or options:
             raise SchemeError("auto chooses dt, m and options itself; leave them out and give a tolerance")
         chosen = choose(model, t_end, parameters, initial, start, tolerance, graded, save_every, t0)
         solution = simulate(model, t_end=t_end, parameters=parameters, initial=initial, engine=engine, t0=t0,
-                            progress=progress, force=force, start=start, **chosen.arguments)
+                            progress=progress, force=force, start=start, **chosen.arguments, **kept)
         solution.stats["advice"] = chosen.reason
         return solution
     if tolerance is not None or graded is not None:
         raise SchemeError("tolerance and graded belong to scheme = auto; other schemes take the step dt")
-    plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
+    bounded = outputs is not None or stream is not None
+    plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0, bounded)
+    rule = _rule(checkpoint, checkpoint_every)
     p = model.parameter_vector(parameters)
-    c = model.constants(p)
-    state = start_state(model, p, c, t0, initial, start)
+    state = start_state(model, p, model.constants(p), t0, initial, start)
     started = time.perf_counter()
-    stepper = Stepper(plan.scheme, engine, plan.steps)
-    ready = stepper.ready(c, plan.grid.dt_L)
+    leg = Leg.build(model, plan, p, engine, force)
+    z = leg.start(state.q, state.q_dot)
     set_up = time.perf_counter()
-    z = stepper.start(t0, state.q, state.q_dot, c, plan.grid.dt_L)
-    watch = Watch(model, plan.scheme, c, force=force)
-    samples, status = _run(plan, stepper, z, ready, watch, progress)
-    finished = time.perf_counter()
-    name = scheme or str(model.simulation["scheme"])
-    stats = _statistics(plan, stepper, samples[-1], set_up - started, finished - set_up)
-    stats["options"] = ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in scheme_kind(name).takes)
-    stats["initial_changes"] = ", ".join(f"{key}: {given:.9g} -> {used:.9g}"
-                                         for key, (given, used) in state.changed.items()) or "none"
-    if stepper.engine.note:
-        stats["engine_note"] = stepper.engine.note
-    if watch.step_limit is not None:
-        stats["step_limit_at_start"] = watch.step_limit
-    return observe_samples(model, plan.scheme, np.array(samples), p, c, name, stats, status)
+    changes = ", ".join(f"{key}: {given:.9g} -> {used:.9g}" for key, (given, used) in state.changed.items())
+    settings = _Settings(plan, force, tuple(outputs or ()), changes or "none")
+    record = _record(leg, settings, z, stream, keep_rows=bounded)
+    run = Run(leg, z, record, rule, settings.header(model), progress, engine=engine, guard=leg.new_guard())
+    run.status = leg.watch.first(leg.stepper.state(z))
+    record.add(0, z)
+    return _finished(run, settings, set_up - started)
 
 
-def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] | None, scheme: str | None,
-              save_every: int | None, options: Mapping[str, Any] | None, t0: float) -> Plan:
-    """Resolve defaults and check every number of a run. Raises SchemeError."""
-    defaults = model.simulation
-    name = scheme or str(defaults["scheme"])
-    ratios = None if m is None else _whole_numbers(m)
-    built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
-    grid = built.grid
-    if isinstance(t0, bool) or not isinstance(t0, int | float) or not np.isfinite(t0):
-        raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
-    end = float(defaults["t_end"]) if t_end is None else t_end
-    if isinstance(end, bool) or not isinstance(end, Real) or not np.isfinite(float(end)) or float(end) <= t0:
-        raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
-    end = float(end)
-    every = _whole_number(int(defaults["save_every"]) if save_every is None else save_every)
-    if every is None or every < 1:
-        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {save_every!r}")
-    if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
-        raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
-    if (end - t0) / grid.dt_L > MAX_STEPS:
-        raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
-    steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
-    if steps / every > MAX_SAMPLES:
-        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt")
-    return Plan(built, steps, every, t0)
+def resume(
+    model: Model, path: str | Path, *, stream: str | Path | None = None, engine: str = "auto",
+    progress: Progress | None = None, checkpoint: str | Path | None = None, checkpoint_every: int | None = None,
+    scheme: str | None = None, dt: float | None = None, m: list[int] | None = None,
+    options: Mapping[str, Any] | None = None,
+) -> Solution:
+    """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
+
+    stream: the run's own folder where it has moved. checkpoint: where further ones go (the same file by default).
+    scheme, dt, m and options need not be said again; they are compared with the run's own. Raises ModelError for a
+    checkpoint of another model or a damaged file, SchemeError for other settings, and what `simulate` raises.
+    """
+    kept = read_checkpoint(path)
+    header = kept.header
+    check_model(kept, model, path)
+    check_settings(kept, {"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
+    settings = _Settings.of(model, header)
+    started = time.perf_counter()
+    legs = [Leg.build(model, settings.plan, kept.p, engine, settings.force)]
+    for q_i in header["legs"][1:]:
+        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header["place"]))
+        legs.append(Leg.build(variant, settings.plan.on(variant), kept.p, engine, True))
+    leg = legs[int(header["leg"])]
+    if len(leg.stepper.start(0.0, model.initial_q, model.initial_q_dot, leg.c, settings.plan.grid.dt_L)) != len(kept.z):
+        raise ModelError(f"checkpoint {path} holds a state of another length than this scheme's; it was written by "
+                         "another version")
+    set_up = time.perf_counter()
+    z = kept.z.copy()
+    leg.watch.resume(leg.stepper.state(z), [float(value) for value in header["watch"]])
+    record = _record(leg, settings, z, stream or header["stream"],
+                     keep_rows=bool(settings.outputs) or header["stream"] is not None, resumed=True)
+    record.legs[:] = legs
+    record.restore(kept.arrays, int(header["rows"]), int(header["last_step"]))
+    run = Run(leg, z, record, _rule(checkpoint or path, checkpoint_every), settings.header(model), progress,
+              [Event(*event) for event in header["events"]], engine=engine, guard=Guard.remembered(header["guard"]),
+              earlier=kept.arrays.get("earlier"))
+    return _finished(run, settings, set_up - started)
 
 
-def _whole_number(value: Any) -> int | None:
-    """An int, also from a NumPy integer; None for anything else (a bool, 2.0)."""
-    try:
-        return None if isinstance(value, bool) else index(value)
-    except TypeError:
-        return None
+@dataclass(frozen=True)
+class _Settings:
+    """What a checkpoint says of a run besides where it is."""
+
+    plan: Plan
+    force: bool
+    outputs: tuple[str, ...]
+    initial_changes: str
+
+    def header(self, model: Model) -> dict[str, Any]:
+        """In JSON."""
+        plan = self.plan
+        return {"model": model.name, "digest": model.digest, "scene_toml": model.scene_toml,
+                "scheme": plan.name, "dt": plan.grid.dt_L,
+                "m": list(plan.grid.m), "options": dict(plan.options), "t0": plan.t0, "steps": plan.steps,
+                "save_every": plan.save_every, "force": self.force, "outputs": list(self.outputs),
+                "initial_changes": self.initial_changes}
+
+    @classmethod
+    def of(cls, model: Model, header: Mapping[str, Any]) -> _Settings:
+        """From a checkpoint's header."""
+        options = {name: tuple(value) if isinstance(value, list) else value
+                   for name, value in header["options"].items()}
+        built = scheme_kind(header["scheme"]).build(header["scheme"], model, header["dt"], header["m"] or None, options)
+        plan = Plan(header["scheme"], built, options, int(header["steps"]), int(header["save_every"]), header["t0"])
+        return cls(plan, bool(header["force"]), tuple(header["outputs"]), str(header["initial_changes"]))
 
 
-def _whole_numbers(values: Any) -> list[Any]:
-    """m as a list, NumPy integers as int; what is not whole stays for the grid to refuse. Raises SchemeError."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        raise SchemeError(f"m must be a list with one ratio between each two groups, not {values!r}")
-    return [value if (whole := _whole_number(value)) is None else whole for value in values]
+def _rule(path: str | Path | None, every: int | None) -> CheckpointRule:
+    chosen = None if every is None else whole_number(every)
+    if every is not None and (chosen is None or chosen < 1):
+        raise SchemeError(f"checkpoint_every must be a whole number of major steps of at least 1, not {every!r}")
+    if every is not None and path is None:
+        raise SchemeError("checkpoint_every needs a file: checkpoint = ...")
+    return CheckpointRule(None if path is None else Path(path), chosen)
 
 
-def _run(plan: Plan, stepper: Stepper, z: np.ndarray, c: np.ndarray, watch: Watch,
-         progress: Progress | None) -> tuple[list[np.ndarray], Status]:
-    """Samples of z, the last one good, and the status."""
-    state = stepper.state(z)
-    samples = [state.copy()]
-    status = watch.first(state)
-    done, per_call = 0, 1
-    try:
-        while done < plan.steps and status is None:
-            until_save = plan.save_every - done % plan.save_every
-            n = min(until_save, plan.steps - done, per_call)
-            began = time.perf_counter()
-            stepper.run(z, c, n)
-            elapsed = time.perf_counter() - began
-            done += n
-            per_call = _next_batch(per_call, elapsed)
-            status = watch.after(state, last=done == plan.steps)
-            if status is None and (done % plan.save_every == 0 or done == plan.steps):
-                samples.append(state.copy())
-            if progress is not None:
-                progress(plan.t0 + done * plan.grid.dt_L, plan.t0 + plan.steps * plan.grid.dt_L)
-    except KeyboardInterrupt:
-        status = Status("interrupted", plan.t0 + done * plan.grid.dt_L, None, "stopped by the user",
-                        "What was computed is kept.")
-    if status is not None:  # end with the last good state, which need not be one that was to be saved
-        samples = [one for one in samples if watch.steps_done(one) < watch.steps_done(state)] + [state.copy()]
-    return samples, status or Status("completed", plan.t0 + plan.steps * plan.grid.dt_L)
+def _record(leg: Leg, settings: _Settings, z: np.ndarray, stream: str | Path | None, keep_rows: bool,
+            resumed: bool = False) -> Record:
+    """Whole states in memory, columns in memory, or a stream. Raises OutputError or ModelError."""
+    table: Table | None = None
+    if keep_rows:
+        seen = leg.observed([leg.stepper.state(z)])
+        columns = columns_of(seen, settings.outputs)
+        if stream is None:
+            table = Table(columns)
+        else:
+            table = StreamFile(stream, columns, resumed)
+            running = Status("interrupted", leg.plan.t0, None, "the run did not come to its end",
+                             "What was streamed is there.")
+            table.write_header({**run_header(replace(seen, status=running)), "parameters": leg.p.tolist(),
+                                "outputs": list(settings.outputs)})
+    return Record([leg], leg.plan.save_every, table, settings.outputs)
 
 
-def _next_batch(per_call: int, elapsed: float) -> int:
-    """Double or halve: the interpreted engine builds one Function per batch length, so there should be few."""
-    if elapsed < CALL_SECONDS / 4:
-        return min(per_call * 2, 1 << 20)
-    return max(1, per_call // 2) if elapsed > CALL_SECONDS else per_call
+def _finished(run: Run, settings: _Settings, setup: float) -> Solution:
+    """Go, and put the Solution together."""
+    began = time.perf_counter()
+    status = run.status if run.step == 0 and run.status is not None else run.go()
+    wall = time.perf_counter() - began
+    last = (run.record.legs.index(run.leg), run.leg.stepper.state(run.z))
+    run.record.flush()
+    solution = run.record.solution(last)
+    stats = {**_statistics(run.leg, run.z, setup, wall), **solution.stats, "initial_changes": settings.initial_changes}
+    plan = settings.plan
+    stats["options"] = ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in scheme_kind(plan.name).takes)
+    if run.leg.stepper.engine.note:
+        stats["engine_note"] = run.leg.stepper.engine.note
+    if run.record.legs[0].watch.step_limit is not None:
+        stats["step_limit_at_start"] = run.record.legs[0].watch.step_limit
+    if run.events:
+        stats["events"] = len(run.events)
+    solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.leg.p)
+    table = run.record.table
+    if isinstance(table, StreamFile):
+        table.write_header({**run_header(solution), "parameters": run.leg.p.tolist(),
+                            "outputs": list(settings.outputs)})
+        table.close()
+    return solution
 
 
-def _statistics(plan: Plan, stepper: Stepper, z: np.ndarray, setup: float,
-                wall: float) -> dict[str, float | int | str]:
-    layout = plan.scheme.layout
-    steps = int(z[layout.slice("n")][0])
+def _statistics(leg: Leg, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
+    layout, scheme, stepper = leg.plan.scheme.layout, leg.plan.scheme, leg.stepper
+    steps = leg.step_of(z)
     iterations = int(z[layout.slice("iterations")][0])
-    full, partial = plan.scheme.evaluations()
+    full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
     repeated = sub_step_operations(stepper.program) if partial else None
-    cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(plan.scheme)}
+    cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(scheme)}
     return {
         **cost,
         "steps": steps, "sub_steps": sub_steps, "full_evaluations": full_evaluations,

@@ -11,13 +11,13 @@ import numpy as np
 
 from runtime import export
 from runtime.model import Model, ModelError
-from runtime.status import Status
+from runtime.status import Event, Status
 
 if TYPE_CHECKING:
     import xarray
 
 STORED = ("kinetic", "elastic", "potential")
-SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error")
+SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error", "constraint_rate_error")
 
 
 @dataclass(repr=False)
@@ -26,9 +26,12 @@ class Solution:
 
     t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
-    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C|;
+    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
+    constraint_rate_error (N,) = max |C_q q_dot + C_t|;
     measures (N, len(model.measures)); joint_forces (N, joints, 3): world force [N] and moment [N m] of each joint on
-    its body b, at marker b; parameters: the vector p that was used; m: ratio of each next group's step.
+    its body b, at marker b; parameters: the vector p that was used; m: ratio of each next group's step; events: what
+    happened on the way; outputs: the columns that a run with `outputs` kept at every saved sample, "t" first (all other
+    arrays then hold the first and the last sample only).
     """
 
     model: Model
@@ -44,10 +47,13 @@ class Solution:
     lam: np.ndarray
     energy: dict[str, np.ndarray]
     constraint_error: np.ndarray
+    constraint_rate_error: np.ndarray
     measures: np.ndarray
     joint_forces: np.ndarray
     stats: dict[str, float | int | str] = field(default_factory=dict)
     status: Status = field(default_factory=lambda: Status("completed", 0.0))
+    events: list[Event] = field(default_factory=list)
+    outputs: dict[str, np.ndarray] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         return (f"<Solution of {self.model.name}: {self.scheme}, {len(self.t)} samples from {self.t[0]:g} to "
@@ -145,14 +151,15 @@ class Solution:
 
     @classmethod
     def load(cls, path: str | Path, model: Model | None = None) -> Solution:
-        """Read what `save` wrote. Without `model` the names are there, but no functions (none to animate with).
+        """Read what `save` wrote, or the folder of a stream. Without `model` there are names, but no functions.
 
-        Raises ModelError if the file is not a saved solution or belongs to another model.
+        A stream of chosen outputs is read by runtime.running.stream.read_blocks instead. Raises ModelError if the file
+        is not a saved solution or belongs to another model.
         """
-        return cls(**export.read_npz(path, model))
+        return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
 
     def to_csv(self, path: str | Path) -> None:
-        """One row a sample, a header row of names. Raises OutputError if it cannot be written."""
+        """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""
         export.to_csv(self, path)
 
     def to_xarray(self) -> xarray.Dataset:

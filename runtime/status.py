@@ -6,11 +6,24 @@ from dataclasses import dataclass
 from typing import Literal
 
 StatusName = Literal["completed", "interrupted", "step_too_long", "not_finite", "diverged", "constraints_lost",
-                     "mass_not_positive", "iteration_failed"]
+                     "mass_not_positive", "iteration_failed", "partition_lost", "branch_lost"]
+EventKind = Literal["repartition", "singular_position", "no_variant"]
 
 
 class NoResult(RuntimeError):
     """A study that came to no result, for a numerical reason that the message names."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened during a run, at a time [s], told in plain words."""
+
+    time: float
+    kind: EventKind
+    text: str
+
+    def __str__(self) -> str:
+        return f"t = {self.time:.9g} s: {self.text}"
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import casadi as ca
 import numpy as np
 
@@ -10,11 +12,11 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.step_limit import StepLimit
 from runtime.stability.modes import ModeSolver, State
 from runtime.status import Status, StatusName
+from runtime.units import length_rows, mechanism_length
 
 GROWTH_LIMIT = 1e6  # times the scale of the mechanism: far beyond anything a bounded motion reaches in a call
 CLOSURE_LIMIT = 1e-2  # C before the last Newton step, in mechanism lengths; quadratic convergence leaves its square
 CONSTRAINT_LIMIT = 1e-6  # C of the observed state, in mechanism lengths (m) or rad
-SMALLEST_ARM = 1e-9  # m: what rounding leaves of a lever arm that is zero
 FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
@@ -72,6 +74,15 @@ class Watch:
             self._good = z.copy()
         return status
 
+    def memory(self) -> list[float]:
+        """What later checks compare with: scale, size, energy at the start and the largest one seen."""
+        return [self._scale, self._constraints.length, self._energy.at_start, self._energy.largest]
+
+    def resume(self, z: np.ndarray, memory: list[float]) -> None:
+        """Go on from a good state with the memory of an earlier watch."""
+        self._good = z.copy()
+        self._scale, self._constraints.length, self._energy.at_start, self._energy.largest = memory
+
     def _increments(self, z: np.ndarray) -> np.ndarray:
         """About what each coordinate moves in a step."""
         return np.asarray(self.scheme.rates(z) * self.scheme.step_sizes)
@@ -113,7 +124,7 @@ class Watch:
         """What limits the step at the last good state. None if nothing does, or if its modes are not known."""
         if self._good is None or self.scheme.reach is None or not ModeSolver.possible(self.model):
             return None
-        seen = self.scheme.observe()(z=self._good, c=self.c)
+        seen = self.scheme.observer(z=self._good, c=self.c)
         loop = [self.model.q_d.index(name) for name in self.model.loop_unknowns]
         q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
         try:
@@ -150,8 +161,7 @@ class _ConstraintCheck:
 
     def __init__(self, model: Model, scheme: Scheme, c: np.ndarray) -> None:
         self.c, self.length = scheme.constants(c), 1.0
-        self._turning = np.array([name.endswith(".theta") for name in model.coordinates], dtype=bool)
-        self._angles = np.array([label.endswith(".angle") for label in model.constraints], dtype=bool)
+        self._model, self._lengths = model, length_rows(model)
         active = bool(model.constraints) and model.has("constraints")
         self._function = _constraints(model, scheme) if active else None
         self._mass = _mass(model, scheme)
@@ -159,18 +169,14 @@ class _ConstraintCheck:
     def start(self, z: np.ndarray) -> None:
         """Take the mechanism's size from the lever arms in C_q."""
         if self._function is not None:
-            C_q = np.abs(np.asarray(self._function(z, self.c)[1]))
-            arms = C_q[np.ix_(~self._angles, self._turning)]
-            longest = float(arms.max(initial=0.0))
-            self.length = longest if longest > SMALLEST_ARM else 1.0
+            self.length = mechanism_length(self._model, np.asarray(self._function(z, self.c)[1]))
 
     def violated(self, z: np.ndarray) -> bool:
         """Is a constraint off by more than CONSTRAINT_LIMIT?"""
         if self._function is None:
             return False
         C = np.abs(np.asarray(self._function(z, self.c)[0]).ravel())
-        return not bool((C <= CONSTRAINT_LIMIT * np.where(self._angles, 1.0, self.length)).all())  # NaN is off too
-
+        return not bool((C <= CONSTRAINT_LIMIT * np.where(self._lengths, self.length, 1.0)).all())  # NaN is off too
 
     def positive_mass(self, z: np.ndarray) -> bool:
         """Is M_hat finite and positive definite?"""
@@ -181,7 +187,7 @@ class _ConstraintCheck:
 def _mass(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> M_hat."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = {**scheme.observe()(z=z, c=c), "c": c[:model.c_size]}
+    seen = {**scheme.observer(z=z, c=c), "c": c[:model.c_size]}
     kernel = model.kernel("condensed")
     result = kernel.call({key: seen[key] for key in kernel.name_in()})
     return ca.Function("mass", [z, c], [result["M_hat"]])
@@ -190,7 +196,7 @@ def _mass(model: Model, scheme: Scheme) -> ca.Function:
 def _observed(model: Model, scheme: Scheme, name: str) -> tuple[list[ca.SX], dict[str, ca.SX]]:
     """([z, c], outputs of a kernel of (q, q_dot, t) at the state that z shows)."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = scheme.observe()(z=z, c=c)
+    seen = scheme.observer(z=z, c=c)
     q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
     for columns, suffix in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
         for position, column in enumerate(columns):
@@ -215,18 +221,17 @@ class _EnergyCheck:
         needed = ("energy", "constraints") if model.constraints else ("energy",)
         active = all(model.has(name) for name in needed) and _is_closed(model)
         self._energies = _energies(model, scheme) if active else None
-        self._start: float | None = None
-        self._largest = 0.0
+        self.at_start, self.largest = math.nan, 0.0
 
     def grows(self, z: np.ndarray) -> bool:
         """Has spurious energy reached ENERGY_LIMIT of the largest kinetic and elastic energy seen?"""
         if self._energies is None:
             return False
         moving, potential = (float(value) for value in self._energies(z, self.c))
-        self._largest = max(self._largest, moving)
-        if self._start is None:
-            self._start = moving + potential
-        return not moving + potential - self._start <= ENERGY_LIMIT * self._largest  # NaN has grown too
+        self.largest = max(self.largest, moving)
+        if math.isnan(self.at_start):
+            self.at_start = moving + potential
+        return not moving + potential - self.at_start <= ENERGY_LIMIT * self.largest  # NaN has grown too
 
 
 def _energies(model: Model, scheme: Scheme) -> ca.Function:

@@ -11,6 +11,8 @@ from symgen.equations import Equations
 from symgen.parameters import ParameterTable
 from symgen.scene import Scene, SceneError
 
+SINGULAR = 1e-6  # sine of the angle between the first and the last axis of Euler angles
+
 
 class ConstraintNumbers:
     """C, C_q and C_t of all rows at a position and a time, with default parameters."""
@@ -36,18 +38,37 @@ class ConstraintNumbers:
 
 def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) -> ConsistentState:
     """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
-    placed = {place.joint for place in scene.places()}
+    places = scene.places()
+    placed, children = {place.joint for place in places}, {place.child for place in places}
+    following = frozenset(k for k, name in enumerate(equations.names)
+                          if name.partition(".")[0] in children and k not in equations.elastic_columns)
     try:
-        return consistent_state(
+        state = consistent_state(
             equations.names, equations.elastic_columns, [row.label for row in equations.constraints],
             numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates),
             np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]), equations.joint_columns,
-            [k for k, row in enumerate(equations.constraints) if row.joint in placed])
+            [k for k, row in enumerate(equations.constraints) if row.joint in placed], following)
     except InitialStateError as error:
-        raise SceneError("initial", str(error), "see above") from error
+        problem, _, remedy = str(error).rpartition("; ")
+        raise SceneError("initial", problem or remedy, remedy if problem else "check parameters") from error
+    _require_regular_angles(scene, equations.names, state.q)
+    return state
 
 
 def _given(entries: dict) -> GivenValues:
     values = {name: float(getattr(entry, "value", entry)) for name, entry in entries.items()}
     fixed = frozenset(name for name, entry in entries.items() if getattr(entry, "fixed", False))
     return GivenValues(values, fixed)
+
+
+def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> None:
+    """Raise SceneError for Euler angles that start where their first and last axis coincide."""
+    for body in scene.moving_bodies:
+        if f"{body.name}.theta2" not in names:
+            continue
+        sequence, middle = getattr(body, "orientation", ""), q[names.index(f"{body.name}.theta2")]
+        if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
+            raise SceneError(
+                f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
+                "first and the last turn about the same axis",
+                'start at another angle, choose another sequence, or use orientation = "euler_parameters"')

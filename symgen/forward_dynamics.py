@@ -67,11 +67,15 @@ def tree_accelerations(system: Condensed, scene: Scene) -> dict[int, ca.SX]:
     order: list[int] = []
     for body in sorted(eq.body_columns, key=lambda name: -distance.get(name, 0)):
         columns = eq.body_columns[body]
-        for column in sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c]):
-            _substitute(M, force, by_column[column])
-            order.append(column)
-        for column in reversed([c for c in columns if c not in by_column]):
-            pivots.append(_pivot(M, force, column))
+        dependent = sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c])
+        own = {other for c in dependent for other in by_column[c].e}
+        independent = [c for c in reversed(columns) if c not in by_column]
+        # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
+        for column in (*(c for c in independent if c not in own), *dependent, *(c for c in independent if c in own)):
+            if column in by_column:
+                _substitute(M, force, by_column[column])
+            else:
+                pivots.append(_pivot(M, force, column))
             order.append(column)
     return _back_substitute(order, by_column, {pivot[0]: pivot for pivot in pivots})
 

@@ -12,7 +12,7 @@ from math import isfinite
 
 import casadi as ca
 
-from runtime.engine.tape import UNUSED, Node, Tape, read_tape, uses
+from runtime.engine.tape import UNUSED, Node, Tape, as_function, read_tape, uses
 from symgen.expansion import shorter_form
 from symgen.graph import Graph
 from symgen.scene import SceneError
@@ -51,7 +51,9 @@ def _constants(graph: Graph, position: Mapping[int, int], p_size: int) -> Tape:
     live = graph.below(list(position), stop_at_p=False)
     number = {node: k for k, node in enumerate(live)}
     nodes = [_renumbered(graph.nodes[k], number, {0: 0}) for k in live]
-    return Tape(["p"], [p_size], ["c"], [(len(position), 1)], nodes, [[number[node] for node in position]])
+    tape = Tape(["p"], [p_size], ["c"], [(len(position), 1)], nodes, [[number[node] for node in position]])
+    simplified = read_tape(as_function("constants", tape))  # as CasADi will when it loads the emitted text
+    return tape if simplified.operations == tape.operations else simplified
 
 
 def _renumbered(node: Node, number: Mapping[int, int], arguments: Mapping[int, int]) -> Node:

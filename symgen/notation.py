@@ -28,10 +28,10 @@ class Symbol:
 SYMBOLS: tuple[Symbol, ...] = (
     # coordinates
     Symbol("q", "q", "15", "n", "mixed", "all coordinates: R_o, theta, q_f of each body in scene order"),
-    Symbol("R_o", "R^o", "16", "2", "m", "origin of a body's floating frame in world axes"),
-    Symbol("theta", "theta", "17", "1", "rad", "absolute angle of a body's frame, counter-clockwise"),
+    Symbol("R_o", "R^o", "16", "2 or 3", "m", "origin of a body's floating frame in world axes"),
+    Symbol("theta", "theta", "17", "1, 3 or 4", "rad", "angle of a body's frame; Euler angles or parameters e"),
     Symbol("q_f", "q_f", "18", "nf", "m", "elastic (modal) coordinates of a body"),
-    Symbol("Phi", "phi_k", "19", "2 x nf", "1", "shape functions at a point of a body"),
+    Symbol("Phi", "phi_k", "19", "2 or 3 x nf", "1", "shape functions at a point of a body"),
     Symbol("q_i", "q_i", "29", "n_i", "mixed", "independent coordinates, in the order of the partition"),
     Symbol("q_d", "q_d", "29", "n_d", "mixed", "dependent coordinates, q_d = f(q_i, t)"),
     Symbol("q_i_dot", "q_i'", "36", "n_i", "mixed", "rates of the independent coordinates"),
@@ -42,7 +42,7 @@ SYMBOLS: tuple[Symbol, ...] = (
     Symbol("p", "", "", "n_p", "SI", "parameters: every physical number of a scene that is not zero"),
     Symbol("c", "", "", "n_const", "SI", "what depends on p only, computed once a run: c = constants(p)"),
     # bodies
-    Symbol("M_RR", "m_RR", "20", "2 x 2", "kg", "translational mass block (its diagonal entry)"),
+    Symbol("M_RR", "m_RR", "20", "2 x 2, 3 x 3", "kg", "translational mass block (its diagonal entry)"),
     Symbol("M_thetatheta", "m_thetatheta", "20", "1", "kg m^2", "rotational inertia at the current q_f"),
     Symbol("M_thetaf", "m_thetaf", "20", "1 x nf", "kg m", "coupling of rotation and deformation"),
     Symbol("M_ff", "m_ff", "20", "nf x nf", "kg", "modal mass matrix"),

@@ -51,14 +51,14 @@ class Derived:
 
 
 @dataclass(frozen=True)
-class Place:
+class Position:
     """Where a partition is wanted: all coordinates by name, taken as they are, and the redundant rows by label."""
 
     coordinates: Mapping[str, float]
     redundant: frozenset[str] = frozenset()
 
 
-def derive(scene: Scene, functions: frozenset[str] | None = None, place: Place | None = None) -> Derived:
+def derive(scene: Scene, functions: frozenset[str] | None = None, place: Position | None = None) -> Derived:
     """Scene to kernels. `functions` limits the kernels by name (all by default).
 
     place: the position at which coordinates are chosen, the scene's assembled initial state by default.
@@ -83,13 +83,13 @@ def derive(scene: Scene, functions: frozenset[str] | None = None, place: Place |
     return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
 
 
-def _at(place: Place, equations: Equations) -> ConsistentState:
+def _at(place: Position, equations: Equations) -> ConsistentState:
     q = np.array([place.coordinates[name] for name in equations.names])
     return ConsistentState(q, np.zeros(len(q)), {})
 
 
 def _choice(scene: Scene, equations: Equations, numbers: ConstraintNumbers, q: np.ndarray,
-            place: Place | None) -> Choice:
+            place: Position | None) -> Choice:
     """Redundant rows first (known for a place, found otherwise), then the dependent coordinates."""
     _, jacobian = numbers.position(q)
     if place is not None:

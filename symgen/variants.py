@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from symgen.emission.write import emit, write_model
-from symgen.pipeline import Place, derive
+from symgen.pipeline import Position, derive
 from symgen.scene import Scene, SceneError
 
 
@@ -32,7 +32,7 @@ def generate_variant(
     place = None
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}
-        place = Place(state, frozenset(redundant))
+        place = Position(state, frozenset(redundant))
     scene = Scene.from_dict(data)
     missing = sorted(set(scene.coordinates()) - set(state)) if state is not None else []
     if missing:

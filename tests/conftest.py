@@ -15,7 +15,8 @@ from symgen.generate import generate
 from symgen.scene import Scene
 from symgen.scenes import generated_folder
 
-sys.path.insert(0, str(Path(__file__).parent / "hand_derived"))  # the twins, for tests in other folders
+for twins in ("hand_derived", "hand_derived/spatial"):  # for tests in other folders
+    sys.path.insert(0, str(Path(__file__).parent / twins))
 
 
 @pytest.fixture(scope="session", autouse=True)

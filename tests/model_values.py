@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -118,13 +119,36 @@ def augmented_solution(model: Model, state: State) -> tuple[Array, Array]:
 
 def reactions(model: Model, state: State, q_ddot: Array) -> Array:
     """lam of all constraint rows (Eq. 37), of least norm."""
+    return _reactions(model, state, q_ddot)[0]
+
+
+def joint_forces(model: Model, state: State, q_ddot: Array) -> dict[str, Array]:
+    """World force and moment of each joint on its body b, at marker b; with redundant rows those of least norm."""
+    return dict(zip(model.joints, _reactions(model, state, q_ddot)[1], strict=True))
+
+
+def _reactions(model: Model, state: State, q_ddot: Array) -> tuple[Array, Array]:
     values = {"q": state.q, "q_dot": state.q_dot, "q_ddot": q_ddot, "t": np.array([state.t])}
     C_q = np.asarray(evaluate(model, "constraints", **state.values())["C_q"]).reshape(-1, len(model.coordinates))
-    lam, _ = joint_reactions(model, {key: value[None, :] for key, value in values.items()}, C_q.T.reshape(1, -1),
-                             model.constants(model.parameter_vector()))
-    return lam[0]
+    lam, forces = joint_reactions(model, {key: value[None, :] for key, value in values.items()}, C_q.T.reshape(1, -1),
+                                  model.constants(model.parameter_vector()))
+    return lam[0], forces[0]
 
 
+def power_gap(model: Model, state: State, q_ddot: Array, lam: Array) -> float:
+    """Rate of all energy minus the power of loads, driven joints and dampers, over the sum of all parts of the rate."""
+    kernel, n = model.kernel("energy"), len(model.coordinates)
+    q, q_dot, t = ca.SX.sym("q", n), ca.SX.sym("q_dot", n), ca.SX.sym("t")
+    values = {"q": q, "q_dot": q_dot, "t": t, "c": model.constants(model.parameter_vector())}
+    found = kernel.call({name: values[name] for name in kernel.name_in()})
+    stored = found["kinetic"] + found["elastic"] + found["potential"]
+    slope = ca.Function("slope", [q, q_dot, t], [ca.jacobian(stored, ca.vertcat(q, q_dot, t))])
+    parts = np.asarray(slope(state.q, state.q_dot, state.t)).ravel() * np.concatenate([state.q_dot, q_ddot, [1.0]])
+    power = evaluate(model, "energy", **state.values())
+    driven = float(lam @ evaluate(model, "constraints", **state.values())["C_t"]) if model.constraints else 0.0
+    given = float(power["power_applied"][0]) + driven - float(power["power_dissipated"][0])
+    assert float(power["power_dissipated"][0]) >= 0
+    return abs(float(np.sum(parts)) - given) / (float(np.sum(np.abs(parts))) + 1e-2)
 def relative_error(value: Array, reference: Array) -> float:
     """Largest difference over the largest entry of the reference (1e-300 if that is zero)."""
     value, reference = np.asarray(value, dtype=float), np.asarray(reference, dtype=float)

@@ -165,8 +165,8 @@ def schema_types() -> set[str]:
             if "const" in part.get("properties", {}).get("type", {})}
 
 
-def test_the_page_of_scenes_is_complete() -> None:
-    words = set(re.findall(r"\w+", read(DOCS / "scenes.md")))
+def test_the_pages_of_scenes_are_complete() -> None:
+    words = set(re.findall(r"\w+", read(DOCS / "scenes.md") + read(DOCS / "spatial.md")))
     assert not schema_keys() - words
     assert not schema_types() - words
     assert not set(ARITY) - words

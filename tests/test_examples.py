@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 import runpy
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
@@ -30,7 +32,7 @@ def numbers(text: str) -> list[float]:
 
 def test_every_example_is_here() -> None:
     tested = {"build_slider_crank", "compare_schemes", "from_toml", "linear_structure", "optimise_torque",
-              "parameter_study"}
+              "parameter_study", "mesh_connecting_rod", "build_spatial_arm"}
     assert {path.stem for path in EXAMPLES.glob("*.py")} == tested
 
 
@@ -97,3 +99,24 @@ def test_optimise_torque(capsys, monkeypatch, tmp_path) -> None:
     torques = [float(line.split()[-3]) for line in text.splitlines() if line.startswith("t = ")]
     assert torques[0] > 0.1
     assert torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
+
+
+def test_build_spatial_arm(capsys, monkeypatch, tmp_path) -> None:
+    text = output("build_spatial_arm", capsys, monkeypatch, tmp_path)
+    assert text.startswith("completed at t = 1 s")
+    (balance,) = (numbers(line)[-1] for line in text.splitlines() if "balance" in line)
+    assert balance < 1e-3  # J; the load is lifted by 0.1 m
+
+
+def test_mesh_connecting_rod(capsys, monkeypatch, tmp_path, tmp_path_factory) -> None:
+    """The data of the built-in scene is what the mesh gives, relative to each array's largest entry."""
+    path = tmp_path_factory.mktemp("rod") / "rod.json"
+    monkeypatch.setitem(ARGUMENTS, "mesh_connecting_rod", ["--out", str(path)])
+    text = output("mesh_connecting_rod", capsys, monkeypatch, tmp_path)
+    assert "5205 degrees of freedom" in text
+    meshed = json.loads(path.read_text(encoding="utf-8"))
+    kept = json.loads((EXAMPLES.parent / "symgen" / "scenes" / "connecting_rod.json").read_text(encoding="utf-8"))
+    assert meshed.keys() == kept.keys()
+    for key in meshed.keys() - {"markers"}:
+        found, expected = np.asarray(meshed[key]), np.asarray(kept[key])
+        assert np.abs(found - expected).max() <= 1e-8 * np.abs(expected).max()

@@ -84,7 +84,7 @@ def test_random_values_are_not_scenes(value: Any) -> None:
 
 
 @settings(max_examples=150, deadline=None)
-@given(st.integers(0, 2), st.data())
+@given(st.integers(0, len(FILES) - 1), st.data())
 def test_damaged_files(index: int, data: st.DataObject) -> None:
     text = FILES[index].read_text()
     start = data.draw(st.integers(0, len(text)))

@@ -57,7 +57,8 @@ def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
         model=rod_model(), scheme="printed", dt=0.01, m=[10], parameters=np.array([2.0, 3.0]), t=t, q_i=q[:, [3, 2]],
         q=q, q_dot=q_dot, q_ddot=q_ddot, lam=np.stack([t, -t], axis=1), energy=energy,
         joint_forces=np.stack([-t, t, zero], axis=1)[:, None, :],
-        constraint_error=np.full_like(t, 1e-15), measures=np.stack([2.0 * t, zero + 2.0], axis=1),
+        constraint_error=np.full_like(t, 1e-15), constraint_rate_error=np.full_like(t, 1e-14),
+        measures=np.stack([2.0 * t, zero + 2.0], axis=1),
         stats={"steps": 200, "engine": "interpreted", "wall_seconds": np.float64(0.5)},
         status=status or Status("completed", 2.0))
 

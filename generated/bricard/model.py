@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 519 operations."""
+    """c: everything that depends on the parameters p only. 485 operations."""
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
     bar1_mass = p[1]
@@ -59,106 +59,74 @@ def constants() -> ca.Function:
     w3 = w1 + w2
     w4 = w0 - bar1_inertia_xx + bar1_mass * bar1_center_of_mass_x**2
     w5 = w2 + w4
-    w6 = w3 * -2.0
-    w7 = 2 * w5
-    w8 = 2 * w7
-    w9 = w1 + w4
-    w10 = 2 * w9
-    w11 = 2 * w10
-    w12 = bar2_mass * bar2_center_of_mass_y
-    w13 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
-    w14 = bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
-    w15 = w13 + w14
-    w16 = bar3_mass * bar3_center_of_mass_z
-    w17 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0
-    w18 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
-    w19 = (bar2_inertia_xx + bar2_inertia_yy + bar2_inertia_zz) / 2.0
-    w20 = w19 - bar2_inertia_yy + bar2_mass * bar2_center_of_mass_y**2
-    w21 = w19 - bar2_inertia_zz
-    w22 = w20 + w21
-    w23 = w19 - bar2_inertia_xx
-    w24 = w21 + w23
-    w25 = w22 * -2.0
-    w26 = 2 * w24
-    w27 = w20 + w23
-    w28 = 2 * w27
-    w29 = (bar3_inertia_xx + bar3_inertia_yy + bar3_inertia_zz) / 2.0
-    w30 = w29 - bar3_inertia_yy
-    w31 = w29 - bar3_inertia_zz + bar3_mass * bar3_center_of_mass_z**2
-    w32 = w30 + w31
-    w33 = w29 - bar3_inertia_xx
-    w34 = w31 + w33
-    w35 = w32 * -2.0
-    w36 = 2 * w34
-    w37 = w30 + w33
-    w38 = 2 * w37
-    w39 = w38 * -2.0
-    w40 = 2 * w32
-    w41 = w37 * -2.0
-    w42 = w36 * -2.0
-    w43 = w34 * -2.0
-    w44 = w26 * -2.0
-    w45 = w27 * -2.0
-    w46 = w24 * -2.0
-    w47 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0
-    w48 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
-    w49 = w47 + w48
-    w50 = 2 * w3
-    w51 = w50 * -2.0
-    w52 = w9 * -2.0
-    w53 = 2 * w22
-    w54 = w28 * -2.0
-    w55 = w7 * -2.0
-    w56 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_0_0_0
-    w57 = ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
-    w58 = w56 + w57
-    w59 = w10 * -2.0
-    w60 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
-    w61 = ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
-    w62 = w60 + w61
-    w63 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0
-    w64 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
-    w65 = w63 + w64
-    w66 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
-    w67 = w66 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
-    w68 = w66 - bar5_inertia_zz
-    w69 = w67 + w68
-    w70 = w66 - bar5_inertia_xx
-    w71 = w68 + w70
-    w72 = w69 * -2.0
-    w73 = 2 * w71
-    w74 = w67 + w70
-    w75 = 2 * w74
-    w76 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
-    w77 = w76 - bar4_inertia_yy
-    w78 = w76 - bar4_inertia_zz
-    w79 = w77 + w78
-    w80 = w76 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
-    w81 = w78 + w80
-    w82 = w79 * -2.0
-    w83 = 2 * w81
-    w84 = w77 + w80
-    w85 = 2 * w84
-    w86 = bar4_mass * bar4_center_of_mass_x
-    w87 = w83 * -2.0
-    w88 = w85 * -2.0
-    w89 = w81 * -2.0
-    w90 = w84 * -2.0
-    w91 = bar5_mass * bar5_center_of_mass_y
-    w92 = w75 * -2.0
-    w93 = 2 * w79
-    w94 = 2 * w69
-    w95 = w73 * -2.0
-    w96 = w58**2
-    w97 = w65 * w69
-    w98 = w97 * -2.0
-    w99 = w65 * w71
-    w100 = w99 * -2.0
-    w101 = w65 * w74
-    w102 = w101 * -2.0
-    w103 = w65**2
-    w104 = w62 * w65
-    w105 = w49 * w58
+    w6 = w1 + w4
+    w7 = bar2_mass * bar2_center_of_mass_y
+    w8 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w9 = bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w10 = w8 + w9
+    w11 = bar3_mass * bar3_center_of_mass_z
+    w12 = bar3_start_quaternion_1_0_0 * bar2_end_quaternion_3_0_0
+    w13 = bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w14 = (bar2_inertia_xx + bar2_inertia_yy + bar2_inertia_zz) / 2.0
+    w15 = w14 - bar2_inertia_yy + bar2_mass * bar2_center_of_mass_y**2
+    w16 = w14 - bar2_inertia_zz
+    w17 = w15 + w16
+    w18 = w14 - bar2_inertia_xx
+    w19 = w16 + w18
+    w20 = w15 + w18
+    w21 = (bar3_inertia_xx + bar3_inertia_yy + bar3_inertia_zz) / 2.0
+    w22 = w21 - bar3_inertia_yy
+    w23 = w21 - bar3_inertia_zz + bar3_mass * bar3_center_of_mass_z**2
+    w24 = w22 + w23
+    w25 = w21 - bar3_inertia_xx
+    w26 = w23 + w25
+    w27 = w22 + w25
+    w28 = -4.0 * w27
+    w29 = -4.0 * w26
+    w30 = -4.0 * w19
+    w31 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_1_0_0
+    w32 = ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w33 = w31 + w32
+    w34 = 4.0 * w5
+    w35 = -4.0 * w20
+    w36 = 4.0 * w6
+    w37 = -4.0 * w3
+    w38 = -4.0 * w5
+    w39 = bar1_start_quaternion_0_0_0 * ground_P0_quaternion_0_0_0
+    w40 = ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w41 = w39 + w40
+    w42 = -4.0 * w6
+    w43 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
+    w44 = ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w45 = w43 + w44
+    w46 = bar5_end_quaternion_1_0_0 * ground_P5_quaternion_1_0_0
+    w47 = ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w48 = w46 + w47
+    w49 = (bar5_inertia_xx + bar5_inertia_yy + bar5_inertia_zz) / 2.0
+    w50 = w49 - bar5_inertia_yy + bar5_mass * bar5_center_of_mass_y**2
+    w51 = w49 - bar5_inertia_zz
+    w52 = w50 + w51
+    w53 = w49 - bar5_inertia_xx
+    w54 = w51 + w53
+    w55 = w50 + w53
+    w56 = (bar4_inertia_xx + bar4_inertia_yy + bar4_inertia_zz) / 2.0
+    w57 = w56 - bar4_inertia_yy
+    w58 = w56 - bar4_inertia_zz
+    w59 = w57 + w58
+    w60 = w56 - bar4_inertia_xx + bar4_mass * bar4_center_of_mass_x**2
+    w61 = w58 + w60
+    w62 = w57 + w60
+    w63 = bar4_mass * bar4_center_of_mass_x
+    w64 = -4.0 * w61
+    w65 = bar5_mass * bar5_center_of_mass_y
+    w66 = -4.0 * w55
+    w67 = -4.0 * w62
+    w68 = -4.0 * w54
+    w69 = w41**2
+    w70 = w48 * w52
+    w71 = w48 * w54
+    w72 = w48 * w55
+    w73 = w48**2
     c = ca.vertcat(
         bar1_start_quaternion_0_0_0,
         ground_P0_quaternion_0_0_0,
@@ -169,90 +137,90 @@ def constants() -> ca.Function:
         w3,
         w4,
         w5,
-        w9,
+        w6,
         bar1_end_x,
         bar2_mass,
         bar3_mass,
         bar2_mass + bar3_mass,
-        w12,
+        w7,
         bar2_end_y,
         bar2_end_quaternion_1_0_0,
         bar3_start_quaternion_1_0_0,
         bar2_end_quaternion_3_0_0,
         bar3_start_quaternion_3_0_0,
+        w10,
+        w11,
+        w12 + w13,
         w15,
         w16,
-        w17 + w18,
+        w17,
+        w18,
+        w19,
         w20,
-        w21,
         w22,
         w23,
         w24,
+        w25,
+        w26,
         w27,
-        w30,
-        w31,
-        w32,
+        4.0 * w26 + w28,
+        4.0 * w27 + -4.0 * w24,
+        4.0 * w24 + w29,
+        4.0 * w24 + w29,
+        4.0 * w27 + -4.0 * w24,
+        w28 + 4.0 * w26,
+        4.0 * w17 + w30,
         w33,
-        w34,
-        w37,
-        2 * w36 + w39,
-        2 * w38 + 2 * w35,
-        2 * w40 + w42,
-        w35 * -2.0 + w42,
-        w41 * -2.0 + w40 * -2.0,
-        w39 + w43 * -2.0,
-        w25 * -2.0 + w44,
-        w49,
-        w8 + 2 * w52,
-        2 * w26 + w54,
-        2 * w28 + 2 * w25,
-        w45 * -2.0 + w53 * -2.0,
-        w46 * -2.0 + w54,
-        w44 + 2 * w53,
-        w11 + w51,
-        2 * w50 + w55,
-        w58,
-        w6 * -2.0 + w55,
-        w51 + w52 * -2.0,
-        w5 * -2.0 * -2.0 + w59,
+        w34 + -4.0 * w6,
+        4.0 * w19 + w35,
+        4.0 * w20 + -4.0 * w17,
+        4.0 * w20 + -4.0 * w17,
+        4.0 * w19 + w35,
+        w30 + 4.0 * w17,
+        w36 + w37,
+        4.0 * w3 + w38,
+        w41,
+        4.0 * w3 + w38,
+        w37 + 4.0 * w6,
+        4.0 * w5 + w42,
         bar4_end_x,
         bar5_end_y,
         ground_P5_quaternion_3_0_0,
         bar5_end_quaternion_1_0_0,
         ground_P5_quaternion_1_0_0,
         bar5_end_quaternion_3_0_0,
-        w62,
-        w65,
+        w45,
+        w48,
         bar3_end_z,
         bar5_mass,
-        w67,
-        w68,
-        w69,
-        w70,
-        w71,
-        w74,
-        w77,
-        w78,
-        w79,
+        w50,
+        w51,
+        w52,
+        w53,
+        w54,
+        w55,
+        w57,
+        w58,
+        w59,
         bar4_mass,
-        w80,
-        w81,
-        w84,
-        w86,
-        w82 * -2.0 + w87,
-        w91,
+        w60,
+        w61,
+        w62,
+        w63,
+        4.0 * w59 + w64,
+        w65,
         bar5_mass + bar4_mass,
-        2 * w73 + w92,
-        2 * w83 + w88,
-        2 * w85 + 2 * w82,
-        w90 * -2.0 + w93 * -2.0,
-        w88 + w89 * -2.0,
-        w87 + 2 * w93,
-        2 * w75 + 2 * w72,
-        2 * w94 + w95,
-        w72 * -2.0 + w95,
-        w74 * -2.0 * -2.0 + w94 * -2.0,
-        w92 + w71 * -2.0 * -2.0,
+        4.0 * w54 + w66,
+        4.0 * w61 + w67,
+        4.0 * w62 + -4.0 * w59,
+        4.0 * w62 + -4.0 * w59,
+        w67 + 4.0 * w61,
+        w64 + 4.0 * w59,
+        4.0 * w55 + -4.0 * w52,
+        4.0 * w52 + w68,
+        4.0 * w52 + w68,
+        4.0 * w55 + -4.0 * w52,
+        w66 + 4.0 * w54,
         bar1_mass * bar1_center_of_mass_x,
         gravity_y,
         bar2_mass * gravity_y,
@@ -260,60 +228,60 @@ def constants() -> ca.Function:
         bar4_mass * gravity_y,
         bar5_mass * gravity_y,
         ground_P5_z,
-        -w58,
-        -w65,
+        -w41,
+        -w48,
         bar1_mass,
-        w11 + 2 * w6,
-        w8 + w59,
+        w36 + -4.0 * w3,
+        w34 + w42,
         bar1_mass * gravity_y,
-        -w15,
-        bar3_end_z * 4.0,
-        w56 * 0.5 + w57 * 0.5,
-        w47 * 0.5 + w48 * 0.5,
-        w47 * 0.25 + w48 * 0.25,
-        w56 * 0.25 + w57 * 0.25,
-        w3 * w96 * -2.0 + w58 * (w3 * w58) * -2.0,
-        w5 * w96 * -2.0 + w58 * (w5 * w58) * -2.0,
-        w9 * w96 * -2.0 + w58 * (w9 * w58) * -2.0,
-        w25 + w25,
-        w46 + w46,
-        w45 + w45,
-        w35 + w35,
-        w43 + w43,
-        w41 + w41,
-        w89 + w89,
-        w98 + w98,
-        w100 + w100,
-        w102 + w102,
-        bar1_end_x * 4.0,
-        bar2_end_y * 4.0,
-        bar4_end_x * 4.0,
-        bar5_end_y * 4.0,
-        w17 * 0.5 + w18 * 0.5,
-        w13 * 0.5 + w14 * 0.5,
-        w13 * 0.25 + w14 * 0.25,
-        w17 * 0.25 + w18 * 0.25,
-        w60 * 0.25 + w61 * 0.25,
-        w63 * 0.25 + w64 * 0.25,
-        w12 + w12,
-        1.0 + 1.0,
-        w58 + w58,
-        w65 + w65,
-        w62 + w62,
-        w49 + w49,
-        w60 * 0.5 + w61 * 0.5,
-        w63 * 0.5 + w64 * 0.5,
-        w16 + w16,
-        w86 + w86,
-        w91 + w91,
-        w105 + w105,
+        -w10,
+        4.0 * bar3_end_z,
+        0.5 * w39 + 0.5 * w40,
+        0.5 * w31 + 0.5 * w32,
+        0.25 * w31 + 0.25 * w32,
+        0.25 * w39 + 0.25 * w40,
+        -2.0 * (w3 * w69) + -2.0 * (w41 * (w3 * w41)),
+        -2.0 * (w5 * w69) + -2.0 * (w41 * (w5 * w41)),
+        -2.0 * (w6 * w69) + -2.0 * (w41 * (w6 * w41)),
+        -4.0 * w17,
+        -4.0 * w19,
+        -4.0 * w20,
+        -4.0 * w24,
+        -4.0 * w26,
+        -4.0 * w27,
+        -4.0 * w61,
+        -4.0 * w70,
+        -4.0 * w71,
+        -4.0 * w72,
+        4.0 * bar1_end_x,
+        4.0 * bar2_end_y,
+        4.0 * bar4_end_x,
+        4.0 * bar5_end_y,
+        0.5 * w12 + 0.5 * w13,
+        0.5 * w8 + 0.5 * w9,
+        0.25 * w8 + 0.25 * w9,
+        0.25 * w12 + 0.25 * w13,
+        0.25 * w43 + 0.25 * w44,
+        0.25 * w46 + 0.25 * w47,
+        2 * w7,
+        2.0,
+        2 * w41,
+        2 * w48,
+        2 * w45,
+        2 * w33,
+        0.5 * w43 + 0.5 * w44,
+        0.5 * w46 + 0.5 * w47,
+        2 * w11,
+        2 * w63,
+        2 * w65,
+        2 * (w33 * w41),
         -(2 * bar1_end_x),
-        w82 + w82,
-        w90 + w90,
-        w104 + w104,
-        w69 * w103 * -2.0 + w65 * w97 * -2.0,
-        w71 * w103 * -2.0 + w65 * w99 * -2.0,
-        w74 * w103 * -2.0 + w65 * w101 * -2.0,
+        -4.0 * w59,
+        -4.0 * w62,
+        2 * (w45 * w48),
+        -2.0 * (w52 * w73) + -2.0 * (w48 * w70),
+        -2.0 * (w54 * w73) + -2.0 * (w48 * w71),
+        -2.0 * (w55 * w73) + -2.0 * (w48 * w72),
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 56 operations."""
+    """c: everything that depends on the parameters p only. 53 operations."""
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
     upper_mass = p[1]
@@ -18,31 +18,29 @@ def constants() -> ca.Function:
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
     lower_tip_x = p[8]
-    w0 = upper_inertia + upper_mass * upper_center_of_mass_x**2
-    w1 = upper_tip_x * lower_mass
-    w2 = lower_mass * lower_center_of_mass_x
-    w3 = upper_mass * upper_center_of_mass_x
-    w4 = w3 * gravity_y
+    w0 = upper_tip_x * lower_mass
+    w1 = lower_mass * lower_center_of_mass_x
+    w2 = upper_mass * upper_center_of_mass_x
+    w3 = w2 * gravity_y
     c = ca.vertcat(
-        upper_inertia + upper_center_of_mass_x * w3 + lower_mass * upper_tip_x**2,
-        w1 * lower_center_of_mass_x,
-        lower_inertia + lower_center_of_mass_x * w2,
-        w4 + w1 * gravity_y,
-        w2 * gravity_y,
+        upper_inertia + upper_center_of_mass_x * w2 + lower_mass * upper_tip_x**2,
+        w0 * lower_center_of_mass_x,
+        lower_inertia + lower_center_of_mass_x * w1,
+        w3 + w0 * gravity_y,
+        w1 * gravity_y,
         upper_tip_x,
         upper_mass,
-        w0,
+        upper_inertia + upper_mass * upper_center_of_mass_x**2,
         lower_mass,
-        w2,
+        w1,
         lower_inertia + lower_mass * lower_center_of_mass_x**2,
-        w3,
+        w2,
         gravity_y,
         lower_mass * gravity_y,
         upper_mass * gravity_y,
         lower_tip_x,
         lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),
-        w0 + upper_tip_x * w1,
-        w4,
+        w3,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -53,7 +51,7 @@ def condensed() -> ca.Function:
     """M_hat and Q_hat (Eq. 38). 30 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -86,7 +84,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     c5 = c[5]
     q_d_next = ca.vertcat(
@@ -104,7 +102,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 15 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     c5 = c[5]
@@ -124,7 +122,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
@@ -147,7 +145,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -222,7 +220,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 162 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -406,7 +404,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -458,7 +456,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 74 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -510,7 +508,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 28 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -539,7 +537,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 26 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -566,7 +564,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -589,7 +587,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_ddot = q_i_ddot[0]
@@ -611,38 +609,43 @@ def dMa_dq_i() -> ca.Function:
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 55 operations."""
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 74 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 19)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     c5 = c[5]
+    c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
     c12 = c[12]
     c13 = c[13]
     c17 = c[17]
-    c18 = c[18]
     w0 = ca.cos(upper_theta)
     w1 = w0 * c5
     w2 = lower_theta_dot**2
     w3 = ca.sin(lower_theta) * c9
-    w4 = upper_theta_dot**2
-    w5 = ca.sin(upper_theta) * c5
-    w6 = w4 * w5
-    w7 = ca.cos(lower_theta) * c9
-    w8 = w1 * w4
-    w9 = w1 * w7 + w3 * w5
-    w10 = w9 / c10
-    w11 = w7 * c12 + w6 * w7 - w3 * w8
-    w12 = (w0 * c18 + w1 * (c13 + w2 * w3 + w6 * c8) - w5 * (w2 * w7 + w8 * c8) - w10 * w11) / (c17 - w9 * w10)
+    w4 = ca.cos(lower_theta) * c9
+    w5 = w4 / c10
+    w6 = w4 * c12
+    w7 = c8 - w4 * w5
+    w8 = upper_theta_dot**2
+    w9 = ca.sin(upper_theta) * c5
+    w10 = w8 * w9
+    w11 = w3 / c10
+    w12 = w4 * w11
+    w13 = w1 * w12
+    w14 = w1 * w8
+    w15 = c8 - w3 * w11
+    w16 = w0 * c17 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
+    w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     q_i_ddot = ca.vertcat(
-        w12,
-        (w11 - w9 * w12) / c10,
+        w17,
+        (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10,
     )
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 87 operations."""
+    """c: everything that depends on the parameters p only. 84 operations."""
     p = ca.SX.sym("p", 17)
     shoulder_torque = p[0]
     elbow_torque = p[1]
@@ -26,13 +26,12 @@ def constants() -> ca.Function:
     gear1_stiffness = p[14]
     gear2_stiffness = p[15]
     link2_tip_x = p[16]
-    w0 = link1_inertia + link1_mass * link1_center_of_mass_x**2
-    w1 = link1_tip_x * rotor2_mass
-    w2 = link1_tip_x * link2_mass
-    w3 = link2_mass * link2_center_of_mass_x
-    w4 = link1_mass * link1_center_of_mass_x
-    w5 = w4 * gravity_y
-    w6 = link1_tip_x**2
+    w0 = link1_tip_x * rotor2_mass
+    w1 = link1_tip_x * link2_mass
+    w2 = link2_mass * link2_center_of_mass_x
+    w3 = link1_mass * link1_center_of_mass_x
+    w4 = w3 * gravity_y
+    w5 = link1_tip_x**2
     c = ca.vertcat(
         rotor1_inertia,
         rotor2_inertia,
@@ -40,19 +39,19 @@ def constants() -> ca.Function:
         elbow_torque,
         shoulder_torque,
         gear2_stiffness,
-        link1_inertia + link1_center_of_mass_x * w4 + rotor2_mass * w6 + link2_mass * w6,
-        w2 * link2_center_of_mass_x,
-        link2_inertia + link2_center_of_mass_x * w3,
-        w5 + w1 * gravity_y + w2 * gravity_y,
-        w3 * gravity_y,
+        link1_inertia + link1_center_of_mass_x * w3 + rotor2_mass * w5 + link2_mass * w5,
+        w1 * link2_center_of_mass_x,
+        link2_inertia + link2_center_of_mass_x * w2,
+        w4 + w0 * gravity_y + w1 * gravity_y,
+        w2 * gravity_y,
         link1_tip_x,
         link1_mass,
-        w0,
+        link1_inertia + link1_mass * link1_center_of_mass_x**2,
         rotor2_mass,
         link2_mass,
-        w3,
+        w2,
         link2_inertia + link2_mass * link2_center_of_mass_x**2,
-        w4,
+        w3,
         gravity_y,
         rotor2_mass * gravity_y,
         link2_mass * gravity_y,
@@ -63,9 +62,8 @@ def constants() -> ca.Function:
         -gear1_stiffness,
         -gear2_stiffness,
         link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),
-        link1_tip_x * w1,
-        w5,
-        w0 + link1_tip_x * w2,
+        link1_tip_x * w0,
+        w4,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -77,7 +75,7 @@ def condensed() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -137,7 +135,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 15 operations."""
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     c11 = c[11]
     w0 = ca.cos(link1_theta) * c11
@@ -161,7 +159,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 19 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     c11 = c[11]
@@ -187,7 +185,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     link1_theta_ddot = q_i_ddot[0]
@@ -216,7 +214,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 158 operations."""
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -389,7 +387,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q[2]
     rotor1_theta = q[5]
     link2_theta = q[8]
@@ -903,7 +901,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     q_ddot = ca.SX.sym("q_ddot", 12)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q[2]
     link2_theta = q[8]
     link1_theta_dot = q_dot[2]
@@ -978,7 +976,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_y = q[1]
     link1_theta = q[2]
     rotor1_y = q[4]
@@ -1053,7 +1051,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 36 operations."""
     q = ca.SX.sym("q", 12)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -1090,7 +1088,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 43 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
@@ -1133,7 +1131,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 28 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
@@ -1168,7 +1166,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 29 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_ddot = q_i_ddot[0]
@@ -1202,11 +1200,11 @@ def dMa_dq_i() -> ca.Function:
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 96 operations."""
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 115 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1220,6 +1218,7 @@ def forward_dynamics() -> ca.Function:
     c4 = c[4]
     c5 = c[5]
     c11 = c[11]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
@@ -1229,29 +1228,32 @@ def forward_dynamics() -> ca.Function:
     c21 = c[21]
     c29 = c[29]
     c30 = c[30]
-    c31 = c[31]
     w0 = ca.cos(link1_theta)
     w1 = (link1_theta - rotor1_theta) * c2
     w2 = ca.sin(t * 6.283185307179586) * c3
     w3 = w0 * c11
     w4 = link2_theta_dot**2
     w5 = ca.sin(link2_theta) * c16
-    w6 = link1_theta_dot**2
-    w7 = ca.sin(link1_theta) * c11
-    w8 = w6 * w7
-    w9 = ca.cos(link2_theta) * c16
-    w10 = w3 * w6
-    w11 = w3 * w9 + w5 * w7
-    w12 = w11 / c17
-    w13 = (link2_theta - rotor2_theta) * c5
-    w14 = w9 * c19 - w13 + w8 * w9 - w5 * w10
-    w15 = w0 * c30 - w1 - w2 + w3 * (c21 + w4 * w5 + w8 * c15) - w7 * (w4 * w9 + w10 * c15) - w12 * w14 + w3 * (c20 + w8 * c14)
-    w16 = (w15 - w7 * (w10 * c14)) / (c29 + (c31 - w11 * w12))
+    w6 = ca.cos(link2_theta) * c16
+    w7 = w6 / c17
+    w8 = (link2_theta - rotor2_theta) * c5
+    w9 = w6 * c19 - w8
+    w10 = c15 - w6 * w7
+    w11 = link1_theta_dot**2
+    w12 = ca.sin(link1_theta) * c11
+    w13 = w11 * w12
+    w14 = w5 / c17
+    w15 = w6 * w14
+    w16 = w3 * w15
+    w17 = w3 * w11
+    w18 = c15 - w5 * w14
+    w19 = w0 * c30 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
+    w20 = (w19 + w3 * (c20 + w13 * c14) - w12 * (w17 * c14)) / (c29 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
     q_i_ddot = ca.vertcat(
-        w16,
+        w20,
         (w1 + ca.sin(t * 3.141592653589793) * c4) / c0,
-        (w14 - w11 * w16) / c17,
-        (w2 + w13) / c1,
+        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c17,
+        (w2 + w8) / c1,
     )
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, t, c], [q_i_ddot]
@@ -1263,7 +1265,7 @@ def blocks() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1339,7 +1341,7 @@ def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 32 operations."""
     q_i = ca.SX.sym("q_i", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 32)
+    c = ca.SX.sym("c", 31)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 389 operations."""
+    """c: everything that depends on the parameters p only. 364 operations."""
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
     shaft_mass = p[1]
@@ -59,79 +59,57 @@ def constants() -> ca.Function:
     w3 = w1 + w2
     w4 = w0 - shaft_inertia_xx
     w5 = w2 + w4
-    w6 = w3 * -2.0
-    w7 = 2 * w5
-    w8 = w1 + w4
-    w9 = 2 * w8
-    w10 = left_rod_mass * left_rod_center_of_mass_x
-    w11 = (left_rod_inertia_xx + left_rod_inertia_yy + left_rod_inertia_zz) / 2.0
-    w12 = w11 - left_rod_inertia_yy
-    w13 = w11 - left_rod_inertia_zz
-    w14 = w12 + w13
-    w15 = w11 - left_rod_inertia_xx + left_rod_mass * left_rod_center_of_mass_x**2
-    w16 = w13 + w15
-    w17 = w14 * -2.0
-    w18 = 2 * w16
-    w19 = w12 + w15
-    w20 = 2 * w19
-    w21 = left_rod_hinge_quaternion_1_0_0 * shaft_left_quaternion_3_0_0
-    w22 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
-    w23 = 2 * w14
-    w24 = w20 * -2.0
-    w25 = w19 * -2.0
-    w26 = w16 * -2.0
-    w27 = w18 * -2.0
-    w28 = shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
-    w29 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
-    w30 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
-    w31 = shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
-    w32 = w30 + w31
-    w33 = right_rod_mass * right_rod_center_of_mass_x
-    w34 = (right_rod_inertia_xx + right_rod_inertia_yy + right_rod_inertia_zz) / 2.0
-    w35 = w34 - right_rod_inertia_yy
-    w36 = w34 - right_rod_inertia_zz
-    w37 = w35 + w36
-    w38 = w34 - right_rod_inertia_xx + right_rod_mass * right_rod_center_of_mass_x**2
-    w39 = w36 + w38
-    w40 = w37 * -2.0
-    w41 = 2 * w39
-    w42 = w35 + w38
-    w43 = 2 * w42
-    w44 = 2 * w37
-    w45 = w43 * -2.0
-    w46 = w42 * -2.0
-    w47 = right_rod_hinge_quaternion_0_0_0 * shaft_right_quaternion_1_0_0
-    w48 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
-    w49 = w47 + w48
-    w50 = w39 * -2.0
-    w51 = w41 * -2.0
-    w52 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
-    w53 = w52 - slider_inertia_yy
-    w54 = w52 - slider_inertia_zz
-    w55 = w53 + w54
-    w56 = w52 - slider_inertia_xx
-    w57 = w54 + w56
-    w58 = w55 * -2.0
-    w59 = 2 * w57
-    w60 = w53 + w56
-    w61 = 2 * w60
-    w62 = w7 * -2.0
-    w63 = w8 * -2.0
-    w64 = w59 * -2.0
-    w65 = w60 * -2.0
-    w66 = 2 * shaft_right_x
-    w67 = 2 * shaft_left_x
-    w68 = 2 * w3
-    w69 = w9 * -2.0
-    w70 = 2 * w55
-    w71 = w61 * -2.0
+    w6 = w1 + w4
+    w7 = left_rod_mass * left_rod_center_of_mass_x
+    w8 = (left_rod_inertia_xx + left_rod_inertia_yy + left_rod_inertia_zz) / 2.0
+    w9 = w8 - left_rod_inertia_yy
+    w10 = w8 - left_rod_inertia_zz
+    w11 = w9 + w10
+    w12 = w8 - left_rod_inertia_xx + left_rod_mass * left_rod_center_of_mass_x**2
+    w13 = w10 + w12
+    w14 = w9 + w12
+    w15 = left_rod_hinge_quaternion_1_0_0 * shaft_left_quaternion_3_0_0
+    w16 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_0_0_0
+    w17 = -4.0 * w14
+    w18 = -4.0 * w13
+    w19 = shaft_left_quaternion_3_0_0 * left_rod_hinge_quaternion_0_0_0
+    w20 = shaft_left_quaternion_2_0_0 * left_rod_hinge_quaternion_1_0_0
+    w21 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_0_0_0
+    w22 = shaft_right_quaternion_1_0_0 * right_rod_hinge_quaternion_1_0_0
+    w23 = w21 + w22
+    w24 = right_rod_mass * right_rod_center_of_mass_x
+    w25 = (right_rod_inertia_xx + right_rod_inertia_yy + right_rod_inertia_zz) / 2.0
+    w26 = w25 - right_rod_inertia_yy
+    w27 = w25 - right_rod_inertia_zz
+    w28 = w26 + w27
+    w29 = w25 - right_rod_inertia_xx + right_rod_mass * right_rod_center_of_mass_x**2
+    w30 = w27 + w29
+    w31 = w26 + w29
+    w32 = -4.0 * w31
+    w33 = right_rod_hinge_quaternion_0_0_0 * shaft_right_quaternion_1_0_0
+    w34 = shaft_right_quaternion_0_0_0 * right_rod_hinge_quaternion_1_0_0
+    w35 = w33 + w34
+    w36 = -4.0 * w30
+    w37 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
+    w38 = w37 - slider_inertia_yy
+    w39 = w37 - slider_inertia_zz
+    w40 = w38 + w39
+    w41 = w37 - slider_inertia_xx
+    w42 = w39 + w41
+    w43 = w38 + w41
+    w44 = -4.0 * w5
+    w45 = -4.0 * w42
+    w46 = 2 * shaft_right_x
+    w47 = 2 * shaft_left_x
+    w48 = -4.0 * w6
+    w49 = -4.0 * w43
     c = ca.vertcat(
         w1,
         w2,
         w3,
         w4,
         w5,
-        w8,
+        w6,
         shaft_left_x,
         shaft_left_z,
         left_rod_mass,
@@ -139,21 +117,21 @@ def constants() -> ca.Function:
         left_rod_hinge_quaternion_1_0_0,
         shaft_left_quaternion_3_0_0,
         left_rod_hinge_quaternion_0_0_0,
+        w7,
+        w9,
         w10,
+        w11,
         w12,
         w13,
         w14,
-        w15,
-        w16,
-        w19,
-        w21 + w22,
-        2 * w18 + w24,
-        2 * w20 + 2 * w17,
-        2 * w23 + w27,
-        w28 + w29,
-        w17 * -2.0 + w27,
-        w23 * -2.0 + w25 * -2.0,
-        w24 + w26 * -2.0,
+        w15 + w16,
+        4.0 * w13 + w17,
+        4.0 * w14 + -4.0 * w11,
+        4.0 * w11 + w18,
+        w19 + w20,
+        4.0 * w11 + w18,
+        -4.0 * w11 + 4.0 * w14,
+        w17 + 4.0 * w13,
         shaft_right_x,
         shaft_right_z,
         right_rod_mass,
@@ -161,30 +139,30 @@ def constants() -> ca.Function:
         right_rod_hinge_quaternion_0_0_0,
         shaft_right_quaternion_1_0_0,
         right_rod_hinge_quaternion_1_0_0,
-        w32,
-        w33,
+        w23,
+        w24,
+        w26,
+        w27,
+        w28,
+        w29,
+        w30,
+        w31,
+        4.0 * w30 + w32,
         w35,
-        w36,
-        w37,
+        4.0 * w31 + -4.0 * w28,
+        4.0 * w28 + w36,
+        4.0 * w28 + w36,
+        -4.0 * w28 + 4.0 * w31,
+        w32 + 4.0 * w30,
+        slider_mass,
         w38,
         w39,
+        w40,
+        w41,
         w42,
-        2 * w41 + w45,
-        w49,
-        2 * w43 + 2 * w40,
-        2 * w44 + w51,
-        w40 * -2.0 + w51,
-        w44 * -2.0 + w46 * -2.0,
-        w45 + w50 * -2.0,
-        slider_mass,
-        w53,
-        w54,
-        w55,
-        w56,
-        w57,
-        w60,
-        w6 * -2.0 + w62,
-        w58 * -2.0 + w64,
+        w43,
+        4.0 * w3 + w44,
+        4.0 * w40 + w45,
         shaft_mass * shaft_center_of_mass_z,
         gravity_z,
         left_rod_mass * gravity_z,
@@ -200,59 +178,59 @@ def constants() -> ca.Function:
         right_spring_stiffness,
         right_spring_damping,
         slider_mass * gravity_z,
-        w66,
-        w30 - w31,
-        w48 - w47,
-        -w49,
-        w67,
-        w29 - w28,
-        w22 - w21,
+        w46,
+        w21 - w22,
+        w34 - w33,
+        -w35,
+        w47,
+        w20 - w19,
+        w16 - w15,
         shaft_mass,
-        w5 * -2.0 * -2.0 + w69,
-        w63 * -2.0 + w68 * -2.0,
-        w62 + 2 * w68,
-        2 * w9 + 2 * w6,
-        2 * w7 + w69,
-        w57 * -2.0 * -2.0 + w71,
-        w65 * -2.0 + w70 * -2.0,
-        w64 + 2 * w70,
-        2 * w61 + 2 * w58,
-        2 * w59 + w71,
+        4.0 * w5 + w48,
+        4.0 * w6 + -4.0 * w3,
+        w44 + 4.0 * w3,
+        4.0 * w6 + -4.0 * w3,
+        4.0 * w5 + w48,
+        4.0 * w42 + w49,
+        4.0 * w43 + -4.0 * w40,
+        w45 + 4.0 * w40,
+        4.0 * w43 + -4.0 * w40,
+        4.0 * w42 + w49,
         shaft_mass * gravity_z,
-        -w32,
-        right_spring_stiffness * 0.5,
-        left_spring_stiffness * 0.5,
+        -w23,
+        0.5 * right_spring_stiffness,
+        0.5 * left_spring_stiffness,
         2 * right_spring_damping,
         2 * left_spring_damping,
         right_rod_ball_x,
         left_rod_ball_x,
-        w63 + w63,
-        w65 + w65,
-        w40 + w40,
-        w50 + w50,
-        w46 + w46,
-        w17 + w17,
-        w26 + w26,
-        w25 + w25,
+        -4.0 * w6,
+        -4.0 * w43,
+        -4.0 * w28,
+        -4.0 * w30,
+        -4.0 * w31,
+        -4.0 * w11,
+        -4.0 * w13,
+        -4.0 * w14,
         -(2 * right_rod_middle_x),
         -(2 * left_rod_middle_x),
-        -w66,
+        -w46,
         -(2 * slider_right_x),
-        -w67,
+        -w47,
         -(2 * slider_left_x),
-        w47 * 0.5 + w48 * 0.5,
-        w30 * 0.5 + w31 * 0.5,
-        w30 * 0.25 + w31 * 0.25,
-        w47 * 0.25 + w48 * 0.25,
-        w21 * 0.5 + w22 * 0.5,
-        w28 * 0.5 + w29 * 0.5,
-        w21 * 0.25 + w22 * 0.25,
-        w28 * 0.25 + w29 * 0.25,
-        w10 + w10,
-        w33 + w33,
-        1.0 + 1.0,
-        -(2 * w33),
-        -(2 * w10),
+        0.5 * w33 + 0.5 * w34,
+        0.5 * w21 + 0.5 * w22,
+        0.25 * w21 + 0.25 * w22,
+        0.25 * w33 + 0.25 * w34,
+        0.5 * w15 + 0.5 * w16,
+        0.5 * w19 + 0.5 * w20,
+        0.25 * w15 + 0.25 * w16,
+        0.25 * w19 + 0.25 * w20,
+        2 * w7,
+        2 * w24,
+        2.0,
+        -(2 * w24),
+        -(2 * w7),
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -1841,7 +1841,7 @@ def dMa_dq_i() -> ca.Function:
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 110 operations."""
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 112 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -1866,7 +1866,6 @@ def forward_dynamics() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
@@ -1874,6 +1873,8 @@ def forward_dynamics() -> ca.Function:
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
+    c20 = c[20]
+    c22 = c[22]
     c260 = c[260]
     c261 = c[261]
     c262 = c[262]
@@ -1883,17 +1884,17 @@ def forward_dynamics() -> ca.Function:
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
-    w4 = beam_theta_dot**2
-    w5 = w2 * w4 - beam_q3 * c19
-    w6 = w1 * w4 - beam_q2 * c18
-    w7 = w0 * w4 - beam_q1 * c17
-    w8 = (w3 - w5 * c260 - w6 * c261 - w7 * c262) / (beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)) - c263 - c264 - c265)
+    w3 = beam_theta_dot**2
+    w4 = w2 * w3 - beam_q3 * c19
+    w5 = w1 * w3 - beam_q2 * c18
+    w6 = beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) - w4 * c260 - w5 * c261
+    w7 = w0 * w3 - beam_q1 * c17
+    w8 = (ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + (w6 - w7 * c262)) / (c20 + (c22 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2) - c263 - c264 - c265))
     q_i_ddot = ca.vertcat(
         w8,
         (w7 - w8 * c13) / c0,
-        (w6 - w8 * c14) / c4,
-        (w5 - w8 * c15) / c8,
+        (w5 - w8 * c14) / c4,
+        (w4 - w8 * c15) / c8,
     )
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [q_i_ddot]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 62 operations."""
+    """c: everything that depends on the parameters p only. 59 operations."""
     p = ca.SX.sym("p", 10)
     gravity_y = p[0]
     rod_mass = p[1]
@@ -19,34 +19,32 @@ def constants() -> ca.Function:
     rod_tip_x = p[7]
     spring_stiffness = p[8]
     spring_damping = p[9]
-    w0 = rod_inertia + rod_mass * rod_center_of_mass_x**2
-    w1 = rod_tip_x * finger_mass
-    w2 = finger_mass * finger_center_of_mass_x
-    w3 = rod_mass * rod_center_of_mass_x
-    w4 = w3 * gravity_y
+    w0 = rod_tip_x * finger_mass
+    w1 = finger_mass * finger_center_of_mass_x
+    w2 = rod_mass * rod_center_of_mass_x
+    w3 = w2 * gravity_y
     c = ca.vertcat(
         spring_stiffness,
         spring_damping,
-        rod_inertia + rod_center_of_mass_x * w3 + finger_mass * rod_tip_x**2,
-        w1 * finger_center_of_mass_x,
-        finger_inertia + finger_center_of_mass_x * w2,
-        w4 + w1 * gravity_y,
-        w2 * gravity_y,
+        rod_inertia + rod_center_of_mass_x * w2 + finger_mass * rod_tip_x**2,
+        w0 * finger_center_of_mass_x,
+        finger_inertia + finger_center_of_mass_x * w1,
+        w3 + w0 * gravity_y,
+        w1 * gravity_y,
         rod_tip_x,
         rod_mass,
-        w0,
+        rod_inertia + rod_mass * rod_center_of_mass_x**2,
         finger_mass,
-        w2,
+        w1,
         finger_inertia + finger_mass * finger_center_of_mass_x**2,
-        w3,
+        w2,
         gravity_y,
         finger_mass * gravity_y,
         rod_mass * gravity_y,
         -spring_stiffness,
         -spring_damping,
         finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),
-        w0 + rod_tip_x * w1,
-        w4,
+        w3,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]
@@ -57,7 +55,7 @@ def condensed() -> ca.Function:
     """M_hat and Q_hat (Eq. 38). 44 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -96,7 +94,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     c7 = c[7]
     q_d_next = ca.vertcat(
@@ -114,7 +112,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 15 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     c7 = c[7]
@@ -134,7 +132,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_theta_ddot = q_i_ddot[0]
@@ -157,7 +155,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
@@ -232,7 +230,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 171 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -419,7 +417,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q[2]
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
@@ -471,7 +469,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 83 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_y = q[1]
     rod_theta = q[2]
     finger_y = q[4]
@@ -525,7 +523,7 @@ def energy() -> ca.Function:
 def drawing() -> ca.Function:
     """World points of the polylines that show the bodies. 18 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
@@ -550,7 +548,7 @@ def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 30 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -579,7 +577,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 18 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -604,7 +602,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_ddot = q_i_ddot[0]
@@ -626,10 +624,10 @@ def dMa_dq_i() -> ca.Function:
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 64 operations."""
+    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 83 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -637,30 +635,35 @@ def forward_dynamics() -> ca.Function:
     c0 = c[0]
     c1 = c[1]
     c7 = c[7]
+    c9 = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c14 = c[14]
     c15 = c[15]
     c20 = c[20]
-    c21 = c[21]
     w0 = ca.cos(rod_theta)
     w1 = (finger_theta - rod_theta) * c0 + (finger_theta_dot - rod_theta_dot) * c1
     w2 = w0 * c7
     w3 = finger_theta_dot**2
     w4 = ca.sin(finger_theta) * c11
-    w5 = rod_theta_dot**2
-    w6 = ca.sin(rod_theta) * c7
-    w7 = w5 * w6
-    w8 = ca.cos(finger_theta) * c11
-    w9 = w2 * w5
-    w10 = w2 * w8 + w4 * w6
-    w11 = w10 / c12
-    w12 = w8 * c14 - w1 + w7 * w8 - w4 * w9
-    w13 = (w0 * c21 + w1 + w2 * (c15 + w3 * w4 + w7 * c10) - w6 * (w3 * w8 + w9 * c10) - w11 * w12) / (c20 - w10 * w11)
+    w5 = ca.cos(finger_theta) * c11
+    w6 = w5 / c12
+    w7 = w5 * c14 - w1
+    w8 = c10 - w5 * w6
+    w9 = rod_theta_dot**2
+    w10 = ca.sin(rod_theta) * c7
+    w11 = w9 * w10
+    w12 = w4 / c12
+    w13 = w5 * w12
+    w14 = w2 * w13
+    w15 = w2 * w9
+    w16 = c10 - w4 * w12
+    w17 = w0 * c20 + w1 + w2 * (c15 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
+    w18 = w17 / (c9 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
     q_i_ddot = ca.vertcat(
-        w13,
-        (w12 - w10 * w13) / c12,
+        w18,
+        (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c12,
     )
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
@@ -671,7 +674,7 @@ def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 44 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
@@ -723,7 +726,7 @@ def substep_2() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 22)
+    c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 768 operations."""
+    """c: everything that depends on the parameters p only. 760 operations."""
     p = ca.SX.sym("p", 176)
     gravity_z = p[0]
     crank_mass = p[1]
@@ -185,93 +185,81 @@ def constants() -> ca.Function:
     w3 = w1 + w2
     w4 = w0 - crank_inertia_xx
     w5 = w2 + w4
-    w6 = w3 * -2.0
-    w7 = 2 * w5
-    w8 = 2 * w7
-    w9 = w1 + w4
-    w10 = 2 * w9
-    w11 = 2 * w10
-    w12 = 2 * w3
-    w13 = w12 * -2.0
-    w14 = w9 * -2.0
-    w15 = 2 * w12
-    w16 = w5 * -2.0
-    w17 = w10 * -2.0
-    w18 = w7 * -2.0
-    w19 = rod_rho_phi_0_2_0 - rod_rho_phi_0_0_2
-    w20 = rod_rho_phi_1_0_1 - rod_rho_phi_1_1_0
-    w21 = rod_rho_phi_2_2_0 - rod_rho_phi_2_0_2
-    w22 = rod_rho_phi_3_0_1 - rod_rho_phi_3_1_0
-    w23 = rod_rho_phi_4_2_0 - rod_rho_phi_4_0_2
-    w24 = rod_rho_phi_5_1_2 - rod_rho_phi_5_2_1
-    w25 = crank_mass * crank_center_of_mass_y
-    w26 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_1_0_0 + ground_guide_quaternion_2_0_0 * slider_guide_quaternion_2_0_0
-    w27 = ground_guide_quaternion_0_0_0 * slider_guide_quaternion_0_0_0 + (w26 + ground_guide_quaternion_3_0_0 * slider_guide_quaternion_3_0_0)
-    w28 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_1_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_1_0_0
-    w29 = slider_guide_quaternion_2_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_2_0_0 * slider_guide_quaternion_3_0_0
-    w30 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_2_0_0
-    w31 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_3_0_0 - slider_guide_quaternion_1_0_0 * ground_guide_quaternion_3_0_0
-    w32 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_3_0_0
-    w33 = slider_guide_quaternion_1_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_1_0_0 * slider_guide_quaternion_2_0_0
-    w34 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
-    w35 = w34 - slider_inertia_yy
-    w36 = w34 - slider_inertia_zz
-    w37 = w35 + w36
-    w38 = w34 - slider_inertia_xx
-    w39 = w36 + w38
-    w40 = w37 * -2.0
-    w41 = w35 + w38
-    w42 = 2 * w37
-    w43 = 2 * w41
-    w44 = w43 * -2.0
-    w45 = 2 * w39
-    w46 = w45 * -2.0
-    w47 = 2 * rod_first_moment_x
-    w48 = rod_first_moment_x * -2.0
-    w49 = rod_phi_phi_0_1_1_2 + rod_phi_phi_0_1_2_1
-    w50 = rod_phi_phi_0_3_1_2 + rod_phi_phi_0_3_2_1
-    w51 = rod_phi_phi_0_5_0_1 + rod_phi_phi_0_5_1_0
-    w52 = rod_phi_phi_0_1_1_2 - rod_phi_phi_0_1_2_1
-    w53 = rod_phi_phi_0_3_1_2 - rod_phi_phi_0_3_2_1
-    w54 = rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0
-    w55 = rod_phi_phi_1_5_0_2 + rod_phi_phi_1_5_2_0
-    w56 = rod_phi_phi_1_0_1_2 + rod_phi_phi_1_0_2_1
-    w57 = rod_phi_phi_1_2_1_2 + rod_phi_phi_1_2_2_1
-    w58 = rod_phi_phi_1_4_1_2 + rod_phi_phi_1_4_2_1
-    w59 = rod_phi_phi_1_0_1_2 - rod_phi_phi_1_0_2_1
-    w60 = rod_phi_phi_1_2_1_2 - rod_phi_phi_1_2_2_1
-    w61 = rod_phi_phi_1_4_1_2 - rod_phi_phi_1_4_2_1
-    w62 = rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2
-    w63 = rod_phi_phi_2_1_1_2 + rod_phi_phi_2_1_2_1
-    w64 = rod_phi_phi_2_3_1_2 + rod_phi_phi_2_3_2_1
-    w65 = rod_phi_phi_2_5_0_1 + rod_phi_phi_2_5_1_0
-    w66 = rod_phi_phi_2_1_1_2 - rod_phi_phi_2_1_2_1
-    w67 = rod_phi_phi_2_3_1_2 - rod_phi_phi_2_3_2_1
-    w68 = rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0
-    w69 = rod_phi_phi_3_5_0_2 + rod_phi_phi_3_5_2_0
-    w70 = rod_phi_phi_3_0_1_2 + rod_phi_phi_3_0_2_1
-    w71 = rod_phi_phi_3_2_1_2 + rod_phi_phi_3_2_2_1
-    w72 = rod_phi_phi_3_4_1_2 + rod_phi_phi_3_4_2_1
-    w73 = rod_phi_phi_3_0_1_2 - rod_phi_phi_3_0_2_1
-    w74 = rod_phi_phi_3_2_1_2 - rod_phi_phi_3_2_2_1
-    w75 = rod_phi_phi_3_4_1_2 - rod_phi_phi_3_4_2_1
-    w76 = rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2
-    w77 = rod_phi_phi_4_1_1_2 + rod_phi_phi_4_1_2_1
-    w78 = rod_phi_phi_4_3_1_2 + rod_phi_phi_4_3_2_1
-    w79 = rod_phi_phi_4_5_0_1 + rod_phi_phi_4_5_1_0
-    w80 = rod_phi_phi_4_1_1_2 - rod_phi_phi_4_1_2_1
-    w81 = rod_phi_phi_4_3_1_2 - rod_phi_phi_4_3_2_1
-    w82 = rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0
-    w83 = rod_phi_phi_5_1_0_2 + rod_phi_phi_5_1_2_0
-    w84 = rod_phi_phi_5_3_0_2 + rod_phi_phi_5_3_2_0
-    w85 = rod_phi_phi_5_0_0_1 + rod_phi_phi_5_0_1_0
-    w86 = rod_phi_phi_5_2_0_1 + rod_phi_phi_5_2_1_0
-    w87 = rod_phi_phi_5_4_0_1 + rod_phi_phi_5_4_1_0
-    w88 = rod_phi_phi_5_0_0_1 - rod_phi_phi_5_0_1_0
-    w89 = rod_phi_phi_5_1_2_0 - rod_phi_phi_5_1_0_2
-    w90 = rod_phi_phi_5_2_0_1 - rod_phi_phi_5_2_1_0
-    w91 = rod_phi_phi_5_3_2_0 - rod_phi_phi_5_3_0_2
-    w92 = rod_phi_phi_5_4_0_1 - rod_phi_phi_5_4_1_0
+    w6 = w1 + w4
+    w7 = 4.0 * w5
+    w8 = 4.0 * w6
+    w9 = -4.0 * w3
+    w10 = 4.0 * w3
+    w11 = -4.0 * w5
+    w12 = -4.0 * w6
+    w13 = rod_rho_phi_0_2_0 - rod_rho_phi_0_0_2
+    w14 = rod_rho_phi_1_0_1 - rod_rho_phi_1_1_0
+    w15 = rod_rho_phi_2_2_0 - rod_rho_phi_2_0_2
+    w16 = rod_rho_phi_3_0_1 - rod_rho_phi_3_1_0
+    w17 = rod_rho_phi_4_2_0 - rod_rho_phi_4_0_2
+    w18 = rod_rho_phi_5_1_2 - rod_rho_phi_5_2_1
+    w19 = crank_mass * crank_center_of_mass_y
+    w20 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_1_0_0 + ground_guide_quaternion_2_0_0 * slider_guide_quaternion_2_0_0
+    w21 = ground_guide_quaternion_0_0_0 * slider_guide_quaternion_0_0_0 + (w20 + ground_guide_quaternion_3_0_0 * slider_guide_quaternion_3_0_0)
+    w22 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_1_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_1_0_0
+    w23 = slider_guide_quaternion_2_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_2_0_0 * slider_guide_quaternion_3_0_0
+    w24 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_2_0_0
+    w25 = ground_guide_quaternion_1_0_0 * slider_guide_quaternion_3_0_0 - slider_guide_quaternion_1_0_0 * ground_guide_quaternion_3_0_0
+    w26 = slider_guide_quaternion_0_0_0 * ground_guide_quaternion_3_0_0 - ground_guide_quaternion_0_0_0 * slider_guide_quaternion_3_0_0
+    w27 = slider_guide_quaternion_1_0_0 * ground_guide_quaternion_2_0_0 - ground_guide_quaternion_1_0_0 * slider_guide_quaternion_2_0_0
+    w28 = (slider_inertia_xx + slider_inertia_yy + slider_inertia_zz) / 2.0
+    w29 = w28 - slider_inertia_yy
+    w30 = w28 - slider_inertia_zz
+    w31 = w29 + w30
+    w32 = w28 - slider_inertia_xx
+    w33 = w30 + w32
+    w34 = w29 + w32
+    w35 = -4.0 * w34
+    w36 = -4.0 * w33
+    w37 = rod_phi_phi_0_1_1_2 + rod_phi_phi_0_1_2_1
+    w38 = rod_phi_phi_0_3_1_2 + rod_phi_phi_0_3_2_1
+    w39 = rod_phi_phi_0_5_0_1 + rod_phi_phi_0_5_1_0
+    w40 = rod_phi_phi_0_1_1_2 - rod_phi_phi_0_1_2_1
+    w41 = rod_phi_phi_0_3_1_2 - rod_phi_phi_0_3_2_1
+    w42 = rod_phi_phi_0_5_0_1 - rod_phi_phi_0_5_1_0
+    w43 = rod_phi_phi_1_5_0_2 + rod_phi_phi_1_5_2_0
+    w44 = rod_phi_phi_1_0_1_2 + rod_phi_phi_1_0_2_1
+    w45 = rod_phi_phi_1_2_1_2 + rod_phi_phi_1_2_2_1
+    w46 = rod_phi_phi_1_4_1_2 + rod_phi_phi_1_4_2_1
+    w47 = rod_phi_phi_1_0_1_2 - rod_phi_phi_1_0_2_1
+    w48 = rod_phi_phi_1_2_1_2 - rod_phi_phi_1_2_2_1
+    w49 = rod_phi_phi_1_4_1_2 - rod_phi_phi_1_4_2_1
+    w50 = rod_phi_phi_1_5_2_0 - rod_phi_phi_1_5_0_2
+    w51 = rod_phi_phi_2_1_1_2 + rod_phi_phi_2_1_2_1
+    w52 = rod_phi_phi_2_3_1_2 + rod_phi_phi_2_3_2_1
+    w53 = rod_phi_phi_2_5_0_1 + rod_phi_phi_2_5_1_0
+    w54 = rod_phi_phi_2_1_1_2 - rod_phi_phi_2_1_2_1
+    w55 = rod_phi_phi_2_3_1_2 - rod_phi_phi_2_3_2_1
+    w56 = rod_phi_phi_2_5_0_1 - rod_phi_phi_2_5_1_0
+    w57 = rod_phi_phi_3_5_0_2 + rod_phi_phi_3_5_2_0
+    w58 = rod_phi_phi_3_0_1_2 + rod_phi_phi_3_0_2_1
+    w59 = rod_phi_phi_3_2_1_2 + rod_phi_phi_3_2_2_1
+    w60 = rod_phi_phi_3_4_1_2 + rod_phi_phi_3_4_2_1
+    w61 = rod_phi_phi_3_0_1_2 - rod_phi_phi_3_0_2_1
+    w62 = rod_phi_phi_3_2_1_2 - rod_phi_phi_3_2_2_1
+    w63 = rod_phi_phi_3_4_1_2 - rod_phi_phi_3_4_2_1
+    w64 = rod_phi_phi_3_5_2_0 - rod_phi_phi_3_5_0_2
+    w65 = rod_phi_phi_4_1_1_2 + rod_phi_phi_4_1_2_1
+    w66 = rod_phi_phi_4_3_1_2 + rod_phi_phi_4_3_2_1
+    w67 = rod_phi_phi_4_5_0_1 + rod_phi_phi_4_5_1_0
+    w68 = rod_phi_phi_4_1_1_2 - rod_phi_phi_4_1_2_1
+    w69 = rod_phi_phi_4_3_1_2 - rod_phi_phi_4_3_2_1
+    w70 = rod_phi_phi_4_5_0_1 - rod_phi_phi_4_5_1_0
+    w71 = rod_phi_phi_5_1_0_2 + rod_phi_phi_5_1_2_0
+    w72 = rod_phi_phi_5_3_0_2 + rod_phi_phi_5_3_2_0
+    w73 = rod_phi_phi_5_0_0_1 + rod_phi_phi_5_0_1_0
+    w74 = rod_phi_phi_5_2_0_1 + rod_phi_phi_5_2_1_0
+    w75 = rod_phi_phi_5_4_0_1 + rod_phi_phi_5_4_1_0
+    w76 = rod_phi_phi_5_0_0_1 - rod_phi_phi_5_0_1_0
+    w77 = rod_phi_phi_5_1_2_0 - rod_phi_phi_5_1_0_2
+    w78 = rod_phi_phi_5_2_0_1 - rod_phi_phi_5_2_1_0
+    w79 = rod_phi_phi_5_3_2_0 - rod_phi_phi_5_3_0_2
+    w80 = rod_phi_phi_5_4_0_1 - rod_phi_phi_5_4_1_0
     c = ca.vertcat(
         ground_axle_quaternion_0_0_0,
         ground_axle_quaternion_3_0_0,
@@ -286,13 +274,13 @@ def constants() -> ca.Function:
         w3,
         w4,
         w5,
-        w9,
-        w8 + 2 * w14,
-        w11 + w13,
-        w15 + 2 * w16,
-        w6 * -2.0 + w18,
-        w13 + w14 * -2.0,
-        w17 + w16 * -2.0,
+        w6,
+        w7 + -4.0 * w6,
+        w8 + w9,
+        w10 + -4.0 * w5,
+        4.0 * w3 + w11,
+        w9 + 4.0 * w6,
+        w12 + 4.0 * w5,
         crank_pin_y,
         slider_mass,
         rod_mass,
@@ -312,7 +300,7 @@ def constants() -> ca.Function:
         slider_fork_quaternion_3_0_0,
         rod_small_end_quaternion_3_0_0,
         rod_small_end_rotation_0_5,
-        rod_small_end_rotation_0_5 * 0.5,
+        0.5 * rod_small_end_rotation_0_5,
         rod_small_end_rotation_1_0,
         rod_small_end_rotation_1_2,
         rod_small_end_rotation_1_4,
@@ -425,19 +413,19 @@ def constants() -> ca.Function:
         rod_rho_phi_5_2_1,
         rod_rho_phi_5_1_2 + rod_rho_phi_5_2_1,
         rod_first_moment_x,
-        w19,
-        w20,
-        w21,
-        w22,
-        w23,
-        w24,
+        w13,
+        w14,
+        w15,
+        w16,
+        w17,
+        w18,
         rod_M_ff_0_0,
         rod_M_ff_1_1,
         rod_M_ff_2_2,
         rod_M_ff_3_3,
         rod_M_ff_4_4,
         rod_M_ff_5_5,
-        w25,
+        w19,
         gravity_z,
         guide_damping,
         rod_mass * gravity_z,
@@ -454,160 +442,160 @@ def constants() -> ca.Function:
         rod_K_ff_5_5,
         rod_D_ff_5_5,
         ground_axle_z,
-        w27,
-        w28 + w29,
-        w30 + w31,
-        w32 + w33,
+        w21,
+        w22 + w23,
+        w24 + w25,
+        w26 + w27,
         ground_guide_y,
         crank_mass,
-        w15 + w18,
-        w11 + 2 * w6,
-        w8 + w17,
-        w35,
-        w36,
-        w37,
-        w38,
-        w39,
-        w41,
-        w39 * -2.0 * -2.0 + w44,
-        w41 * -2.0 * -2.0 + w42 * -2.0,
-        w40 * -2.0 + w46,
-        w46 + 2 * w42,
-        2 * w43 + 2 * w40,
-        w44 + 2 * w45,
+        w10 + w11,
+        w8 + -4.0 * w3,
+        w7 + w12,
+        w29,
+        w30,
+        w31,
+        w32,
+        w33,
+        w34,
+        4.0 * w33 + w35,
+        4.0 * w34 + -4.0 * w31,
+        4.0 * w31 + w36,
+        w36 + 4.0 * w31,
+        4.0 * w34 + -4.0 * w31,
+        w35 + 4.0 * w33,
         crank_mass * gravity_z,
         slider_mass * gravity_z,
         -guide_damping,
-        w6,
-        w7,
-        w10,
-        w12,
-        w14,
-        w16,
-        2 * w19,
-        w19 * -2.0,
-        2 * w20,
-        w20 * -2.0,
-        2 * w21,
-        w21 * -2.0,
-        2 * w22,
-        w22 * -2.0,
-        2 * w23,
-        w23 * -2.0,
-        w24 * -2.0,
-        2 * w24,
-        2 * w25 * -2.0 + 2 * (w25 * 4.0),
-        w47 + w47,
-        w48 + w48,
-        rod_small_end_rotation_1_0 * 0.5,
-        w49,
-        w49 * 0.5,
-        w50,
-        w50 * 0.5,
-        w51,
-        w51 * 0.5,
-        rod_small_end_rotation_1_2 * 0.5,
-        rod_small_end_rotation_1_4 * 0.5,
+        -2.0 * w3,
+        2 * w5,
+        2 * w6,
+        2 * w3,
+        -2.0 * w6,
+        -2.0 * w5,
+        2 * w13,
+        -2.0 * w13,
+        2 * w14,
+        -2.0 * w14,
+        2 * w15,
+        -2.0 * w15,
+        2 * w16,
+        -2.0 * w16,
+        2 * w17,
+        -2.0 * w17,
+        -2.0 * w18,
+        2 * w18,
+        -4.0 * w19 + 8.0 * w19,
+        4.0 * rod_first_moment_x,
+        -4.0 * rod_first_moment_x,
+        0.5 * rod_small_end_rotation_1_0,
+        w37,
+        0.5 * w37,
+        w38,
+        0.5 * w38,
+        w39,
+        0.5 * w39,
+        0.5 * rod_small_end_rotation_1_2,
+        0.5 * rod_small_end_rotation_1_4,
         rod_phi_phi_0_0_2_2 + (rod_phi_phi_0_0_1_1 + rod_phi_phi_0_0_0_0),
-        w52,
+        w40,
         rod_phi_phi_0_2_2_2 + (rod_phi_phi_0_2_1_1 + rod_phi_phi_0_2_0_0),
-        w53,
+        w41,
         rod_phi_phi_0_4_2_2 + (rod_phi_phi_0_4_1_1 + rod_phi_phi_0_4_0_0),
-        w54,
-        rod_small_end_rotation_2_1 * 0.5,
-        w55,
-        w55 * 0.5,
-        w56,
-        w56 * 0.5,
-        w57,
-        w57 * 0.5,
-        w58,
-        w58 * 0.5,
-        rod_small_end_rotation_2_3 * 0.5,
-        w59,
+        w42,
+        0.5 * rod_small_end_rotation_2_1,
+        w43,
+        0.5 * w43,
+        w44,
+        0.5 * w44,
+        w45,
+        0.5 * w45,
+        w46,
+        0.5 * w46,
+        0.5 * rod_small_end_rotation_2_3,
+        w47,
         rod_phi_phi_1_1_2_2 + (rod_phi_phi_1_1_1_1 + rod_phi_phi_1_1_0_0),
-        w60,
+        w48,
         rod_phi_phi_1_3_1_1 + rod_phi_phi_1_3_0_0,
-        w61,
-        w62,
-        w63,
-        w63 * 0.5,
-        w64,
-        w64 * 0.5,
-        w65,
-        w65 * 0.5,
+        w49,
+        w50,
+        w51,
+        0.5 * w51,
+        w52,
+        0.5 * w52,
+        w53,
+        0.5 * w53,
         rod_phi_phi_2_0_2_2 + (rod_phi_phi_2_0_1_1 + rod_phi_phi_2_0_0_0),
-        w66,
+        w54,
         rod_phi_phi_2_2_2_2 + (rod_phi_phi_2_2_1_1 + rod_phi_phi_2_2_0_0),
-        w67,
+        w55,
         rod_phi_phi_2_4_2_2 + (rod_phi_phi_2_4_1_1 + rod_phi_phi_2_4_0_0),
-        w68,
-        w69,
-        w69 * 0.5,
-        w70,
-        w70 * 0.5,
-        w71,
-        w71 * 0.5,
-        w72,
-        w72 * 0.5,
-        w73,
+        w56,
+        w57,
+        0.5 * w57,
+        w58,
+        0.5 * w58,
+        w59,
+        0.5 * w59,
+        w60,
+        0.5 * w60,
+        w61,
         rod_phi_phi_3_1_1_1 + rod_phi_phi_3_1_0_0,
-        w74,
+        w62,
         rod_phi_phi_3_3_2_2 + (rod_phi_phi_3_3_1_1 + rod_phi_phi_3_3_0_0),
+        w63,
+        w64,
+        w65,
+        0.5 * w65,
+        w66,
+        0.5 * w66,
+        w67,
+        0.5 * w67,
+        rod_phi_phi_4_0_2_2 + (rod_phi_phi_4_0_1_1 + rod_phi_phi_4_0_0_0),
+        w68,
+        rod_phi_phi_4_2_2_2 + (rod_phi_phi_4_2_1_1 + rod_phi_phi_4_2_0_0),
+        w69,
+        rod_phi_phi_4_4_2_2 + (rod_phi_phi_4_4_1_1 + rod_phi_phi_4_4_0_0),
+        w70,
+        w71,
+        0.5 * w71,
+        w72,
+        0.5 * w72,
+        w73,
+        0.5 * w73,
+        w74,
+        0.5 * w74,
         w75,
+        0.5 * w75,
         w76,
         w77,
-        w77 * 0.5,
         w78,
-        w78 * 0.5,
         w79,
-        w79 * 0.5,
-        rod_phi_phi_4_0_2_2 + (rod_phi_phi_4_0_1_1 + rod_phi_phi_4_0_0_0),
         w80,
-        rod_phi_phi_4_2_2_2 + (rod_phi_phi_4_2_1_1 + rod_phi_phi_4_2_0_0),
-        w81,
-        rod_phi_phi_4_4_2_2 + (rod_phi_phi_4_4_1_1 + rod_phi_phi_4_4_0_0),
-        w82,
-        w83,
-        w83 * 0.5,
-        w84,
-        w84 * 0.5,
-        w85,
-        w85 * 0.5,
-        w86,
-        w86 * 0.5,
-        w87,
-        w87 * 0.5,
-        w88,
-        w89,
-        w90,
-        w91,
-        w92,
         rod_phi_phi_5_5_2_2 + (rod_phi_phi_5_5_1_1 + rod_phi_phi_5_5_0_0),
-        2 * w52,
-        2 * w53,
+        2 * w40,
+        2 * w41,
+        2 * w42,
+        2 * w47,
+        2 * w48,
+        2 * w49,
+        2 * w50,
         2 * w54,
-        2 * w59,
-        2 * w60,
+        2 * w55,
+        2 * w56,
         2 * w61,
         2 * w62,
-        2 * w66,
-        2 * w67,
+        2 * w63,
+        2 * w64,
         2 * w68,
-        2 * w73,
-        2 * w74,
-        2 * w75,
+        2 * w69,
+        2 * w70,
         2 * w76,
+        2 * w77,
+        2 * w78,
+        2 * w79,
         2 * w80,
-        2 * w81,
-        2 * w82,
-        2 * w88,
-        2 * w89,
-        2 * w90,
-        2 * w91,
-        2 * w92,
-        rod_first_moment_x + rod_first_moment_x,
-        crank_pin_y * 4.0,
+        2 * rod_first_moment_x,
+        4.0 * crank_pin_y,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 60 operations."""
+    """c: everything that depends on the parameters p only. 62 operations."""
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
@@ -21,15 +21,9 @@ def constants() -> ca.Function:
     w3 = w1 + w2
     w4 = w0 - body_inertia_xx
     w5 = w2 + w4
-    w6 = 2 * w3
-    w7 = w5 * -2.0
-    w8 = w1 + w4
-    w9 = 2 * w8
-    w10 = w3 * -2.0
-    w11 = w9 * -2.0
-    w12 = w8 * -2.0
-    w13 = 2 * w5
-    w14 = w13 * -2.0
+    w6 = w1 + w4
+    w7 = -4.0 * w6
+    w8 = -4.0 * w5
     c = ca.vertcat(
         body_mass,
         w1,
@@ -37,21 +31,21 @@ def constants() -> ca.Function:
         w3,
         w4,
         w5,
-        w8,
-        w7 * -2.0 + w11,
-        2 * w6 + w14,
-        w12 * -2.0 + w6 * -2.0,
-        2 * w9 + 2 * w10,
-        w10 * -2.0 + w14,
-        w11 + 2 * w13,
+        w6,
+        4.0 * w5 + w7,
+        4.0 * w3 + w8,
+        4.0 * w6 + -4.0 * w3,
+        4.0 * w6 + -4.0 * w3,
+        4.0 * w3 + w8,
+        w7 + 4.0 * w5,
         body_tip_x_x,
         body_tip_y_y,
-        w6,
-        w7,
-        w9,
-        w10,
-        w12,
-        w13,
+        2 * w3,
+        -2.0 * w5,
+        2 * w6,
+        -2.0 * w3,
+        -2.0 * w6,
+        2 * w5,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

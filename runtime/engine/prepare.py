@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.engine.invariants import hoist_invariants
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
-from runtime.engine.tape import UNUSED, Node, Tape, read_tape
+from runtime.engine.tape import UNUSED, Node, Tape, node_value, read_tape
 
 C_ARGUMENT = 1  # stages are functions of (z, c)
 
@@ -101,7 +101,7 @@ class _Pool:
     def _place(self, node: Node) -> int:
         if node not in self._number:
             self._number[node] = len(self._sx)
-            self._sx.append(_value(node, self._sx, self._entries))
+            self._sx.append(node_value(node, self._sx, self._entries))
         return self._number[node]
 
     def _entry(self, number: int) -> int:
@@ -109,16 +109,6 @@ class _Pool:
             self._position[number] = len(self._entries) + len(self.values)
             self.values.append(self._sx[number])
         return self._position[number]
-
-
-def _value(node: Node, values: list[ca.SX], entries: list[ca.SX]) -> ca.SX:
-    if node.op == ca.OP_CONST:
-        return ca.SX(node.value)
-    if node.op == ca.OP_INPUT:
-        return entries[node.b]
-    if node.b == UNUSED:
-        return ca.SX.unary(node.op, values[node.a])
-    return ca.SX.binary(node.op, values[node.a], values[node.b])
 
 
 def _rebuilt(name: str, tape: Tape, found: Found, c_size: int) -> ca.Function:
@@ -137,7 +127,7 @@ def _rebuilt(name: str, tape: Tape, found: Found, c_size: int) -> ca.Function:
                 shared[node.b] = inputs[C_ARGUMENT][found.one] / values[node.b]
             values.append(values[node.a] * shared[node.b])
         else:
-            values.append(_value(node, values, inputs[node.a] if node.op == ca.OP_INPUT else []))
+            values.append(node_value(node, values, inputs[node.a] if node.op == ca.OP_INPUT else []))
     output = ca.densify(ca.vertcat(*(values[entry] for entry in tape.outputs[0])))
     return ca.Function(name, [z, c], [output], ["z", "c"], ["z_next"])
 

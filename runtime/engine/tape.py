@@ -76,6 +76,29 @@ def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
     return nodes
 
 
+def node_value(node: Node, values: list[ca.SX], entries: list[ca.SX]) -> ca.SX:
+    """The SX of a node from those of earlier nodes, and from the entries of its argument if it is an input."""
+    if node.op == ca.OP_CONST:
+        return ca.SX(node.value)
+    if node.op == ca.OP_INPUT:
+        return entries[node.b]
+    if node.b == UNUSED:
+        return ca.SX.unary(node.op, values[node.a])
+    return ca.SX.binary(node.op, values[node.a], values[node.b])
+
+
+def as_function(name: str, tape: Tape) -> ca.Function:
+    """The SX Function of a tape, with CasADi's own simplifications."""
+    inputs = [ca.SX.sym(label, size) for label, size in zip(tape.input_names, tape.input_sizes, strict=True)]
+    entries = [ca.vertsplit(value) if value.numel() else [] for value in inputs]
+    values: list[ca.SX] = []
+    for node in tape.nodes:
+        values.append(node_value(node, values, entries[node.a] if node.op == ca.OP_INPUT else []))
+    outputs = [ca.densify(ca.reshape(ca.vertcat(*(values[entry] for entry in found)), *shape))
+               for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)]
+    return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
+
+
 def uses(tape: Tape) -> list[int]:
     """How often each node is used, as an argument or as an output entry."""
     count = [0] * len(tape.nodes)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.export import unit
+from runtime.units import unit
 
 if TYPE_CHECKING:
     from runtime.solution import Solution

@@ -39,6 +39,7 @@ class CentralDifference(Scheme):
 
     reach = 2.0
     memory = ("x", "d", "a", "loop", "loop_old", "loop_dot")
+    history = ("d", "a")
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         super().__init__(model, grid, options)
@@ -236,7 +237,7 @@ class CentralDifference(Scheme):
         if kernels.loops:
             out["loop_old"], out["loop"] = z["loop"], kernels.loop_part(motion.q_d)
             out["loop_dot"] = kernels.loop_part(kernels.rates(motion, v))
-            out["closure_error"] = ca.fmax(z["closure_error"], motion.C_loop)
+            out |= self.closed(z, motion)
         return out
 
     # ---- start-up and observation ---------------------------------------------------------------------------

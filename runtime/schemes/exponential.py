@@ -57,7 +57,7 @@ class Exponential(LinearSubSteps):
         G0 = found.Q_hat - ca.mtimes(found.J_v, v)
         return {**self.begin(z, kernels, found, G0, kernels.force_rate(motion, v, found.a)),
                 "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
-                "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+                **self.closed(z, motion)}
 
     def _correct(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         h, system = kernels.h[0], self.stored.unpack(z)
@@ -69,7 +69,7 @@ class Exponential(LinearSubSteps):
         bend = kernels.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
         out = {"G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear), "w": ca.SX.zeros(len(self.model.q_i)),
                "u": z["v"], "tau": ca.SX(0), "loop": z["loop"] + h * z["loop_dot"] + bend / NODE**2,
-               "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+               **self.closed(z, motion)}
         if self.by_central_difference:
             out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
         return out

@@ -68,6 +68,7 @@ class GeneralizedAlpha(Scheme):
         return Weights((2 * rho - 1) / (rho + 1), rho / (rho + 1))
 
     memory = ("q", "v", "w", "a")
+    closes = False
 
     def fields(self) -> dict[str, int]:
         """See above."""

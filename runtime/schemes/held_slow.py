@@ -34,6 +34,7 @@ class HeldSlow(OneStep):
 
     reach, decay_reach = 2.0, PREDICTED_DECAY_REACH
     memory = ("x", "v", "loop", "a", "x_last", "v_last", "loop_old", "loop_dot")
+    history = ("a", "x_last", "v_last")
 
     def work_fields(self) -> dict[str, int]:
         """Held positions, ends of the secants, and s: time since the start of the major step."""
@@ -104,8 +105,7 @@ class HeldSlow(OneStep):
         held = {**out, "s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
         if kernels.loops:
             held |= {"loop_old": z["loop"], "loop": kernels.loop_part(motion.q_d),
-                     "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)),
-                     "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+                     "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)), **self.closed(z, motion)}
         return held
 
     def renewed(self, kernels: StepKernels, motion: Motion, v: ca.SX) -> dict[str, ca.SX]:
@@ -123,7 +123,7 @@ class HeldSlow(OneStep):
         a = self.accelerations(z, kernels, motion, v)
         out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
         if kernels.loops:
-            out |= {"loop": kernels.loop_part(motion.q_d), "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+            out |= {"loop": kernels.loop_part(motion.q_d), **self.closed(z, motion)}
         return out
 
     @abstractmethod

@@ -12,12 +12,15 @@ from runtime.schemes.linear_solve import solve_symmetric
 
 @dataclass(frozen=True)
 class Motion:
-    """A configuration with consistent q_d; loop holds the loop unknowns, C_loop the error before the last Newton."""
+    """A configuration with consistent q_d; C_loop is the largest error before the last Newton step, det_loop the
+    determinants of the loop blocks there.
+    """
 
     q_i: ca.SX
     q_d: ca.SX
     t: ca.SX
     C_loop: ca.SX
+    det_loop: ca.SX
 
 
 @dataclass(frozen=True)
@@ -47,17 +50,18 @@ class StepKernels:
     def close(self, q_i: ca.SX, loop: ca.SX, t: ca.SX, iterations: int) -> Motion:
         """q_d = f(q_i, t) from a guess of the loop unknowns, by a fixed number of Newton steps."""
         if not self.model.q_d:
-            return Motion(q_i, ca.SX(0, 1), t, ca.SX(0))
+            return Motion(q_i, ca.SX(0, 1), t, ca.SX(0), ca.SX(0, 1))
         q_d = ca.SX.zeros(len(self.model.q_d))
         for position, k in enumerate(self.loops):
             q_d[k] = loop[position]
-        error = ca.SX(0)
+        error, determinants = ca.SX(0), ca.SX(0, 1)
         for _ in range(iterations if self.loops else 1):
             result = self.call("closure", q_i=q_i, q_d=q_d, t=t)
             q_d = result["q_d_next"]
             if "C_loop" in result:
                 error = _largest(result["C_loop"])
-        return Motion(q_i, q_d, t, error)
+            determinants = result.get("det_loop", determinants)
+        return Motion(q_i, q_d, t, error, determinants)
 
     def rates(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
         """q_d_dot (Eq. 36)."""
@@ -119,6 +123,13 @@ class StepKernels:
     def loop_part(self, q_d: ca.SX) -> ca.SX:
         """Entries of a dependent vector that belong to loop unknowns."""
         return ca.vertcat(*(q_d[k] for k in self.loops)) if self.loops else ca.SX(0, 1)
+
+
+def loop_blocks(model: Model) -> int:
+    """How many determinants the closure gives; 0 for a tree and for code that was generated without them."""
+    if not model.loop_unknowns or "det_loop" not in model.kernel("closure").name_out():
+        return 0
+    return int(model.kernel("closure").size1_out("det_loop"))
 
 
 def velocity_dependent(model: Model) -> bool:

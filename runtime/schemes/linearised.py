@@ -24,6 +24,7 @@ class Linearised(LinearSubSteps):
     """m sub-steps on the system linearised at the midpoint, m even."""
 
     memory = ("x", "v", "loop", "x_mid", "v_mid")
+    history = ("x_mid", "v_mid")
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         if grid.m[0] % 2:
@@ -62,7 +63,7 @@ class Linearised(LinearSubSteps):
         G0 = found.Q_hat - ca.mtimes(found.J_q, q - z["x"]) - ca.mtimes(found.J_v, v)
         return {**self.begin(z, kernels, found, G0, ca.SX.zeros(len(self.model.q_i))),
                 "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
-                "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+                **self.closed(z, motion)}
 
     def _recentre(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         """The midpoint that the linear system itself leads to."""

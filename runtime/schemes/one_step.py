@@ -53,5 +53,4 @@ class OneStep(Scheme):
 
     def moved(self, z: Fields, x: ca.SX, v: ca.SX, loop: ca.SX, motion: Motion) -> dict[str, ca.SX]:
         """The fields that change at the end of a major step."""
-        return {"x": x, "v": v, "loop": loop, "n": z["n"] + 1,
-                "closure_error": ca.fmax(z["closure_error"], motion.C_loop)}
+        return {"x": x, "v": v, "loop": loop, "n": z["n"] + 1, **self.closed(z, motion)}

@@ -118,16 +118,18 @@ class Radau(OneStep):
         h, t = kernels.h[0], self.now(z, kernels)
         K, loops = self._columns(z["K"]), self._columns(z["loops"])
         M = self.stored.unpack_matrices(z)["M"]
-        residuals, closed, error = [], [], ca.SX(0)
+        residuals, motions = [], []
         for k, (q, v) in enumerate(zip(self._positions(z, K, h), self._velocities(z, K, h), strict=True)):
             motion = kernels.close(q, loops[k], t + float(NODES[k]) * h, self.options.closure_iterations)
             residuals.append(ca.mtimes(M, kernels.accelerations(motion, v) - K[k]))
-            closed.append(kernels.loop_part(motion.q_d))
-            error = ca.fmax(error, motion.C_loop)
+            motions.append(motion)
         change = self._solved(self.stored.unpack_factors(z), residuals)
         new = [old + delta for old, delta in zip(K, change, strict=True)]
-        return {"K": ca.vertcat(*new), "loops": ca.vertcat(*closed), "stage_error": error,
-                **self._progress(z, new, change, h), "iterations": z["iterations"] + STAGES}
+        loops = [kernels.loop_part(motion.q_d) for motion in motions]
+        account = self.closed(z, *motions)  # the error counts when the iteration has converged
+        stage_error = ca.fmax(ca.fmax(motions[0].C_loop, motions[1].C_loop), motions[2].C_loop)
+        return {**account, "closure_error": z["closure_error"], "K": ca.vertcat(*new), "loops": ca.vertcat(*loops),
+                "stage_error": stage_error, **self._progress(z, new, change, h), "iterations": z["iterations"] + STAGES}
 
     def _positions(self, z: Fields, K: list[ca.SX], h: ca.SX) -> list[ca.SX]:
         return [z["x"] + h * (float(c) * z["v"] + h * _combined(row, K)) for c, row in zip(NODES, A @ A, strict=True)]

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from runtime.engine.program import Fields, Program
-from runtime.schemes.kernels import StepKernels
+from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.one_step import OneStep
 
 
@@ -33,7 +33,7 @@ class ExplicitRungeKutta(OneStep):
         h, t, n = kernels.h[0], self.now(z, kernels), len(self.model.q_i)
         y = ca.vertcat(z["x"], z["v"], z["loop"])
         slopes: list[ca.SX] = []
-        error = ca.SX(0)
+        motions: list[Motion] = []
         for k, row in enumerate(self.A):
             at = y + h * _combined(row[:k], slopes)
             motion = kernels.close(at[:n], at[2 * n:], t + float(self.nodes[k]) * h, self.options.closure_iterations)
@@ -41,10 +41,9 @@ class ExplicitRungeKutta(OneStep):
                 y = ca.vertcat(y[:2 * n], kernels.loop_part(motion.q_d))
             a, v = kernels.accelerations(motion, at[n:2 * n]), at[n:2 * n]
             slopes.append(ca.vertcat(v, a, kernels.loop_part(kernels.rates(motion, v))))
-            error = ca.fmax(error, motion.C_loop)
+            motions.append(motion)
         y = y + h * _combined(self.b, slopes)
-        return {"x": y[:n], "v": y[n:2 * n], "loop": y[2 * n:], "n": z["n"] + 1,
-                "closure_error": ca.fmax(z["closure_error"], error)}
+        return {"x": y[:n], "v": y[n:2 * n], "loop": y[2 * n:], "n": z["n"] + 1, **self.closed(z, *motions)}
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):

@@ -17,7 +17,7 @@ from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.model import Model
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import Motion, StepKernels
+from runtime.schemes.kernels import Motion, StepKernels, loop_blocks
 from runtime.schemes.options import Options
 from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
@@ -29,19 +29,23 @@ class Scheme(ABC):
     """A scheme on one model and grid. Subclasses name the fields of z that they add to COMMON.
 
     Common fields: t0, n (major steps done), x (q_i reached), loop (guess of the loop unknowns), closure_error (largest
-    C before the last Newton step), iterations and failures of iterative updates.
+    C before the last Newton step), iterations and failures of iterative updates; det_low and det_high, the smallest
+    and the largest determinant of each loop block since whoever runs the scheme reset them.
     """
 
     reach: float | None = None  # the largest stable h w of an undamped mode w on the finest step; None: no limit
     decay_reach: float | None = None  # the largest stable h d of a pure decay d on the finest step; None: no limit
     order: int = 2
     memory: tuple[str, ...] = ()  # the fields of z through which one major step acts on the next, bookkeeping aside
+    history: tuple[str, ...] = ()  # of these, what each coordinate of q_i remembers of earlier steps
+    closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model, self.grid = model, grid
         self.options = options.checked(len(grid.groups))
+        blocks = loop_blocks(model) if self.closes else 0
         common = {"t0": 1, "n": 1, "x": len(model.q_i), "loop": len(model.loop_unknowns), "closure_error": 1,
-                  "iterations": 1, "failures": 1}
+                  "iterations": 1, "failures": 1, "det_low": blocks, "det_high": blocks}
         self.layout = Layout({**common, **self.fields()})
         self.c_size = model.c_size + len(grid.h)
         self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(model.q_i))])
@@ -89,6 +93,20 @@ class Scheme(ABC):
     def starter(self) -> ca.Function:
         """start(), built once."""
         return self.start()
+
+    @cached_property
+    def observer(self) -> ca.Function:
+        """observe(), built once."""
+        return self.observe()
+
+    def closed(self, z: Fields, *motions: Motion) -> dict[str, ca.SX]:
+        """The fields that keep account of closures."""
+        error, low, high = z["closure_error"], z["det_low"], z["det_high"]
+        for motion in motions:
+            error = ca.fmax(error, motion.C_loop)
+            if low.numel():
+                low, high = ca.fmin(low, motion.det_loop), ca.fmax(high, motion.det_loop)
+        return {"closure_error": error, "det_low": low, "det_high": high}
 
     def kernels(self, c: ca.SX) -> StepKernels:
         """The model's kernels on a symbolic vector of constants."""

@@ -71,4 +71,6 @@ class StoredSystem:
 
 
 def _entries(matrix: ca.SX, sparsity: ca.Sparsity) -> ca.SX:
+    if not sparsity.nnz():  # of nothing CasADi makes a 1 x 1 zero
+        return ca.SX(0, 1)
     return ca.SX(ca.project(matrix, sparsity).nz[:])

@@ -25,14 +25,14 @@ class Parser(argparse.ArgumentParser):
 
 def parser() -> argparse.ArgumentParser:
     """The whole command line; each subcommand's module adds itself."""
-    from symgen.cli import advise, animate, demo, generate, listing, new, reporting, show, simulate, stability
+    from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability
 
     root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
                   "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
                   "2 wrong input, 130 interrupted.")
     root.add_argument("--version", action="version", version=f"symgen {_version()}")
     subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for module in (new, listing, show, generate, simulate, animate, stability, advise, reporting, demo):
+    for module in (new, listing, show, generate, simulate, resume, animate, stability, advise, reporting, demo):
         module.add(subparsers)
     return root
 
@@ -87,8 +87,21 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
                        help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable")
     group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")
     group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
+    add_engine(group)
+
+
+def add_engine(group: Any) -> None:
+    """What steps a run."""
     group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
                        help="interpreted by CasADi or compiled C (default: auto)")
+
+
+def add_checkpoint_options(command: argparse.ArgumentParser) -> None:
+    """What of a long run is left on the disk while it goes on."""
+    group = command.add_argument_group("long runs")
+    group.add_argument("--checkpoint-every", type=int, metavar="STEPS",
+                       help="major steps between two checkpoints (default: one a minute)")
+    group.add_argument("--stream", metavar="DIR", help="folder that takes the samples instead of memory")
 
 
 def names(text: str) -> list[str]:

@@ -18,8 +18,11 @@ BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 
 
-def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
-    """Simulate with the options of `add_run_options`. Raises UsageError or ValueError subclasses."""
+def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solution:
+    """Simulate with the options of `add_run_options`; kept: what of the run is kept where.
+
+    Raises UsageError or ValueError subclasses.
+    """
     from runtime.engine.compiled import CompilerError
     from runtime.simulate import simulate
 
@@ -29,7 +32,7 @@ def run_model(model: Model, arguments: argparse.Namespace) -> Solution:
                             parameters=dict(arguments.set), initial=dict(arguments.initial),
                             save_every=arguments.save_every, engine=arguments.engine, progress=progress,
                             options=dict(arguments.option), force=arguments.force, start=arguments.start,
-                            tolerance=arguments.tolerance, graded=arguments.graded)
+                            tolerance=arguments.tolerance, graded=arguments.graded, **kept)
     except CompilerError as error:  # asked for --engine compiled where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
@@ -76,6 +79,7 @@ def summary(solution: Solution) -> list[str]:
         lines.append(f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
                      "(work is integrated over the saved samples), or compare with --scheme single_rate and a smaller "
                      "step")
+    lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")
     if "sub_step_cost" in stats:

@@ -53,6 +53,7 @@ def _derived(derived: Derived) -> dict[str, Any]:
     return {
         "coordinates": names, "independent": independent,
         "loop_unknowns": [names[column] for column in choice.loop_columns],
+        "redundant": [derived.system.equations.constraints[row].label for row in derived.redundant],
         "groups": {group.name: [independent[k] for k in group.positions] for group in derived.groups},
         "initial_changes": {name: {"given": given, "used": used}
                             for name, (given, used) in derived.initial.changed.items()},
@@ -74,6 +75,7 @@ def _lines(data: dict[str, Any]) -> list[str]:
     groups = [f"{name}: {', '.join(members)}" for name, members in data["groups"].items()]
     lines += _block(f"Degrees of freedom ({count}), groups slow to fast", groups)
     lines += _block("Solved by Newton (loop closure)", data["loop_unknowns"])
+    lines += _block("Redundant constraints, implied by the others", data["redundant"])
     lines += _block("Initial values that had to change", [f"{name}: {change['given']:.9g} -> {change['used']:.9g}"
                                                           for name, change in data["initial_changes"].items()])
     settings = ", ".join(f"{key} = {value}" for key, value in data["simulation"].items())

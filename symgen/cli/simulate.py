@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from symgen.cli.arguments import add_command, add_run_options, add_scene
+from symgen.cli.arguments import add_checkpoint_options, add_command, add_run_options, add_scene, names
 from symgen.cli.outcome import Outcome
 
 
@@ -18,6 +18,10 @@ def add(subparsers: Any) -> None:
     command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
     command.add_argument("--plots", action="store_true", help="also leave coordinates.png and energy.png (needs --out)")
     add_run_options(command)
+    command.add_argument("--checkpoint", metavar="FILE", help="file that `symgen resume` goes on from")
+    add_checkpoint_options(command)
+    command.add_argument("--outputs", type=names, metavar="NAMES",
+                         help="keep only these coordinates, rates, measures or energies, separated by commas")
 
 
 def run(arguments: argparse.Namespace) -> Outcome:
@@ -31,7 +35,8 @@ def run(arguments: argparse.Namespace) -> Outcome:
         raise UsageError("--plots needs --out DIR")
     folder = Path(arguments.out) if arguments.out else None
     model = opened_model(arguments.scene, arguments.made_with, folder / "model" if folder else None)
-    solution = run_model(model, arguments)
+    solution = run_model(model, arguments, outputs=arguments.outputs, stream=arguments.stream,
+                         checkpoint=arguments.checkpoint, checkpoint_every=arguments.checkpoint_every)
     files = leave_results(solution, folder) if folder else {}
     if folder and arguments.plots:
         files |= leave_pictures(solution, folder)

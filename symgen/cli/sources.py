@@ -102,6 +102,19 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     return model
 
 
+def opened_text(name: str, text: str, keep: Path | None = None) -> Model:
+    """The model of a scene's TOML text: the built-in one if that is the same scene, else generated anew.
+
+    Raises ModelError or SceneError.
+    """
+    from symgen.scene import Scene
+
+    known = builtin_name(name)
+    if known is not None and find_source(known).scene.to_toml() == text:
+        return opened_model(known, keep=keep)
+    return _generated(Scene.from_toml_text(text), keep)
+
+
 def _generated(scene: Scene, keep: Path | None) -> Model:
     from runtime.loading import load_model
     from symgen.generate import generate

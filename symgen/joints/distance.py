@@ -2,7 +2,8 @@
 
 from functools import cache
 
-from symgen.joints.planar_template import JointType, d, f, joint_type
+from symgen.joints.joint_type import JointType, f
+from symgen.joints.planar_template import d, joint_type
 from symgen.joints.spatial_template import d as spatial_d
 from symgen.joints.spatial_template import dot, spatial_joint_type
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
-from symgen.joints.planar_template import JointType
+from symgen.joints.joint_type import JointType
 from symgen.rows import Row, add_scaled, nonzero
 from symgen.scalar import mul, neg, sub
 

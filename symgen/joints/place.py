@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from symgen.joints.planar_template import JointType
+from symgen.joints.joint_type import JointType
 from symgen.joints.spatial_template import placed, spatial_joint_type
 
 

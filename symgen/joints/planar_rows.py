@@ -18,7 +18,7 @@ from symgen.joints import (
 )
 from symgen.joints import planar_template as s
 from symgen.joints.instance import ConstraintRow, Slot, template_rows
-from symgen.joints.planar_template import JointType
+from symgen.joints.joint_type import JointType, f, f_t, f_tt
 
 TYPES: dict[str, Callable[[], JointType]] = {
     "revolute": revolute.planar,
@@ -51,5 +51,5 @@ def _values(a: MarkerMotion, b: MarkerMotion, motion: list[ca.SX]) -> dict:
         **dict(zip(s.r_a_dot, a.r_dot, strict=True)), **dict(zip(s.r_b_dot, b.r_dot, strict=True)),
         **dict(zip(s.t_a, a.direction, strict=True)),
         s.phi_a: a.phi, s.phi_b: b.phi, s.phi_a_dot: a.phi_dot, s.phi_b_dot: b.phi_dot,
-        s.f: motion[0], s.f_t: motion[1], s.f_tt: motion[2],
+        f: motion[0], f_t: motion[1], f_tt: motion[2],
     }

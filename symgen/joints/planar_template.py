@@ -7,16 +7,16 @@ of marker a and its normal n_a turn with phi_a; the chain to the body coordinate
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
+from symgen.joints.joint_type import JointType, f, f_t, f_tt
 from symgen.template import Template, derivative
 
 r_a = sp.symbols("r_a_x r_a_y")
 r_b = sp.symbols("r_b_x r_b_y")
 t_a = sp.symbols("t_a_x t_a_y")
-phi_a, phi_b, f, f_t, f_tt = sp.symbols("phi_a phi_b f f_t f_tt")
+phi_a, phi_b = sp.symbols("phi_a phi_b")
 r_a_dot = sp.symbols("r_a_dot_x r_a_dot_y")
 r_b_dot = sp.symbols("r_b_dot_x r_b_dot_y")
 phi_a_dot, phi_b_dot = sp.symbols("phi_a_dot phi_b_dot")
@@ -34,18 +34,6 @@ _RATES = {
     **_MOTION,
 }
 SLOTS = ("r_a_x", "r_a_y", "r_b_x", "r_b_y", "phi_a", "phi_b")
-
-
-@dataclass(frozen=True)
-class JointType:
-    """A joint type: the labels of its rows and its template.
-
-    Outputs of row k: C_k; C_k_<slot> for the six marker slots; C_t_k; drift_k, the second time derivative of C_k
-    with all marker accelerations zero, so that gamma_k = -drift_k - C_slot . bias of the markers.
-    """
-
-    labels: tuple[str, ...]
-    template: Template
 
 
 def joint_type(rows: Sequence[tuple[str, sp.Expr]]) -> JointType:

@@ -2,7 +2,8 @@
 
 from functools import cache
 
-from symgen.joints.planar_template import JointType, cross_slide, joint_type
+from symgen.joints.joint_type import JointType
+from symgen.joints.planar_template import cross_slide, joint_type
 from symgen.joints.spatial_template import on_axis, spatial_joint_type
 
 

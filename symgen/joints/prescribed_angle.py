@@ -4,7 +4,8 @@ from functools import cache
 
 import sympy as sp
 
-from symgen.joints.planar_template import JointType, f, joint_type, phi_a, phi_b
+from symgen.joints.joint_type import JointType, f
+from symgen.joints.planar_template import joint_type, phi_a, phi_b
 from symgen.joints.spatial_template import dot, spatial_joint_type, x_a, x_b, y_a
 
 

@@ -2,7 +2,8 @@
 
 from functools import cache
 
-from symgen.joints.planar_template import JointType, along_slide, f, joint_type
+from symgen.joints.joint_type import JointType, f
+from symgen.joints.planar_template import along_slide, joint_type
 from symgen.joints.spatial_template import d, dot, spatial_joint_type, z_a
 
 

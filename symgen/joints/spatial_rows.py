@@ -25,7 +25,7 @@ from symgen.joints import (
 )
 from symgen.joints import spatial_template as s
 from symgen.joints.instance import ConstraintRow, Slot, template_rows
-from symgen.joints.planar_template import JointType, f, f_t, f_tt
+from symgen.joints.joint_type import JointType, f, f_t, f_tt
 from symgen.rows import Row
 from symgen.scalar import ONE, ZERO, dot, mul, neg
 from symgen.vectors import Vector, cross, minus, quaternion_product, scaled, zeros

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from symgen.joints.planar_template import JointType, f, f_t, f_tt
+from symgen.joints.joint_type import JointType, f, f_t, f_tt
 from symgen.template import Template, derivative
 
 Vector = tuple[sp.Expr, sp.Expr, sp.Expr]

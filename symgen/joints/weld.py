@@ -2,7 +2,8 @@
 
 from functools import cache
 
-from symgen.joints.planar_template import JointType, d, joint_type, phi_a, phi_b
+from symgen.joints.joint_type import JointType
+from symgen.joints.planar_template import d, joint_type, phi_a, phi_b
 from symgen.joints.spatial_template import aligned, placed, spatial_joint_type
 
 

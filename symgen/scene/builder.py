@@ -75,6 +75,30 @@ class SceneBuilder:
         """A `PointOnLineJoint`."""
         return self._pair("joints", "point_on_line", name, marker_a, marker_b, fields)
 
+    def spherical(self, name: str, marker_a: str, marker_b: str) -> Self:
+        """A `SphericalJoint`."""
+        return self._pair("joints", "spherical", name, marker_a, marker_b, {})
+
+    def universal(self, name: str, marker_a: str, marker_b: str) -> Self:
+        """A `UniversalJoint`."""
+        return self._pair("joints", "universal", name, marker_a, marker_b, {})
+
+    def cylindrical(self, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:
+        """A `CylindricalJoint`."""
+        return self._pair("joints", "cylindrical", name, marker_a, marker_b, fields)
+
+    def screw(self, name: str, marker_a: str, marker_b: str, lead: float | str) -> Self:
+        """A `ScrewJoint`."""
+        return self._pair("joints", "screw", name, marker_a, marker_b, {"lead": lead})
+
+    def planar(self, name: str, marker_a: str, marker_b: str) -> Self:
+        """A `PlanarJoint`."""
+        return self._pair("joints", "planar", name, marker_a, marker_b, {})
+
+    def distance(self, name: str, marker_a: str, marker_b: str, length: float | str) -> Self:
+        """A `DistanceJoint`."""
+        return self._pair("joints", "distance", name, marker_a, marker_b, {"length": length})
+
     def prescribed_angle(
         self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
     ) -> Self:
@@ -112,7 +136,7 @@ class SceneBuilder:
         return self._pair("loads", "bushing", name, marker_a, marker_b, fields)
 
     def measure(self, name: str, type: str, marker_b: str, marker_a: str = "ground.origin") -> Self:
-        """A measure of ``type`` angle, distance, x or y from marker_a to marker_b."""
+        """A measure of ``type`` angle, distance, x, y or z from marker_a to marker_b."""
         return self._pair("measures", type, name, marker_a, marker_b, {})
 
     def structure(self, **fields: Any) -> Self:

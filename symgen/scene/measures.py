@@ -16,7 +16,10 @@ class _Measure(Model):
 
 
 class AngleMeasure(_Measure):
-    """phi_b - phi_a [rad]; in space the angle about marker a's z-axis, between -pi and pi."""
+    """phi_b - phi_a [rad]; in space the angle about marker a's z-axis, between -pi and pi.
+
+    Between the markers of a joint with an angle of its own it is that angle, over any number of turns.
+    """
 
     type: Literal["angle"] = "angle"
 

@@ -110,10 +110,11 @@ class SpatialSpace:
         return found
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
-        """Angle about marker a's z-axis, x, y, z or distance."""
+        """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
         first, second = self.marker(a), self.marker(b)
         if kind == "angle":
-            return effects.angle_about_z(first, second, self.motion).value
+            own = self._between(a, b, "angle")
+            return effects.angle_about_z(first, second, self.motion).value if own is None else own.value
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 

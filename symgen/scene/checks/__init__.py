@@ -14,7 +14,7 @@ from .names import name_errors
 from .partition import partition_errors
 from .references import reference_errors
 from .shapes import shape_errors
-from .space import space_errors
+from .space import screw_errors, space_errors
 from .topology import topology_errors
 from .values import value_errors
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 STAGES = (
     (name_errors, shape_errors, space_errors),
     (reference_errors, topology_errors, partition_errors, value_errors),
-    (matrix_errors,),
+    (matrix_errors, screw_errors),
 )
 
 

@@ -37,20 +37,24 @@ def matrix_errors(scene: Scene) -> Iterator[SceneError]:
             yield from _inertia(scene, body, item_path("bodies", index, body.name))
 
 
-def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
+def _modal_matrices(scene: Scene, body: ModalBody | FlexibleBody, path: str) -> Iterator[SceneError]:
+    """M_ff, K_ff and D_ff as mechanics demands."""
     mass = _array(scene, body.M_ff)
-    bad_mass = _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
-    yield from bad_mass
+    yield from _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
     for key in ("K_ff", "D_ff"):
         if (given := getattr(body, key)) is not None:
             value = _array(scene, given)
             yield from _symmetric(f"{path}.{key}", value) or _semidefinite(f"{path}.{key}", value)
+
+
+def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
+    yield from (bad := list(_modal_matrices(scene, body, path)))
     cross = _array(scene, body.phi_cross_phi)
     if _differs(cross, -cross.T):
         yield SceneError(
             f"{path}.phi_cross_phi", "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]"
         )
-    if not bad_mass and not _is_definite(_body_mass_matrix(scene, body), -TOLERANCE):
+    if not bad and not _is_definite(_body_mass_matrix(scene, body), -TOLERANCE):
         yield SceneError(
             path,
             "its mass matrix (mass, first_moment, inertia, phi_integral, ...) is not positive definite",
@@ -65,17 +69,11 @@ def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
 
 
 def _flexible(scene: Scene, body: FlexibleBody, path: str) -> Iterator[SceneError]:
-    mass = _array(scene, body.M_ff)
-    bad_mass = _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
-    yield from bad_mass
-    for key in ("K_ff", "D_ff"):
-        if (given := getattr(body, key)) is not None:
-            value = _array(scene, given)
-            yield from _symmetric(f"{path}.{key}", value) or _semidefinite(f"{path}.{key}", value)
+    yield from (bad := list(_modal_matrices(scene, body, path)))
     moments = _array(scene, body.inertia_moments)
     bad_moments = _symmetric(f"{path}.inertia_moments", moments)
     yield from bad_moments
-    if not bad_mass and not bad_moments and not _is_definite(_spatial_mass_matrix(scene, body, moments), -TOLERANCE):
+    if not bad and not bad_moments and not _is_definite(_spatial_mass_matrix(scene, body, moments), -TOLERANCE):
         yield SceneError(
             path, "its mass matrix (mass, first_moment, inertia_moments, phi_integral, ...) is not positive definite",
             "check the integrals: they must belong to one mass distribution, taken about the frame origin")

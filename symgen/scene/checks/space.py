@@ -41,6 +41,18 @@ def space_errors(scene: Scene) -> Iterator[SceneError]:
     yield from _joint_names(scene)
 
 
+def screw_errors(scene: Scene) -> Iterator[SceneError]:
+    """A screw needs an angle of its own, which counts turns; so it must place a body."""
+    placing = {place.joint for place in scene.places()}
+    for index, joint in enumerate(scene.joints):
+        if joint.type == "screw" and scene.space == "spatial" and joint.name not in placing:
+            yield SceneError(
+                item_path("joints", index, joint.name), "a screw joint needs an angle of its own, which it has neither "
+                "between bodies with Euler angles nor where it closes a loop",
+                'use orientation = "euler_parameters", or name the screw before the joint that could close the loop in '
+                "its place")
+
+
 _SPATIAL = 'set space = "spatial", or use what a planar scene has'
 
 

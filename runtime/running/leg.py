@@ -1,0 +1,75 @@
+"""A leg of a run: what is stepped with one choice of q_i. Most runs have one; a run may come back to one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.model import Model
+from runtime.observe import observe_samples
+from runtime.running.plan import Plan
+from runtime.singular.guard import Guard
+from runtime.solution import Solution
+from runtime.status import Status
+from runtime.stepper import Stepper
+from runtime.watch import Watch
+
+LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
+
+
+@dataclass(eq=False)
+class Leg:
+    """model and plan of the leg, its compiled stepper, p and c, what the program reads, and who watches it."""
+
+    model: Model
+    plan: Plan
+    stepper: Stepper
+    p: np.ndarray
+    c: np.ndarray
+    ready: np.ndarray
+    watch: Watch
+
+    @classmethod
+    def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, force: bool) -> Leg:
+        """Prepare and compile. Raises ModelError or CompilerError."""
+        c = model.constants(p)
+        stepper = Stepper(plan.scheme, engine, plan.steps)
+        return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L),
+                   Watch(model, plan.scheme, c, force=force))
+
+    def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0) -> np.ndarray:
+        """The whole z at a consistent state of all coordinates after so many steps of the run (Eqs. 68-71)."""
+        z = self.stepper.start(self.plan.time(step), q, q_dot, self.c, self.plan.grid.dt_L)
+        z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
+        self.forget_determinants(z)
+        return z
+
+    def step_of(self, z: np.ndarray) -> int:
+        """Major steps that were made when z was reached."""
+        return int(z[1])
+
+    def run(self, z: np.ndarray, steps: int) -> None:
+        """Advance z in place."""
+        self.forget_determinants(z)
+        self.stepper.run(z, self.ready, steps)
+
+    def new_guard(self) -> Guard:
+        """For the determinants that the scheme keeps."""
+        return Guard.of(self.plan.scheme.layout.sizes["det_low"])
+
+    def forget_determinants(self, z: np.ndarray) -> None:
+        """Let det_low and det_high begin anew."""
+        layout = self.plan.scheme.layout
+        z[layout.slice("det_low")], z[layout.slice("det_high")] = LOWEST, HIGHEST
+
+    def determinants(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(smallest, largest) of each loop block during the last `run`."""
+        layout = self.plan.scheme.layout
+        return z[layout.slice("det_low")], z[layout.slice("det_high")]
+
+    def observed(self, samples: list[np.ndarray]) -> Solution:
+        """Samples of the scheme's part of z as a Solution of this leg's model."""
+        plan = self.plan
+        return observe_samples(self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {},
+                               Status("completed", plan.t_end))

@@ -1,0 +1,98 @@
+"""The checked arguments of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from math import ceil
+from numbers import Real
+from operator import index
+from typing import Any
+
+import numpy as np
+
+from runtime.model import Model
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.grid import Grid
+from runtime.schemes.options import SchemeError
+from runtime.schemes.scheme import Scheme
+
+MAX_SAMPLES = 10_000_000
+MAX_STEPS = 1e15
+STEP_ROUNDING = 1e-6  # of a step: t_end / dt is a whole number up to this
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A scheme on a model, by name and built, and how many of its steps are made and saved.
+
+    options: the user's changes to the scheme's Options; a variant of the model is stepped with the same ones.
+    """
+
+    name: str
+    scheme: Scheme
+    options: Mapping[str, Any]
+    steps: int
+    save_every: int
+    t0: float
+
+    @property
+    def grid(self) -> Grid:
+        """Groups and steps."""
+        return self.scheme.grid
+
+    def time(self, step: int) -> float:
+        """Time after so many major steps [s]."""
+        return self.t0 + step * self.grid.dt_L
+
+    @property
+    def t_end(self) -> float:
+        """Time after the last step [s]."""
+        return self.time(self.steps)
+
+    def on(self, model: Model) -> Plan:
+        """The same plan for a variant of the model with as many groups. Raises SchemeError."""
+        built = scheme_kind(self.name).build(self.name, model, self.grid.dt_L, list(self.grid.m) or None, self.options)
+        return replace(self, scheme=built)
+
+
+def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] | None, scheme: str | None,
+              save_every: int | None, options: Mapping[str, Any] | None, t0: float, bounded: bool = False) -> Plan:
+    """Resolve defaults and check every number of a run. bounded: samples do not stay in memory. Raises SchemeError."""
+    defaults = model.simulation
+    name = scheme or str(defaults["scheme"])
+    ratios = None if m is None else _whole_numbers(m)
+    built = scheme_kind(name).build(name, model, float(defaults["dt"]) if dt is None else dt, ratios, options or {})
+    grid = built.grid
+    if isinstance(t0, bool) or not isinstance(t0, int | float) or not np.isfinite(t0):
+        raise SchemeError(f"t0 must be a time in seconds, not {t0!r}")
+    end = float(defaults["t_end"]) if t_end is None else t_end
+    if isinstance(end, bool) or not isinstance(end, Real) or not np.isfinite(float(end)) or float(end) <= t0:
+        raise SchemeError(f"t_end must be a time after t0 = {t0:g} s, not {end!r}")
+    end = float(end)
+    every = whole_number(int(defaults["save_every"]) if save_every is None else save_every)
+    if every is None or every < 1:
+        raise SchemeError(f"save_every must be a whole number of major steps of at least 1, not {save_every!r}")
+    if grid.dt_L > (end - t0) * (1 + STEP_ROUNDING):
+        raise SchemeError(f"dt = {grid.dt_L:g} s is longer than the simulation ({end - t0:g} s); give a smaller step")
+    if (end - t0) / grid.dt_L > MAX_STEPS:
+        raise SchemeError(f"dt = {grid.dt_L:g} s needs more than {MAX_STEPS:.0e} steps; raise dt or lower t_end")
+    steps = max(1, ceil((end - t0) / grid.dt_L - STEP_ROUNDING))
+    if steps / every > MAX_SAMPLES and not bounded:
+        raise SchemeError(f"{steps // every:.3g} saved states are too many; raise save_every or dt, or stream them")
+    return Plan(name, built, dict(options or {}), steps, every, float(t0))
+
+
+def whole_number(value: Any) -> int | None:
+    """An int, also from a NumPy integer; None for anything else (a bool, 2.0)."""
+    try:
+        return None if isinstance(value, bool) else index(value)
+    except TypeError:
+        return None
+
+
+def _whole_numbers(values: Any) -> list[Any]:
+    """m as a list, NumPy integers as int; what is not whole stays for the grid to refuse. Raises SchemeError."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise SchemeError(f"m must be a list with one ratio between each two groups, not {values!r}")
+    return [value if (whole := whole_number(value)) is None else whole for value in values]

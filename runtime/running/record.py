@@ -1,0 +1,142 @@
+"""What is kept of a run: whole states, or only columns of them, in memory or in a stream.
+
+Whole states in memory are the scheme's own vectors z; they are turned into a Solution at the end. In the other cases
+blocks of them are observed on the way and forgotten; of the whole states the first and the last are kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+
+from runtime import export
+from runtime.model import ModelError
+from runtime.observe import concatenated
+from runtime.running.leg import Leg
+from runtime.running.stream import StreamFile, Table, split
+from runtime.sampling import BLOCK
+from runtime.solution import Solution
+
+Columns = list[tuple[str, tuple[int, ...]]]
+SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
+
+
+class Record:
+    """Samples of a run, whose legs are appended to `legs` as it goes on; samples name theirs by its position there.
+
+    table: where rows of columns go; None keeps whole states. outputs: names of the columns, () for all there are.
+    """
+
+    def __init__(self, legs: list[Leg], save_every: int, table: Table | None = None,
+                 outputs: Sequence[str] = ()) -> None:
+        self.legs, self.every, self.table, self.outputs = legs, save_every, table, tuple(outputs)
+        self.samples: list[tuple[int, np.ndarray]] = []  # all of them, or those that wait to be written
+        self.first: tuple[int, np.ndarray] | None = None
+        self.last_step = -1
+
+    def add(self, leg: int, z: np.ndarray) -> None:
+        """Keep a state (a copy of the scheme's part of z), unless this step is kept already."""
+        step = self.legs[leg].step_of(z)
+        if step <= self.last_step:
+            return
+        self.last_step = step
+        sample = (leg, self.legs[leg].stepper.state(z).copy())
+        self.first = self.first or sample
+        self.samples.append(sample)
+        if self.table is not None and len(self.samples) >= BLOCK:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write the rows of the samples that wait."""
+        if self.table is None:
+            return
+        for leg, part in _by_leg(self.samples):
+            seen = concatenated([self.legs[leg].observed(part)], self.legs[0].model)
+            self.table.append(rows_of(seen, self.outputs))
+        self.samples = []
+
+    def drop_from(self, step: int) -> None:
+        """Forget the samples of this step and of later ones."""
+        kept = [(leg, z) for leg, z in self.samples if self.legs[leg].step_of(z) < step]
+        if self.table is not None and len(kept) == 0:
+            self.table.keep(min(self.table.rows, -(-step // self.every)))
+        self.samples = kept
+        self.last_step = min(self.last_step, step - 1)
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """What a checkpoint keeps of it: rows in a stream stay there."""
+        self.flush()
+        found: dict[str, np.ndarray] = {}
+        if self.table is not None and not isinstance(self.table, StreamFile):
+            found["table"] = self.table.all_rows()
+        kept = self.samples if self.table is None else ([self.first] if self.first else [])
+        for position, (leg, part) in enumerate(_by_leg(kept)):
+            found[f"samples_{position}_{leg}"] = np.array(part)
+        return found
+
+    def restore(self, arrays: dict[str, np.ndarray], rows: int, last_step: int) -> None:
+        """Continue from `arrays`; a stream is cut to so many rows. Raises ModelError if it has fewer."""
+        parts = sorted((tuple(map(int, name.split("_")[1:])), part) for name, part in arrays.items()
+                       if name.startswith("samples_"))
+        kept = [(leg, z) for (_, leg), part in parts for z in part]
+        self.first, self.last_step = (kept[0] if kept else None), last_step
+        if self.table is None:
+            self.samples = kept
+            return
+        if "table" in arrays:
+            self.table.append(arrays["table"])
+        if self.table.rows < rows:
+            raise ModelError(f"the stream holds {self.table.rows} samples, the checkpoint was written after {rows}; "
+                             "give the stream that belongs to the checkpoint")
+        self.table.keep(rows)
+
+    def solution(self, last: tuple[int, np.ndarray]) -> Solution:
+        """Of all whole states that were kept, `last` the last one."""
+        kept = self.samples if self.table is None else [one for one in (self.first, last) if one is not None]
+        if self.table is not None and len(kept) == 2 and np.array_equal(kept[0][1][1], kept[1][1][1]):
+            kept = kept[:1]
+        found = concatenated([self.legs[leg].observed(part) for leg, part in _by_leg(kept)], self.legs[0].model)
+        if self.table is not None and not isinstance(self.table, StreamFile):
+            columns = split(self.table.all_rows(), self.table.columns)
+            found = replace(found, outputs={name: values for name, values in columns.items()})
+        return found
+
+
+def _by_leg(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, list[np.ndarray]]]:
+    return [(leg, [z for _, z in part]) for leg, part in groupby(samples, key=lambda sample: sample[0])]
+
+
+def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
+    """Names and shapes of the columns of a sample; of all there are if no outputs are named. Raises ModelError."""
+    if not outputs:
+        series = {key: np.asarray(getattr(solution, key)) for key in SERIES}
+        energies = {f"energy_{key}": values for key, values in solution.energy.items()}
+        return [("t", ()), *((name, values.shape[1:]) for name, values in {**series, **energies}.items())]
+    known = output_values(solution)
+    for name in outputs:
+        if name not in known:
+            raise ModelError(f"model {solution.model.name} has no output {name!r}; it has "
+                             f"{', '.join(list(known)[1:25])}{', ...' if len(known) > 25 else ''}")
+    return [("t", ()), *((name, ()) for name in outputs if name != "t")]
+
+
+def output_values(solution: Solution) -> dict[str, np.ndarray]:
+    """All columns by the names that outputs are asked for: those of export.table, energies and measures bare too."""
+    table = export.table(solution)
+    bare = {name.partition(".")[2]: values for name, values in table.items()
+            if name.startswith(("energy.", "measure."))}
+    return {**table, **{name: values for name, values in bare.items() if name not in table}}
+
+
+def rows_of(solution: Solution, outputs: Sequence[str]) -> np.ndarray:
+    """(N, width) of the columns of `columns_of`."""
+    values: dict[str, Any] = output_values(solution) if outputs else {
+        "t": solution.t, **{key: getattr(solution, key) for key in SERIES},
+        **{f"energy_{key}": series for key, series in solution.energy.items()}}
+    n = len(solution.t)
+    return np.concatenate([np.asarray(values[name], dtype=float).reshape(n, -1)
+                           for name, _ in columns_of(solution, outputs)], axis=1)

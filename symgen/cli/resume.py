@@ -1,0 +1,45 @@
+"""`symgen resume`: go on with a run from its checkpoint."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from symgen.cli.arguments import add_checkpoint_options, add_command, add_engine
+from symgen.cli.outcome import Outcome
+
+
+def add(subparsers: Any) -> None:
+    """Declare the subcommand."""
+    command = add_command(subparsers, "resume", run, "Go on with a run from its checkpoint.",
+                          "The results are those of an uninterrupted run, bit for bit.")
+    command.add_argument("file", metavar="FILE", help="what simulate --checkpoint wrote")
+    command.add_argument("scene", metavar="SCENE", nargs="?",
+                         help="built-in name, .toml file or generated folder of the run (default: the scene that the "
+                         "checkpoint holds)")
+    command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
+    add_engine(command)
+    add_checkpoint_options(command)
+
+
+def run(arguments: argparse.Namespace) -> Outcome:
+    """Resume; exit codes as of `simulate`."""
+    from runtime.report import run_report
+    from runtime.running.checkpoint import read_checkpoint
+    from runtime.simulate import resume
+    from symgen.cli.progress import Progress
+    from symgen.cli.running import exit_code, leave_results, summary
+    from symgen.cli.sources import opened_model, opened_text
+
+    folder = Path(arguments.out) if arguments.out else None
+    keep = folder / "model" if folder else None
+    header = read_checkpoint(arguments.file).header
+    model = (opened_model(arguments.scene, keep=keep) if arguments.scene
+             else opened_text(header["model"], header["scene_toml"], keep))
+    with Progress(f"symgen {model.name}") as progress:
+        solution = resume(model, arguments.file, stream=arguments.stream, engine=arguments.engine, progress=progress,
+                          checkpoint_every=arguments.checkpoint_every)
+    files = leave_results(solution, folder) if folder else {}
+    lines = summary(solution) + ([f"results in {folder}"] if folder else [])
+    return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

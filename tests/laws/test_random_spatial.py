@@ -1,0 +1,101 @@
+"""Random spatial trees, loops and doubled joints: M_hat is positive definite, (38) equals (28), energy and Jacobians hold."""
+
+from __future__ import annotations
+
+import tempfile
+
+import numpy as np
+from hypothesis import HealthCheck, Phase, assume, given, settings
+from model_values import State, condensed_accelerations, evaluate, make_state, power_gap, reactions, relative_error
+from random_spatial import spatial_loops, spatial_trees
+
+from runtime import load_model
+from runtime.augmented import augmented_accelerations
+from runtime.model import Model
+from symgen.generate import generate
+from symgen.scene import Scene
+
+QUICK = settings(deadline=None, max_examples=6, derandomize=True, phases=(Phase.generate,),
+                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
+KERNELS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions", "energy"})
+JACOBIANS = frozenset({"dQ_hat_dq_i", "dQ_hat_dq_i_dot"})
+WELL_POSED = 0.03  # smallest singular value of C_q on the dependent coordinates, over the largest
+
+
+def check_laws(scene: Scene, redundant: bool = False, jacobians: bool = False) -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        model = load_model(generate(scene, folder, KERNELS | JACOBIANS if jacobians else KERNELS))
+        for name in model.builders:
+            model.kernel(name)
+    assert bool(model.redundant) == redundant
+    assume(well_posed(model))
+    state, n = random_state(model), len(model.q_i)
+    constraint = evaluate(model, "constraints", **state.values())
+    C_q = constraint["C_q"].reshape(-1, len(state.q))
+    assert np.max(np.abs(constraint["C"])) < 1e-12
+    assert np.max(np.abs(C_q @ state.q_dot + constraint["C_t"])) < 1e-11
+    M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
+    assert relative_error(M, M.T) < 1e-12
+    scale = np.sqrt(np.diag(M))
+    assert np.min(np.linalg.eigvalsh(M / np.outer(scale, scale))) > 0
+    q_ddot = condensed_accelerations(model, state)
+    assert np.max(np.abs(C_q @ q_ddot - constraint["gamma"])) < 1e-10 * max(1.0, np.abs(q_ddot).max())
+    augmented, _ = augmented_accelerations(model)(state.t, state.q, state.q_dot, model.constants(model.parameter_vector()))
+    assert relative_error(q_ddot, np.asarray(augmented).ravel()) < 1e-9
+    assert power_gap(model, state, q_ddot, reactions(model, state, q_ddot)) < 1e-10
+    if jacobians:
+        check_jacobians(model, state)
+
+
+def well_posed(model: Model) -> bool:
+    """Do the dependent coordinates follow at the start, and in its neighbourhood?"""
+    C_q = evaluate(model, "constraints", q=model.initial_q, q_dot=model.initial_q_dot, t=0.0)["C_q"]
+    part = C_q.reshape(-1, len(model.coordinates))[np.ix_(model.kept_rows, model.dependent_columns)]
+    size = np.linalg.svd(part, compute_uv=False)
+    return bool(size[-1] > WELL_POSED * size[0])
+
+
+def random_state(model: Model) -> State:
+    rng, n = np.random.default_rng(len(model.coordinates)), len(model.q_i)
+    reach = np.where([name in model.elastic for name in model.q_i], 1e-4, 0.01)
+    start = model.initial_q[model.independent_columns]
+    return make_state(model, start + reach * rng.uniform(-1, 1, n), rng.uniform(-1, 1, n), 0.2)
+
+
+def check_jacobians(model: Model, state: State) -> None:
+    """Central differences of Q_hat along a random direction, the loops closed anew."""
+    rng, h = np.random.default_rng(1), 1e-5
+    along = rng.uniform(-1, 1, len(state.q_i))
+    for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot"):
+        moved = [make_state(model, state.q_i + s * along, state.q_i_dot, state.t, guess=state.q) if name == "dQ_hat_dq_i"
+                 else make_state(model, state.q_i, state.q_i_dot + s * along, state.t, guess=state.q) for s in (-h, h)]
+        behind, ahead = (evaluate(model, "condensed", **at.values())["Q_hat"] for at in moved)
+        found = evaluate(model, name, **state.values())[name].reshape(len(along), -1) @ along if model.has(name) else 0 * along
+        noise = 1e-14 * np.max(np.abs(evaluate(model, "augmented", **state.values())["Q_star"])) / h
+        assert np.max(np.abs(found - (ahead - behind) / (2 * h))) < 1e-6 * np.max(np.abs(found)) + noise, name
+
+
+@QUICK
+@given(spatial_trees())
+def test_trees(scene: Scene) -> None:
+    check_laws(scene)
+
+
+@QUICK
+@given(spatial_trees(most=2))
+def test_jacobians(scene: Scene) -> None:
+    """Of M_hat and Q_hat, on one or two bodies, as these are the large ones."""
+    check_laws(scene, jacobians=True)
+
+
+@QUICK
+@given(spatial_loops())
+def test_closed_loops(scene: Scene) -> None:
+    check_laws(scene)
+
+
+@QUICK
+@given(spatial_trees(doubled=True, most=2))
+def test_doubled_joints(scene: Scene) -> None:
+    """A joint twice: its rows are found redundant and change nothing."""
+    check_laws(scene, redundant=True)

@@ -1,0 +1,168 @@
+"""A run that is broken off and resumed is the uninterrupted run, bit for bit; wrong checkpoints are refused."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
+from runtime.engine.compiled import find_compiler
+from runtime.model import Model
+from runtime.schemes.catalogue import SCHEMES
+from symgen.generate import generate
+from symgen.scenes import SCENES
+
+Load = Callable[[str], Model]
+SERIES = ("t", "q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error",
+          "constraint_rate_error")
+STEPS, EVERY, SAVED, BROKEN_OFF = 60, 7, 4, 33
+STEP = {"hub_beam": 2e-4, "slider_crank": 2e-5, "flexible_slider_crank_free": 2e-5}
+
+
+class Break:
+    """Progress that presses Ctrl-C after so many steps, and keeps a copy of the checkpoint that was there before."""
+
+    def __init__(self, time: float, path: Path) -> None:
+        self.time, self.path, self.copy = time, path, path.with_name("copy.npz")
+
+    def __call__(self, t: float, t_end: float) -> None:
+        if t >= self.time:
+            shutil.copy(self.path, self.copy)
+            raise KeyboardInterrupt
+
+
+def assert_same(one: Solution, other: Solution) -> None:
+    for name in SERIES:
+        assert np.array_equal(getattr(one, name), getattr(other, name)), name
+    for key in one.energy:
+        assert np.array_equal(one.energy[key], other.energy[key]), key
+    assert one.status == other.status and one.stats["steps"] == other.stats["steps"]
+    assert one.stats["full_evaluations"] == other.stats["full_evaluations"]
+
+
+def settings_of(name: str, scheme: str, engine: str) -> dict[str, Any]:
+    dt = STEP[name]
+    m = {"none": None, "sub_steps": [2], "groups": [3] if name != "slider_crank" else None}[SCHEMES[scheme].ratios]
+    return {"scheme": scheme, "dt": dt, "m": m, "t_end": STEPS * dt, "save_every": SAVED, "engine": engine,
+            "force": True}
+
+
+def broken_off(model: Model, settings: dict[str, Any], path: Path, **more: Any) -> Break:
+    stop = Break(BROKEN_OFF * settings["dt"], path)
+    solution = simulate(model, **settings, checkpoint=path, checkpoint_every=EVERY, progress=stop, **more)
+    assert solution.status.name == "interrupted"
+    assert BROKEN_OFF <= solution.stats["steps"] < STEPS  # type: ignore[operator]
+    return stop
+
+
+CASES = [(name, scheme, engine) for name in ("hub_beam", "slider_crank") for scheme in SCHEMES
+         for engine in ("interpreted", "compiled")]
+CASES += [("flexible_slider_crank_free", scheme, "compiled") for scheme in ("printed", "coupled")]
+
+
+@pytest.mark.parametrize("name, scheme, engine", CASES)
+def test_resumed_run_is_the_uninterrupted_run(built_in: Load, tmp_path: Path, name: str, scheme: str,
+                                              engine: str) -> None:
+    if engine == "compiled" and find_compiler() is None:
+        pytest.skip("no C compiler")
+    model, settings, path = built_in(name), settings_of(name, scheme, engine), tmp_path / "run.npz"
+    whole = simulate(model, **settings)
+    assert whole.status.ok, whole.status
+    stop = broken_off(model, settings, path)
+    assert_same(resume(model, path, engine=engine), whole)  # from Ctrl-C
+    assert_same(resume(model, stop.copy, engine=engine), whole)  # from the last one before, as after a crash
+
+
+def test_checkpoints_do_not_change_a_run(built_in: Load, tmp_path: Path) -> None:
+    model, settings = built_in("slider_crank"), settings_of("slider_crank", "single_rate", "interpreted")
+    assert_same(simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=1),
+                simulate(model, **settings))
+
+
+@pytest.mark.parametrize("more", [{"stream": "rows"}, {"outputs": ["hub.theta", "hub.theta_dot", "kinetic"]},
+                                  {"outputs": ["hub.theta", "kinetic"], "stream": "rows"}])
+def test_streams_and_outputs_resume_too(built_in: Load, tmp_path: Path, more: dict[str, Any]) -> None:
+    model, settings = built_in("hub_beam"), settings_of("hub_beam", "printed", "interpreted")
+
+    def kept_in(folder: str) -> dict[str, Any]:
+        return {**more, "stream": tmp_path / folder} if "stream" in more else more
+
+    whole = simulate(model, **settings, **kept_in("whole"))
+    stop = broken_off(model, settings, tmp_path / "run.npz", **kept_in("broken"))
+    resumed = resume(model, stop.copy)
+    assert_same(resumed, whole)
+    for name, values in whole.outputs.items():
+        assert np.array_equal(resumed.outputs[name], values)
+    if "stream" in more:
+        assert (tmp_path / "broken" / "samples.bin").read_bytes() == (tmp_path / "whole" / "samples.bin").read_bytes()
+
+
+def test_changed_parameters_and_initial_values_are_kept(built_in: Load, tmp_path: Path) -> None:
+    model = built_in("slider_crank")
+    settings = {**settings_of("slider_crank", "rk4", "interpreted"), "parameters": {"rod.mass": 0.2},
+                "initial": {"crank.theta": 0.3}, "t0": 0.5, "t_end": 0.5 + STEPS * 2e-5}
+    whole = simulate(model, **settings)
+    stop = Break(0.5 + BROKEN_OFF * 2e-5, tmp_path / "run.npz")
+    simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=EVERY, progress=stop)
+    resumed = resume(model, stop.copy)
+    assert_same(resumed, whole)
+    assert np.array_equal(resumed.parameters, whole.parameters)
+
+
+@pytest.fixture(scope="module")
+def checkpoint(tmp_path_factory: pytest.TempPathFactory, built_in: Load) -> Path:
+    path = tmp_path_factory.mktemp("checkpoint") / "run.npz"
+    broken_off(built_in("slider_crank"), settings_of("slider_crank", "single_rate", "interpreted"), path)
+    return path
+
+
+def test_checkpoint_of_another_model_is_refused(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
+    with pytest.raises(ModelError, match="belongs to model slider_crank"):
+        resume(built_in("four_bar"), checkpoint)
+    changed = SCENES["slider_crank"]().model_copy(update={"title": "Another"})
+    with pytest.raises(ModelError, match="generated anew"):
+        resume(load_model(generate(changed, tmp_path / "model")), checkpoint)
+
+
+@pytest.mark.parametrize("said", [{"scheme": "rk4"}, {"dt": 1e-5}, {"m": [3]}, {"options": {"closure_iterations": 3}}])
+def test_other_settings_are_refused(built_in: Load, checkpoint: Path, said: dict[str, Any]) -> None:
+    with pytest.raises(SchemeError, match=f"made with {next(iter(said))} ="):
+        resume(built_in("slider_crank"), checkpoint, **said)
+
+
+def test_the_same_settings_may_be_said_again(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
+    again = resume(built_in("slider_crank"), checkpoint, scheme="single_rate", dt=2e-5, m=[], options={},
+                   checkpoint=tmp_path / "further.npz")
+    assert again.status.ok
+
+
+def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
+    """Cut short, or with one byte changed: never a traceback of another kind, never a silent wrong run."""
+    model, good = built_in("slider_crank"), checkpoint.read_bytes()
+    whole = resume(model, checkpoint, checkpoint=tmp_path / "further.npz")
+    rng = np.random.default_rng(3)
+    path = tmp_path / "damaged.npz"
+    refused = 0
+    for position in [0, 10, len(good) // 2, len(good) - 1, *rng.integers(0, len(good), 40)]:
+        for damaged in (good[:position], good[:position] + bytes([good[position] ^ 0x5A]) + good[position + 1:]):
+            path.write_bytes(damaged)
+            try:
+                assert_same(resume(model, path), whole)  # a byte that nothing depends on (a date in the archive)
+            except ModelError as error:
+                refused += 1
+                assert str(path) in str(error)
+    assert refused > 60
+    with pytest.raises(ModelError, match="whole checkpoint"):
+        resume(model, tmp_path / "none.npz")
+
+
+def test_wrong_words_about_checkpoints(built_in: Load, tmp_path: Path) -> None:
+    for wrong in ({"checkpoint_every": 5}, {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 0},
+                  {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 2.5}):
+        with pytest.raises(SchemeError, match="checkpoint_every"):
+            simulate(built_in("pendulum"), **wrong)  # type: ignore[arg-type]
