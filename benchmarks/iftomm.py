@@ -46,7 +46,7 @@ that of the steps of the whole run, without derivation and compilation. Evaluati
   of this tip [m].
 - A04, 1 s: position of P3 at 0.5 and 1 s [m].
 - A05, 10 s: position of the slider at 0.1, 0.5, 1 and 10 s [m].
-- Heavy top, Euler angles zxy, 1 s: position of its centre of mass at 0.2 and 1 s [m].
+- Heavy top, Euler angles xzy, 1 s: position of its centre of mass at 0.2 and 1 s [m].
 
 Where the library's own threshold is not energy, coarse means 1e-3. All mechanisms are about 1 m large, so these errors
 are relative too."""
@@ -104,7 +104,7 @@ CASES = (
           1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866)}),
     Case("A05 flyball governor", flyball_governor, 10.0, 100, _columns("height.travel"),
          {0.1: (0.52383647556958,), 0.5: (0.74324942478637,), 1.0: (0.50142092237955,), 10.0: (0.61962291706135,)}),
-    Case("heavy top", lambda: heavy_top("zxy"), 1.0, 5, _columns("top.x", "top.y", "top.z"),
+    Case("heavy top", lambda: heavy_top("xzy"), 1.0, 5, _columns("top.x", "top.y", "top.z"),
          {0.2: (0.60555056138, 0.59895768179, -0.52398302743),
           1.0: (0.17334396410, 0.64008859207, -0.74849079113)}),
 )
