@@ -9,7 +9,7 @@ from pathlib import Path
 
 from benchmarks import exudyn_slider_crank, generation, iftomm, operations, rhs_chain, rhs_pinocchio, step_slider_crank
 from benchmarks.machine import describe_machine
-from benchmarks.page import as_json, as_markdown
+from benchmarks.page import as_json, as_markdown, with_sections
 from benchmarks.result import Benchmark, Skipped
 
 BENCHMARKS: dict[str, Benchmark] = {
@@ -21,12 +21,9 @@ PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run, print, and write results.json and results.md; --publish also writes docs/benchmarks.md."""
+    """Run, print, and write results.json and results.md; --publish also writes docs/benchmarks.md, or its sections."""
     options = _parser().parse_args(arguments)
     chosen = options.only or list(BENCHMARKS)
-    if options.publish and options.only:
-        print("--publish needs all benchmarks: leave out --only", file=sys.stderr)
-        return 2
     machine, results, skipped = describe_machine(), [], []
     for name in chosen:
         print(f"running {name} ...", file=sys.stderr, flush=True)
@@ -42,7 +39,8 @@ def main(arguments: list[str] | None = None) -> int:
     if options.publish and skipped:
         print(f"{PAGE.name} is left as it is: it needs {', '.join(skipped)} too", file=sys.stderr)
     elif options.publish:
-        PAGE.write_text(page, encoding="utf-8")
+        whole = with_sections(PAGE.read_text(encoding="utf-8"), machine, results) if options.only else page
+        PAGE.write_text(whole, encoding="utf-8")
     print(page)
     return 0
 
@@ -53,7 +51,7 @@ def _parser() -> argparse.ArgumentParser:
                         help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})")
     parser.add_argument("--out", type=Path, default=Path("out/benchmarks"), metavar="DIR",
                         help="folder for results.json and results.md (default: %(default)s)")
-    parser.add_argument("--publish", action="store_true", help="also write docs/benchmarks.md")
+    parser.add_argument("--publish", action="store_true", help="also write docs/benchmarks.md; with --only, the other sections stay")
     return parser
 
 

@@ -130,7 +130,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Compute and print the page; --publish also writes it."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.hard_tables", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), metavar="CASE")
-    parser.add_argument("--publish", action="store_true", help="also write docs/hard-suite.md; with --only, the other cases stay as they are")
+    parser.add_argument("--publish", action="store_true",
+                        help="also write docs/hard-suite.md; with --only, the other cases stay as they are")
     options = parser.parse_args(arguments)
     chosen = options.only or list(HARD_SUITE)
     rows, sections = published() if options.publish and options.only else ({}, {})

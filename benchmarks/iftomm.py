@@ -27,23 +27,26 @@ from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.n_four_bar import n_four_bar
 
 FINE, COARSE = 1e-6, 1e-3  # m
+SAME_MOTION = 0.1  # m, where the coarse threshold is one of energy
 GOALS = ("coarse", "fine")
 IN_A_ROW = 3  # neighbouring numbers of steps that must be accurate enough
-RATIO, MOST = 1.19, 300_000  # of neighbouring numbers of steps tried; most steps
+RATIO, MOST = 1.19, 100_000  # of neighbouring numbers of steps tried; most steps
 HOPELESS = 5.0  # times the CPU time of the fastest method so far: a method that is slower still is given up
-SAMPLES, ROUNDS = 1000, 7
-METHODS = (Spec("exponential", (1,)), Spec("exponential", (2,)), Spec("linearised", (2,)),
-           Spec("radau", None, {"eps": (1e-6,)}), Spec("radau"), Spec("rk4"), Spec("dop853"), Spec("single_rate"))
+SAMPLES, REPEATS, ROUNDS = 1000, 3, 30
+METHODS = (Spec("rk4"), Spec("dop853"), Spec("single_rate"), Spec("radau", None, {"eps": (1e-6,)}), Spec("radau"),
+           Spec("linearised", (2,)), Spec("exponential", (1,)), Spec("exponential", (2,)))
 REMARK = """\
-Each row is the fastest of {methods}, compiled, with the fewest steps of a row of ratio {ratio} that
-reach the error and reach it at the next two as well. CPU time is that of the steps of the whole run, without
-derivation and compilation. Evaluations are those of M_hat and Q_hat.
+Each row is the fastest of
+{methods}, compiled,
+with the fewest steps of a row of ratio {ratio} that reach the error and reach it at the next two as well. CPU time is
+that of the steps of the whole run, without derivation and compilation. Evaluations are those of M_hat and Q_hat.
 
-- A02, two windows, 10 s, ten singular positions: the coarse error is the library's, the total energy's within 0.1 J.
-  The fine one is the position of the first upright's tip at 1, 2 and 10 s [m].
+- A02, two windows, 10 s, ten singular positions: the coarse error is the library's, the total energy's within 0.1 J;
+  so that it is the same motion, the first upright's tip is within 0.1 m at 1, 2 and 10 s too. The fine error is that
+  of this tip [m].
 - A04, 1 s: position of P3 at 0.5 and 1 s [m].
 - A05, 10 s: position of the slider at 0.1, 0.5, 1 and 10 s [m].
-- Heavy top, Euler angles zxy, 1 s: position of its centre of mass at 0.2 and 1 s [m].
+- Heavy top, Euler angles xzy, 1 s: position of its centre of mass at 0.2 and 1 s [m].
 
 Where the library's own threshold is not energy, coarse means 1e-3. All mechanisms are about 1 m large, so these errors
 are relative too."""
@@ -73,7 +76,8 @@ class Case:
             return np.inf, np.inf
         off = self.position_error(run)
         drift = float(np.abs(run.total_energy - run.total_energy[0]).max())
-        return off / COARSE if self.energy is None else drift / self.energy, off / FINE
+        coarse = off / COARSE if self.energy is None else max(drift / self.energy, off / SAME_MOTION)
+        return coarse, off / FINE
 
     def threshold(self, goal: str) -> tuple[float, str]:
         """The error allowed, with its unit."""
@@ -100,7 +104,7 @@ CASES = (
           1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866)}),
     Case("A05 flyball governor", flyball_governor, 10.0, 100, _columns("height.travel"),
          {0.1: (0.52383647556958,), 0.5: (0.74324942478637,), 1.0: (0.50142092237955,), 10.0: (0.61962291706135,)}),
-    Case("heavy top", lambda: heavy_top("zxy"), 1.0, 5, _columns("top.x", "top.y", "top.z"),
+    Case("heavy top", lambda: heavy_top("xzy"), 1.0, 5, _columns("top.x", "top.y", "top.z"),
          {0.2: (0.60555056138, 0.59895768179, -0.52398302743),
           1.0: (0.17334396410, 0.64008859207, -0.74849079113)}),
 )
@@ -187,9 +191,12 @@ def fewest(runs: Runs, bounds: list[float]) -> tuple[list[Found | None], list[fl
 
 
 def _seconds(work: Callable[[int], None]) -> float:
-    started = time.thread_time()
-    work(1)
-    return time.thread_time() - started
+    spent = []
+    for _ in range(REPEATS):
+        started = time.thread_time()
+        work(1)
+        spent.append(time.thread_time() - started)
+    return min(spent)
 
 
 def run() -> Result:

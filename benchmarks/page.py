@@ -29,12 +29,23 @@ def as_json(machine: dict[str, str], results: list[Result]) -> dict[str, Any]:
 def as_markdown(machine: dict[str, str], results: list[Result]) -> str:
     """The page docs/benchmarks.md."""
     parts = [INTRODUCTION, "\n".join(f"- {key}: {value}" for key, value in machine.items()) + "\n"]
+    return "\n".join([*parts, *(_section(result) for result in results)])
+
+
+def with_sections(page: str, machine: dict[str, str], results: list[Result]) -> str:
+    """A page with the sections of `results` replaced, or added at the end; they say where they were run."""
+    head, *parts = page.split("\n## ")
+    sections = {part.split("\n", 1)[0]: f"## {part}" for part in parts}
+    alone = f"This section was run on its own, on {machine['processor']}."
     for result in results:
-        rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, result.lines)]
-        remark = f"{result.remark}\n\n" if result.remark else ""
-        parts.append(f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n{remark}" + "\n".join(rows)
-                     + "\n")
-    return "\n".join(parts)
+        sections[result.title] = _section(result, alone)
+    return "\n".join([head, *(section.rstrip("\n") + "\n" for section in sections.values())])
+
+
+def _section(result: Result, place: str = "") -> str:
+    rows = ["| | value | goal | | |", "|---|---:|---:|---|---|", *map(_row, result.lines)]
+    remarks = "".join(f"{text}\n\n" for text in (place, result.remark) if text)
+    return f"## {result.title}\n\n`python -m benchmarks --only {result.name}`\n\n{remarks}" + "\n".join(rows) + "\n"
 
 
 def _row(line: Line) -> str:

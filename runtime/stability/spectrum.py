@@ -55,7 +55,8 @@ class StepSpectrum:
         growth = np.full(len(exact), -np.inf)
         for k in np.flatnonzero(size > VANISHED):
             j = nearest[k]
-            growth[j] = max(growth[j], float(np.log(size[k] / abs(exact[j]))))
+            with np.errstate(divide="ignore"):  # an exact multiplier of zero: growth without bound
+                growth[j] = max(growth[j], float(np.log(size[k] / abs(exact[j]))))
         modes = growth.reshape(-1, 2).max(axis=1)
         return Spectrum(float(size.max()), np.where(np.isfinite(modes), modes, 0.0) / dt)
 
