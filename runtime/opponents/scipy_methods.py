@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,10 +13,12 @@ from runtime.condensed_ode import CondensedOde, observed_solution, start_of
 from runtime.model import Model
 from runtime.opponents.native import buffered, native
 from runtime.solution import Solution
-from runtime.status import Status
+from runtime.status import NoResult, Status
 
 EXPLICIT = ("RK23", "RK45", "DOP853")
 IMPLICIT = ("Radau", "BDF", "LSODA")
+Slope = Callable[[float, np.ndarray], np.ndarray]
+MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps would shrink for ever
 
 
 def scipy_solution(
@@ -27,7 +29,7 @@ def scipy_solution(
     """Integrate the condensed equations from 0 to t_end with one of EXPLICIT or IMPLICIT (exact Jacobian).
 
     times: where to report (the end only by default). Raises ValueError for an unknown method, ModelError or
-    InitialStateError for bad arguments.
+    InitialStateError for bad arguments, NoResult after MOST_EVALUATIONS.
     """
     if method not in EXPLICIT + IMPLICIT:
         raise ValueError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
@@ -41,7 +43,7 @@ def scipy_solution(
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()
-    result = solve_ivp(lambda t, y: slope(t, y).copy(), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol,
+    result = solve_ivp(_counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol,
                        atol=atol, **more)
     wall = time.perf_counter() - started
     status = Status("completed", t_end) if result.success else Status(
@@ -52,3 +54,18 @@ def scipy_solution(
     if method in IMPLICIT:
         stats |= {"jacobians": int(result.njev), "factorisations": int(result.nlu)}
     return observed_solution(model, given, result.t, result.y.T, method, stats, status)
+
+
+def _counted(slope: Slope, method: str) -> Slope:
+    """The slope as a fresh array, up to MOST_EVALUATIONS times. Raises NoResult."""
+    done = 0
+
+    def evaluated(t: float, y: np.ndarray) -> np.ndarray:
+        nonlocal done
+        done += 1
+        if done > MOST_EVALUATIONS:
+            raise NoResult(f"{method} needs more than {MOST_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
+                           "its steps shrink, as at a singular position of q_i or of Euler angles")
+        return slope(t, y).copy()
+
+    return evaluated
