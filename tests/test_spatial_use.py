@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import get_args
 
@@ -10,9 +11,10 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
+from runtime.model import Model
 from runtime.solution import Solution
 from symgen.generate import generate
-from symgen.scene import SceneBuilder, SceneError
+from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scene.joints import Joint
 
 
@@ -157,3 +159,19 @@ def test_a_beam_that_is_bent_to_close_a_loop_is_reported(tmp_path: Path) -> None
     model = load_model(generate(scene.build(), tmp_path / "use"))
     before, after = model.initial_changes["rod.q2"]
     assert before == 0.0 and abs(after) > 0.01
+
+
+def test_a_measure_reads_a_coordinate(model_of: Callable[[Scene], Model]) -> None:
+    """A controller on the second angle of a universal joint: the measure is that coordinate, its rate too."""
+    builder = SceneBuilder("fork", space="spatial").gravity(0, 0, -9.81)
+    builder.rigid("rod", mass=1.0, inertia=[0.1, 0.1, 0.02], center_of_mass=[0, 0, -0.5])
+    builder.universal("fork", "ground.origin", "rod.origin").measure_coordinate("tilt", "fork.angle2")
+    builder.force("hold", "rod.center", 0, "2 * tilt + 0.1 * tilt_dot", 0)
+    scene = builder.initial({"fork.angle2": 0.3}).simulation(t_end=0.2, dt=1e-3, scheme="rk4").build()
+    assert Scene.from_toml_text(scene.to_toml()) == scene
+    solution = simulate(model_of(scene))
+    assert np.array_equal(solution["tilt"], solution["fork.angle2"])
+    assert np.allclose(solution["tilt_dot"], solution.rate("fork.angle2"))
+    with pytest.raises(SceneError, match="tilt.*no coordinate 'fork.angel2'.*fork.angle2"):
+        SceneBuilder("bad", space="spatial").rigid("rod", mass=1, inertia=[1, 1, 1]).universal(
+            "fork", "ground.origin", "rod.origin").measure_coordinate("tilt", "fork.angel2").build()

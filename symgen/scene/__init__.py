@@ -26,7 +26,7 @@ from .joints import (
     WeldJoint,
 )
 from .loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
-from .measures import AngleMeasure, DistanceMeasure, Measure, XMeasure, YMeasure, ZMeasure
+from .measures import AngleMeasure, CoordinateMeasure, DistanceMeasure, Measure, XMeasure, YMeasure, ZMeasure
 from .modal import Foreshortening, ModalBody, ModalMarker
 from .parameters import Parameter
 from .places import Place
@@ -36,7 +36,7 @@ from .structure import Structure
 
 __all__ = [
     "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "Bushing", "CylindricalJoint",
+    "Bushing", "CoordinateMeasure", "CylindricalJoint",
     "DistanceJoint", "DistanceMeasure", "Expression", "FlexibleBody", "FlexibleMarker", "FlexibleStiffening",
     "Force", "Foreshortening", "Group", "GroundBody", "Initial",
     "InitialValue",

@@ -139,6 +139,10 @@ class SceneBuilder:
         """A measure of ``type`` angle, distance, x, y or z from marker_a to marker_b."""
         return self._pair("measures", type, name, marker_a, marker_b, {})
 
+    def measure_coordinate(self, name: str, coordinate: str) -> Self:
+        """A measure of a coordinate itself."""
+        return self._add("measures", "coordinate", name, {"coordinate": coordinate})
+
     def structure(self, **fields: Any) -> Self:
         """A `Structure`."""
         return self._set("structure", fields)

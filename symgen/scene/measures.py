@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .fields import MarkerRef, Model, Name
+from .fields import Coordinate, MarkerRef, Model, Name
 
 
 class _Measure(Model):
@@ -48,4 +48,14 @@ class ZMeasure(_Measure):
     type: Literal["z"] = "z"
 
 
-Measure = Annotated[AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure, Field(discriminator="type")]
+class CoordinateMeasure(Model):
+    """A coordinate itself [m, rad], for instance a mode or the second angle of a universal joint."""
+
+    type: Literal["coordinate"] = "coordinate"
+    name: Name
+    coordinate: Coordinate
+
+
+Measure = Annotated[
+    AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure | CoordinateMeasure, Field(discriminator="type")
+]

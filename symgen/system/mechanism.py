@@ -163,7 +163,8 @@ class Mechanism(Generic[Marker]):
     def _add_measures(self) -> None:
         eq = self.equations
         for measure in self.scene.measures:
-            value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
+            value = (eq.q[eq.names.index(measure.coordinate)] if measure.type == "coordinate" else
+                     self.space.measure(measure.type, measure.marker_a, measure.marker_b))
             rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
             eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
         self.environment = {**self.environment, **eq.measures}

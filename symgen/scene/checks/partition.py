@@ -26,6 +26,9 @@ def partition_errors(scene: Scene) -> Iterator[SceneError]:
         for name in getattr(scene.initial, section):
             if name not in names:
                 yield _unknown(f"initial.{section}['{name}']", name, names)
+    for index, measure in enumerate(scene.measures):
+        if measure.type == "coordinate" and measure.coordinate not in names:
+            yield _unknown(f"{item_path('measures', index, measure.name)}.coordinate", measure.coordinate, names)
     independent = scene.partition.independent
     for index, name in enumerate(independent or ()):
         path = f"partition.independent[{index}]"

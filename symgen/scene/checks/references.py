@@ -43,6 +43,8 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
 
 
 def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
+    if entry.type == "coordinate":
+        return
     if entry.type == "force" or (entry.type == "torque" and entry.reaction is None):
         if _body(entry.marker) == "ground":
             yield SceneError(
