@@ -51,7 +51,8 @@ def _parser() -> argparse.ArgumentParser:
                         help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})")
     parser.add_argument("--out", type=Path, default=Path("out/benchmarks"), metavar="DIR",
                         help="folder for results.json and results.md (default: %(default)s)")
-    parser.add_argument("--publish", action="store_true", help="also write docs/benchmarks.md; with --only, the other sections stay")
+    parser.add_argument("--publish", action="store_true",
+                        help="also write docs/benchmarks.md; with --only, the other sections stay")
     return parser
 
 
