@@ -38,10 +38,10 @@ class Hinge:
     """
 
     parent: int
-    place: tuple[float, float, float]
+    place: tuple[float, ...]
     turn: np.ndarray
     mass: float
-    center: tuple[float, float, float]
+    center: tuple[float, ...]
     inertia: tuple[float, float, float]
 
     def row(self) -> list[float]:
