@@ -7,7 +7,7 @@ Elastic coordinates move last, being small; those left open count as given zeros
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NoReturn
 
@@ -17,6 +17,7 @@ MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
 VELOCITY_TOLERANCE = 1e-12
+OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
                 "closer to an assembled position",
@@ -62,10 +63,15 @@ def consistent_state(
     """
     q0, stages = _start(names, elastic, coordinates, guess, reluctant)
     free, given = stages[-1], q0
-    if len(first):
-        rows = np.array(first)
-        q0 = _nearest(q0, stages[0], lambda q: tuple(part[rows] for part in position(q)))
-    q = next((q for mask in stages if (q := _positions(q0, mask, position)) is not None), None)
+    open_ = np.array([k in reluctant and name not in coordinates.values for k, name in enumerate(names)], dtype=bool)
+    q = None
+    rows = np.array(first, dtype=int)
+    for start in _starts(q0, open_):
+        if len(first):
+            start = _nearest(start, stages[0], lambda q: tuple(part[rows] for part in position(q)))
+        q = next((q for mask in stages if (q := _positions(start, mask, position)) is not None), None)
+        if q is not None:
+            break
     if q is None:
         _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
     v0, stages = _start(names, elastic, rates, None, reluctant)
@@ -93,6 +99,14 @@ def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
     is_open = np.array([name not in given.values for name in names], dtype=bool) & ~is_elastic
     is_reluctant = np.array([k in reluctant for k in range(len(names))], dtype=bool)
     return value, [is_open & ~is_reluctant & free, is_open & free, ~is_elastic & free, free]
+
+
+def _starts(q0: np.ndarray, open_: np.ndarray) -> Iterator[np.ndarray]:
+    """q0, then starts with the open coordinates of joints turned a little: a straight chain knows no way to bend."""
+    yield q0
+    rng = np.random.default_rng(0)
+    for _ in range(OTHER_STARTS if open_.any() else 0):
+        yield q0 + np.where(open_, rng.uniform(-TURN_OPEN, TURN_OPEN, len(q0)), 0.0)
 
 
 def _positions(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray | None:

@@ -14,6 +14,7 @@ from runtime import load_model, simulate
 from runtime.model import Model
 from runtime.solution import Solution
 from symgen.generate import generate
+from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scene.joints import Joint
 
@@ -175,3 +176,21 @@ def test_a_measure_reads_a_coordinate(model_of: Callable[[Scene], Model]) -> Non
     with pytest.raises(SceneError, match="tilt.*no coordinate 'fork.angel2'.*fork.angle2"):
         SceneBuilder("bad", space="spatial").rigid("rod", mass=1, inertia=[1, 1, 1]).universal(
             "fork", "ground.origin", "rod.origin").measure_coordinate("tilt", "fork.angel2").build()
+
+
+def test_a_straight_cardan_shaft_finds_a_way_to_bend() -> None:
+    """At the start given by zeros no small motion closes the loop: the assembly tries joints turned a little."""
+    beta = math.radians(30)
+    aside = [math.sin(beta), 0, math.cos(beta)]
+    builder = SceneBuilder("cardan", space="spatial").ground(markers={"outlet": {"position": aside}})
+    builder.rigid("near", mass=1, inertia=[1, 1, 1], markers={"fork": {"axis": [1, 0, 0], "x_axis": [0, 0, 1]}})
+    builder.rigid("shaft", mass=1, inertia=[1, 1, 1], markers={
+        "near": {"x_axis": [0, 1, 0]}, "far": {"position": [0, 0, 1], "axis": [0, 1, 0], "x_axis": [0, 0, 1]}})
+    builder.rigid("far", mass=1, inertia=[1, 1, 1], markers={"fork": {"x_axis": [1, 0, 0]}})
+    builder.revolute("inlet", "ground.origin", "near.origin").universal("u1", "near.fork", "shaft.near")
+    builder.universal("u2", "shaft.far", "far.fork").cylindrical("outlet", "ground.outlet", "far.origin")
+    derived = derive(builder.build(), frozenset({"constraints"}))
+    names = derived.system.equations.names
+    shaft = derived.initial.q[[names.index(f"far.{axis}") for axis in "xyz"]]
+    travel = derived.initial.q[names.index("outlet.travel")]
+    assert np.allclose(shaft, np.array(aside) + [0, 0, travel], atol=1e-12)
