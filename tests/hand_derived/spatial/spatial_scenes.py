@@ -48,7 +48,7 @@ def free_body(p: twin_free_body.Params) -> Scene:
     builder.force("pull", "body.point", *p.force)
     for axis, value in zip("xyz", p.moment, strict=True):
         builder.torque(f"turn_{axis}", f"body.about_{axis}", value)
-    return builder.build()
+    return builder.initial({"body.theta2": 0.7}).build()
 
 
 def heavy_top(p: twin_heavy_top.Params) -> Scene:
