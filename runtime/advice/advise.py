@@ -27,6 +27,8 @@ STATES = 12
 MARGIN = 0.9  # of a stability limit
 STUDIED = 20  # independent coordinates up to which a step's stability is computed; beyond, the trial has to do
 MOST_OPERATIONS = 400_000  # of a step: beyond it a method is not even compiled
+LONG_JACOBIANS = 40_000  # operations: each further method with them takes the compiler a minute
+FEW_STEPS = 20  # in the motion tried: what grows over so few steps is in their error already
 SAFETY = 0.85  # of the tolerance, so that a slightly different motion meets it too
 Note = Callable[[str], None]
 
@@ -69,9 +71,12 @@ def candidates(model: Model) -> list[Spec]:
     """Methods worth trying, the likeliest first."""
     n, found = len(model.q_i), []
     if model.has("dQ_hat_dq_i") and 40 * n**3 < MOST_OPERATIONS:
-        found += [Spec("exponential", (1,)), Spec("exponential", (2,)), Spec("exponential", (4,)),
-                  Spec("linearised", (2,)), Spec("linearised", (2,), {"corrections": 1}),
-                  Spec("radau", None, {"eps": (1e-6,)})]
+        found.append(Spec("exponential", (1,)))
+        jacobians = sum(model.operations.get(name, 0) for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"))
+        if jacobians < LONG_JACOBIANS:
+            found += [Spec("exponential", (2,)), Spec("exponential", (4,)), Spec("linearised", (2,)),
+                      Spec("linearised", (2,), {"corrections": 1})]
+        found.append(Spec("radau", None, {"eps": (1e-6,)}))
     found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
@@ -136,6 +141,8 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
         spec = _spec_of(problem.model, one.label)
         if SCHEMES[spec.scheme].make.reach is None or not states or len(problem.model.q_i) > STUDIED:
             return one, None
+        if problem.t_end < FEW_STEPS * one.best.dt:
+            return one, None
         study = StabilityStudy(problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c,
                                states, problem.t_end)
         curve = study.curve(np.geomspace(one.best.dt / 4, 4 * one.best.dt, 9))
@@ -165,14 +172,15 @@ def _advice(setting: Setting, problem: Problem, tolerance: float, searches: list
         mode_ranges(model, solver, states) if solver else [],
         propose_groups(model, solver, states) if solver else None,
         sorted(searches, key=lambda one: one.seconds), spec, trial.dt, trial, limit, gain,
-        _reason(spec, trial, limit, gain))
+        _reason(spec, trial, limit, gain, best.seconds <= min(one.seconds for one in searches)))
 
 
-def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float) -> str:
+def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest: bool) -> str:
     step = f"step {trial.dt:.3g} s, error {trial.error:.2g}"
     bound = f"; stable up to {limit:.3g} s" if limit else "; no stability limit near that step"
     if not SCHEMES[spec.scheme].multirate:
-        return f"use one step for all coordinates: {spec.label} is the fastest here ({step}{bound})"
+        which = "the fastest here" if fastest else "the fastest here that is stable at its step"
+        return f"use one step for all coordinates: {spec.label} is {which} ({step}{bound})"
     if not np.isfinite(gain):
         return f"{spec.label}: {step}{bound}; no method with one step for all coordinates got there in useful time"
     return (f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates "
