@@ -1557,7 +1557,7 @@ def condensed() -> ca.Function:
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 1221 operations."""
+    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 1263 operations."""
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     c = ca.SX.sym("c", 154)
@@ -1899,6 +1899,14 @@ def closure() -> ca.Function:
     w306 = -(w289 * w299 + w292 * w300)
     w307 = 2 * w306
     w308 = c99 - (w295 * (2 * w292) - w289 * w294) * c56
+    w309 = w198 * w239 - w189 * w240
+    w310 = w198 * w214 - w189 * w215
+    w311 = w214 * w240 - w215 * w239
+    w312 = w68 * w198 - w127 * w189
+    w313 = w68 * w240 - w127 * w239
+    w314 = w81 * (w213 * w309 - w238 * w310 + w183 * w311) - w212 * (w87 * w309 - w238 * w312 + w183 * w313)
+    w315 = w68 * w215 - w127 * w214
+    w316 = w314 + w237 * (w87 * w310 - w213 * w312 + w183 * w315) - w173 * (w87 * w311 - w213 * w313 + w238 * w315)
     q_d_next = ca.vertcat(
         0.0,
         0.0,
@@ -1949,7 +1957,7 @@ def closure() -> ca.Function:
     )
     C_loop = ca.densify(C_loop)
     det_loop = ca.vertcat(
-        w263 * (w251 * (w128 * w221)),
+        w316,
     )
     det_loop = ca.densify(det_loop)
     inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]

@@ -24,6 +24,7 @@ from symgen.loops import order_blocks
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.n_four_bar import n_four_bar
+from symgen.small_systems import solve_small
 
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions"})
 
@@ -138,3 +139,22 @@ def test_condensed_equals_augmented(model: Model) -> None:
         q_ddot = condensed_accelerations(model, state)
         assert relative_error(q_ddot, expected) < 1e-10
         assert relative_error(reactions(model, state, q_ddot), lam) < 1e-9
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 5, 6, 7])
+def test_small_systems_give_solution_and_determinant(n: int) -> None:
+    """Against NumPy; beyond 6x6 the determinant's size only."""
+    U = ca.SX.sym("U", n, n)
+    entries = [[U[i, j] for j in range(n)] for i in range(n)]
+    solutions, determinant = solve_small(entries, [[ca.SX(k + 1.0) for k in range(n)]])
+    function = ca.Function("solved", [U], [ca.vertcat(*solutions[0]), determinant])
+    rng = np.random.default_rng(n)
+    signs = set()
+    for _ in range(8):
+        matrix = rng.normal(size=(n, n))
+        x, found = (np.asarray(value).ravel() for value in function(matrix))
+        assert np.allclose(x, np.linalg.solve(matrix, np.arange(1.0, n + 1)), rtol=1e-9)
+        expected = np.linalg.det(matrix)
+        assert found[0] == pytest.approx(expected if n <= 6 else abs(expected), rel=1e-10)
+        signs.add(np.sign(expected))
+    assert signs == {-1.0, 1.0}
