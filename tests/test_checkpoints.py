@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -60,16 +61,14 @@ def broken_off(model: Model, settings: dict[str, Any], path: Path, **more: Any) 
     return stop
 
 
-CASES = [(name, scheme, engine) for name in ("hub_beam", "slider_crank") for scheme in SCHEMES
-         for engine in ("interpreted", "compiled")]
-CASES += [("flexible_slider_crank_free", scheme, "compiled") for scheme in ("printed", "coupled")]
+ENGINES = ("interpreted", "compiled") if find_compiler() else ("interpreted",)
+CASES = [(name, scheme, engine) for name in ("hub_beam", "slider_crank") for scheme in SCHEMES for engine in ENGINES]
+CASES += [("flexible_slider_crank_free", scheme, ENGINES[-1]) for scheme in ("printed", "coupled")]
 
 
 @pytest.mark.parametrize("name, scheme, engine", CASES)
 def test_resumed_run_is_the_uninterrupted_run(built_in: Load, tmp_path: Path, name: str, scheme: str,
                                               engine: str) -> None:
-    if engine == "compiled" and find_compiler() is None:
-        pytest.skip("no C compiler")
     model, settings, path = built_in(name), settings_of(name, scheme, engine), tmp_path / "run.npz"
     whole = simulate(model, **settings)
     assert whole.status.ok, whole.status
@@ -159,6 +158,22 @@ def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_p
     assert refused > 60
     with pytest.raises(ModelError, match="whole checkpoint"):
         resume(model, tmp_path / "none.npz")
+
+
+@pytest.mark.parametrize("key, value", [("steps", 1e300), ("options", None), ("digest", 3), ("scheme", ["rk4"]),
+                                        ("guard", None), ("scene_toml", "import os"), ("z", 1.0), ("p", 2.0)])
+def test_edited_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_path: Path, key: str, value: Any) -> None:
+    """Also those that are whole archives: a run goes on with what it wrote itself, and with nothing else."""
+    arrays = dict(np.load(checkpoint))
+    header = json.loads(str(arrays["header"]))
+    if key in header:
+        arrays["header"] = np.array(json.dumps({**header, key: value}))
+    else:
+        arrays[key] = arrays[key] + value
+    path = tmp_path / "edited.npz"
+    np.savez(path, **arrays)
+    with pytest.raises(ModelError, match="was edited since it was written"):
+        resume(built_in("slider_crank"), path)
 
 
 def test_wrong_words_about_checkpoints(built_in: Load, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ steps that an uninterrupted one makes.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import zipfile
 from collections.abc import Mapping
@@ -35,8 +36,16 @@ class Checkpoint:
         """To a temporary name, then renamed: there is always a whole one. Raises OutputError."""
         text = json.dumps({"format": FORMAT, **self.header, "arrays": list(self.arrays)})
         with replacing(path) as temporary, open(temporary, "wb") as stream:
-            np.savez(stream, allow_pickle=False, header=np.array(text), z=self.z, p=self.p,
-                     **{f"record_{name}": values for name, values in self.arrays.items()})
+            np.savez(stream, allow_pickle=False, header=np.array(text), sha256=np.array(self._digest(text)), z=self.z,
+                     p=self.p, **{f"record_{name}": values for name, values in self.arrays.items()})
+
+    def _digest(self, text: str) -> str:
+        """SHA-256 of the header's text and of all arrays: whoever edits a checkpoint shall not go on with it."""
+        found = hashlib.sha256(text.encode())
+        for name, values in (("z", self.z), ("p", self.p), *self.arrays.items()):
+            found.update(f"{name} {values.dtype.str} {values.shape}".encode())
+            found.update(np.ascontiguousarray(values).tobytes())
+        return found.hexdigest()
 
 
 def read_checkpoint(path: str | Path) -> Checkpoint:
@@ -47,11 +56,15 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             if damaged is not None:
                 raise ModelError(f"checkpoint {path} is damaged ({damaged}); start again, or take an older copy")
         with np.load(path, allow_pickle=False) as data:
-            header = json.loads(str(data["header"]))
+            text = str(data["header"])
+            header = json.loads(text)
             if header["format"] != FORMAT:
                 raise ModelError(f"{path} is a checkpoint in another format; run it with the version that wrote it")
-            arrays = {name: data[f"record_{name}"] for name in header["arrays"]}
-            return Checkpoint(header, data["z"], data["p"], arrays)
+            found = Checkpoint(header, data["z"], data["p"],
+                               {name: data[f"record_{name}"] for name in header["arrays"]})
+            if str(data["sha256"]) != found._digest(text):
+                raise ModelError(f"checkpoint {path} was edited since it was written; start again, or take an older copy")
+            return found
     except ModelError:
         raise
     except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, NotImplementedError, RuntimeError,
