@@ -63,7 +63,8 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             found = Checkpoint(header, data["z"], data["p"],
                                {name: data[f"record_{name}"] for name in header["arrays"]})
             if str(data["sha256"]) != found._digest(text):
-                raise ModelError(f"checkpoint {path} was edited since it was written; start again, or take an older copy")
+                raise ModelError(f"checkpoint {path} was edited since it was written; start again, or take an older "
+                                 "copy")
             return found
     except ModelError:
         raise
