@@ -58,9 +58,8 @@ class StepKernels:
         for _ in range(iterations if self.loops else 1):
             result = self.call("closure", q_i=q_i, q_d=q_d, t=t)
             q_d = result["q_d_next"]
-            if "C_loop" in result:
-                error = _largest(result["C_loop"])
-            determinants = result.get("det_loop", determinants)
+            if self.loops:
+                error, determinants = _largest(result["C_loop"]), result["det_loop"]
         return Motion(q_i, q_d, t, error, determinants)
 
     def rates(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
@@ -126,10 +125,8 @@ class StepKernels:
 
 
 def loop_blocks(model: Model) -> int:
-    """How many determinants the closure gives; 0 for a tree and for code that was generated without them."""
-    if not model.loop_unknowns or "det_loop" not in model.kernel("closure").name_out():
-        return 0
-    return int(model.kernel("closure").size1_out("det_loop"))
+    """How many determinants the closure gives; none where every dependent coordinate has a closed form."""
+    return 0 if not model.loop_unknowns else int(model.kernel("closure").size1_out("det_loop"))
 
 
 def velocity_dependent(model: Model) -> bool:
