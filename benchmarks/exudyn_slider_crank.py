@@ -17,9 +17,9 @@ from benchmarks.models import model_of, workplace
 from benchmarks.native_run import native_run
 from benchmarks.result import Line, Result, Skipped
 from benchmarks.timing import Timing, interleave
-from runtime.model import Model
-from runtime.simulate import simulate
-from runtime.start_state import start_state
+from runtime import simulate
+from runtime.contract.model import Model
+from runtime.start.start_state import start_state
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.flexible_slider_crank import J1, L1, L2, M1, M3, RHO, WIDTH, E
 

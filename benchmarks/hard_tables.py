@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model
-from runtime.model import Model
-from runtime.reference import reference_solution
-from runtime.solution import Solution
-from runtime.stability.modes import modes_at
+from runtime.baselines.reference import reference_solution
+from runtime.contract.model import Model
+from runtime.modes.modes import modes_at
+from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 
@@ -35,7 +35,7 @@ Written by `python -m benchmarks.hard_tables --publish`; every number is compute
 A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
 of the two oscillators only the slow one is.
 
-Frequencies are `Modes.undamped` of `runtime/stability/modes.py`: those of the condensed equations linearised without
+Frequencies are `Modes.undamped` of `runtime/modes/modes.py`: those of the condensed equations linearised without
 their velocity terms, at the start and the largest of each over the motion. Zero is a direction without stiffness or
 with negative stiffness. Where something dissipates, the rate is the fastest decay at the start, the largest -Re of the
 eigenvalues of the linearised equations: an `rk4` step must stay below 2.785 / rate, while central difference takes the

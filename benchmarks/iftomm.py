@@ -11,15 +11,15 @@ import numpy as np
 from benchmarks.models import model_of, workplace
 from benchmarks.result import Line, Result
 from benchmarks.timing import interleave
-from runtime.compare.contender import Spec
-from runtime.model import Model
-from runtime.observe import observe_samples
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.results.observe import observe_samples
+from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
-from runtime.solution import Solution
-from runtime.start_state import start_state
-from runtime.status import Status
-from runtime.stepper import Stepper
+from runtime.schemes.stepper import Stepper
+from runtime.start.start_state import start_state
+from runtime.studies.work_precision.contender import Spec
 from symgen.scene import Scene
 from symgen.scenes.bricard import bricard
 from symgen.scenes.flyball_governor import flyball_governor

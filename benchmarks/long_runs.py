@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from runtime import load_model, simulate
-from runtime.model import Model
+from runtime.contract.model import Model
+from runtime.modes.modes import State
 from runtime.schemes.catalogue import scheme_kind
-from runtime.stability.modes import State
-from runtime.stability.spectrum import StepSpectrum
-from runtime.stepper import Stepper
+from runtime.schemes.stepper import Stepper
+from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.scenes import generated_folder
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "long-runs.md"

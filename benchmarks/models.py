@@ -10,9 +10,9 @@ from pathlib import Path
 
 import casadi as ca
 
+from runtime.contract.loading import load_model
+from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.loading import load_model
-from runtime.model import Model
 from runtime.schemes.kernels import StepKernels
 from symgen.generate import generate
 from symgen.scene import Scene

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from runtime.schemes.catalogue import scheme_kind
-from runtime.start_state import start_state
-from runtime.stepper import Stepper
+from runtime.schemes.stepper import Stepper
+from runtime.start.start_state import start_state
 
 
 def native_run(model: Model, name: str, m: list[int] | None, t_end: float, steps: int,

@@ -16,9 +16,9 @@ from pathlib import Path  # noqa: E402
 
 from benchmarks.models import condensed_program, workplace  # noqa: E402
 from benchmarks.scenes import MAJOR_STEP, RATIO, pinned_rod, slider_crank  # noqa: E402
+from runtime.contract.loading import load_model  # noqa: E402
+from runtime.contract.model import Model  # noqa: E402
 from runtime.engine.compiled import CompiledProgram  # noqa: E402
-from runtime.loading import load_model  # noqa: E402
-from runtime.model import Model  # noqa: E402
 from runtime.schemes.catalogue import scheme_kind  # noqa: E402
 from symgen.emission.write import emit, write_model  # noqa: E402
 from symgen.pipeline import derive  # noqa: E402

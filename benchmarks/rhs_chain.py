@@ -10,8 +10,8 @@ from benchmarks.models import model_of, workplace
 from benchmarks.result import Line, Result
 from benchmarks.right_hand_side import FUNCTIONS, evaluated, routes, worker
 from benchmarks.timing import interleave
+from runtime.contract.model import Model
 from runtime.engine.compiled import CompiledProgram
-from runtime.model import Model
 from symgen.scenes.chain import chain
 
 LINKS = 10

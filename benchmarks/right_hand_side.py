@@ -8,9 +8,9 @@ import casadi as ca
 import numpy as np
 
 from benchmarks.models import constants_size
+from runtime.contract.model import Model
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.model import Model
 from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
 

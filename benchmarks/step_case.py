@@ -10,14 +10,14 @@ import numpy as np
 
 from benchmarks.models import model_of
 from benchmarks.scenes import MAJOR_STEP, RATIO, slider_crank
+from runtime.contract.model import Model
 from runtime.engine.choose import operations_per_step
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program, stages
-from runtime.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
-from runtime.stepper import start_vector
+from runtime.schemes.stepper import start_vector
 
 AGREEMENT = 1e-9
 

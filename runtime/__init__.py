@@ -1,15 +1,62 @@
-"""Steps generated models through time. Knows nothing of SymPy or of how the equations were derived."""
+"""Steps generated models through time. Knows nothing of SymPy or of how the equations were derived.
 
-from runtime.augmented import augmented_solution
-from runtime.initial import InitialStateError
-from runtime.loading import load_model
-from runtime.model import Group, Model, ModelError
-from runtime.reference import reference_solution
-from runtime.schemes.catalogue import SCHEMES
-from runtime.schemes.options import Options, SchemeError
-from runtime.simulate import resume, simulate
-from runtime.solution import Solution
-from runtime.status import Status
+The rooms, from what everything stands on to what stands on everything:
+
+    contract    what both halves share: an emitted model, its names, units and formats
+    engine      straight-line programs, interpreted or compiled
+    schemes     time stepping schemes as such programs, baselines included
+    modes       frequencies of the condensed equations
+    start       where a motion starts
+    results     what is kept of a run and computed from it
+    baselines   established integrators on the same equations
+    running     a run: its loop, its checks, singular positions, checkpoints
+    studies     many runs: stability, work-precision, advice
+    views       what people look at
+
+The names below are the doors; each room is imported when a name of it is first asked for.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from runtime import moved
+
+if TYPE_CHECKING:
+    from runtime.baselines.augmented import augmented_solution
+    from runtime.baselines.reference import reference_solution
+    from runtime.contract.consistent_state import InitialStateError
+    from runtime.contract.loading import load_model
+    from runtime.contract.model import Group, Model, ModelError
+    from runtime.contract.status import Status
+    from runtime.results.solution import Solution
+    from runtime.running.simulate import resume
+    from runtime.schemes.catalogue import SCHEMES
+    from runtime.schemes.options import Options, SchemeError
+    from runtime.studies.advice.auto import simulate
+    from runtime.views import animation, plots
 
 __all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
-           "Status", "augmented_solution", "load_model", "reference_solution", "resume", "simulate"]
+           "Status", "animation", "augmented_solution", "load_model", "plots", "reference_solution", "resume",
+           "simulate"]
+
+_HOMES = {
+    "augmented_solution": "baselines.augmented", "reference_solution": "baselines.reference",
+    "InitialStateError": "contract.consistent_state", "load_model": "contract.loading", "Group": "contract.model",
+    "Model": "contract.model", "ModelError": "contract.model", "Status": "contract.status",
+    "Solution": "results.solution", "resume": "running.simulate", "SCHEMES": "schemes.catalogue",
+    "Options": "schemes.options", "SchemeError": "schemes.options", "simulate": "studies.advice.auto",
+    "plots": "views", "animation": "views",
+}
+
+moved.redirect()
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'runtime' has no attribute {name!r}")
+    home = import_module(f"runtime.{_HOMES[name]}")
+    return import_module(f"runtime.views.{name}") if _HOMES[name] == "views" else getattr(home, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

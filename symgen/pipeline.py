@@ -16,20 +16,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.engine.tape import Tape
-from runtime.initial import ConsistentState
-from symgen.assembly import ConstraintNumbers, assembled
-from symgen.condensation import Condensed, condense
-from symgen.elimination import Choice, choose_loops, dependent_rows, structural_pivots
-from symgen.equations import Equations
-from symgen.forward_dynamics import NoInertia
-from symgen.hoisting import hoist
-from symgen.kernels import arguments_of, build_kernels
-from symgen.parameters import ParameterEntry, ParameterTable
-from symgen.partition import Group, choose_groups
-from symgen.redundancy import require_redundant
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.tape import Tape
+from symgen.algebra.parameters import ParameterEntry, ParameterTable
+from symgen.choice.assembly import ConstraintNumbers, assembled
+from symgen.choice.elimination import Choice, choose_loops, dependent_rows, structural_pivots
+from symgen.choice.partition import Group, choose_groups
+from symgen.choice.redundancy import require_redundant
+from symgen.condensed.condensation import Condensed, condense
+from symgen.condensed.forward_dynamics import NoInertia
+from symgen.kernels.arguments import arguments_of
+from symgen.kernels.catalogue import build_kernels
 from symgen.scene import Scene, SceneError
 from symgen.system.build import build_equations
+from symgen.system.equations import Equations
+from symgen.tapes.hoisting import hoist
 
 
 @dataclass(frozen=True)

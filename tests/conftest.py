@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from runtime.loading import load_model
-from runtime.model import Model
+from runtime.contract.loading import load_model
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 from symgen.scenes import generated_folder

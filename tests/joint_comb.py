@@ -15,7 +15,7 @@ from model_values import Array
 from spatial_scenes import flexible, inertia
 from twin_flexible_nodes import Nodes, scattered
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 PLACING = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "weld")

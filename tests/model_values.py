@@ -9,8 +9,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from runtime.model import Model
-from runtime.reactions import joint_reactions
+from runtime.contract.model import Model
+from runtime.results.reactions import joint_reactions
 
 Array = NDArray[Any]
 

@@ -9,7 +9,7 @@ import numpy as np
 from model_values import Array, State, evaluate
 from spatial_motion import full_state
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene
 
 ALONG = ("prismatic", "point_on_line", "prescribed_displacement")  # act along x in a plane, along z in space

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from model_values import Array
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from runtime.schemes.catalogue import scheme_kind
-from runtime.start_state import start_state
-from runtime.stepper import Stepper
+from runtime.schemes.stepper import Stepper
+from runtime.start.start_state import start_state
 
 USUAL_STEPS = 3000
 

@@ -16,7 +16,7 @@ from model_values import Array, State, augmented_solution, evaluate, joint_force
 from scipy.spatial.transform import Rotation
 from twin_flexible_nodes import Nodes
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene
 
 EULER_PARAMETERS = "euler_parameters"

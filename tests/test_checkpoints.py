@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from runtime.solution import Solution
+from runtime.results.solution import Solution
 from symgen.cli import main
 from symgen.cli.progress import Progress
 

@@ -12,17 +12,17 @@ import numpy as np
 import pytest
 
 from runtime import Model, SchemeError, simulate
-from runtime.advice.advise import Advice, NoAdvice, advise
-from runtime.advice.words import advice_data, advice_lines, command
-from runtime.compare.contender import Contender, Spec, Trial
-from runtime.compare.problem import Problem, make_setting
-from runtime.compare.reference_path import NoReference
-from runtime.compare.search import search_steps
-from runtime.model import ModelError
-from runtime.report.comparison import Comparison, Curve, compare
-from runtime.report.comparison_files import write_comparison
-from runtime.report.methods import Method, methods_named, usual_methods
-from runtime.report.suite import SuiteResult, write_suite
+from runtime.contract.model import ModelError
+from runtime.studies.advice.advise import Advice, NoAdvice, advise
+from runtime.studies.advice.words import advice_data, advice_lines, command
+from runtime.studies.work_precision.comparison import Comparison, Curve, compare
+from runtime.studies.work_precision.comparison_files import write_comparison
+from runtime.studies.work_precision.contender import Contender, Spec, Trial
+from runtime.studies.work_precision.methods import Method, methods_named, usual_methods
+from runtime.studies.work_precision.problem import Problem, make_setting
+from runtime.studies.work_precision.reference_path import NoReference
+from runtime.studies.work_precision.search import search_steps
+from runtime.studies.work_precision.suite import SuiteResult, write_suite
 
 Load = Callable[[str], Model]
 T_END = 4.0
@@ -154,9 +154,9 @@ def test_unknown_grades_and_methods_are_named(oscillators: Model) -> None:
 
 
 def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("runtime.advice.advise.candidates", lambda model: [Spec("printed", (4,))])
-    monkeypatch.setattr("runtime.compare.search.CHEAP", 0.0)
-    monkeypatch.setattr("runtime.compare.search.HOPELESSLY_SLOW", 0.0)
+    monkeypatch.setattr("runtime.studies.advice.advise.candidates", lambda model: [Spec("printed", (4,))])
+    monkeypatch.setattr("runtime.studies.work_precision.search.CHEAP", 0.0)
+    monkeypatch.setattr("runtime.studies.work_precision.search.HOPELESSLY_SLOW", 0.0)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
         advise(oscillators, t_end=T_END, parameters={"c": 0.9, "w": 50.0, "k_L": 1.0, "zeta": 0.0}, initial=START,
                tolerance=1e-9)

@@ -12,10 +12,10 @@ from typing import get_args
 
 import pytest
 
+from runtime.contract.status import StatusName
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import Options
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
-from runtime.status import StatusName
 from symgen.cli import main
 from symgen.notation import SYMBOLS, table
 from symgen.scene import Scene

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
+from runtime.contract.model import Model
 from runtime.engine import c_source
 from runtime.engine.compiled import CompiledProgram, CompilerError, compile_source, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import prepare
-from runtime.model import Model
-from runtime.simulate import make_plan
-from runtime.stepper import start_vector
-from runtime.watch import Watch
+from runtime.running.simulate import make_plan
+from runtime.running.watch import Watch
+from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.model import Model
-from runtime.solution import Solution
-from runtime.stability.modes import Modes, modes_at
+from runtime.contract.model import Model
+from runtime.modes.modes import Modes, modes_at
+from runtime.results.solution import Solution
 from symgen.scene import Scene
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
 

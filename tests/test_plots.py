@@ -11,12 +11,12 @@ import pytest
 from PIL import Image
 from test_solution import rod_solution
 
-from runtime import plots
-from runtime.animation import animate, film
-from runtime.files import OutputError
-from runtime.model import ModelError
-from runtime.solution import Solution
-from runtime.status import Status
+from runtime.contract.files import OutputError
+from runtime.contract.model import ModelError
+from runtime.contract.status import Status
+from runtime.results.solution import Solution
+from runtime.views import plots
+from runtime.views.animation import animate, film
 
 
 @pytest.mark.parametrize("draw", [plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase])

@@ -12,11 +12,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from runtime import Solution, load_model, resume, simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.model import Model
-from runtime.singular import crossing, passage
-from runtime.singular.crossing import BranchLost
-from runtime.singular.variants import use_generator
+from runtime.running.singular import crossing, passage
+from runtime.running.singular.crossing import BranchLost
+from runtime.running.singular.variants import use_generator
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 from symgen.variants import generate_variant

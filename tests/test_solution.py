@@ -6,12 +6,12 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime.export import table
-from runtime.files import OutputError, replacing, write_text
-from runtime.model import Group, Model, ModelError, Parameter
-from runtime.report import as_json, as_markdown, run_report, write_report
-from runtime.solution import Solution
-from runtime.status import Status
+from runtime.contract.files import OutputError, replacing, write_text
+from runtime.contract.model import Group, Model, ModelError, Parameter
+from runtime.contract.status import Status
+from runtime.results.export import table
+from runtime.results.solution import Solution
+from runtime.views.report import as_json, as_markdown, run_report, write_report
 
 
 def rod_model() -> Model:

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.model import Model
-from runtime.solution import Solution
+from runtime.contract.model import Model
+from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder, SceneError

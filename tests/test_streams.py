@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from runtime import ModelError, Solution, simulate
-from runtime.model import Model
-from runtime.running.stream import read_blocks
+from runtime.contract.model import Model
+from runtime.results.stream import read_blocks
 
 Load = Callable[[str], Model]
 SETTINGS = {"scheme": "single_rate", "dt": 2e-5, "t_end": 0.02, "save_every": 3, "engine": "interpreted"}

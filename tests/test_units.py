@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from runtime.units import LENGTH_ROWS, UNIT_ROWS, unit
+from runtime.contract.units import LENGTH_ROWS, UNIT_ROWS, unit
 from symgen.joints.planar_rows import TYPES as PLANAR
 from symgen.joints.spatial_rows import TYPES as SPATIAL
 

@@ -11,7 +11,7 @@ import pytest
 from model_values import condensed_accelerations, join, make_state, relative_error
 
 from runtime import load_model, simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import SceneBuilder, SceneError
 from symgen.scenes import generated_folder

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from runtime import Solution, load_model
-from runtime.animation import film
+from runtime.views.animation import film
 
 TARGET = Path(__file__).with_name("slider_crank.png")
 BODIES = {"crank": "#0b6fa4", "rod": "#d1495b", "slider": "#2e8b57"}

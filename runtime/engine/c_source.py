@@ -11,8 +11,8 @@ from math import isinf, isnan
 
 import casadi as ca
 
+from runtime.contract.tape import UNUSED, Node, Tape, read_tape
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
-from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 LONGEST = 4000  # statements of one function
 CHUNK = 100

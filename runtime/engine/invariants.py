@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import casadi as ca
 
+from runtime.contract.tape import UNUSED, Node, Tape, read_tape
 from runtime.engine.program import Call, Program, Repeat, Sequence, Until, stages
-from runtime.engine.tape import UNUSED, Node, Tape, read_tape
 
 Z_ARGUMENT = 0
 

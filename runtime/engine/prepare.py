@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
+from runtime.contract.tape import UNUSED, Node, Tape, node_value, read_tape
 from runtime.engine.invariants import hoist_invariants
 from runtime.engine.program import Call, Program, Repeat, Sequence, stages
-from runtime.engine.tape import UNUSED, Node, Tape, node_value, read_tape
 
 C_ARGUMENT = 1  # stages are functions of (z, c)
 

@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.files import replacing
-from runtime.model import Model, ModelError
+from runtime.contract.files import replacing
+from runtime.contract.model import Model, ModelError
 from runtime.schemes.options import SchemeError
 
 FORMAT = "symgen checkpoint 1"

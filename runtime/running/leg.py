@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.model import Model
-from runtime.observe import observe_samples
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.results.observe import observe_samples
+from runtime.results.solution import Solution
 from runtime.running.plan import Plan
-from runtime.singular.guard import Guard
-from runtime.solution import Solution
-from runtime.status import Status
-from runtime.stepper import Stepper
-from runtime.watch import Watch
+from runtime.running.singular.guard import Guard
+from runtime.running.watch import Watch
+from runtime.schemes.stepper import Stepper
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import SchemeError

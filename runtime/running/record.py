@@ -13,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from runtime import export
-from runtime.model import ModelError
-from runtime.observe import concatenated
+from runtime.contract.model import ModelError
+from runtime.results import export
+from runtime.results.observe import concatenated
+from runtime.results.sampling import BLOCK
+from runtime.results.solution import Solution
+from runtime.results.stream import StreamFile, Table, split
 from runtime.running.leg import Leg
-from runtime.running.stream import StreamFile, Table, split
-from runtime.sampling import BLOCK
-from runtime.solution import Solution
 
 Columns = list[tuple[str, tuple[int, ...]]]
 SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.status import Event, Status
+from runtime.results.stream import StreamFile
 from runtime.running.checkpoint import Checkpoint
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.leg import Leg
 from runtime.running.record import Record
-from runtime.running.stream import StreamFile
-from runtime.singular.guard import FLOOR, Guard
-from runtime.singular.passage import Passage, locate
-from runtime.status import Event, Status
+from runtime.running.singular.guard import FLOOR, Guard
+from runtime.running.singular.passage import Passage, locate
 
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0

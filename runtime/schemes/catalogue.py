@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from runtime.model import Model
+from runtime.contract.model import Model
+from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
+from runtime.schemes.baselines.radau import Radau
+from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.central_difference import CentralDifference
 from runtime.schemes.coupled import Coupled
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
-from runtime.schemes.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linearised import Linearised
 from runtime.schemes.options import Options, SchemeError
-from runtime.schemes.radau import Radau
-from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.scheme import Scheme
 
 Ratios = Literal["none", "groups", "sub_steps"]

@@ -17,8 +17,8 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence, Until
-from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Motion, StepKernels, velocity_dependent
 from runtime.schemes.linear_solve import solve_general, solve_symmetric

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import casadi as ca
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields
-from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.held_slow import HeldSlow
 from runtime.schemes.kernels import Motion, StepKernels

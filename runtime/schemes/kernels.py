@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from runtime.schemes.linear_solve import solve_symmetric
 
 

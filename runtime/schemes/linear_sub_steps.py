@@ -12,8 +12,8 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
+from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
-from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Linearised, StepKernels
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 
 import casadi as ca
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_sub_steps import LinearSubSteps

@@ -13,9 +13,9 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
-from runtime.model import Model
 from runtime.schemes.grid import Grid
 from runtime.schemes.kernels import Motion, StepKernels, loop_blocks
 from runtime.schemes.options import Options

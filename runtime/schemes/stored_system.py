@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import casadi as ca
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields
-from runtime.model import Model
 from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_propagation import Factors, LinearSystem, poles
 from runtime.schemes.sparse_lu import Cells, Number, filled, pattern

@@ -15,7 +15,7 @@ from functools import cache
 
 import sympy as sp
 
-from symgen.template import Template, derivative
+from symgen.algebra.template import Template, derivative
 
 ANGLES = 3
 cosines, sines = sp.symbols("c1:4"), sp.symbols("s1:4")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.points import marker_shape
 from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point
-from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, Scene
 
 BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))

@@ -7,30 +7,13 @@ from functools import cached_property
 
 import casadi as ca
 
+from symgen.algebra.rows import Row, nonzero
+from symgen.algebra.scalar import ONE, ZERO, add, dot, entries, mul, neg, sub
 from symgen.bodies import planar_point as point
 from symgen.bodies import planar_template as template
+from symgen.bodies.planar_coordinates import BodyCoordinates
 from symgen.bodies.planar_moments import LocalPoint, Moments
 from symgen.bodies.shape_integrals import PointShape, ShapeIntegrals
-from symgen.rows import Row, nonzero
-from symgen.scalar import ONE, ZERO, add, dot, entries, mul, neg, sub
-
-
-@dataclass(frozen=True)
-class BodyCoordinates:
-    """A body's share of q and q_dot as SX scalars, and its columns in q. Ground has none."""
-
-    columns: list[int]
-    R_o: list[ca.SX]
-    theta: ca.SX
-    q_f: list[ca.SX]
-    R_o_dot: list[ca.SX]
-    theta_dot: ca.SX
-    q_f_dot: list[ca.SX]
-
-    @staticmethod
-    def ground() -> BodyCoordinates:
-        """Coordinates of the ground: constant zero, no columns."""
-        return BodyCoordinates([], [ZERO, ZERO], ZERO, [], [ZERO, ZERO], ZERO, [])
 
 
 @dataclass(frozen=True)

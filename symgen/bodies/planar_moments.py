@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import sympy as sp
 
+from symgen.algebra.scalar import ZERO, add, dot, entries, mul, neg, sub, total, vector
 from symgen.bodies import planar_template as template
 from symgen.bodies.shape_integrals import PointShape, ShapeIntegrals
-from symgen.scalar import ZERO, add, dot, entries, mul, neg, sub, total, vector
 
 if TYPE_CHECKING:
-    from symgen.bodies.planar_body import BodyCoordinates
+    from symgen.bodies.planar_coordinates import BodyCoordinates
 
 HALF = ca.SX(0.5)
 Rotation = Callable[[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]

@@ -17,7 +17,7 @@ from functools import cache
 
 import sympy as sp
 
-from symgen.template import Template, derivative_all
+from symgen.algebra.template import Template, derivative_all
 
 R_ddot_x, R_ddot_y, theta_dot, theta_ddot = sp.symbols("R_ddot_x R_ddot_y theta_dot theta_ddot")
 R_dot_x, R_dot_y, R_x, R_y = sp.symbols("R_dot_x R_dot_y R_x R_y")

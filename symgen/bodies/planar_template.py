@@ -19,8 +19,8 @@ from functools import cache
 
 import sympy as sp
 
+from symgen.algebra.template import Template
 from symgen.bodies import planar_point as point
-from symgen.template import Template
 
 m, I_theta, k_a, g_a, M_ff_ab, kd, Gd_a = sp.symbols("m I k_a g_a M_ff_ab kd Gd_a")
 h_x, h_y, s_x, s_y, hd_x, hd_y, hn_x, hn_y = sp.symbols("h_x h_y s_x s_y hd_x hd_y hn_x hn_y")

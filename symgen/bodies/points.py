@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import casadi as ca
 
+from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point
-from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, BeamMarker, ModalMarker, Scene
 
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from symgen.rows import Row, add_scaled, add_to, nonzero
-from symgen.scalar import ONE, ZERO, div, dot, mul, neg, sub
-from symgen.vectors import Vector, conjugate, plus, quaternion_product, scaled, zeros
+from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
+from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, conjugate, plus, quaternion_product, scaled, zeros
 
 
 @dataclass(frozen=True)

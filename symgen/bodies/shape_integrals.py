@@ -9,9 +9,9 @@ from functools import lru_cache
 import casadi as ca
 import numpy as np
 
+from symgen.algebra.parameters import ParameterTable
 from symgen.modes import axial_modes, beam_integrals, lateral_modes
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
-from symgen.parameters import ParameterTable
 from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
 
 Table = Sequence[Sequence[float | str]]

@@ -7,13 +7,13 @@ from functools import cached_property
 
 import casadi as ca
 
+from symgen.algebra.rows import Row, add_to, nonzero
+from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, cross, minus, plus, product, scaled, times, zeros
 from symgen.bodies import spatial_template as template
 from symgen.bodies.quaternion_motion import QuaternionMotion, fixed_quaternion, free_quaternion, small_turn
 from symgen.bodies.spatial_moments import LocalMotion, SpatialIntegrals, SpatialMoments, SpatialPoint
 from symgen.bodies.spatial_orientation import Orientation, fixed_orientation
-from symgen.rows import Row, add_to, nonzero
-from symgen.scalar import ONE, ZERO, add, dot, mul, neg, sub
-from symgen.vectors import Vector, cross, minus, plus, product, scaled, times, zeros
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,14 @@ from functools import lru_cache
 import casadi as ca
 import numpy as np
 
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.scalar import ZERO, add, entries, mul, neg
+from symgen.algebra.vectors import Vector, scaled, zeros
 from symgen.bodies.marker_axes import marker_rotation, quaternion_of
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
 from symgen.modes import AxialModes, LateralModes, axial_modes, lateral_modes
 from symgen.modes.spatial_beam import SpatialBeam, spatial_beam
-from symgen.parameters import ParameterTable
-from symgen.scalar import ZERO, add, entries, mul, neg
 from symgen.scene import BeamBody, BeamMarker, FlexibleBody, FlexibleMarker, MarkerDirections, RigidBody, Scene
-from symgen.vectors import Vector, scaled, zeros
 
 
 def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> SpatialIntegrals:

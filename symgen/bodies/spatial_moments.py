@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub, total
+from symgen.algebra.vectors import Vector, axial, plus, scaled, times, transposed_times, zeros
 from symgen.bodies import spatial_template as t
-from symgen.rows import Row
-from symgen.scalar import ZERO, add, dot, mul, neg, sub, total
-from symgen.vectors import Vector, axial, plus, scaled, times, transposed_times, zeros
 
 Matrix = list[Vector]
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from symgen.algebra.scalar import ONE, ZERO
+from symgen.algebra.vectors import Vector, combination, cross, plus, times
 from symgen.bodies import orientation_template as template
-from symgen.scalar import ONE, ZERO
-from symgen.vectors import Vector, combination, cross, plus, times
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from functools import cache
 
 import sympy as sp
 
-from symgen.template import Template
+from symgen.algebra.template import Template
 
 Vector = Sequence[sp.Expr]
 

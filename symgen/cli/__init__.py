@@ -10,7 +10,8 @@ import os
 import sys
 from collections.abc import Sequence
 
-from symgen.cli.arguments import UsageError, parser
+from symgen.cli.arguments import UsageError
+from symgen.cli.commands import parser
 from symgen.cli.outcome import FAILED, INTERRUPTED, OK, WRONG_INPUT, report, report_error
 
 
@@ -31,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
     except RuntimeError as error:
-        from runtime.status import NoResult
+        from runtime.contract.status import NoResult
 
         if not isinstance(error, NoResult):
             raise

@@ -10,7 +10,7 @@ from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from runtime.advice.advise import Advice
+    from runtime.studies.advice.advise import Advice
 
 
 def add(subparsers: Any) -> None:
@@ -26,8 +26,8 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """The advice, with what it rests on."""
-    from runtime.advice.advise import advise
-    from runtime.advice.words import advice_data, advice_lines
+    from runtime.studies.advice.advise import advise
+    from runtime.studies.advice.words import advice_data, advice_lines
     from symgen.cli.sources import opened_model
 
     model = opened_model(arguments.scene, arguments.made_with)

@@ -10,7 +10,7 @@ from symgen.cli.arguments import UsageError, add_command, add_run_options, add_s
 from symgen.cli.outcome import Outcome
 
 if TYPE_CHECKING:
-    from runtime.solution import Solution
+    from runtime.results.solution import Solution
 
 
 def add(subparsers: Any) -> None:
@@ -29,7 +29,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """Load or simulate, then draw."""
-    from runtime.animation import animate
+    from runtime.views.animation import animate
     from symgen.cli.running import exit_code
 
     solution, default = _solution(arguments)
@@ -43,8 +43,8 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 def _solution(arguments: argparse.Namespace) -> tuple[Solution, Path]:
     """The solution and where its GIF goes unless told otherwise."""
-    from runtime.loading import load_model
-    from runtime.solution import Solution
+    from runtime.contract.loading import load_model
+    from runtime.results.solution import Solution
     from symgen.cli.running import MODEL_FOLDER, SOLUTION_FILE, run_model
     from symgen.cli.sources import builtin_name, opened_model
 

@@ -1,11 +1,10 @@
-"""Reading the command line. Nothing heavy is imported here: `symgen --help` answers at once."""
+"""The options that commands share, and how their values are read."""
 
 from __future__ import annotations
 
 import argparse
 import math
 from collections.abc import Callable
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any, NoReturn
 
 SCENE: dict[str, Any] = {"metavar": "SCENE", "help": "built-in name, .toml file, or generated folder"}
@@ -21,20 +20,6 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Raise UsageError with the message and the usage line."""
         raise UsageError(f"{message}\n{self.format_usage().rstrip()}")
-
-
-def parser() -> argparse.ArgumentParser:
-    """The whole command line; each subcommand's module adds itself."""
-    from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability
-
-    root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
-                  "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
-                  "2 wrong input, 130 interrupted.")
-    root.add_argument("--version", action="version", version=f"symgen {_version()}")
-    subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for module in (new, listing, show, generate, simulate, resume, animate, stability, advise, reporting, demo):
-        module.add(subparsers)
-    return root
 
 
 def add_command(subparsers: Any, name: str, run: Callable[[argparse.Namespace], Any], summary: str,
@@ -155,10 +140,3 @@ def assignment(text: str) -> tuple[str, float]:
     except (ValueError, argparse.ArgumentTypeError):
         pass
     raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE with a finite number")
-
-
-def _version() -> str:
-    try:
-        return version("symgen")
-    except PackageNotFoundError:
-        return "(not installed)"

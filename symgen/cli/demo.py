@@ -11,7 +11,7 @@ from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from runtime.model import Model
+    from runtime.contract.model import Model
 
 DEMOS = {"slider-crank": "flexible_slider_crank"}  # what a demo's name means; any other word is the scene itself
 METHODS = ["exponential:1", "linearised:2", "single_rate", "rk4", "radau"]  # and sub-cycling, where there are groups
@@ -32,9 +32,9 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """The whole path; a scene without bodies to draw gets no animation."""
-    from runtime.animation import animate
-    from runtime.loading import load_model
-    from runtime.report import run_report
+    from runtime.contract.loading import load_model
+    from runtime.views.animation import animate
+    from runtime.views.report import run_report
     from symgen.cli.running import MODEL_FOLDER, exit_code, leave_pictures, leave_results, run_model, summary
     from symgen.cli.sources import find_source
     from symgen.generate import generate
@@ -58,10 +58,10 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress) -> dict[str, str]:
     """A short comparison of methods on the same motion."""
-    from runtime.compare.problem import make_setting
-    from runtime.report.comparison import compare
-    from runtime.report.comparison_files import write_comparison
-    from runtime.report.methods import methods_named
+    from runtime.studies.work_precision.comparison import compare
+    from runtime.studies.work_precision.comparison_files import write_comparison
+    from runtime.studies.work_precision.methods import methods_named
+    from runtime.studies.work_precision.problem import make_setting
 
     if not model.has("dQ_hat_dq_i"):
         return {}

@@ -20,7 +20,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """Write the file, unless there is one."""
-    from runtime.files import write_text
+    from runtime.contract.files import write_text
     from symgen.cli.template import scene_text
     from symgen.scene import Scene, SceneError
 

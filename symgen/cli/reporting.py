@@ -20,10 +20,10 @@ from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from runtime.compare.problem import Setting
-    from runtime.model import Model
-    from runtime.report.comparison import Comparison
-    from runtime.report.suite import SuiteResult
+    from runtime.contract.model import Model
+    from runtime.studies.work_precision.comparison import Comparison
+    from runtime.studies.work_precision.problem import Setting
+    from runtime.studies.work_precision.suite import SuiteResult
 
 
 def add(subparsers: Any) -> None:
@@ -55,8 +55,8 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 
 def _scene(arguments: argparse.Namespace) -> Outcome:
-    from runtime.compare.problem import make_setting
-    from runtime.report.comparison_files import comparison_data, write_comparison
+    from runtime.studies.work_precision.comparison_files import comparison_data, write_comparison
+    from runtime.studies.work_precision.problem import make_setting
     from symgen.cli.sources import opened_model
 
     model = opened_model(arguments.scene, arguments.made_with)
@@ -69,8 +69,8 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
 
 
 def _compared(model: Model, setting: Setting, arguments: argparse.Namespace) -> Comparison:
-    from runtime.report.comparison import compare
-    from runtime.report.methods import methods_named, usual_methods
+    from runtime.studies.work_precision.comparison import compare
+    from runtime.studies.work_precision.methods import methods_named, usual_methods
 
     methods = methods_named(model, arguments.methods) if arguments.methods else usual_methods(model)
     with Progress(f"symgen {model.name}") as progress:
@@ -89,7 +89,7 @@ def table(comparison: Comparison) -> list[str]:
 
 
 def _suite(arguments: argparse.Namespace) -> Outcome:
-    from runtime.report.suite import suite_markdown, write_suite
+    from runtime.studies.work_precision.suite import suite_markdown, write_suite
     from symgen.scenes.hard_suite import HARD_SUITE
 
     chosen = arguments.cases or list(HARD_SUITE)
@@ -106,12 +106,12 @@ def _suite(arguments: argparse.Namespace) -> Outcome:
 
 
 def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult:
-    from runtime.advice.advise import advise
-    from runtime.compare.problem import make_setting
-    from runtime.loading import load_model
-    from runtime.report.comparison_files import write_comparison
-    from runtime.report.suite import SuiteResult
-    from runtime.status import NoResult
+    from runtime.contract.loading import load_model
+    from runtime.contract.status import NoResult
+    from runtime.studies.advice.advise import advise
+    from runtime.studies.work_precision.comparison_files import write_comparison
+    from runtime.studies.work_precision.problem import make_setting
+    from runtime.studies.work_precision.suite import SuiteResult
     from symgen.generate import generate
     from symgen.scenes.hard_suite import HARD_SUITE
 

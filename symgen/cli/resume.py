@@ -25,9 +25,9 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """Resume; exit codes as of `simulate`."""
-    from runtime.report import run_report
+    from runtime import resume
     from runtime.running.checkpoint import read_checkpoint
-    from runtime.simulate import resume
+    from runtime.views.report import run_report
     from symgen.cli.progress import Progress
     from symgen.cli.running import exit_code, leave_results, summary
     from symgen.cli.sources import opened_model, opened_text

@@ -11,8 +11,8 @@ from symgen.cli.outcome import FAILED, INTERRUPTED, OK
 from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from runtime.model import Model
-    from runtime.solution import Solution
+    from runtime.contract.model import Model
+    from runtime.results.solution import Solution
 
 BALANCE_REMARK = 0.01
 MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
@@ -23,8 +23,8 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 
     Raises UsageError or ValueError subclasses.
     """
+    from runtime import simulate
     from runtime.engine.compiled import CompilerError
-    from runtime.simulate import simulate
 
     try:
         with Progress(f"symgen {model.name}") as progress:
@@ -39,7 +39,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 
 def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
     """solution.npz, solution.csv, report.json and report.md in `folder`; {what: path}. Raises OutputError."""
-    from runtime.report import run_report, write_report
+    from runtime.views.report import run_report, write_report
 
     solution.save(folder / SOLUTION_FILE)
     solution.to_csv(folder / "solution.csv")
@@ -50,7 +50,7 @@ def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
 
 def leave_pictures(solution: Solution, folder: Path) -> dict[str, str]:
     """coordinates.png and energy.png in `folder`; {what: path}. Raises OutputError."""
-    from runtime import plots
+    from runtime.views import plots
 
     plots.coordinates(solution, folder / "coordinates.png")
     plots.energy_balance(solution, folder / "energy.png")

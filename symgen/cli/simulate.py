@@ -26,7 +26,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """Simulate; exit code 1 if the run did not reach its end, with what was computed until then."""
-    from runtime.report import run_report
+    from runtime.views.report import run_report
     from symgen.cli.arguments import UsageError
     from symgen.cli.running import exit_code, leave_pictures, leave_results, run_model, summary
     from symgen.cli.sources import opened_model

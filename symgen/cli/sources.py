@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from runtime.model import Model
+    from runtime.contract.model import Model
     from symgen.scene import Scene
 
 
@@ -88,7 +88,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
 
     keep: folder that gets the model's files. Raises ModelError or SceneError.
     """
-    from runtime.loading import load_model
+    from runtime.contract.loading import load_model
 
     folder = Path(word)
     if not folder.is_dir() or builtin_name(word) is not None or made_with:
@@ -116,7 +116,7 @@ def opened_text(name: str, text: str, keep: Path | None = None) -> Model:
 
 
 def _generated(scene: Scene, keep: Path | None) -> Model:
-    from runtime.loading import load_model
+    from runtime.contract.loading import load_model
     from symgen.generate import generate
 
     if keep is not None:
@@ -127,7 +127,7 @@ def _generated(scene: Scene, keep: Path | None) -> Model:
 
 def _copy(source: Path, target: Path) -> None:
     """The files that the manifest lists, the manifest last."""
-    from runtime.files import write_text
+    from runtime.contract.files import write_text
 
     listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
     for name in (*listed, "manifest.json"):

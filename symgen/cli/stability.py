@@ -11,7 +11,7 @@ from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from runtime.stability.chart import StabilityChart
+    from runtime.studies.stability.chart import StabilityChart
 
 
 def add(subparsers: Any) -> None:
@@ -35,8 +35,8 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> Outcome:
     """The chart as a table."""
-    from runtime.stability.chart import stability_chart
-    from runtime.stability.picture import stability_picture
+    from runtime.studies.stability.chart import stability_chart
+    from runtime.studies.stability.picture import stability_picture
     from symgen.cli.sources import opened_model
 
     if (arguments.dt_from is None) != (arguments.dt_to is None):

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import casadi as ca
 
-from runtime.engine.tape import UNUSED, Node, Tape, uses
+from runtime.contract.tape import UNUSED, Node, Tape, uses
 
 LONGEST_INLINE = 96
 _ATOM, _POWER, _UNARY, _PRODUCT, _SUM, _COMPARE = 6, 5, 4, 3, 2, 1

@@ -7,7 +7,7 @@ import json
 from collections.abc import Mapping
 from importlib.metadata import version
 
-from runtime.loading import manifest_digest
+from runtime.contract.loading import manifest_digest
 from symgen.emission.model_text import meaning
 from symgen.pipeline import Derived
 

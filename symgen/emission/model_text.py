@@ -6,7 +6,7 @@ import keyword
 import re
 from collections.abc import Mapping
 
-from runtime.engine.tape import Tape
+from runtime.contract.tape import Tape
 from symgen.emission.expression_text import TapeText
 from symgen.pipeline import Derived
 

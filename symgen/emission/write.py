@@ -7,7 +7,7 @@ import json
 import math
 from pathlib import Path
 
-from runtime.files import OutputError, write_text
+from runtime.contract.files import OutputError, write_text
 from symgen.emission.manifest import data_text, manifest_text
 from symgen.emission.model_page import model_page
 from symgen.emission.model_text import model_text

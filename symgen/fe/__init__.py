@@ -4,10 +4,10 @@
 module each: reading or assembling a `Structure`, checking that it is one free body, interfaces, mode set, integrals.
 """
 
-from .body import FlexibleBody, Marker
-from .errors import FiniteElementError
-from .frame import LineMesh, Section
-from .material import STEEL, Material
-from .structure import Structure
+from symgen.fe.body import FlexibleBody, Marker
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.frame import LineMesh, Section
+from symgen.fe.material import STEEL, Material
+from symgen.fe.structure import Structure
 
 __all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "Structure"]

@@ -10,22 +10,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.frame import LineMesh, frame_structure
+from symgen.fe.inertia import InertiaIntegrals, dusted, inertia_integrals
+from symgen.fe.interfaces import Interface, NodeSet, interface
+from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
+from symgen.fe.lumping import lumped
+from symgen.fe.material import Material
+from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
+from symgen.fe.nastran import BULK, nastran_matrices, nastran_nodes
+from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
+from symgen.fe.report import body_report
+from symgen.fe.rigid_check import RigidCheck, check_free_body
+from symgen.fe.solids import solid_structure
+from symgen.fe.structure import AXES, Structure, structure
 from symgen.modes.cleaning import Array, fixed
-
-from .errors import FiniteElementError
-from .frame import LineMesh, frame_structure
-from .inertia import InertiaIntegrals, dusted, inertia_integrals
-from .interfaces import Interface, NodeSet, interface
-from .losses import FlexibilityLoss, effective_masses, flexibility_losses
-from .lumping import lumped
-from .material import Material
-from .mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
-from .nastran import BULK, nastran_matrices, nastran_nodes
-from .reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
-from .report import body_report
-from .rigid_check import RigidCheck, check_free_body
-from .solids import solid_structure
-from .structure import AXES, Structure, structure
 
 MASSES = ("consistent", "lumped")
 

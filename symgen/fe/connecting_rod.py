@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from symgen.fe.body import FlexibleBody
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.material import STEEL, Material
+from symgen.fe.structure import Flags, Integers
 from symgen.modes.cleaning import Array
-
-from .body import FlexibleBody
-from .errors import FiniteElementError
-from .material import STEEL, Material
-from .structure import Flags, Integers
 
 if TYPE_CHECKING:
     import skfem

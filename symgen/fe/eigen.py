@@ -7,11 +7,10 @@ import scipy.linalg as la
 import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.static import Solve
+from symgen.fe.structure import Structure
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .static import Solve
-from .structure import Structure
 
 SEED = 20080703  # start vector of the iteration: results repeat
 DENSE = 120  # up to this many rows all modes at once are cheaper than an iteration

@@ -9,11 +9,10 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.material import Material
+from symgen.fe.structure import AXES, RIGID_MOTIONS, Integers, Structure, structure
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .material import Material
-from .structure import AXES, RIGID_MOTIONS, Integers, Structure, structure
 
 PARALLEL = 1e-6
 

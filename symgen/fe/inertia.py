@@ -8,10 +8,9 @@ import numpy as np
 import scipy.linalg as la
 import scipy.sparse as sp
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.structure import AXES, RIGID_MOTIONS, Structure
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
-
-from .errors import FiniteElementError
-from .structure import AXES, RIGID_MOTIONS, Structure
 
 DUST = 1e-9  # entries below this share of what they could be are round-off of the mode shapes
 SCALAR_MASS = 1e-9  # how nearly M must be a scalar mass in each direction to be taken as one

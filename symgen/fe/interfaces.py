@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.structure import AXES, RIGID_MOTIONS, Flags, Integers, Structure
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .structure import AXES, RIGID_MOTIONS, Flags, Integers, Structure
 
 NodeSet = Sequence[int] | Callable[[Array], Flags]
 

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
+from symgen.fe.interfaces import Interface
+from symgen.fe.mode_sets import ModeSet
+from symgen.fe.structure import AXES, Structure
 from symgen.modes.cleaning import Array
-
-from .interfaces import Interface
-from .mode_sets import ModeSet
-from .structure import AXES, Structure
 
 RIGID_DIRECTION = 1e-9  # flexibilities below this share of the largest count as none
 

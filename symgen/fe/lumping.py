@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import scipy.sparse as sp
 
-from .errors import FiniteElementError
-from .inertia import nodal_inertia, scalar_mass
-from .structure import AXES, Structure
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.inertia import nodal_inertia, scalar_mass
+from symgen.fe.structure import AXES, Structure
 
 
 def lumped(body: Structure) -> Structure:

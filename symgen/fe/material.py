@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .errors import FiniteElementError
+from symgen.fe.errors import FiniteElementError
 
 
 @dataclass(frozen=True)

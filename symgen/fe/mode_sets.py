@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symgen.fe.eigen import lowest_modes, rayleigh_ritz, signed
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.interfaces import Interface, check_apart, spider
+from symgen.fe.static import Solve, held_solve, inertia_relief
+from symgen.fe.structure import RIGID_MOTIONS, Integers, Structure
 from symgen.modes.cleaning import Array
-
-from .eigen import lowest_modes, rayleigh_ritz, signed
-from .errors import FiniteElementError
-from .interfaces import Interface, check_apart, spider
-from .static import Solve, held_solve, inertia_relief
-from .structure import RIGID_MOTIONS, Integers, Structure
 
 MODE_SETS = ("free", "fixed_interface", "mixed")
 GUARD = 4  # modes computed beyond those asked for: the last ones converge with them

@@ -7,10 +7,9 @@ from typing import Any
 
 import scipy.sparse as sp
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.structure import AXES
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .structure import AXES
 
 BULK = (".bdf", ".dat", ".nas", ".blk")
 

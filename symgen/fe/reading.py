@@ -11,10 +11,9 @@ import scipy.io
 import scipy.sparse as sp
 from numpy.typing import ArrayLike
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.structure import AXES, RIGID_MOTIONS, Integers
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .structure import AXES, RIGID_MOTIONS, Integers
 
 MatrixSource: TypeAlias = sp.spmatrix | sp.sparray | ArrayLike | str | Path
 TableSource: TypeAlias = ArrayLike | str | Path

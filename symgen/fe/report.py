@@ -6,10 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from symgen.fe.losses import FlexibilityLoss
+from symgen.fe.rigid_check import RigidCheck
 from symgen.modes.cleaning import Array
-
-from .losses import FlexibilityLoss
-from .rigid_check import RigidCheck
 
 NO_MASS = 1e-9  # share of the mass that counts as none
 CLOSE = 1e-3  # relative distance of frequencies below which shapes are badly determined

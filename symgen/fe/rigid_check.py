@@ -8,12 +8,11 @@ import numpy as np
 import scipy.linalg as la
 import scipy.sparse as sp
 
+from symgen.fe.eigen import lowest_modes
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.static import factorised
+from symgen.fe.structure import RIGID_MOTIONS, Structure
 from symgen.modes.cleaning import Array
-
-from .eigen import lowest_modes
-from .errors import FiniteElementError
-from .static import factorised
-from .structure import RIGID_MOTIONS, Structure
 
 ROUND_OFF = 1e4 * np.finfo(np.float64).eps  # strain energy below this share of its terms is none
 RIGID_RESIDUAL = 1e-6  # largest share of the stiffness forces that a rigid motion may leave

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import scipy.sparse as sp
 
-from .errors import FiniteElementError
-from .material import Material
-from .structure import AXES, Structure, structure
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.material import Material
+from symgen.fe.structure import AXES, Structure, structure
 
 # Quadrature of this degree integrates the mass of each element exactly (per direction for hexahedra).
 DEGREE = {"P1": 2, "P2": 4, "Q1": 3, "Q2": 5}

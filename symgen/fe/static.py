@@ -9,10 +9,9 @@ import scipy.linalg as la
 import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.structure import RIGID_MOTIONS, Integers
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
-from .structure import RIGID_MOTIONS, Integers
 
 Solve = Callable[[Array], Array]  # forces (n,) or (n, k) to displacements of the same shape
 

@@ -10,9 +10,8 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from symgen.fe.errors import FiniteElementError
 from symgen.modes.cleaning import Array
-
-from .errors import FiniteElementError
 
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]

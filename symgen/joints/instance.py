@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
+from symgen.algebra.rows import Row, add_scaled, nonzero
+from symgen.algebra.scalar import mul, neg, sub
 from symgen.joints.joint_type import JointType
-from symgen.rows import Row, add_scaled, nonzero
-from symgen.scalar import mul, neg, sub
 
 
 @dataclass(frozen=True)

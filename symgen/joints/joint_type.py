@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from symgen.template import Template
+from symgen.algebra.template import Template
 
 f, f_t, f_tt = sp.symbols("f f_t f_tt")
 

@@ -7,6 +7,9 @@ from dataclasses import dataclass, field, replace
 
 import casadi as ca
 
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg
+from symgen.algebra.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
 from symgen.bodies.quaternion_motion import fixed_quaternion, minus_rows, turn_about
 from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
 from symgen.joints import (
@@ -26,9 +29,6 @@ from symgen.joints import (
 from symgen.joints import spatial_template as s
 from symgen.joints.instance import ConstraintRow, Slot, template_rows
 from symgen.joints.joint_type import JointType, f, f_t, f_tt
-from symgen.rows import Row
-from symgen.scalar import ONE, ZERO, dot, mul, neg
-from symgen.vectors import Vector, cross, minus, quaternion_product, scaled, zeros
 
 TYPES: dict[str, Callable[[], JointType]] = {
     "revolute": revolute.spatial,

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from symgen.algebra.template import Template, derivative
 from symgen.joints.joint_type import JointType, f, f_t, f_tt
-from symgen.template import Template, derivative
 
 Vector = tuple[sp.Expr, sp.Expr, sp.Expr]
 

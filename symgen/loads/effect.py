@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
-from symgen.rows import Row
+from symgen.algebra.rows import Row
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import casadi as ca
 
+from symgen.algebra.rows import Row, add_scaled
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.loads import spring_template
 from symgen.loads.effect import LoadEffect
-from symgen.rows import Row, add_scaled
 
 
 def point_force(marker: MarkerMotion, components: list[ca.SX], frame: str) -> LoadEffect:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ZERO, dot, mul, neg, total
+from symgen.algebra.vectors import Vector, combination, minus
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.loads import spring_template
 from symgen.loads.effect import LoadEffect
-from symgen.rows import Row, add_scaled
-from symgen.scalar import ZERO, dot, mul, neg, total
-from symgen.vectors import Vector, combination, minus
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from functools import cache
 import casadi as ca
 import sympy as sp
 
-from symgen.template import Template, derivative
+from symgen.algebra.template import Template, derivative
 
 k, c, l_0, length = sp.symbols("k c l_0 length")
 

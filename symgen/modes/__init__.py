@@ -5,10 +5,10 @@ docstrings of the classes say how each quantity is scaled by a real beam's lengt
 Eqs. 15-20 of the paper use these numbers as Phi_k, M_ff, K_ff and inertia shape integrals.
 """
 
-from .axial import AXIAL_ENDS, AxialModes, axial_modes
-from .cleaning import clean
-from .integrals import BeamIntegrals, BeamPoint, beam_integrals
-from .lateral import LATERAL_ENDS, LateralModes, LateralPoint, lateral_modes
+from symgen.modes.axial import AXIAL_ENDS, AxialModes, axial_modes
+from symgen.modes.cleaning import clean
+from symgen.modes.integrals import BeamIntegrals, BeamPoint, beam_integrals
+from symgen.modes.lateral import LATERAL_ENDS, LateralModes, LateralPoint, lateral_modes
 
 __all__ = [
     "AXIAL_ENDS",

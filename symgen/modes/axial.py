@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import elements as fe
-from .cleaning import Array, clean, fixed
-from .flexibility import axial_flexibility
-from .mesh import check_request, locate, lumped_masses, node_positions
-from .vibration import check_rigid_modes, free_vibration, normalised
+from symgen.modes import elements as fe
+from symgen.modes.cleaning import Array, clean, fixed
+from symgen.modes.flexibility import axial_flexibility
+from symgen.modes.mesh import check_request, locate, lumped_masses, node_positions
+from symgen.modes.vibration import check_rigid_modes, free_vibration, normalised
 
 # Ends -> node motions that are not elastic modes (held displacements, or the rigid motion).
 AXIAL_ENDS = {"fixed-free": 1, "free-free": 1, "fixed-fixed": 2}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .cleaning import Array, symmetric
+from symgen.modes.cleaning import Array, symmetric
 
 # Three Gauss points integrate the fourth-degree products of Hermite slopes exactly, on part elements too.
 _GAUSS_POINTS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(3)

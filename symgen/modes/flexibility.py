@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .cleaning import Array
+from symgen.modes.cleaning import Array
 
 
 def _sorted_pairs(xi: Array) -> tuple[Array, Array]:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .axial import AxialModes
-from .cleaning import Array, clean, fixed, symmetric
-from .lateral import LateralModes
-from .mesh import check_fraction
+from symgen.modes.axial import AxialModes
+from symgen.modes.cleaning import Array, clean, fixed, symmetric
+from symgen.modes.lateral import LateralModes
+from symgen.modes.mesh import check_fraction
 
 Nodal = tuple[Array, Array, Array]  # Phi_x (n+1, nf), Phi_y (n+1, nf), eta (n+1, nf, nf)
 

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import elements as fe
-from .cleaning import Array, clean, fixed, symmetric
-from .flexibility import lateral_flexibility
-from .mesh import centred_positions, check_request, locate, lumped_masses, node_positions
-from .vibration import check_rigid_modes, free_vibration, normalised
+from symgen.modes import elements as fe
+from symgen.modes.cleaning import Array, clean, fixed, symmetric
+from symgen.modes.flexibility import lateral_flexibility
+from symgen.modes.mesh import centred_positions, check_request, locate, lumped_masses, node_positions
+from symgen.modes.vibration import check_rigid_modes, free_vibration, normalised
 
 # Ends -> node motions that are not elastic modes (held deflections, or rigid motions).
 LATERAL_ENDS = {

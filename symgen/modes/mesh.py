@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .cleaning import Array
+from symgen.modes.cleaning import Array
 
 NODE_TOLERANCE = 1e-9
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .axial import AxialModes
-from .cleaning import Array, clean, fixed
-from .lateral import LateralModes
+from symgen.modes.axial import AxialModes
+from symgen.modes.cleaning import Array, clean, fixed
+from symgen.modes.lateral import LateralModes
 
 ALONG = 0
 TURN = {1: (2, 1.0), 2: (1, -1.0)}  # deflection along y turns about z, along z about -y

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .cleaning import Array
+from symgen.modes.cleaning import Array
 
 SIGN_THRESHOLD = 1e-6
 RIGID_RATIO = 1e-2

@@ -4,13 +4,22 @@ A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `Scene
 and remedy.
 """
 
-from .bodies import AxialModes, BeamBody, BeamMarker, GroundBody, LateralModes, MarkerDirections, RigidBody, RigidMarker
-from .builder import SceneBuilder
-from .errors import SceneError
-from .expressions import Expression, parse_expression
-from .fields import Quantity
-from .flexible import FlexibleBody, FlexibleMarker, FlexibleStiffening
-from .joints import (
+from symgen.scene.bodies import (
+    AxialModes,
+    BeamBody,
+    BeamMarker,
+    GroundBody,
+    LateralModes,
+    MarkerDirections,
+    RigidBody,
+    RigidMarker,
+)
+from symgen.scene.builder import SceneBuilder
+from symgen.scene.errors import SceneError
+from symgen.scene.expressions import Expression, parse_expression
+from symgen.scene.fields import Quantity
+from symgen.scene.flexible import FlexibleBody, FlexibleMarker, FlexibleStiffening
+from symgen.scene.joints import (
     CylindricalJoint,
     DistanceJoint,
     Joint,
@@ -25,14 +34,23 @@ from .joints import (
     UniversalJoint,
     WeldJoint,
 )
-from .loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
-from .measures import AngleMeasure, CoordinateMeasure, DistanceMeasure, Measure, XMeasure, YMeasure, ZMeasure
-from .modal import Foreshortening, ModalBody, ModalMarker
-from .parameters import Parameter
-from .places import Place
-from .scene import AnyBody, AnyMarker, Body, Scene
-from .simulation import Baumgarte, Group, Initial, InitialValue, Partition, Simulation
-from .structure import Structure
+from symgen.scene.loads import Bushing, Force, Load, RotationalSpringDamper, SpringDamper, Torque
+from symgen.scene.measures import (
+    AngleMeasure,
+    CoordinateMeasure,
+    DistanceMeasure,
+    Measure,
+    XMeasure,
+    YMeasure,
+    ZMeasure,
+)
+from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
+from symgen.scene.parameters import Parameter
+from symgen.scene.parts import AnyBody, AnyMarker, Body
+from symgen.scene.places import Place
+from symgen.scene.scene import Scene
+from symgen.scene.simulation import Baumgarte, Group, Initial, InitialValue, Partition, Simulation
+from symgen.scene.structure import Structure
 
 __all__ = [
     "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Strict
 
-from .fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Model, Name, Number, Quantity
+from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Model, Name, Number, Quantity
 
 LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed"]

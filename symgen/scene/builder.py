@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Self
 
-from .errors import SceneError, show
-from .scene import Scene
+from symgen.scene.errors import SceneError, show
+from symgen.scene.scene import Scene
 
 MAX_NESTING = 20
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import casadi as ca
 
-from .expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
+from symgen.scene.expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
 
 ARITY: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"), (1, 1)),

@@ -16,9 +16,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from .errors import SceneError, did_you_mean, show
-from .expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
-from .expression_values import ARITY, casadi_value, float_value
+from symgen.scene.errors import SceneError, did_you_mean, show
+from symgen.scene.expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
+from symgen.scene.expression_values import ARITY, casadi_value, float_value
 
 MAX_CHARACTERS = 10_000
 MAX_DEPTH = 100

@@ -6,8 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from .bodies import MarkerDirections, Orientation
-from .fields import Bound, Flag, Matrix, Meaning, Model, Name, Number, Quantity
+from symgen.scene.bodies import MarkerDirections, Orientation
+from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Model, Name, Number, Quantity
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 Point = Annotated[tuple[Quantity, Quantity, Quantity], Meaning("position in the body frame, (x, y, z)", "m")]

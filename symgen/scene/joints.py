@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
+from symgen.scene.fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
 
 
 class _Joint(Model):

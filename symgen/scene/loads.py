@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
+from symgen.scene.fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
 
 Stiffness = Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
 Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]

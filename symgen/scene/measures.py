@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .fields import Coordinate, MarkerRef, Model, Name
+from symgen.scene.fields import Coordinate, MarkerRef, Model, Name
 
 
 class _Measure(Model):

@@ -6,8 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from .bodies import Position
-from .fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Model, Name, Quantity, Vector
+from symgen.scene.bodies import Position
+from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Model, Name, Quantity, Vector
 
 
 def _zeros(rows: int) -> Any:

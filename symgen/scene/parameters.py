@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .fields import Model, Number, Text
+from symgen.scene.fields import Model, Number, Text
 
 
 class Parameter(Model):

@@ -7,13 +7,20 @@ Joints that close loops, and those of bodies with Euler angles, stay equations b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from .joints import Joint
-    from .scene import Scene
+from symgen.scene.joints import Joint
+
+
+class Named(Protocol):
+    """A body, as far as placing is concerned."""
+
+    @property
+    def name(self) -> str:
+        """Of the body."""
+
 
 # joint type -> names of its coordinates
 PLACING: dict[str, tuple[str, ...]] = {
@@ -43,31 +50,32 @@ class Place:
         return [f"{self.joint}.{name}" for name in PLACING[self.type]]
 
 
-def joint_places(scene: Scene) -> list[Place]:
+def joint_places(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Place]:
     """The placing joints, in scene order. What placing joints do not reach from the ground is oriented by itself."""
     found: dict[str, Place] = {}
     reached, queue = {"ground"}, ["ground"]
-    roots = [body.name for body in scene.moving_bodies]
+    roots = [body.name for body in bodies]
+    angles = {body.name for body in bodies if getattr(body, "orientation", "euler_parameters") != "euler_parameters"}
     while queue or roots:
         if not queue:
-            root = _next_root(scene, roots, reached)
+            root = _next_root(joints, roots, reached)
             roots.remove(root)
             if root not in reached:
                 reached.add(root)
                 queue.append(root)
             continue
         parent = queue.pop(0)
-        for joint, child, forward in _placing_from(scene, parent):
+        for joint, child, forward in _placing_from(joints, angles, parent):
             if child not in reached:
                 reached.add(child)
                 queue.append(child)
                 found[joint.name] = Place(joint.name, joint.type, parent, child, forward)
-    return [found[joint.name] for joint in scene.joints if joint.name in found]
+    return [found[joint.name] for joint in joints if joint.name in found]
 
 
-def _next_root(scene: Scene, roots: list[str], reached: set[str]) -> str:
+def _next_root(joints: Sequence[Joint], roots: list[str], reached: set[str]) -> str:
     """A body joined to what has been reached, if there is one."""
-    for joint in scene.joints:
+    for joint in joints:
         ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
         for near, far in (ends, ends[::-1]):
             if near in reached and far in roots and far not in reached:
@@ -75,13 +83,10 @@ def _next_root(scene: Scene, roots: list[str], reached: set[str]) -> str:
     return roots[0]
 
 
-def _placing_from(scene: Scene, body: str) -> Iterator[tuple[Joint, str, bool]]:
-    """Placing joints of a body with the body at their other end."""
-    for joint in scene.joints:
+def _placing_from(joints: Sequence[Joint], angles: set[str], body: str) -> Iterator[tuple[Joint, str, bool]]:
+    """Placing joints of a body with the body at their other end; none between bodies with Euler angles."""
+    for joint in joints:
         ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
-        if joint.type in PLACING and body in ends and all(_free_of_angles(scene, end) for end in ends):
+        if joint.type in PLACING and body in ends and angles.isdisjoint(ends):
             yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body
 
-
-def _free_of_angles(scene: Scene, name: str) -> bool:
-    return getattr(scene.body(name), "orientation", "euler_parameters") == "euler_parameters"

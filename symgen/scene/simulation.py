@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, Strict
 
-from .fields import Coordinate, Flag, Model, Name, Number
+from symgen.scene.fields import Coordinate, Flag, Model, Name, Number
 
 MAX_STEPS = 10**9
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from .fields import Matrix, Meaning, Model, Name, Scope, Vector
+from symgen.scene.fields import Matrix, Meaning, Model, Name, Scope, Vector
 
 
 class Structure(Model):

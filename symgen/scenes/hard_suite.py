@@ -35,7 +35,7 @@ class HardCase:
     """One case: a scene, how it starts, how long it runs and which coordinates are graded.
 
     graded: the rigid and lateral coordinates of q_i; axial ones are left out, so that a scheme may give up what is
-    fast and small. start, parameters and initial are arguments of `runtime.simulate` and `reference_solution`.
+    fast and small. start, parameters and initial are arguments of `runtime.running.simulate` and `reference_solution`.
     """
 
     name: str

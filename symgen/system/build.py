@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from symgen.equations import Equations, blank_equations
-from symgen.parameters import ParameterTable
+from symgen.algebra.parameters import ParameterTable
 from symgen.scene import Scene
+from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
 from symgen.system.spatial import SpatialSpace

@@ -10,15 +10,15 @@ from typing import Any, Generic, Protocol, TypeVar
 
 import casadi as ca
 
-from symgen.equations import Equations, Outline
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.rows import Row, add_to
+from symgen.algebra.scalar import add
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LoadEffect
-from symgen.parameters import ParameterTable
-from symgen.rows import Row, add_to
-from symgen.scalar import add
 from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
+from symgen.system.equations import Equations, Outline
 
 
 class Body(Protocol):

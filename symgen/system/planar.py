@@ -6,15 +6,16 @@ from typing import Any
 
 import casadi as ca
 
+from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.outlines import outline_references
-from symgen.bodies.planar_body import BodyCoordinates, MarkerMotion, PlanarBody
+from symgen.bodies.planar_body import MarkerMotion, PlanarBody
+from symgen.bodies.planar_coordinates import BodyCoordinates
 from symgen.bodies.points import marker_shape
 from symgen.bodies.shape_integrals import body_integrals
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.planar_rows import planar_rows
 from symgen.loads import planar_effects as effects
 from symgen.loads.effect import LoadEffect
-from symgen.parameters import ParameterTable
 from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load

@@ -8,24 +8,24 @@ from typing import Any
 
 import casadi as ca
 
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.scalar import ONE, ZERO, dot
+from symgen.algebra.vectors import minus
 from symgen.bodies.outlines import BEAM_FRACTIONS, drawn_references
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
 from symgen.bodies.spatial_orientation import orientation
-from symgen.equations import Equations
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_rows, spatial_rows, unit_length
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, Motion
-from symgen.parameters import ParameterTable
-from symgen.scalar import ONE, ZERO, dot
 from symgen.scene import BeamBody, Place, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.places import PLACING
+from symgen.system.equations import Equations
 from symgen.system.mechanism import components, friction, spring_values
-from symgen.vectors import minus
 
 
 class SpatialSpace:

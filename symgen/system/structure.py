@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import casadi as ca
 
-from symgen.equations import Equations, blank_equations
-from symgen.parameters import ParameterTable
-from symgen.rows import Row
-from symgen.scalar import mul, total
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import mul, total
 from symgen.scene import Scene
+from symgen.system.equations import Equations, blank_equations
 
 
 def structure_equations(scene: Scene, table: ParameterTable) -> Equations:

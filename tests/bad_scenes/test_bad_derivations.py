@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import InitialStateError, ModelError, SchemeError, load_model, simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import SceneBuilder, SceneError

@@ -7,9 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime.model import Model
-from runtime.simulate import simulate
-from runtime.solution import Solution
+from runtime import simulate
+from runtime.contract.model import Model
+from runtime.results.solution import Solution
 from symgen.scene import Scene
 from symgen.scenes.tumbling_body import tumbling_body
 

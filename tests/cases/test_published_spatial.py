@@ -8,7 +8,7 @@ import numpy as np
 from planar_in_space import posed
 
 from runtime import Model, load_model, reference_solution, simulate
-from runtime.opponents.scipy_methods import scipy_solution
+from runtime.baselines.scipy_methods import scipy_solution
 from symgen.generate import generate
 from symgen.scenes import generated_folder
 from symgen.scenes.heavy_top import heavy_top

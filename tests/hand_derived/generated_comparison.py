@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from model_values import evaluate, make_state, relative_error
 
-from runtime.model import Model
+from runtime.contract.model import Model
 
 TOLERANCE = 1e-12  # of the largest entry
 

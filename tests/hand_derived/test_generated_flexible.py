@@ -15,7 +15,7 @@ import twin_rod_data as rod_data
 from generated_comparison import compare
 from twin_rod_tree import Params as RodParams
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.modes import lateral_modes
 from symgen.scene import Scene, SceneBuilder
 

@@ -11,7 +11,7 @@ import twin_pendulum
 import twin_slider_crank
 from generated_comparison import compare
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from runtime import augmented_solution, reference_solution
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES
 

@@ -24,7 +24,7 @@ from model_values import (
     relative_error,
 )
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import observe, simulate
-from runtime.model import Model
-from runtime.observe import assemble_solution
+from runtime.contract.model import Model
+from runtime.results.observe import assemble_solution
 from runtime.schemes.catalogue import SCHEMES
 
 Load = Callable[[str], Model]

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from runtime import simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import CompiledProgram, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.model import Model
-from runtime.simulate import make_plan
-from runtime.stepper import start_vector
+from runtime.running.simulate import make_plan
+from runtime.schemes.stepper import start_vector
 from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]

@@ -9,14 +9,14 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from runtime.contract.model import Model
+from runtime.contract.tape import read_tape
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.invariants import hoist_invariants
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program, Repeat, Sequence, stages
-from runtime.engine.tape import read_tape
-from runtime.model import Model
-from runtime.simulate import make_plan
-from runtime.stepper import start_vector
+from runtime.running.simulate import make_plan
+from runtime.schemes.stepper import start_vector
 
 Load = Callable[[str], Model]
 CASES = [("flexible_slider_crank_free", 1e-5), ("hub_beam", 2e-3), ("flexible_slider_crank_torque", 5e-5),

@@ -18,13 +18,13 @@ from model_values import (
 )
 
 from runtime import load_model
-from runtime.model import Model
+from runtime.contract.model import Model
+from symgen.algebra.small_systems import solve_small
+from symgen.condensed.loops import order_blocks
 from symgen.generate import generate
-from symgen.loops import order_blocks
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.n_four_bar import n_four_bar
-from symgen.small_systems import solve_small
 
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions"})
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from runtime import Solution, reference_solution, simulate
+from runtime.baselines import scipy_solution, sundials_solution
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.model import Model
-from runtime.opponents import scipy_solution, sundials_solution
-from runtime.schemes.generalized_alpha import GeneralizedAlpha
+from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha
+from runtime.schemes.baselines.radau import NODES, SHIFTS, A
 from runtime.schemes.options import SchemeError
-from runtime.schemes.radau import NODES, SHIFTS, A
 
 Load = Callable[[str], Model]
 

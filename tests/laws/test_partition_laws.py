@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from runtime.running.leg import Leg
 from runtime.running.plan import make_plan
+from runtime.running.singular import variants
+from runtime.running.singular.carry import carried
+from runtime.running.singular.variants import use_generator, variant_of
 from runtime.schemes.catalogue import SCHEMES
-from runtime.singular import variants
-from runtime.singular.carry import carried
-from runtime.singular.variants import use_generator, variant_of
 from symgen.scene import Scene, SceneBuilder
 from symgen.variants import generate_variant
 

@@ -13,7 +13,7 @@ from planar_in_space import posed, posed_state
 from scipy.linalg import eigh
 from spatial_motion import frames
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.chain import chain
 from symgen.scenes.four_bar import four_bar

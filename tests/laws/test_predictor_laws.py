@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from runtime import reference_solution, simulate
-from runtime.model import Model
-from runtime.simulate import make_plan
+from runtime.contract.model import Model
+from runtime.running.simulate import make_plan
 from symgen.scene import Scene
 from symgen.scenes.chain import chain
 

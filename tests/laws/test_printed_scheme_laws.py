@@ -11,10 +11,10 @@ import pytest
 from twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
 
 from runtime import simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
 from runtime.engine.interpreted import program_function
-from runtime.model import Model
-from runtime.simulate import make_plan
+from runtime.running.simulate import make_plan
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES
 

@@ -9,9 +9,9 @@ import pytest
 from model_values import Array, condensed_accelerations, evaluate, make_state
 from prepared_runs import PreparedRuns
 
-from runtime.initial import InitialStateError
-from runtime.model import Model
-from runtime.start_state import start_state
+from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.model import Model
+from runtime.start.start_state import start_state
 
 Load = Callable[[str], Model]
 FLEXIBLE = ("flexible_slider_crank", "flexible_slider_crank_free", "flexible_slider_crank_torque",

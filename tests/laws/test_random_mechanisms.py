@@ -12,7 +12,7 @@ from random_mechanisms import four_bars, trees
 from scipy.linalg import eigvals
 
 from runtime import load_model, simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 

@@ -10,8 +10,8 @@ from model_values import State, condensed_accelerations, evaluate, make_state, p
 from random_spatial import spatial_loops, spatial_trees
 
 from runtime import load_model
-from runtime.augmented import augmented_accelerations
-from runtime.model import Model
+from runtime.baselines.augmented import augmented_accelerations
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 

@@ -20,8 +20,8 @@ from scipy.linalg import null_space
 
 from runtime import augmented_solution as integrate_augmented
 from runtime import load_model, simulate
-from runtime.augmented import augmented_accelerations
-from runtime.model import Model
+from runtime.baselines.augmented import augmented_accelerations
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import SceneBuilder
 

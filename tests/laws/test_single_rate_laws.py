@@ -10,7 +10,7 @@ import pytest
 from model_values import Array, evaluate, make_state
 
 from runtime import simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]

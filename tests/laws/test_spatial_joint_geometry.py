@@ -13,7 +13,7 @@ from spatial_motion import Frame, assembled, frames
 from twin_flexible_nodes import scattered
 
 from runtime import simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene, frozenset[str] | None], Model]

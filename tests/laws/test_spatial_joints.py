@@ -16,7 +16,7 @@ from model_values import Array, State, evaluate, make_state, relative_error
 from spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
 from runtime import load_model
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 

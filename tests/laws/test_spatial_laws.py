@@ -19,7 +19,7 @@ from spatial_motion import Frame, assembled, frames, momentum, momentum_rate, pl
 from twin_flexible_nodes import Nodes, scattered
 
 from runtime import reference_solution
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene, frozenset[str] | None], Model]

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from spatial_motion import Frame, frames, momentum_rate, place
 from twin_flexible_nodes import scattered
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene, frozenset[str] | None], Model]

@@ -10,12 +10,12 @@ import pytest
 from prepared_runs import PreparedRuns
 
 from runtime import simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.model import Model
-from runtime.stability import limits
-from runtime.stability.along import states_along
-from runtime.stability.limits import StabilityStudy
-from runtime.stability.spectrum import ExactMotion
+from runtime.studies.stability import limits
+from runtime.studies.stability.along import states_along
+from runtime.studies.stability.limits import StabilityStudy
+from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneBuilder
 
 Build = Callable[[Scene], Model]

@@ -11,15 +11,15 @@ import scipy.linalg
 from model_values import Array
 
 from runtime import simulate
+from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.model import Model
+from runtime.modes.modes import ModeSolver, State
+from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
-from runtime.solution import Solution
-from runtime.stability import limits
-from runtime.stability.along import states_along
-from runtime.stability.limits import StabilityStudy
-from runtime.stability.modes import ModeSolver, State
-from runtime.stability.spectrum import ExactMotion, StepSpectrum
+from runtime.studies.stability import limits
+from runtime.studies.stability.along import states_along
+from runtime.studies.stability.limits import StabilityStudy
+from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
 
 Load = Callable[[str], Model]
 ENGINE = "compiled" if find_compiler() else "interpreted"

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from runtime import simulate
-from runtime.model import Model
-from runtime.schemes.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
+from runtime.contract.model import Model
+from runtime.modes.modes import ModeSolver
+from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes
-from runtime.stability.modes import ModeSolver
 
 Load = Callable[[str], Model]
 CLOSE = 0.03  # of a limit

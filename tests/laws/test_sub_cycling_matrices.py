@@ -18,12 +18,12 @@ from twin_subcycling import (
     runge_kutta_matrix,
 )
 
-from runtime.model import Model
+from runtime.contract.model import Model
+from runtime.modes.modes import State
 from runtime.schemes.catalogue import scheme_kind
-from runtime.stability.limits import SHARE_OF_FREQUENCY, StabilityStudy
-from runtime.stability.modes import State
-from runtime.stability.spectrum import ExactMotion
-from runtime.stability.tangent import TangentStep
+from runtime.studies.stability.limits import SHARE_OF_FREQUENCY, StabilityStudy
+from runtime.studies.stability.spectrum import ExactMotion
+from runtime.studies.stability.tangent import TangentStep
 
 Load = Callable[[str], Model]
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))

@@ -12,7 +12,7 @@ from model_values import Array
 from prepared_runs import PreparedRuns
 
 from runtime import simulate
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene
 from symgen.scenes import SCENES
 

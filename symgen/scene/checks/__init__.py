@@ -6,20 +6,16 @@ it relies on them.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from ..errors import raise_all
-from .matrices import matrix_errors
-from .names import name_errors
-from .partition import partition_errors
-from .references import reference_errors
-from .shapes import shape_errors
-from .space import screw_errors, space_errors
-from .topology import topology_errors
-from .values import value_errors
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.checks.matrices import matrix_errors
+from symgen.scene.checks.names import name_errors
+from symgen.scene.checks.partition import partition_errors
+from symgen.scene.checks.references import reference_errors
+from symgen.scene.checks.shapes import shape_errors
+from symgen.scene.checks.space import screw_errors, space_errors
+from symgen.scene.checks.topology import topology_errors
+from symgen.scene.checks.values import value_errors
+from symgen.scene.errors import raise_all
+from symgen.scene.parts import SceneParts
 
 STAGES = (
     (name_errors, shape_errors, space_errors),
@@ -28,7 +24,7 @@ STAGES = (
 )
 
 
-def check_scene(scene: Scene) -> None:
+def check_scene(scene: SceneParts) -> None:
     """Raise SceneError with everything the first failing stage finds; return if the scene is sound."""
     for stage in STAGES:
         raise_all(error for check in stage for error in check(scene))

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bodies import RigidBody
-from ..errors import SceneError
-from ..fields import Matrix, Vector
-from ..flexible import FlexibleBody
-from ..modal import ModalBody
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.bodies import RigidBody
+from symgen.scene.errors import SceneError
+from symgen.scene.fields import Matrix, Vector
+from symgen.scene.flexible import FlexibleBody
+from symgen.scene.modal import ModalBody
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import item_path
 
 Array = NDArray[np.float64]
 TOLERANCE = 1e-9
 
 
-def matrix_errors(scene: Scene) -> Iterator[SceneError]:
+def matrix_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Matrices of modal bodies and of a structure that no mechanical system can have."""
     if scene.structure is not None:
         mass = _array(scene, scene.structure.mass)
@@ -37,7 +34,7 @@ def matrix_errors(scene: Scene) -> Iterator[SceneError]:
             yield from _inertia(scene, body, item_path("bodies", index, body.name))
 
 
-def _modal_matrices(scene: Scene, body: ModalBody | FlexibleBody, path: str) -> Iterator[SceneError]:
+def _modal_matrices(scene: SceneParts, body: ModalBody | FlexibleBody, path: str) -> Iterator[SceneError]:
     """M_ff, K_ff and D_ff as mechanics demands."""
     mass = _array(scene, body.M_ff)
     yield from _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
@@ -47,7 +44,7 @@ def _modal_matrices(scene: Scene, body: ModalBody | FlexibleBody, path: str) -> 
             yield from _symmetric(f"{path}.{key}", value) or _semidefinite(f"{path}.{key}", value)
 
 
-def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
+def _modal(scene: SceneParts, body: ModalBody, path: str) -> Iterator[SceneError]:
     yield from (bad := list(_modal_matrices(scene, body, path)))
     cross = _array(scene, body.phi_cross_phi)
     if _differs(cross, -cross.T):
@@ -68,7 +65,7 @@ def _modal(scene: Scene, body: ModalBody, path: str) -> Iterator[SceneError]:
             yield from _symmetric(f"{path}.{key}", _array(scene, given))
 
 
-def _flexible(scene: Scene, body: FlexibleBody, path: str) -> Iterator[SceneError]:
+def _flexible(scene: SceneParts, body: FlexibleBody, path: str) -> Iterator[SceneError]:
     yield from (bad := list(_modal_matrices(scene, body, path)))
     moments = _array(scene, body.inertia_moments)
     bad_moments = _symmetric(f"{path}.inertia_moments", moments)
@@ -79,7 +76,7 @@ def _flexible(scene: Scene, body: FlexibleBody, path: str) -> Iterator[SceneErro
             "check the integrals: they must belong to one mass distribution, taken about the frame origin")
 
 
-def _spatial_mass_matrix(scene: Scene, body: FlexibleBody, moments: Array) -> Array:
+def _spatial_mass_matrix(scene: SceneParts, body: FlexibleBody, moments: Array) -> Array:
     """The (6 + nf) x (6 + nf) mass matrix of Eq. 20 at q_f = 0, in body axes."""
     matrix = np.zeros((6 + body.nf, 6 + body.nf))
     x, y, z = _array(scene, body.first_moment)
@@ -95,7 +92,7 @@ def _spatial_mass_matrix(scene: Scene, body: FlexibleBody, moments: Array) -> Ar
     return matrix
 
 
-def _inertia(scene: Scene, body: RigidBody, path: str) -> Iterator[SceneError]:
+def _inertia(scene: SceneParts, body: RigidBody, path: str) -> Iterator[SceneError]:
     """An inertia tensor is positive semi-definite, and no principal moment exceeds the sum of the two others."""
     assert isinstance(body.inertia, tuple)
     (xx, yy, zz), (xy, xz, yz) = _array(scene, body.inertia), _array(scene, body.products)
@@ -107,7 +104,7 @@ def _inertia(scene: Scene, body: RigidBody, path: str) -> Iterator[SceneError]:
                          "check units and signs; each must be at most the sum of the other two")
 
 
-def _body_mass_matrix(scene: Scene, body: ModalBody) -> Array:
+def _body_mass_matrix(scene: SceneParts, body: ModalBody) -> Array:
     """The (3 + nf) x (3 + nf) mass matrix of Eq. 20 at theta = 0, q_f = 0."""
     mass, inertia, moment_x, moment_y = _array(scene, (body.mass, body.inertia, *body.first_moment))
     matrix = np.zeros((3 + body.nf, 3 + body.nf))
@@ -119,7 +116,7 @@ def _body_mass_matrix(scene: Scene, body: ModalBody) -> Array:
     return matrix
 
 
-def _array(scene: Scene, given: Matrix | Vector) -> Array:
+def _array(scene: SceneParts, given: Matrix | Vector) -> Array:
     defaults = scene.parameter_defaults()
 
     def number(entry: object) -> object:

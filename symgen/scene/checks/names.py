@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
-from ..bodies import GroundBody
-from ..errors import SceneError
-from ..expressions import RESERVED
-from ..translate import SECTIONS, item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.bodies import GroundBody
+from symgen.scene.errors import SceneError
+from symgen.scene.expressions import RESERVED
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import SECTIONS, item_path
 
 
-def name_errors(scene: Scene) -> Iterator[SceneError]:
+def name_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Names that clash, and a scene with nothing in it or with two kinds of content."""
     for section in SECTIONS:
         yield from _duplicates(section, (entry.name for entry in getattr(scene, section)))
@@ -47,7 +44,7 @@ def _duplicates(section: str, names: Iterable[str]) -> Iterator[SceneError]:
         seen.setdefault(name, index)
 
 
-def _expression_names(scene: Scene) -> Iterator[SceneError]:
+def _expression_names(scene: SceneParts) -> Iterator[SceneError]:
     taken = {name: "the expression language" for name in RESERVED}
     entries = [(f"parameters.{name}", name) for name in scene.parameters]
     for index, measure in enumerate(scene.measures):
@@ -59,7 +56,7 @@ def _expression_names(scene: Scene) -> Iterator[SceneError]:
         taken.setdefault(name, path)
 
 
-def _contents(scene: Scene) -> Iterator[SceneError]:
+def _contents(scene: SceneParts) -> Iterator[SceneError]:
     if scene.structure is None:
         if not scene.moving_bodies:
             yield SceneError("bodies", "nothing in this scene can move", "add a body, or a structure")

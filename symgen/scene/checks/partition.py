@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING
 
-from ..errors import SceneError, did_you_mean
-from ..simulation import MAX_STEPS
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.errors import SceneError, did_you_mean
+from symgen.scene.parts import SceneParts
+from symgen.scene.simulation import MAX_STEPS
+from symgen.scene.translate import item_path
 
 
 def matching(pattern: str, names: Sequence[str]) -> list[str]:
@@ -19,7 +16,7 @@ def matching(pattern: str, names: Sequence[str]) -> list[str]:
     return [name for name in names if fnmatchcase(name, pattern)]
 
 
-def partition_errors(scene: Scene) -> Iterator[SceneError]:
+def partition_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown coordinates, coordinates in two groups, step ratios and steps that do not fit."""
     names = scene.coordinates()
     for section in ("coordinates", "rates"):
@@ -44,7 +41,7 @@ def partition_errors(scene: Scene) -> Iterator[SceneError]:
     yield from _steps(scene)
 
 
-def _groups(scene: Scene, names: list[str]) -> Iterator[SceneError]:
+def _groups(scene: SceneParts, names: list[str]) -> Iterator[SceneError]:
     independent = scene.partition.independent
     owner: dict[str, str] = {}
     for index, group in enumerate(scene.partition.groups or ()):
@@ -68,7 +65,7 @@ def _groups(scene: Scene, names: list[str]) -> Iterator[SceneError]:
             owner.update(dict.fromkeys(found, group.name))
 
 
-def _steps(scene: Scene) -> Iterator[SceneError]:
+def _steps(scene: SceneParts) -> Iterator[SceneError]:
     simulation, groups = scene.simulation, scene.partition.groups
     for key in ("t_end", "dt"):
         if getattr(simulation, key) <= 0:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..errors import SceneError, did_you_mean
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.errors import SceneError, did_you_mean
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import item_path
 
 _REFERENCES = ("marker", "marker_a", "marker_b", "reaction")
 
 
-def reference_errors(scene: Scene) -> Iterator[SceneError]:
+def reference_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown markers, and connections from something to itself."""
     known = _known_markers(scene)
     for section in ("joints", "loads", "measures"):
@@ -24,7 +22,7 @@ def reference_errors(scene: Scene) -> Iterator[SceneError]:
             yield from unknown or _pair(section, path, entry)
 
 
-def _known_markers(scene: Scene) -> dict[str, list[str]]:
+def _known_markers(scene: SceneParts) -> dict[str, list[str]]:
     bodies = (scene.ground, *scene.moving_bodies)
     return {body.name: [*body.implicit_markers(), *body.markers] for body in bodies}
 

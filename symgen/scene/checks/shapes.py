@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..bodies import BeamBody
-from ..errors import SceneError, show
-from ..flexible import FlexibleBody
-from ..modal import ModalBody
-from ..structure import Structure
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.bodies import BeamBody
+from symgen.scene.errors import SceneError, show
+from symgen.scene.flexible import FlexibleBody
+from symgen.scene.modal import ModalBody
+from symgen.scene.parts import SceneParts
+from symgen.scene.structure import Structure
+from symgen.scene.translate import item_path
 
 # n elements leave n + this many modes: the nodes that can move, less the rigid motions.
 _MODES_LESS_ELEMENTS = {
@@ -28,7 +26,7 @@ _MODES_LESS_ELEMENTS = {
 }
 
 
-def shape_errors(scene: Scene) -> Iterator[SceneError]:
+def shape_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Everything whose size does not fit its neighbours."""
     for index, body in enumerate(scene.bodies):
         path = item_path("bodies", index, body.name)

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..bodies import BeamBody, MarkerDirections, RigidBody
-from ..errors import SceneError
-from ..flexible import FlexibleBody
-from ..modal import ModalBody
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.bodies import BeamBody, MarkerDirections, RigidBody
+from symgen.scene.errors import SceneError
+from symgen.scene.flexible import FlexibleBody
+from symgen.scene.modal import ModalBody
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import item_path
 
 SPATIAL_JOINTS = ("spherical", "universal", "cylindrical", "screw", "planar")
 
 
-def space_errors(scene: Scene) -> Iterator[SceneError]:
+def space_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Vectors with the wrong number of components, and bodies, joints or loads that the other space has."""
     yield from _components("gravity", scene.gravity, scene)
     for index, body in enumerate(scene.bodies):
@@ -41,7 +39,7 @@ def space_errors(scene: Scene) -> Iterator[SceneError]:
     yield from _joint_names(scene)
 
 
-def screw_errors(scene: Scene) -> Iterator[SceneError]:
+def screw_errors(scene: SceneParts) -> Iterator[SceneError]:
     """A screw needs an angle of its own, which counts turns; so it must place a body."""
     placing = {place.joint for place in scene.places()}
     for index, joint in enumerate(scene.joints):
@@ -56,7 +54,7 @@ def screw_errors(scene: Scene) -> Iterator[SceneError]:
 _SPATIAL = 'set space = "spatial", or use what a planar scene has'
 
 
-def _components(path: str, values: tuple[Any, ...], scene: Scene) -> Iterator[SceneError]:
+def _components(path: str, values: tuple[Any, ...], scene: SceneParts) -> Iterator[SceneError]:
     if scene.space == "planar" and len(values) != 2:
         remedy = "give (x, y)" + ("" if len(values) < 2 else ', or set space = "spatial"')
         yield SceneError(path, f"has {len(values)} components in a planar scene", remedy)
@@ -64,7 +62,7 @@ def _components(path: str, values: tuple[Any, ...], scene: Scene) -> Iterator[Sc
         yield SceneError(path, f"has {len(values)} components", "give (x, y, z); a z left out is zero")
 
 
-def _body(body: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+def _body(body: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
     spatial = scene.space == "spatial"
     if isinstance(body, FlexibleBody) and not spatial:
         yield SceneError(f"{path}.type", "a flexible body needs three dimensions", 'use type = "modal" or "beam"')
@@ -82,7 +80,7 @@ def _body(body: Any, path: str, scene: Scene) -> Iterator[SceneError]:
             yield SceneError(f"{path}.second_moment_z", "is missing", "give the second moment of area for the xz-plane")
 
 
-def _rigid(body: RigidBody, path: str, scene: Scene) -> Iterator[SceneError]:
+def _rigid(body: RigidBody, path: str, scene: SceneParts) -> Iterator[SceneError]:
     three = isinstance(body.inertia, tuple)
     if three != (scene.space == "spatial"):
         yield SceneError(f"{path}.inertia", f"a {scene.space} body has {'one moment' if three else 'three moments'} of "
@@ -94,7 +92,7 @@ def _rigid(body: RigidBody, path: str, scene: Scene) -> Iterator[SceneError]:
     yield from _components(f"{path}.center_of_mass", body.center_of_mass, scene)
 
 
-def _marker(marker: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+def _marker(marker: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
     position = getattr(marker, "position", None)
     if position is not None:
         yield from _components(f"{path}.position", position, scene)
@@ -121,7 +119,7 @@ def _directions(marker: MarkerDirections, path: str) -> Iterator[SceneError]:
             yield SceneError(f"{path}.x_axis", "is along the axis, or zero", "give a direction across it")
 
 
-def _bushing(load: Any, path: str, scene: Scene) -> Iterator[SceneError]:
+def _bushing(load: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
     if scene.space == "planar":
         yield SceneError(f"{path}.type", "a bushing needs three dimensions",
                          "use a spring_damper and a rotational_spring_damper")
@@ -130,7 +128,7 @@ def _bushing(load: Any, path: str, scene: Scene) -> Iterator[SceneError]:
             yield SceneError(f"{path}.{key}", f"has {len(getattr(load, key))} entries", "give three, for x, y and z")
 
 
-def _joint_names(scene: Scene) -> Iterator[SceneError]:
+def _joint_names(scene: SceneParts) -> Iterator[SceneError]:
     """Coordinates of joints and of bodies share their names."""
     if scene.space == "planar" or scene.structure is not None:
         return

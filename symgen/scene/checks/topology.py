@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from ..errors import SceneError
-from ..translate import item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.errors import SceneError
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import item_path
 
 
 class _Clusters:
@@ -31,7 +28,7 @@ class _Clusters:
         self._parent[self.root(a)] = self.root(b)
 
 
-def topology_errors(scene: Scene) -> Iterator[SceneError]:
+def topology_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Bodies that hang on nothing, unless free."""
     joined, touched = _Clusters(), set()
     for joint in scene.joints:

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from ..errors import SceneError
-from ..expressions import parse_expression
-from ..fields import Bound, Meaning, Scope, quantities
-from ..translate import SECTIONS, item_path
-
-if TYPE_CHECKING:
-    from ..scene import Scene
+from symgen.scene.errors import SceneError
+from symgen.scene.expressions import parse_expression
+from symgen.scene.fields import Bound, Meaning, Scope, quantities
+from symgen.scene.parts import SceneParts
+from symgen.scene.translate import SECTIONS, item_path
 
 
-def value_errors(scene: Scene) -> Iterator[SceneError]:
+def value_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Expressions that do not parse, have no finite value at t = 0, or a value of the wrong sign."""
     reader = _Reader(scene)
     for path, value, meaning in scene_quantities(scene):
@@ -24,7 +21,7 @@ def value_errors(scene: Scene) -> Iterator[SceneError]:
             yield error
 
 
-def scene_quantities(scene: Scene) -> Iterator[tuple[str, float | str, Meaning]]:
+def scene_quantities(scene: SceneParts) -> Iterator[tuple[str, float | str, Meaning]]:
     """Every quantity of the scene: (item path, value, meaning)."""
     for path, value, meaning in quantities(scene, "scene"):
         yield path.removeprefix("scene."), value, meaning
@@ -34,7 +31,7 @@ def scene_quantities(scene: Scene) -> Iterator[tuple[str, float | str, Meaning]]
 
 
 class _Reader:
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: SceneParts) -> None:
         self.defaults = scene.parameter_defaults()
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
         self.names = {

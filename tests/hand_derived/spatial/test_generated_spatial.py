@@ -20,7 +20,7 @@ import twin_spatial_slider_crank
 from model_values import State, evaluate, make_state, relative_error
 from twin_spatial import parameters_A, parameters_ddot, parameters_dot
 
-from runtime.model import Model
+from runtime.contract.model import Model
 from symgen.scene import Scene
 
 TOLERANCE = 1e-12

@@ -1,0 +1,95 @@
+"""The condensed equations as a first-order system for general-purpose integrators: y = [q_i, q_i_dot, loop unknowns].
+
+The loop unknowns ride along as states, so that the right-hand side is a pure function: they only serve as the
+guess from which the closure is solved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.results.observe import assemble_solution, join
+from runtime.results.sampling import evaluate
+from runtime.results.solution import Solution
+from runtime.schemes.kernels import Motion, StepKernels
+from runtime.start.start_state import start_state
+
+TO_ROUNDING = 3  # Newton steps of the closure from a guess that integration provides
+OBSERVED = ("q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
+
+
+class CondensedOde:
+    """Expressions: t, y and c are symbols, motion the closed configuration at y.
+
+    closure_iterations: Newton steps a closure. One is enough for integration, as the guess is as good as the states.
+    """
+
+    def __init__(self, model: Model, closure_iterations: int) -> None:
+        n, loops = len(model.q_i), len(model.loop_unknowns)
+        self.model, self.n = model, n
+        self.t, self.y, self.c = ca.SX.sym("t"), ca.SX.sym("y", 2 * n + loops), ca.SX.sym("c", model.c_size)
+        self.q_i, self.v = self.y[:n], self.y[n:2 * n]
+        self.kernels = StepKernels(model, self.c)
+        self.motion: Motion = self.kernels.close(self.q_i, self.y[2 * n:], self.t, closure_iterations)
+        self.v_d = self.kernels.rates(self.motion, self.v)
+
+    def slope(self, a: ca.SX) -> ca.SX:
+        """y_dot for q_i_ddot = a."""
+        return ca.densify(ca.vertcat(self.v, a, self.kernels.loop_part(self.v_d)))
+
+    def accelerations(self) -> ca.SX:
+        """q_i_ddot by the cheapest route."""
+        return self.kernels.accelerations(self.motion, self.v)
+
+    def right_hand_side(self) -> ca.Function:
+        """(t, y, c) -> y_dot."""
+        return ca.Function("rhs", [self.t, self.y, self.c], ca.cse([self.slope(self.accelerations())]))
+
+    def jacobian(self) -> ca.Function:
+        """(t, y, c) -> d y_dot / dy."""
+        found = ca.jacobian(self.slope(self.accelerations()), self.y)
+        return ca.Function("slope_jacobian", [self.t, self.y, self.c], ca.cse([ca.densify(found)]))
+
+    def observe(self) -> ca.Function:
+        """(t, y, c) -> OBSERVED."""
+        a, a_d = self.accelerations(), ca.SX(0, 1)
+        if self.model.q_d:
+            a_d = self.kernels.call("accelerations", q_i=self.q_i, q_d=self.motion.q_d, q_i_dot=self.v,
+                                    q_d_dot=self.v_d, q_i_ddot=a, t=self.t)["q_d_ddot"]
+        parts = [self.q_i, self.motion.q_d, self.v, self.v_d, a, a_d]
+        return ca.Function("observe", [self.t, self.y, self.c], ca.cse(parts), ["t", "y", "c"], list(OBSERVED))
+
+
+@dataclass(frozen=True)
+class Start:
+    """Parameters, constants and y of a run from t = 0."""
+
+    p: np.ndarray
+    c: np.ndarray
+    y: np.ndarray
+
+
+def start_of(model: Model, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None,
+             start: str | None) -> Start:
+    """Raises ModelError or InitialStateError for bad arguments."""
+    p = model.parameter_vector(parameters)
+    c = model.constants(p)
+    state = start_state(model, p, c, 0.0, initial, start)
+    columns = model.independent_columns
+    loop = state.q[model.loop_columns]
+    return Start(p, c, np.concatenate([state.q[columns], state.q_dot[columns], loop]))
+
+
+def observed_solution(model: Model, start: Start, t: np.ndarray, y: np.ndarray, name: str,
+                      stats: dict[str, float | int | str], status: Status) -> Solution:
+    """Solution of the states y (N, size) at times t."""
+    seen = evaluate(CondensedOde(model, TO_ROUNDING).observe(), {"t": t[:, None], "y": y}, start.c)
+    return assemble_solution(
+        model, t, join(model, seen["q_i"], seen["q_d"]), join(model, seen["q_i_dot"], seen["q_d_dot"]),
+        join(model, seen["q_i_ddot"], seen["q_d_ddot"]), start.p, start.c, name, 0.0, [], stats, status)

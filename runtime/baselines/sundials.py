@@ -1,0 +1,112 @@
+"""SUNDIALS through CasADi: CVODES on the condensed equations, IDAS on M_hat a = Q_hat with a algebraic (index 1).
+
+Both get exact Jacobians by CasADi. Right-hand side and Jacobian are compiled by CasADi where there is a C compiler.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Mapping
+from contextlib import chdir
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.engine.compiled import CompilerError, find_compiler
+from runtime.results.solution import Solution
+from runtime.schemes.linear_solve import solve_symmetric
+
+METHODS = ("cvodes", "idas")
+MULTISTEP = {"bdf": "newton", "adams": "functional"}  # and how the equations of a step are solved
+FLAGS = ("-O2", "-march=native", "-fno-math-errno")
+MAX_STEPS = 100_000_000
+COUNTERS = {"evaluations": "nfevals", "steps": "nsteps", "factorisations": "nlinsetups", "rejected": "netfails",
+            "iterations": "nniters"}
+
+
+def sundials_solution(
+    model: Model, method: str = "cvodes", *, t_end: float, times: np.ndarray | None = None, rtol: float = 1e-9,
+    atol: float = 1e-11, parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
+    start: str | None = None, multistep: str = "bdf", compiled: bool = True,
+) -> Solution:
+    """Integrate from 0 to t_end with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
+
+    times: where to report (the end only by default). A failed integration gives the start only, with its status.
+    The time in stats is that of a second run: it holds no compilation or first call. Raises ValueError for an unknown
+    method, ModelError or InitialStateError for bad arguments, CompilerError if compiling fails.
+    """
+    if method not in METHODS or multistep not in MULTISTEP:
+        raise ValueError(f"method must be one of {', '.join(METHODS)} and multistep one of {', '.join(MULTISTEP)}, "
+                         f"not {method!r} and {multistep!r}")
+    given = start_of(model, parameters, initial, start)
+    t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
+    system, guess = _system(model, method, given)
+    options: dict[str, Any] = {"reltol": rtol, "abstol": atol, "max_num_steps": MAX_STEPS}
+    if method == "idas":
+        options["suppress_algebraic"] = True  # accelerations stay out of the error test: as exact, with fewer steps
+    else:
+        options |= {"linear_multistep_method": multistep, "nonlinear_solver_iteration": MULTISTEP[multistep]}
+    began = time.perf_counter()
+    integrator = _integrator(method, system, t, options, compiled)
+    prepared = time.perf_counter()
+    arguments = {"x0": given.y, "z0": guess, "p": given.c}
+    status, y = Status("completed", t_end), given.y[None, :]
+    wall, counted = 0.0, {}
+    try:
+        try:
+            integrator(**arguments)
+        except RuntimeError:
+            if method != "idas":
+                raise
+            # IDACalcIC gives up on some consistent starts; without it the rates at the start are taken as zero
+            integrator = _integrator(method, system, t, {**options, "calc_ic": False}, compiled)
+            integrator(**arguments)
+        started = time.perf_counter()
+        result = integrator(**arguments)
+        wall = time.perf_counter() - started
+        counted, y = integrator.stats(), np.asarray(result["xf"]).T
+    except RuntimeError as error:
+        t = np.zeros(1)
+        status = Status("not_finite", 0.0, None, f"{method} failed: {str(error).strip().splitlines()[-1]}",
+                        "Loosen the tolerances.")
+    name = f"{method} {multistep}" if method == "cvodes" else method
+    stats: dict[str, float | int | str] = {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
+    native = any(integrator.get_function(part).class_name() == "External" for part in integrator.get_function())
+    stats |= {"engine": "compiled" if native else "interpreted", "setup_seconds": prepared - began,
+              "wall_seconds": wall, "rtol": rtol, "atol": atol}
+    return observed_solution(model, given, t, y, name, stats, status)
+
+
+def _system(model: Model, method: str, given: Start) -> tuple[dict[str, ca.SX], np.ndarray]:
+    """CasADi's description, and the algebraic unknowns at the start."""
+    ode = CondensedOde(model, 1)
+    symbols = {"x": ode.y, "t": ode.t, "p": ode.c}
+    if method == "cvodes":
+        return {**symbols, "ode": ca.cse(ode.slope(ode.accelerations()))}, np.zeros(0)
+    a = ca.SX.sym("a", ode.n)
+    M_hat, Q_hat = ode.kernels.condensed(ode.motion, ode.v)
+    start = ca.Function("start", [ode.t, ode.y, ode.c], [solve_symmetric(M_hat, Q_hat)])
+    slope, algebraic = ca.cse([ode.slope(a), ca.densify(ca.mtimes(M_hat, a) - Q_hat)])
+    return {**symbols, "z": a, "ode": slope, "alg": algebraic}, np.asarray(start(0.0, given.y, given.c)).ravel()
+
+
+def _integrator(method: str, system: dict[str, ca.SX], t: np.ndarray, options: dict[str, Any],
+                compiled: bool) -> ca.Function:
+    compiler = find_compiler() if compiled else None
+    if compiler is None:
+        return ca.integrator("opponent", method, system, 0.0, t, options)
+    # CasADi writes its C file to the working folder; once loaded, the library is not needed on disk any more
+    jit: dict[str, Any] = {
+        "jit": True, "compiler": "shell", "jit_name": "opponent", "jit_temp_suffix": False, "jit_cleanup": False,
+        "jit_options": {"compiler": compiler, "linker": compiler, "flags": list(FLAGS), "verbose": False,
+                        "cleanup": False}}
+    with tempfile.TemporaryDirectory() as folder, chdir(folder):
+        try:
+            return ca.integrator("opponent", method, system, 0.0, t, {**options, **jit})
+        except RuntimeError as error:
+            raise CompilerError(f"CasADi could not compile the equations: {str(error)[-500:]}") from error

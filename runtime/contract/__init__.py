@@ -1,0 +1,1 @@
+"""What both halves share: names, shapes and formats of an emitted model, and how it is loaded."""

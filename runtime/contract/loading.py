@@ -1,0 +1,106 @@
+"""Load a generated folder: check its hashes, then run exactly the text that was checked."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from importlib.abc import InspectLoader
+from importlib.util import module_from_spec, spec_from_loader
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.model import Group, Model, ModelError, Parameter
+
+FORMAT = 1
+
+
+class _CheckedSource(InspectLoader):
+    """Runs a text already in memory: neither read again nor taken from a bytecode cache."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def get_source(self, fullname: str) -> str:
+        """The text that was checked."""
+        return self._text
+
+
+def load_model(folder: str | Path) -> Model:
+    """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
+
+    Loading runs the folder's model.py: load only what you or somebody you trust generated. Raises ModelError if files
+    are missing, were edited since generation, or belong to another format.
+    """
+    path = Path(folder)
+    manifest = _manifest(path)
+    try:
+        texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
+        module = _module(path / "model.py", texts["model.py"])
+        return _model(manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        if isinstance(error, ModelError):
+            raise
+        raise ModelError(f"{path} is incomplete or was edited ({type(error).__name__}: {error}); "
+                         f"regenerate with: symgen generate {path}") from error
+
+
+def manifest_digest(manifest: dict[str, Any]) -> str:
+    """SHA-256 of a manifest without its versions and its own hash."""
+    kept = {key: value for key, value in manifest.items() if key not in ("versions", "sha256")}
+    return hashlib.sha256(json.dumps(kept, sort_keys=True).encode()).hexdigest()
+
+
+def _manifest(path: Path) -> dict[str, Any]:
+    try:
+        manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise ModelError(f"{path} is not a generated model (manifest.json: {error}); "
+                         f"generate it with: symgen generate SCENE --out {path}") from error
+    if not isinstance(manifest, dict) or manifest.get("format") != FORMAT:
+        raise ModelError(f"{path} was generated in another format; regenerate it with: symgen generate {path}")
+    if manifest.get("sha256") != manifest_digest(manifest):
+        raise ModelError(f"{path / 'manifest.json'} was edited since it was generated; "
+                         f"regenerate with: symgen generate {path}")
+    return manifest
+
+
+def _checked_text(path: Path, name: str, expected: str) -> str:
+    try:
+        text = (path / name).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ModelError(f"{path / name} cannot be read ({error}); regenerate with: symgen generate {path}") from error
+    if hashlib.sha256(text.encode()).hexdigest() != expected:
+        raise ModelError(f"{path / name} was edited since it was generated (its hash differs from manifest.json); "
+                         f"regenerate with: symgen generate {path}")
+    return text
+
+
+def _module(path: Path, text: str) -> ModuleType:
+    name = f"generated_model_{hashlib.sha256(text.encode()).hexdigest()[:16]}"
+    loader = _CheckedSource(text)
+    spec = spec_from_loader(name, loader, origin=str(path))
+    assert spec is not None
+    module = module_from_spec(spec)
+    loader.exec_module(module)
+    return module
+
+
+def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
+    q_i = manifest["q_i"]
+    groups = [Group(group["name"], [q_i.index(name) for name in group["coordinates"]]) for group in manifest["groups"]]
+    parameters = [Parameter(**entry, default=data["p"][entry["name"]]) for entry in manifest["parameters"]]
+    names = manifest["coordinates"]
+    return Model(
+        name=manifest["scene"], title=manifest["title"], coordinates=names, elastic=manifest["elastic"], q_i=q_i,
+        q_d=manifest["q_d"], loop_unknowns=manifest["loop_unknowns"], groups=groups,
+        constraints=manifest["constraints"], joints=manifest["joints"], measures=manifest["measures"],
+        outlines=[(body, count) for body, count in manifest["outlines"]], parameters=parameters,
+        initial_q=np.array([data["q"][name] for name in names]),
+        initial_q_dot=np.array([data["q_dot"][name] for name in names]),
+        initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
+        builders=module.FUNCTIONS, simulation=manifest["simulation"],
+        operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
+        digest=manifest["sha256"], scene_toml=scene_toml, redundant=manifest["redundant"])

@@ -1,0 +1,124 @@
+"""Coupled, condensed modes: eigenvalues of the equations linearised at a state, with damping, and who takes part.
+
+M_hat w'' = J_q w + J_v w' with the emitted Jacobians; J_q includes d(M_hat a)/dq_i. Step limits follow from these, not
+from a body's clamped modes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.results.solution import Solution
+from runtime.schemes.kernels import StepKernels, velocity_dependent
+
+CLOSURE_ITERATIONS = 3
+
+
+@dataclass(frozen=True)
+class State:
+    """Time [s], independent coordinates, rates, and loop unknowns."""
+
+    t: float
+    q_i: np.ndarray
+    q_i_dot: np.ndarray
+    loop: np.ndarray
+
+
+@dataclass(frozen=True)
+class Modes:
+    """At a state: eigenvalues (2 n) [1/s]; frequencies |lambda| [rad/s] and damping ratios of the n modes, ascending;
+    participation (mode, coordinate), rows of sum 1: shares of kinetic energy.
+
+    undamped: frequencies [rad/s] of M_hat w'' = J_q w, ascending; directions of negative stiffness count as zero.
+    """
+
+    eigenvalues: np.ndarray
+    frequencies: np.ndarray
+    damping: np.ndarray
+    participation: np.ndarray
+    undamped: np.ndarray
+
+    @property
+    def fastest_decay(self) -> float:
+        """Largest -Re of the eigenvalues [1/s]; 0 if nothing decays."""
+        return float((-self.eigenvalues.real).max(initial=0.0))
+
+
+class ModeSolver:
+    """Modes of a model with constants c. Raises ModelError if the model was generated without its Jacobians."""
+
+    def __init__(self, model: Model, c: np.ndarray) -> None:
+        self._function = model.derived("modes", lambda: self._built(model))
+        self.n, self.c = len(model.q_i), c
+
+    @staticmethod
+    def possible(model: Model) -> bool:
+        """Was the model generated with the Jacobians that modes need?"""
+        needed = ["dQ_hat_dq_i", "dMa_dq_i"] + ["dQ_hat_dq_i_dot"] * velocity_dependent(model)
+        return all(model.has(name) for name in needed)
+
+    @staticmethod
+    def _built(model: Model) -> ca.Function:
+        """(t, q_i, q_i_dot, loop unknowns, c) -> M_hat, J_q, J_v."""
+        n = len(model.q_i)
+        t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
+        loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
+        kernels = StepKernels(model, constants)
+        motion = kernels.close(q, loop, t, CLOSURE_ITERATIONS)
+        found = kernels.linearised(motion, v)
+        matrices = [ca.densify(matrix) for matrix in (found.M_hat, found.J_q, found.J_v)]
+        return ca.Function("modes", [t, q, v, loop, constants], matrices)
+
+    def matrices(self, state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """M_hat, J_q, J_v."""
+        M, J_q, J_v = self._function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
+        return np.asarray(M), np.asarray(J_q), np.asarray(J_v)
+
+    def slopes(self, state: State) -> tuple[np.ndarray, np.ndarray]:
+        """A_q and A_v of w'' = A_q w + A_v w'. Raises LinAlgError if M_hat is singular."""
+        M, J_q, J_v = self.matrices(state)
+        return np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
+
+    def __call__(self, state: State) -> Modes:
+        """The modes at a state. Raises LinAlgError if it is not finite or M_hat is singular."""
+        M, n = self.matrices(state)[0], self.n
+        A = np.zeros((2 * n, 2 * n))
+        A[:n, n:] = np.eye(n)
+        A[n:, :n], A[n:, n:] = self.slopes(state)
+        undamped = np.sort(np.sqrt(np.maximum(np.linalg.eigvals(-A[n:, :n]).real, 0.0)))
+        values, vectors = np.linalg.eig(A)
+        chosen = _one_of_each(values, n)
+        size = np.abs(values[chosen])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            damping = np.where(size > 0, -values[chosen].real / size, 0.0)
+        moving = np.abs(vectors[n:, chosen].T)  # rates
+        weight = moving * (moving @ np.abs(M))
+        total = weight.sum(axis=1, keepdims=True)
+        return Modes(values, size, damping, weight / np.where(total > 0, total, 1.0), undamped)
+
+
+def state_at(solution: Solution, k: int) -> State:
+    """Sample k of a solution."""
+    model = solution.model
+    loops = [model.coordinates.index(name) for name in model.loop_unknowns]
+    return State(float(solution.t[k]), solution.q_i[k], solution.q_dot[k, model.independent_columns],
+                 solution.q[k, loops])
+
+
+def modes_at(solution: Solution, samples: Iterable[int]) -> list[Modes]:
+    """Modes at some samples of a solution. Raises ModelError if the model was generated without its Jacobians."""
+    solver = ModeSolver(solution.model, solution.model.constants(solution.parameters))
+    return [solver(state_at(solution, k)) for k in samples]
+
+
+def _one_of_each(values: np.ndarray, n: int) -> np.ndarray:
+    """Indices of n eigenvalues, ascending by size: one of each conjugate pair, every second of the real ones."""
+    upper = [k for k in range(len(values)) if values[k].imag > 0]
+    real = sorted((k for k in range(len(values)) if values[k].imag == 0), key=lambda k: abs(values[k]))
+    chosen = upper + real[1::2]
+    return np.array(sorted(chosen, key=lambda k: abs(values[k]))[:n], dtype=int)

@@ -1,6 +1,0 @@
-"""Established adaptive integrators on the same emitted equations, compiled where possible: opponents of the schemes."""
-
-from runtime.opponents.scipy_methods import scipy_solution
-from runtime.opponents.sundials import sundials_solution
-
-__all__ = ["scipy_solution", "sundials_solution"]

@@ -1,0 +1,190 @@
+"""A Solution as files and tables: .npz without pickle, CSV, xarray, NetCDF."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Sequence
+from dataclasses import asdict
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from runtime.contract.files import replacing
+from runtime.contract.model import Group, Model, ModelError, Parameter
+from runtime.contract.status import Event, Status
+from runtime.contract.units import unit
+from runtime.results.stream import read_blocks, read_header
+
+if TYPE_CHECKING:
+    import xarray
+
+    from runtime.results.samples import Samples
+
+FORMAT = "symgen solution 2"
+FORCE_PARTS = {3: ("force_x", "force_y", "moment"),
+               6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z")}  # planar, spatial
+ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "constraint_rate_error",
+          "measures", "joint_forces")
+NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
+POWERS = ("power_dissipated", "power_applied", "power_driven")
+
+
+def write_npz(solution: Samples, path: str | Path) -> None:
+    """Plain arrays, and one JSON text for the rest. Raises OutputError."""
+    header = {"format": FORMAT, **run_header(solution), "energy": list(solution.energy),
+              "outputs": list(solution.outputs)}
+    arrays = {key: np.asarray(getattr(solution, key), dtype=float) for key in ARRAYS}
+    arrays |= {f"energy_{key}": np.asarray(series, dtype=float) for key, series in solution.energy.items()}
+    arrays |= {f"output_{key}": np.asarray(series, dtype=float) for key, series in solution.outputs.items()}
+    with replacing(Path(path)) as temporary, open(temporary, "wb") as stream:
+        np.savez_compressed(stream, allow_pickle=False, header=np.array(json.dumps(header)), **arrays)
+
+
+def read_npz(path: str | Path, model: Model | None) -> dict[str, Any]:
+    """The fields of a Solution. Raises ModelError if the file is not one or belongs to another model."""
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            header = json.loads(str(data["header"]))
+            if header["format"] != FORMAT:
+                raise ModelError(f"{path} is a saved solution in another format; simulate again")
+            fields: dict[str, Any] = {key: data[key] for key in ARRAYS}
+            fields["energy"] = {key: data[f"energy_{key}"] for key in header["energy"]}
+            fields["outputs"] = {key: data[f"output_{key}"] for key in header["outputs"]}
+        fields |= read_run_header(header, path, model)
+    except ModelError:
+        raise
+    except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, zipfile.BadZipFile) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ModelError(f"{path} is not a saved solution ({reason})") from error
+    return fields
+
+
+def read_stream(path: str | Path, model: Model | None) -> dict[str, Any]:
+    """The fields of a Solution from a stream of whole samples. Raises ModelError."""
+    header = read_header(path)
+    if header.get("outputs"):
+        raise ModelError(f"{path} holds chosen outputs only; read them with runtime.results.stream.read_blocks")
+    blocks = list(read_blocks(path))
+    if not blocks:
+        raise ModelError(f"{path} holds no samples; simulate again")
+    columns = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    fields: dict[str, Any] = {key: columns[key] for key in ARRAYS if key != "parameters"}
+    fields["energy"] = {key.removeprefix("energy_"): values for key, values in columns.items()
+                        if key.startswith("energy_")}
+    return {**fields, "parameters": np.array(header["parameters"], dtype=float), **read_run_header(header, path, model)}
+
+
+def run_header(solution: Samples) -> dict[str, Any]:
+    """What can be said in JSON of the model, the scheme and how the run ended."""
+    model = solution.model
+    return {
+        "model": {
+            **{key: getattr(model, key) for key in NAMES},
+            "groups": [asdict(group) for group in model.groups],
+            "outlines": [list(entry) for entry in model.outlines],
+            "parameters": [asdict(parameter) for parameter in model.parameters],
+            "initial_q": model.initial_q.tolist(), "initial_q_dot": model.initial_q_dot.tolist(),
+            "simulation": dict(model.simulation), "operations": dict(model.operations),
+        },
+        "scheme": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
+        "stats": {key: _plain(value) for key, value in solution.stats.items()}, "status": asdict(solution.status),
+        "events": [asdict(event) for event in solution.events],
+    }
+
+
+def read_run_header(header: dict[str, Any], path: str | Path, model: Model | None) -> dict[str, Any]:
+    """Fields of a Solution from `run_header`'s dictionary. Raises ModelError if it belongs to another model."""
+    recorded = _recorded_model(header["model"])
+    for key in ("coordinates", "q_i", "constraints", "measures"):
+        if model is not None and getattr(model, key) != getattr(recorded, key):
+            raise ModelError(f"{path} belongs to model {recorded.name}, whose {key} differ from those of {model.name}")
+    return {**{key: header[key] for key in ("scheme", "dt", "m", "stats")}, "status": Status(**header["status"]),
+            "events": [Event(**event) for event in header["events"]], "model": model or recorded}
+
+
+def _recorded_model(header: dict[str, Any]) -> Model:
+    """A model with names but without functions."""
+    return Model(
+        **{key: header[key] for key in NAMES}, groups=[Group(**entry) for entry in header["groups"]],
+        outlines=[(body, count) for body, count in header["outlines"]],
+        parameters=[Parameter(**entry) for entry in header["parameters"]],
+        initial_q=np.array(header["initial_q"], dtype=float),
+        initial_q_dot=np.array(header["initial_q_dot"], dtype=float),
+        builders={}, simulation=header["simulation"], operations=header["operations"])
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def table(solution: Samples) -> dict[str, np.ndarray]:
+    """Columns by name: t, coordinates, rates `_dot`, accelerations `_ddot`, `lam.row`, joint forces, the rest."""
+    model = solution.model
+    columns = {"t": solution.t}
+    for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
+        columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
+    columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
+    columns |= {f"{joint}.{part}": solution.joint_forces[:, k, axis] for k, joint in enumerate(model.joints)
+                for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])}
+    columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
+    columns["constraint_error"] = solution.constraint_error
+    columns["constraint_rate_error"] = solution.constraint_rate_error
+    return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
+
+
+def to_csv(solution: Samples, path: str | Path) -> None:
+    """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
+    columns = solution.outputs or table(solution)
+    with replacing(path) as temporary:
+        np.savetxt(temporary, np.column_stack(list(columns.values())), fmt="%.17g", delimiter=",",
+                   header=",".join(columns), comments="", encoding="utf-8")
+
+
+def to_xarray(solution: Samples) -> xarray.Dataset:
+    """Dataset over t with units and names. Raises ImportError naming the extra if xarray is missing."""
+    try:
+        import xarray
+    except ImportError as error:
+        raise ImportError("xarray is not installed; install it with: pip install 'symgen[netcdf]'") from error
+    model = solution.model
+    kinds = (("q", solution.q, 0), ("q_dot", solution.q_dot, 1), ("q_ddot", solution.q_ddot, 2))
+    variables: dict[str, Any] = {}
+    for key, values, order in kinds:
+        units = ", ".join(f"{name}: {unit(name, order)}" for name in model.coordinates)
+        variables[key] = (("t", "coordinate"), values, {"units": units})
+    variables["q_i"] = (("t", "independent"), solution.q_i)
+    variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
+    variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N m"})
+    for key, series in solution.energy.items():
+        variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
+    variables["constraint_error"] = ("t", solution.constraint_error)
+    variables["constraint_rate_error"] = ("t", solution.constraint_rate_error)
+    variables["measures"] = (("t", "measure"), solution.measures)
+    variables["parameters"] = ("parameter", solution.parameters)
+    dataset = xarray.Dataset(
+        variables,
+        coords={"t": ("t", solution.t, {"units": "s"}), "coordinate": _labels(model.coordinates),
+                "independent": _labels(model.q_i), "constraint": _labels(model.constraints),
+                "joint": _labels(model.joints), "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
+                "measure": _labels(model.measures), "parameter": _labels([entry.name for entry in model.parameters])},
+        attrs={"model": model.name, "title": model.title, "scheme": solution.scheme, "dt": solution.dt,
+               "m": np.array(solution.m, dtype=int), "status": str(solution.status)})
+    return dataset
+
+
+def _labels(names: Sequence[str]) -> np.ndarray:
+    return np.array(names, dtype=np.str_ if names else "U1")
+
+
+def to_netcdf(solution: Samples, path: str | Path) -> None:
+    """NetCDF 4 through h5netcdf. Raises ImportError naming the extra, or OutputError."""
+    dataset = to_xarray(solution)
+    for package in ("h5netcdf", "h5py"):  # h5netcdf does not require the library that it writes with
+        if find_spec(package) is None:
+            raise ImportError(f"{package} is not installed; install it with: pip install 'symgen[netcdf]'")
+    empty = [name for name, values in dataset.variables.items() if values.size == 0]
+    with replacing(path) as temporary:
+        dataset.drop_vars(empty).to_netcdf(temporary, engine="h5netcdf")

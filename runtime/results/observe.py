@@ -1,0 +1,101 @@
+"""From saved states of a scheme to a Solution: all coordinates, rates, reactions, energies, constraint error."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields, replace
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.results.reactions import joint_reactions
+from runtime.results.sampling import evaluate
+from runtime.results.solution import Solution
+from runtime.schemes.scheme import Scheme
+
+CLOSED = 1e-12  # constraint error of a sample [mechanism lengths, at least 1 m] beyond which its closure is repeated
+MOST_CLOSURES = 8
+
+
+def observe_samples(model: Model, scheme: Scheme, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
+                    name: str, stats: dict[str, float | int | str], status: Status) -> Solution:
+    """Solution of the samples (N, len(z)) of a scheme's state between major steps."""
+    observed = evaluate(scheme.observer, {"z": samples}, scheme.constants(c))
+    if scheme.closes and model.loop_unknowns:
+        _close_tightly(model, observed, c)
+    q = join(model, observed["q_i"], observed["q_d"])
+    q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])
+    q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])
+    t = observed["t"][:, 0]
+    stats = {**stats, "closure_error": float(samples[-1][scheme.layout.slice("closure_error")][0])}
+    return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
+
+
+def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray) -> None:
+    """More Newton steps for samples whose constraints do not hold to rounding; their rates follow (Eq. 36)."""
+    for _ in range(MOST_CLOSURES):
+        found = evaluate(model.kernel("closure"), observed, c)
+        scale = np.maximum(1.0, np.abs(observed["q_d"]).max(axis=1, initial=0.0))
+        open_ = np.flatnonzero(np.abs(found["C_loop"]).max(axis=1) > CLOSED * scale)
+        if not len(open_) or not np.isfinite(found["q_d_next"][open_]).all():
+            return
+        observed["q_d"][open_] = found["q_d_next"][open_]
+        rows = {name: values[open_] for name, values in observed.items()}
+        observed["q_d_dot"][open_] = evaluate(model.kernel("velocities"), rows, c)["q_d_dot"]
+
+
+def assemble_solution(
+    model: Model, t: np.ndarray, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, p: np.ndarray, c: np.ndarray,
+    name: str, dt: float, m: list[int], stats: dict[str, float | int | str], status: Status,
+) -> Solution:
+    """Solution from full coordinate histories (N, n): what any integrator on the emitted functions can call."""
+    values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
+    energy = {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), values, c).items()}
+    n = len(t)
+    lam, driven, measures = np.zeros((n, 0)), np.zeros(n), np.zeros((n, 0))
+    error, rate_error = np.zeros(n), np.zeros(n)
+    forces = np.zeros((n, 0, 3))
+    if model.constraints:
+        constraint = evaluate(model.derived("constraint_errors", lambda: _constraint_errors(model)), values, c)
+        C_q = evaluate(model.kernel("constraints"), values, c)["C_q"] if model.redundant else np.zeros((n, 0))
+        lam, forces = joint_reactions(model, values, C_q, c)
+        error = np.abs(constraint["C"]).max(axis=1)
+        rate_error = np.abs(constraint["C_dot"]).max(axis=1)
+        driven = np.sum(lam * constraint["C_t"], axis=1)
+    if model.measures:
+        measures = evaluate(model.kernel("measures"), values, c)["measures"]
+    return Solution(model=model, scheme=name, dt=dt, m=list(m), parameters=p, t=t, q_i=q[:, model.independent_columns],
+                    q=q, q_dot=q_dot, q_ddot=q_ddot, lam=lam, energy={**energy, "power_driven": driven},
+                    constraint_error=error, constraint_rate_error=rate_error, measures=measures, joint_forces=forces,
+                    stats=stats, status=status)
+
+
+def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
+    """One Solution from parts that follow each other, perhaps with other q_i: q_i become those of `model`."""
+    arrays: dict[str, Any] = {
+        entry.name: np.concatenate([getattr(part, entry.name) for part in parts]) for entry in fields(Solution)
+        if isinstance(getattr(parts[-1], entry.name), np.ndarray) and entry.name not in ("parameters", "q_i")}
+    energy = {key: np.concatenate([part.energy[key] for part in parts]) for key in parts[-1].energy}
+    return replace(parts[-1], **arrays, energy=energy, model=model, q_i=arrays["q"][:, model.independent_columns])
+
+
+def _constraint_errors(model: Model) -> ca.Function:
+    """(q, q_dot, t, c) -> C, C_t, C_dot = C_q q_dot + C_t."""
+    kernel, n = model.kernel("constraints"), len(model.coordinates)
+    values = {"q": ca.SX.sym("q", n), "q_dot": ca.SX.sym("q_dot", n), "t": ca.SX.sym("t"),
+              "c": ca.SX.sym("c", model.c_size)}
+    found = kernel.call({key: values[key] for key in kernel.name_in()})
+    C_dot = ca.mtimes(found["C_q"], values["q_dot"]) + found["C_t"]
+    return ca.Function("constraint_errors", list(values.values()), [found["C"], found["C_t"], C_dot], list(values),
+                       ["C", "C_t", "C_dot"])
+
+
+def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
+    """(N, n) in coordinate order from (N, n_i) and (N, n_d)."""
+    full = np.zeros((independent.shape[0], len(model.coordinates)))
+    full[:, model.independent_columns] = independent
+    full[:, model.dependent_columns] = dependent
+    return full

@@ -1,0 +1,159 @@
+"""The saved states, forces, energies and measures of a motion, by name, and how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from runtime.contract.model import Model, ModelError
+from runtime.contract.status import Event, Status
+
+STORED = ("kinetic", "elastic", "potential")
+SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error", "constraint_rate_error")
+
+
+@dataclass(repr=False)
+class Samples:
+    """N saved samples of a model with n coordinates, n_i of them independent. SI units throughout.
+
+    t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
+    lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
+    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
+    constraint_rate_error (N,) = max |C_q q_dot + C_t|;
+    measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
+    [N m] of each joint on its body b, at marker b; parameters: the vector p that was used; m: ratio of each next
+    group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
+    sample, "t" first (all other arrays then hold the first and the last sample only).
+    """
+
+    model: Model
+    scheme: str
+    dt: float
+    m: list[int]
+    parameters: np.ndarray
+    t: np.ndarray
+    q_i: np.ndarray
+    q: np.ndarray
+    q_dot: np.ndarray
+    q_ddot: np.ndarray
+    lam: np.ndarray
+    energy: dict[str, np.ndarray]
+    constraint_error: np.ndarray
+    constraint_rate_error: np.ndarray
+    measures: np.ndarray
+    joint_forces: np.ndarray
+    stats: dict[str, float | int | str] = field(default_factory=dict)
+    status: Status = field(default_factory=lambda: Status("completed", 0.0))
+    events: list[Event] = field(default_factory=list)
+    outputs: dict[str, np.ndarray] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return (f"<{type(self).__name__} of {self.model.name}: {self.scheme}, {len(self.t)} samples from "
+                f"{self.t[0]:g} to {self.t[-1]:g} s, {self.status.name}>")
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure by name.
+
+        Raises ModelError for an unknown name.
+        """
+        for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
+            if name.endswith(suffix) and name.removesuffix(suffix) in self.model.coordinates:
+                return values[:, self.model.coordinates.index(name.removesuffix(suffix))]
+        return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
+
+    def rate(self, name: str) -> np.ndarray:
+        """(N,) velocity of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""
+        return self.q_dot[:, self._column(name, self.model.coordinates, "coordinate")]
+
+    def acceleration(self, name: str) -> np.ndarray:
+        """(N,) acceleration of a coordinate [m/s^2, rad/s^2]. Raises ModelError for an unknown name."""
+        return self.q_ddot[:, self._column(name, self.model.coordinates, "coordinate")]
+
+    def multiplier(self, row: str) -> np.ndarray:
+        """(N,) multiplier of a constraint row `joint.row` [N, N m]; the force on q is -C_q^T lam (Eq. 22)."""
+        return self.lam[:, self._column(row, self.model.constraints, "constraint")]
+
+    def joint_force(self, joint: str) -> np.ndarray:
+        """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
+        return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
+
+    def _column(self, name: str, names: Sequence[str], kind: str) -> int:
+        if name not in names:
+            known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)
+            listed = ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
+            raise ModelError(f"model {self.model.name} has no {kind} {name!r}; it has {listed or 'none'}")
+        return list(names).index(name)
+
+    @property
+    def total_energy(self) -> np.ndarray:
+        """(N,) kinetic + elastic + potential energy [J]."""
+        return np.sum([self.energy[key] for key in STORED], axis=0)
+
+    def work(self) -> np.ndarray:
+        """(N,) work done on the system since the first sample [J].
+
+        Integral of power_applied + power_driven - power_dissipated over the saved samples, by the trapezoidal rule
+        with end correction (fourth order for smooth power, any spacing).
+        """
+        power = self.energy["power_applied"] + self.energy["power_driven"] - self.energy["power_dissipated"]
+        if len(self.t) < 2:
+            return np.zeros_like(self.t)
+        h = np.diff(self.t)
+        area = 0.5 * h * (power[1:] + power[:-1])
+        if len(self.t) > 2:
+            area -= h**2 / 12.0 * np.diff(np.gradient(power, self.t, edge_order=2))
+        return np.concatenate([[0.0], np.cumsum(area)])
+
+    def energy_balance(self) -> np.ndarray:
+        """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
+        total = self.total_energy
+        return total - total[:1] - self.work()
+
+    def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
+        """Values between the saved samples at time(s) t [s].
+
+        what: "q" and coordinate names by cubic Hermite polynomials through q and q_dot, "q_i" likewise, "q_dot"
+        through q_dot and q_ddot; "q_ddot", "lam", "measures", "constraint_error" and names of measures and energies
+        linearly. Shape: that of t, then of one sample. Raises ModelError for an unknown name and ValueError for a
+        time outside the saved ones.
+        """
+        times = np.asarray(t, dtype=float)
+        if times.size and not (times.min() >= self.t[0] and times.max() <= self.t[-1]):
+            raise ValueError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
+        values, slopes = self._samples(what)
+        flat = _linear(self.t, values, times.ravel()) if slopes is None or len(self.t) < 2 else \
+            _hermite(self.t, values, slopes, times.ravel())
+        return flat.reshape(times.shape + values.shape[1:])
+
+    def _samples(self, what: str) -> tuple[np.ndarray, np.ndarray | None]:
+        """(values, slopes or None) of a series or a single quantity."""
+        if what in self.model.coordinates:
+            return self[what], self.rate(what)
+        if what in self.energy:
+            return self.energy[what], None
+        if what not in SERIES:
+            return self[what], None
+        columns = self.model.independent_columns
+        slopes = {"q": self.q_dot, "q_dot": self.q_ddot, "q_i": self.q_dot[:, columns]}
+        return getattr(self, what), slopes.get(what)
+
+
+def _linear(t: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
+    if len(t) < 2:
+        return np.repeat(values[:1], len(times), axis=0)
+    k = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    s = ((times - t[k]) / (t[k + 1] - t[k])).reshape(-1, *([1] * (values.ndim - 1)))
+    return (1.0 - s) * values[k] + s * values[k + 1]
+
+
+def _hermite(t: np.ndarray, values: np.ndarray, slopes: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Cubic polynomials with the samples' values and slopes."""
+    k = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    shape = (-1, *([1] * (values.ndim - 1)))
+    h = (t[k + 1] - t[k]).reshape(shape)
+    s = (times - t[k]).reshape(shape) / h
+    left = (1.0 + 2.0 * s) * (1.0 - s) ** 2 * values[k] + s * (1.0 - s) ** 2 * h * slopes[k]
+    right = s**2 * (3.0 - 2.0 * s) * values[k + 1] - s**2 * (1.0 - s) * h * slopes[k + 1]
+    return left + right

@@ -1,0 +1,46 @@
+"""What a simulation leaves, with the files that it can be kept in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from runtime.contract.model import Model
+from runtime.results import export
+from runtime.results.samples import Samples
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(repr=False)
+class Solution(Samples):
+    """Samples that can be saved, loaded and exported."""
+
+    def save(self, path: str | Path) -> None:
+        """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""
+        export.write_npz(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path, model: Model | None = None) -> Solution:
+        """Read what `save` wrote, or the folder of a stream. Without `model` there are names, but no functions.
+
+        A stream of chosen outputs is read by runtime.results.stream.read_blocks instead. Raises ModelError if the file
+        is not a saved solution or belongs to another model.
+        """
+
+        return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
+
+    def to_csv(self, path: str | Path) -> None:
+        """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""
+        export.to_csv(self, path)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A labelled Dataset with units. Raises ImportError naming the extra `netcdf` if xarray is missing."""
+
+        return export.to_xarray(self)
+
+    def to_netcdf(self, path: str | Path) -> None:
+        """A NetCDF file. Raises ImportError naming the extra `netcdf`, or OutputError."""
+        export.to_netcdf(self, path)

@@ -1,0 +1,128 @@
+"""Samples in a folder that grows: header.json and samples.bin, rows of little-endian doubles.
+
+A row is all columns of a sample one after another; the header says how long each is. Rows are appended in blocks. What
+a crash leaves is readable: the rows that are complete, and a header that does not yet say how the run ended.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.files import OutputError, write_text
+from runtime.contract.model import ModelError
+
+FORMAT = "symgen stream 1"
+HEADER, ROWS = "header.json", "samples.bin"
+ROWS_A_BLOCK = 4096
+
+
+class Table:
+    """Rows of columns in memory."""
+
+    def __init__(self, columns: Sequence[tuple[str, Sequence[int]]]) -> None:
+        self.columns = [(name, tuple(shape)) for name, shape in columns]
+        self._blocks: list[np.ndarray] = []
+        self.rows = 0
+
+    @property
+    def width(self) -> int:
+        """Numbers a row."""
+        return sum(int(np.prod(shape, dtype=int)) for _, shape in self.columns)
+
+    def append(self, block: np.ndarray) -> None:
+        """Add rows (N, width)."""
+        self._blocks.append(block)
+        self.rows += len(block)
+
+    def keep(self, rows: int) -> None:
+        """Drop what follows the first rows."""
+        whole = self.all_rows()[:rows].copy()
+        self._blocks, self.rows = [whole], len(whole)
+
+    def all_rows(self) -> np.ndarray:
+        """(rows, width)."""
+        return np.concatenate(self._blocks) if self._blocks else np.zeros((0, self.width))
+
+
+class StreamFile(Table):
+    """Rows of columns in a folder. Raises OutputError where it cannot be written."""
+
+    def __init__(self, folder: str | Path, columns: Sequence[tuple[str, Sequence[int]]], resumed: bool = False) -> None:
+        super().__init__(columns)
+        self.folder = Path(folder)
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            self._file = open(self.folder / ROWS, "r+b" if resumed else "w+b")
+        except OSError as error:
+            raise OutputError(f"{self.folder} cannot take a stream of samples ({error.strerror}); "
+                              "choose another place") from error
+        self.rows = (self.folder / ROWS).stat().st_size // self._row_bytes
+
+    @property
+    def _row_bytes(self) -> int:
+        return 8 * self.width
+
+    def append(self, block: np.ndarray) -> None:
+        """Add rows (N, width); they are handed to the system at once."""
+        self._file.seek(self.rows * self._row_bytes)
+        self._file.write(np.ascontiguousarray(block, dtype="<f8").tobytes())
+        self._file.flush()
+        self.rows += len(block)
+
+    def keep(self, rows: int) -> None:
+        """Drop what follows the first rows."""
+        self._file.truncate(rows * self._row_bytes)
+        self._file.flush()
+        self.rows = rows
+
+    def all_rows(self) -> np.ndarray:
+        """(rows, width), read back."""
+        return np.fromfile(self.folder / ROWS, dtype="<f8").reshape(-1, self.width)
+
+    def write_header(self, header: Mapping[str, Any]) -> None:
+        """Say what is in the rows, and later how the run ended."""
+        columns = [[name, list(shape)] for name, shape in self.columns]
+        write_text(self.folder / HEADER, json.dumps({"format": FORMAT, "columns": columns, **header}))
+
+    def close(self) -> None:
+        """Nothing follows."""
+        self._file.close()
+
+
+def read_header(folder: str | Path) -> dict[str, Any]:
+    """The header of a stream. Raises ModelError if there is none."""
+    try:
+        header = json.loads((Path(folder) / HEADER).read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise ModelError(f"{folder} is not a stream of samples ({error})") from error
+    if not isinstance(header, dict) or header.get("format") != FORMAT:
+        raise ModelError(f"{folder} is a stream in another format; simulate again")
+    return header
+
+
+def read_blocks(folder: str | Path, rows: int = ROWS_A_BLOCK) -> Iterator[dict[str, np.ndarray]]:
+    """Columns by name, "t" first, so many samples at a time: memory stays bounded. Raises ModelError."""
+    columns = [(str(name), tuple(shape)) for name, shape in read_header(folder)["columns"]]
+    width = Table(columns).width
+    try:
+        with open(Path(folder) / ROWS, "rb") as file:
+            while len(data := file.read(8 * width * rows)) >= 8 * width:
+                yield split(np.frombuffer(data[:len(data) // (8 * width) * 8 * width], dtype="<f8"), columns)
+    except OSError as error:
+        raise ModelError(f"{folder} has lost its samples ({error.strerror})") from error
+
+
+def split(values: np.ndarray, columns: Sequence[tuple[str, Sequence[int]]]) -> dict[str, np.ndarray]:
+    """Columns (N, *shape) by name from rows."""
+    table = values.reshape(-1, Table(columns).width)
+    found, first = {}, 0
+    for name, shape in columns:
+        size = int(np.prod(shape, dtype=int))
+        found[name] = table[:, first:first + size].reshape(len(table), *shape)
+        first += size
+    return found

@@ -1,0 +1,70 @@
+"""A scheme's state from one q_i to another: positions and rates exactly, and what the scheme remembers of the past.
+
+Central difference remembers q(t - h) by its increments d = q(t) - q(t - h). A coordinate that takes another's place
+gets the increment that the closure gives for the old increments: exactly the same two positions of the mechanism.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.results.solution import Solution
+from runtime.running.leg import Leg
+from runtime.schemes.central_difference import CentralDifference
+
+COUNTERS = ("closure_error", "iterations", "failures")
+CLOSURES = 6
+
+
+def carried(old: Leg, z: np.ndarray, new: Leg, seen: Solution) -> np.ndarray:
+    """z of the new leg at the state of the old one; seen: that state observed, one sample."""
+    result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z))
+    before, after = old.plan.scheme.layout, new.plan.scheme.layout
+    for name in COUNTERS:
+        result[after.slice(name)] = z[before.slice(name)]
+    stays = np.array([a == b for a, b in zip(old.model.q_i, new.model.q_i, strict=True)])
+    for name in new.plan.scheme.history:
+        values = result[after.slice(name)]
+        result[after.slice(name)] = np.where(stays, z[before.slice(name)], values)
+    if isinstance(new.plan.scheme, CentralDifference):
+        for k in np.flatnonzero(~stays):
+            d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))
+            result[after.slice("d")][k], result[after.slice("a")][k] = d, a
+    return result
+
+
+def _increment(old: Leg, z: np.ndarray, seen: Solution, name: str, h: float) -> tuple[float, float]:
+    """(q(t) - q(t - h), q_ddot(t - h)) of a dependent coordinate of the old leg.
+
+    Coordinates with another step than h are not remembered at t - h; they are taken along their acceleration.
+    """
+    model, layout, scheme = old.model, old.plan.scheme.layout, old.plan.scheme
+    i, column = model.independent_columns, model.coordinates.index(name)
+    d, a = z[layout.slice("d")], z[layout.slice("a")]
+    same = np.isclose(scheme.step_sizes, h, rtol=1e-12)
+    q_i, v, now = seen.q[0][i], seen.q_dot[0], seen.q_ddot[0]
+    earlier = np.where(same, z[layout.slice("x")] - d, q_i - h * v[i] + h**2 / 2 * now[i])
+    earlier_v = np.where(same, d / h - h / 2 * a, v[i] - h * now[i])
+    guess = seen.q[0] - h * v + h**2 / 2 * now
+    t = float(seen.t[0]) - h
+    q_d = closed(model, old.c, t, earlier, guess[model.dependent_columns])
+    values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": old.c, "q_i_ddot": a}
+    values["q_d_dot"] = _called(model, "velocities", values)["q_d_dot"]
+    q_d_ddot = np.asarray(_called(model, "accelerations", values)["q_d_ddot"]).ravel()
+    position = model.q_d.index(name)
+    return float(seen.q[0][column] - q_d[position]), float(q_d_ddot[position])
+
+
+def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
+    """q_d at q_i from a near guess, by Newton until it no longer moves."""
+    for _ in range(CLOSURES):
+        q_d = np.asarray(_called(model, "closure", {"q_i": q_i, "q_d": q_d, "t": t, "c": c})["q_d_next"]).ravel()
+    return q_d
+
+
+def _called(model: Model, name: str, values: dict[str, Any]) -> dict[str, Any]:
+    kernel = model.kernel(name)
+    return dict(kernel(**{key: values[key] for key in kernel.name_in()}))

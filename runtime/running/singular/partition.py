@@ -1,0 +1,56 @@
+"""A better q_i at a position: one coordinate of q_i changes places with a dependent one.
+
+With dq_d = W dq_i, W = -C_qd^-1 C_qi, exchanging q_i[k] and q_d[j] multiplies |det C_qd| by |W_jk|. Coordinates are
+compared as lengths: angles count times the mechanism's length.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.contract.units import mechanism_length, turns
+
+CLEARLY = 3.0  # times larger determinant that is worth an exchange
+LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """The coordinate of q_i that becomes dependent, the one that takes its place, and the gain in |det C_qd|."""
+
+    out: str
+    into: str
+    gain: float
+
+    def apply(self, names: list[str]) -> list[str]:
+        """Names with the one in the other's place."""
+        return [self.into if name == self.out else name for name in names]
+
+
+def best_exchange(model: Model, C_q: np.ndarray, length: float = 0.0) -> Exchange | None:
+    """The exchange of a rigid coordinate that gains most at C_q (rows x coordinates); None if C_qd is singular.
+
+    length [m] of the mechanism elsewhere: the lever arms of C_q alone shrink to nothing where a single rod and the arm
+    that it turns lie in one line, just where an angle is about to determine nothing.
+    """
+    rows = model.kept_rows
+    C_qd, C_qi = C_q[np.ix_(rows, model.dependent_columns)], C_q[np.ix_(rows, model.independent_columns)]
+    try:
+        W = -np.linalg.solve(C_qd, C_qi)
+    except np.linalg.LinAlgError:
+        return None
+    length = max(length, mechanism_length(model, C_q))
+    scale = np.array([length if turns(name) else 1.0 for name in model.coordinates])
+    gains = np.abs(W) * scale[model.dependent_columns][:, None] / scale[model.independent_columns][None, :]
+    gains[[name in model.elastic for name in model.q_d]] = 0.0
+    gains[:, [name in model.elastic for name in model.q_i]] = 0.0
+    if not gains.size or not np.isfinite(gains).all():
+        return None
+    in_loop = np.array([name in model.loop_unknowns for name in model.q_d])
+    preferred = np.where(in_loop[:, None], gains, 0.0)
+    chosen = preferred if preferred.max() >= LIKELY * gains.max() else gains
+    j, k = np.unravel_index(int(chosen.argmax()), chosen.shape)
+    return Exchange(model.q_i[int(k)], model.q_d[int(j)], float(chosen[j, k]))

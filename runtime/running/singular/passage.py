@@ -1,0 +1,187 @@
+"""What a run does when a determinant of the closure becomes small: find the step, then exchange a coordinate of q_i
+where another choice is better, step over the position where none is, or go on where neither is needed.
+
+All of it depends on states only, never on how many steps a native call made, so that runs stay reproducible.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.status import Event, Status
+from runtime.contract.units import mechanism_length
+from runtime.results.solution import Solution
+from runtime.running.leg import Leg
+from runtime.running.singular.carry import COUNTERS, carried
+from runtime.running.singular.crossing import BranchLost, Crossing, Pilot, approach, between, cross
+from runtime.running.singular.guard import LAST, NEAR, Guard
+from runtime.running.singular.partition import CLEARLY, Exchange, best_exchange
+from runtime.running.singular.place import Place
+from runtime.running.singular.variants import NoVariant, variant_of
+from runtime.schemes.options import SchemeError
+
+PILOT = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
+LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
+
+
+@dataclass
+class Outcome:
+    """How a run goes on: at z on a leg (another one after an exchange), with samples of the steps in between.
+
+    drop_from: the first step whose earlier samples do not hold; None: all hold.
+    """
+
+    leg: Leg
+    z: np.ndarray
+    samples: list[np.ndarray]
+    drop_from: int | None = None
+    event: Event | None = None
+    status: Status | None = None
+
+
+def locate(leg: Leg, guard: Guard, earlier: np.ndarray | None, before: np.ndarray,
+           steps: int) -> tuple[np.ndarray, np.ndarray | None, bool]:
+    """(z before the first step that raises the alarm, z one step earlier if there is one, was there an alarm at all?).
+
+    The guard accepts the steps that lead there. Without an alarm z is where the search ended: go on from there.
+    """
+    low_z, previous = before.copy(), None
+    low, high = 0, steps
+    while high - low > 1:
+        middle = (low + high) // 2
+        z = low_z.copy()
+        leg.run(z, middle - low)
+        if guard.alarm(*leg.determinants(z)):
+            high = middle
+        else:
+            guard.accept(*leg.determinants(z))
+            low_z, low = z, middle
+    z = low_z.copy()
+    leg.run(z, 1)
+    if not guard.alarm(*leg.determinants(z)):
+        guard.accept(*leg.determinants(z))
+        return z, None, False
+    for start in (before, earlier):
+        distance = -1 if start is None else leg.step_of(low_z) - 1 - leg.step_of(start)
+        if start is not None and distance >= 0:
+            previous = start.copy()
+            if distance:
+                leg.run(previous, distance)
+            break
+    return low_z, previous, True
+
+
+class Passage:
+    """Looks at a place where the alarm was raised, and decides."""
+
+    def __init__(self, leg: Leg, guard: Guard, legs: list[Leg], engine: str) -> None:
+        self.leg, self.guard, self.legs, self.engine = leg, guard, legs, engine
+        self.place = Place(leg.model, leg.c)
+        self.length = mechanism_length(leg.model, self.place.jacobian(0.0, legs[0].model.initial_q))
+
+    def go_on(self, z: np.ndarray) -> Outcome:
+        """From z, the last state whose determinants were good."""
+        seen = self.leg.observed([self.leg.stepper.state(z)])
+        t, q, v = float(seen.t[0]), seen.q[0], seen.q_dot[0]
+        values, _ = self.place.determinants(t, q, v)
+        if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
+            return self._look_later(z)
+        block = self.guard.worst(values)
+        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q), self.length)
+        if exchange is not None and exchange.gain >= CLEARLY:
+            return self._exchanged(z, seen, exchange)
+        return self._ahead(z, seen, block, abs(float(values[block])))
+
+    def _ahead(self, z: np.ndarray, seen: Solution, block: int, height: float) -> Outcome:
+        """Follow the motion with tight tolerances to see whether it leads to a singular position."""
+        pilot = Pilot(self.leg.model, self.leg.p, self.leg.c)
+        t, y = float(seen.t[0]), pilot.pack(seen.q[0], seen.q_dot[0])
+        largest = float(self.guard.largest[block]) or height
+        near = approach(pilot, t, y, block, min(PILOT * largest, 0.3 * height))
+        if near is None:
+            return self._look_later(z)
+        there = pilot.seen(np.array([near[0]]), near[1][None, :])
+        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]), self.length)
+        if exchange is not None and exchange.gain >= CLEARLY:
+            return self._exchanged(z, seen, exchange)
+        try:
+            crossing = cross(pilot, t, y, block, largest)
+            return self._behind(z, pilot, (t, y), crossing, block, largest)
+        except BranchLost as error:
+            return self._lost("branch_lost", z, f"a singular position lies ahead, and the branch of the motion cannot "
+                              f"be told behind it: {error}", "Start elsewhere, change a length a little, or stop the "
+                              "run before it.")
+
+    # ---- another q_i ----------------------------------------------------------------------------------------
+
+    def _exchanged(self, z: np.ndarray, seen: Solution, exchange: Exchange) -> Outcome:
+        names = exchange.apply(list(self.leg.model.q_i))
+        try:
+            leg = self._leg_with(names, seen.q[0])
+        except (NoVariant, SchemeError) as error:
+            if self.guard.threshold > LAST:
+                return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
+            return self._lost("partition_lost", z, f"{exchange.out} no longer determines the mechanism, "
+                              f"{exchange.into} would", str(error))
+        new = carried(self.leg, z, leg, seen)
+        leg.watch.resume(leg.stepper.state(new), self.leg.watch.memory())
+        event = Event(float(seen.t[0]), "repartition", f"{exchange.into} took the place of {exchange.out} in q_i, "
+                      f"which makes the closure {exchange.gain:.3g} times better determined")
+        return Outcome(leg, new, [], leg.step_of(new) + 1, event)
+
+    def _leg_with(self, names: list[str], q: np.ndarray) -> Leg:
+        """One that the run has had, or a new one. Raises NoVariant or SchemeError."""
+        known = next((leg for leg in self.legs if list(leg.model.q_i) == names), None)
+        if known is not None:
+            return known
+        model = variant_of(self.legs[0].model, names, q)
+        return Leg.build(model, self.leg.plan.on(model), self.leg.p, self.engine, True)
+
+    # ---- over the position ----------------------------------------------------------------------------------
+
+    def _behind(self, z: np.ndarray, pilot: Pilot, before: tuple[float, np.ndarray], crossing: Crossing, block: int,
+                largest: float) -> Outcome:
+        """Samples up to the first step whose determinant is good again, where the scheme starts anew."""
+        plan, first = self.leg.plan, self.leg.step_of(z)
+        samples: list[np.ndarray] = []
+        t, y = before
+        over = crossing.ends(pilot)
+        for step in range(first + 1, min(plan.steps, first + LONGEST_LEAVE) + 1):
+            target = plan.time(step)
+            if over.t[0] < target < over.t[1]:
+                samples.append(self._state(z, *between(over, target), step))
+                continue
+            if t < over.t[1] <= target:
+                t, y = crossing.t, crossing.y
+            t, y = pilot.run(t, y, target)
+            seen = pilot.seen(np.array([t]), y[None, :])
+            samples.append(self._state(z, seen.q[0], seen.q_dot[0], step))
+            height = abs(float(self.place.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
+            if t > crossing.t_s and height > 1.2 * NEAR * largest:
+                break
+        event = Event(crossing.t_s, "singular_position",
+                      f"passed a singular position at t = {crossing.t_s:.9g}; branch kept by continuity, energy to "
+                      f"{abs(crossing.energy_change):.2g} J")
+        self.guard.passed()
+        return Outcome(self.leg, samples[-1].copy(), samples, first + 1, event)
+
+    def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int) -> np.ndarray:
+        result = self.leg.start(q, q_dot, step)
+        layout = self.leg.plan.scheme.layout
+        for name in COUNTERS:
+            result[layout.slice(name)] = z[layout.slice(name)]
+        return result
+
+    # ---- neither --------------------------------------------------------------------------------------------
+
+    def _look_later(self, z: np.ndarray, event: Event | None = None) -> Outcome:
+        """Nothing to be done yet: go on, and look again when the determinant is smaller."""
+        self.guard.lower()
+        return Outcome(self.leg, z, [], None, event)
+
+    def _lost(self, name: str, z: np.ndarray, cause: str, advice: str) -> Outcome:
+        time = self.leg.plan.time(self.leg.step_of(z))
+        assert name in ("partition_lost", "branch_lost")
+        return Outcome(self.leg, z, [], None, None, Status(name, time, None, cause, advice))  # type: ignore[arg-type]

@@ -1,0 +1,43 @@
+"""Numbers of a model along a motion: C_q, and the determinants of the loop blocks with their rates."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+
+
+class Place:
+    """Evaluations on all coordinates q and q_dot of one model with constants c."""
+
+    def __init__(self, model: Model, c: np.ndarray) -> None:
+        self.model, self.c = model, c
+        self._determinants = model.derived("determinants_along", lambda: _determinants(model))
+
+    def jacobian(self, t: float, q: np.ndarray) -> np.ndarray:
+        """C_q (rows x coordinates)."""
+        kernel = self.model.kernel("constraints")
+        values: dict[str, Any] = {"q": q, "q_dot": np.zeros(len(q)), "t": t, "c": self.c}
+        found = kernel(**{name: values[name] for name in kernel.name_in()})["C_q"]
+        return np.asarray(found).reshape(len(self.model.constraints), len(q))
+
+    def determinants(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(determinant of each loop block, its rate [1/s])."""
+        i, d = self.model.independent_columns, self.model.dependent_columns
+        values, rates = self._determinants(t, q[i], q[d], q_dot[i], q_dot[d], self.c)
+        return np.asarray(values).ravel(), np.asarray(rates).ravel()
+
+
+def _determinants(model: Model) -> ca.Function:
+    """(t, q_i, q_d, q_i_dot, q_d_dot, c) -> det_loop and its rate."""
+    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+    q_i, q_d = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("q_d", len(model.q_d))
+    v_i, v_d = ca.SX.sym("v_i", len(model.q_i)), ca.SX.sym("v_d", len(model.q_d))
+    kernel = model.kernel("closure")
+    values = {"q_i": q_i, "q_d": q_d, "t": t, "c": c}
+    found = kernel.call({name: values[name] for name in kernel.name_in()})["det_loop"]
+    rate = ca.jtimes(found, q_i, v_i) + ca.jtimes(found, q_d, v_d) + ca.jtimes(found, t, ca.SX(1))
+    return ca.Function("determinants_along", [t, q_i, q_d, v_i, v_d, c], [found, rate])

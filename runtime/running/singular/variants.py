@@ -1,0 +1,92 @@
+"""Variants of a model: the same scene with other independent coordinates, from a cache or generated on demand.
+
+Generating needs the derivation, which this package does not have: it is found by its entry point `symgen.variants`, or
+handed over with `use_generator`. Without one, runs that need a variant end with the status `partition_lost`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from importlib.metadata import entry_points
+from pathlib import Path
+
+import numpy as np
+
+from runtime.contract.loading import load_model
+from runtime.contract.model import Model, ModelError
+from runtime.engine.compiled import cache_folder
+
+ENTRY_POINTS = "symgen.variants"
+Generate = Callable[..., Path]
+_handed: list[Generate] = []
+
+
+class NoVariant(ModelError):
+    """A variant that cannot be had; the message says why and what to do."""
+
+
+def use_generator(generate: Generate | None) -> None:
+    """Take this function for the one of the entry point; None: take the entry point again.
+
+    generate(scene_toml_text, independent, groups, folder, state=..., redundant=...) writes a model into the folder.
+    """
+    _handed[:] = [] if generate is None else [generate]
+
+
+def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
+    """The model of the same scene with other q_i, group by group in the same places; q: coordinates where it is needed.
+
+    Raises NoVariant.
+    """
+    groups = [(group.name, [q_i[k] for k in group.positions]) for group in model.groups]
+    key = json.dumps([model.digest, list(q_i), groups])
+    folder = cache_folder() / "variants" / hashlib.sha256(key.encode()).hexdigest()[:32]
+    found = _loaded(folder)
+    if found is None:
+        _generate(model, q_i, groups, q, folder)
+        found = load_model(folder)
+    same = ("coordinates", "constraints", "elastic", "measures", "joints")
+    if any(getattr(found, name) != getattr(model, name) for name in same) or list(found.q_i) != list(q_i) or \
+            [entry.name for entry in found.parameters] != [entry.name for entry in model.parameters]:
+        raise NoVariant(f"the variant of {model.name} with q_i = {', '.join(q_i)} does not match the model; "
+                        "regenerate the model with the installed version")
+    return found
+
+
+def _loaded(folder: Path) -> Model | None:
+    try:
+        return load_model(folder)
+    except ModelError:
+        return None
+
+
+def _generate(model: Model, q_i: Sequence[str], groups: Sequence[tuple[str, Sequence[str]]], q: np.ndarray,
+              folder: Path) -> None:
+    generate = _generator()
+    if generate is None or not model.scene_toml:
+        raise NoVariant(f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
+                        "or install symgen beside the runtime, and run again")
+    state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent) as work:
+            made = generate(model.scene_toml, list(q_i), groups, Path(work) / "model", state=state,
+                            redundant=list(model.redundant))
+            folder.mkdir(exist_ok=True)
+            files = sorted(Path(made).iterdir(), key=lambda path: path.name == "manifest.json")  # the manifest last
+            for path in files:
+                path.replace(folder / path.name)
+    except (OSError, ValueError) as error:
+        raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error
+
+
+def _generator() -> Generate | None:
+    if _handed:
+        return _handed[0]
+    for entry in entry_points(group=ENTRY_POINTS):
+        found: Generate = entry.load()
+        return found
+    return None

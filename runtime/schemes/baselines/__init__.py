@@ -1,0 +1,1 @@
+"""Established methods as steps of the same kind: what the schemes are judged against."""

@@ -1,0 +1,205 @@
+"""Generalized-alpha and HHT on the index-3 equations in all coordinates: opponents that do not condense. Order 2.
+
+    M q'' + C_q^T lam = Q*(q, q', t),    C(q, t) = 0    at the end of every step, with Newmark's formulas
+
+    q = q_n + h v_n + h^2 ((1/2 - beta) a_n + beta a),    v = v_n + h ((1 - gamma) a_n + gamma a),
+    (1 - alpha_m) a + alpha_m a_n = (1 - alpha_f) q'' + alpha_f q''_n,
+
+the form of Arnold and Bruls (2007), in which a is an algorithmic acceleration. Unknown are q'' and lam; Newton uses
+the exact tangent of both equations, C being scaled by d q''/ dq = (1 - alpha_m) / (h^2 beta (1 - alpha_f)), so that
+the matrix is [M + O(h), C_q^T; C_q, 0]. The coordinates are eliminated first, the last one first, then the
+multipliers: no pivoting is needed as long as M is positive definite. Where it is not, as for a body whose inertia is
+all about a joint, C_q^T C = 0 is added to the first line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.engine.program import Fields, Program, Sequence, Until
+from runtime.schemes.grid import Grid
+from runtime.schemes.kernels import StepKernels
+from runtime.schemes.options import Options
+from runtime.schemes.scheme import OBSERVED, Scheme
+from runtime.schemes.sparse_lu import Number, factor, solve
+
+START_CLOSURE_ITERATIONS = 4
+USUAL_ITERATIONS = 2
+ROUNDING = 4e-16
+SINGULAR = 1e-10  # smallest over largest pivot of M beyond which M counts as singular
+
+
+@dataclass(frozen=True)
+class Weights:
+    """alpha_m and alpha_f; the others make the method of order 2 with the strongest damping of fast modes."""
+
+    alpha_m: float
+    alpha_f: float
+
+    @property
+    def gamma(self) -> float:
+        """Newmark's gamma."""
+        return 0.5 + self.alpha_f - self.alpha_m
+
+    @property
+    def beta(self) -> float:
+        """Newmark's beta."""
+        return (self.gamma + 0.5) ** 2 / 4
+
+
+class GeneralizedAlpha(Scheme):
+    """Fields: q, v, w = q'', a (algorithmic), lam, all at the end of the last step; w_old during a step."""
+
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        self.order_of_all = [*model.independent_columns, *model.dependent_columns]
+        self.penalised = _singular_mass(model)
+        self.rows = [int(row) for row in model.kept_rows]
+        super().__init__(model, grid, options)
+
+    def weights(self) -> Weights:
+        """Chung and Hulbert's for the option rho_inf."""
+        rho = self.options.rho_inf
+        return Weights((2 * rho - 1) / (rho + 1), rho / (rho + 1))
+
+    memory = ("q", "v", "w", "a")
+    closes = False
+
+    def fields(self) -> dict[str, int]:
+        """See above."""
+        n = len(self.model.coordinates)
+        return {"q": n, "v": n, "w": n, "w_old": n, "a": n, "lam": len(self.rows), "unconverged": 1}
+
+    def program(self) -> Program:
+        """Guess the last accelerations and multipliers, iterate, move."""
+        iteration = self.stage("alpha_iterate", self._iterate)
+        flag = self.layout.slice("unconverged").start
+        return Sequence((self.stage("alpha_begin", self._begin),
+                         Until(iteration, flag, self.options.max_iterations, USUAL_ITERATIONS),
+                         self.stage("alpha_finish", self._finish)))
+
+    def evaluations(self) -> tuple[int, int]:
+        """Of the usual number of iterations; a run counts its own."""
+        return USUAL_ITERATIONS, 0
+
+    def rates(self, z: np.ndarray) -> np.ndarray:
+        """The velocities of q_i."""
+        return np.asarray(z[self.layout.slice("v")][self.model.independent_columns])
+
+    # ---- a step ---------------------------------------------------------------------------------------------
+
+    def _begin(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        return {"w_old": z["w"], "unconverged": ca.SX(1)}
+
+    def _moved(self, z: Fields, w: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """(q, v, a) at the end of the step for q'' = w there."""
+        k = self.weights()
+        a = ((1 - k.alpha_f) * w + k.alpha_f * z["w_old"] - k.alpha_m * z["a"]) / (1 - k.alpha_m)
+        q = z["q"] + h * (z["v"] + h * ((0.5 - k.beta) * z["a"] + k.beta * a))
+        return q, z["v"] + h * ((1 - k.gamma) * z["a"] + k.gamma * a), a
+
+    def _iterate(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        h, n, k = kernels.h[0], len(self.model.coordinates), self.weights()
+        moved_q, moved_v, _ = self._moved(z, z["w"], h)
+        t = self.now(z, kernels) + h
+        per_w = k.beta * (1 - k.alpha_f) / (1 - k.alpha_m) * h**2  # dq / dw
+        v_per_w = k.gamma * (1 - k.alpha_f) / (1 - k.alpha_m) * h
+        q, v = ca.SX.sym("q_end", n), ca.SX.sym("v_end", n)
+        M, C_q, residual, C = self._equations(kernels, q, v, t, z["w"], z["lam"])
+        S = M + per_w * ca.jacobian(residual, q) + v_per_w * ca.jacobian(residual, v)
+        S, C_q, residual, C = ca.substitute([S, C_q, residual, C], [q, v], [moved_q, moved_v])
+        delta, lam = self._saddle(M=S, C_q=C_q, force=-residual, gamma=-C / per_w)
+        w = z["w"] + delta
+        allowed = self.options.eps[0] * ca.norm_inf(w)
+        allowed = allowed + ROUNDING * (ca.norm_inf(z["q"]) / h + ca.norm_inf(z["v"])) / h
+        return {"w": w, "lam": z["lam"] + lam, "unconverged": ca.norm_inf(delta) - allowed,
+                "iterations": z["iterations"] + 1}
+
+    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+        q, v, a = self._moved(z, z["w"], kernels.h[0])
+        return {"q": q, "v": v, "a": a, "x": q[self._independent], "n": z["n"] + 1,
+                "failures": z["failures"] + (z["unconverged"] > 0)}
+
+    @property
+    def _independent(self) -> list[int]:
+        return [int(column) for column in self.model.independent_columns]
+
+    # ---- the equations --------------------------------------------------------------------------------------
+
+    def _equations(self, kernels: StepKernels, q: ca.SX, v: ca.SX, t: ca.SX, w: ca.SX,
+                   lam: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
+        """(M, C_q, M w + C_q^T lam - Q*, C)."""
+        found = kernels.call("augmented", q=q, q_dot=v, t=t)
+        residual = ca.mtimes(found["M"], w) - found["Q_star"]
+        if not self.model.constraints:
+            return found["M"], ca.SX(0, q.numel()), residual, ca.SX(0, 1)
+        C_q, C = found["C_q"][self.rows, :], kernels.call("constraints", q=q, q_dot=v, t=t)["C"][self.rows]
+        return found["M"], C_q, residual + ca.mtimes(C_q.T, lam), C
+
+    def _saddle(self, M: ca.SX, C_q: ca.SX, force: ca.SX, gamma: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """(x, y) of M x + C_q^T y = force, C_q x = gamma; unknowns in the order (y, x), the last eliminated first."""
+        rows, n = C_q.shape
+        if self.penalised:
+            scale = ca.trace(M) / n
+            M, force = M + scale * ca.mtimes(C_q.T, C_q), force + scale * ca.mtimes(C_q.T, gamma)
+        C_q = ca.sparsify(C_q)
+        matrix = ca.blockcat([[ca.SX(rows, rows), C_q], [C_q.T, ca.sparsify(M)]])
+        found = solve(factor(Number(matrix)), Number(ca.densify(ca.vertcat(gamma, force)))).re
+        return found[rows:], found[:rows]
+
+    # ---- start-up and observation ---------------------------------------------------------------------------
+
+    def start(self) -> ca.Function:
+        """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
+        return self.start_function(self._started)
+
+    def _started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> dict[str, ca.SX]:
+        motion = kernels.close(q_i, loop, t0, START_CLOSURE_ITERATIONS)
+        q = self._all(q_i, motion.q_d)
+        v = self._all(q_i_dot, kernels.rates(motion, q_i_dot))
+        found = kernels.call("augmented", q=q, q_dot=v, t=t0)
+        C_q, gamma = ca.SX(0, q.numel()), ca.SX(0, 1)
+        if self.model.constraints:
+            C_q = found["C_q"][self.rows, :]
+            gamma = kernels.call("constraints", q=q, q_dot=v, t=t0)["gamma"][self.rows]
+        w, lam = self._saddle(M=found["M"], C_q=C_q, force=found["Q_star"], gamma=gamma)
+        return {"q": q, "v": v, "w": w, "a": w, "lam": lam}
+
+    def _all(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
+        """A vector in the order of the model's coordinates."""
+        full = ca.SX.zeros(len(self.model.coordinates))
+        for position, column in enumerate(self.order_of_all):
+            n = independent.numel()
+            full[int(column)] = independent[position] if position < n else dependent[position - n]
+        return full
+
+    def observe(self) -> ca.Function:
+        """(z, c) -> OBSERVED between two major steps, as the state holds it: q' satisfies C_q q' + C_t = 0 to h^2."""
+        z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
+        fields, kernels = self.layout.unpack(z), self.kernels(c)
+        dependent = [int(column) for column in self.model.dependent_columns]
+        parts = [fields[name][columns] for name in ("q", "v", "w") for columns in (self._independent, dependent)]
+        return ca.Function("observe", [z, c], [self.now(fields, kernels), *parts], ["z", "c"], list(OBSERVED))
+
+
+class HilberHughesTaylor(GeneralizedAlpha):
+    """The case alpha_m = 0, alpha_f = alpha."""
+
+    def weights(self) -> Weights:
+        """For the option alpha."""
+        return Weights(0.0, self.options.alpha)
+
+
+def _singular_mass(model: Model) -> bool:
+    """Is M of the augmented form singular at the model's own start?"""
+    kernel = model.kernel("augmented")
+    values: dict[str, Any] = {"q": model.initial_q, "q_dot": model.initial_q_dot, "t": 0.0,
+                              "c": model.constants(model.parameter_vector())}
+    M = np.asarray(kernel(**{name: values[name] for name in kernel.name_in()})["M"])
+    scale = 1 / np.sqrt(np.maximum(np.diag(M), 1e-300))
+    return bool(np.diag(M).min() <= 0 or np.linalg.eigvalsh(M * np.outer(scale, scale))[0] < SINGULAR)

@@ -1,0 +1,1 @@
+"""Where a motion starts: rigid, quasi-static, given."""

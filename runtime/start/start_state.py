@@ -1,0 +1,93 @@
+"""The state a run starts from: the model's own, or one with values and parameters changed by the user."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.model import Model
+from runtime.start.quasi_static import quasi_static_state
+
+STARTS = ("given", "quasi_static")
+
+
+def start_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None,
+                start: str | None = None) -> ConsistentState:
+    """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
+
+    changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of STARTS, the scene's
+    own by default; elastic coordinates that the user changed are `given`. Raises InitialStateError.
+    """
+    chosen = start or str(model.simulation.get("start", "given"))
+    if chosen not in STARTS:
+        raise InitialStateError(f"start must be one of {', '.join(STARTS)}, not {chosen!r}")
+    state = _given_state(model, p, c, t0, changes)
+    if chosen == "given" or (start is None and _names_elastic(model, changes or {})):
+        return state
+    return quasi_static_state(model, c, t0, state)
+
+
+def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:
+    return any(name.removesuffix("_dot") in model.elastic for name in changes)
+
+
+def _given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float,
+                 changes: Mapping[str, float] | None) -> ConsistentState:
+    coordinates, rates = _split(model, changes or {})
+    defaults = np.array([parameter.default for parameter in model.parameters])
+    if not changes and t0 == 0 and np.array_equal(p, defaults):
+        return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes))
+    if not model.constraints:
+        q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
+        for k, name in enumerate(model.coordinates):
+            q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
+        return ConsistentState(q, q_dot, {})
+    return _assembled(model, c, t0, coordinates, rates)
+
+
+def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
+    coordinates: dict[str, float] = {}
+    rates: dict[str, float] = {}
+    for name, value in changes.items():
+        if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
+            raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
+        if name in model.coordinates:
+            coordinates[name] = float(value)
+        elif name.endswith("_dot") and name[:-4] in model.coordinates:
+            rates[name[:-4]] = float(value)
+        else:
+            raise InitialStateError(f"model {model.name} has no coordinate {name!r}; it has "
+                                    f"{', '.join(model.coordinates)} (rates end in _dot)")
+    return coordinates, rates
+
+
+def _assembled(model: Model, c: np.ndarray, t0: float, coordinates: dict[str, float],
+               rates: dict[str, float]) -> ConsistentState:
+    kernel = model.kernel("constraints")
+    shape = (len(model.constraints), len(model.coordinates))
+
+    def evaluate(q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        values: dict[str, Any] = {"q": q, "q_dot": np.zeros(shape[1]), "t": t0, "c": c}
+        result = kernel(**{name: values[name] for name in kernel.name_in()})
+        C, C_q, C_t = (np.asarray(result[name]) for name in ("C", "C_q", "C_t"))
+        return C.ravel(), C_q.reshape(shape), C_t.ravel()
+
+    def velocity(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        _, C_q, C_t = evaluate(q)
+        return C_q, -C_t
+
+    independent = {name: model.initial_q[model.coordinates.index(name)] for name in model.q_i}
+    independent_rates = {name: model.initial_q_dot[model.coordinates.index(name)] for name in model.q_i}
+    elastic = frozenset(model.coordinates.index(name) for name in model.elastic)
+    keep = {name: value for name, value in independent.items()
+            if not coordinates or set(coordinates) <= set(model.q_i) or name in model.elastic}
+    keep_rates = {name: value for name, value in independent_rates.items()
+                  if not rates or set(rates) <= set(model.q_i) or name in model.elastic}
+    return consistent_state(
+        model.coordinates, elastic, model.constraints, lambda q: evaluate(q)[:2], velocity,
+        GivenValues({**keep, **coordinates}, frozenset(coordinates)), GivenValues({**keep_rates, **rates},
+                                                                                  frozenset(rates)),
+        guess=model.initial_q)

@@ -1,0 +1,108 @@
+"""What the amplification matrix at a state says: spectral radius, and growth that the equations do not have.
+
+Over a step the equations themselves change, and may make a motion grow (a falling pendulum does). So multipliers of the
+step are compared with those of the exact motion over the same time, which a much finer exponential step gives.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.modes.modes import ModeSolver, State
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.scheme import Scheme
+from runtime.studies.stability.tangent import TangentStep
+
+VANISHED = 0.5  # multipliers below this have no counterpart in the motion that could grow
+FINER = 4  # exact motion: this many exponential steps
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Spectral radius of a major step, and of each mode (ascending) the growth rate [1/s] that the exact motion lacks.
+
+    A negative rate is damping that the equations do not have.
+    """
+
+    radius: float
+    growth: np.ndarray
+
+
+class StepSpectrum:
+    """Spectra of a scheme at states of a model; the step may be changed without building anything anew."""
+
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, exact: ExactMotion | None = None) -> None:
+        self.scheme, self.c = scheme, c
+        self._step = _TangentFrom(scheme, c)
+        self.exact = exact or ExactMotion(model, c)
+
+    def matrix(self, state: State, dt: float) -> np.ndarray:
+        """Amplification matrix of a major step dt started at a state."""
+        return self._step(state, dt, 1)
+
+    def __call__(self, state: State, dt: float) -> Spectrum:
+        """Radius and growth at a state."""
+        exact, matrix = self.exact(state, dt), self.matrix(state, dt)
+        if not np.isfinite(matrix).all():
+            return Spectrum(np.inf, np.full(len(exact) // 2, np.inf))
+        multipliers = np.linalg.eigvals(matrix)
+        size = np.abs(multipliers)
+        # which mode a multiplier belongs to is told by the nearest exact one; aliases fall together
+        nearest = np.abs(multipliers[:, None] - exact[None, :]).argmin(axis=1)
+        growth = np.full(len(exact), -np.inf)
+        for k in np.flatnonzero(size > VANISHED):
+            j = nearest[k]
+            with np.errstate(divide="ignore"):  # an exact multiplier of zero: growth without bound
+                growth[j] = max(growth[j], float(np.log(size[k] / abs(exact[j]))))
+        modes = growth.reshape(-1, 2).max(axis=1)
+        return Spectrum(float(size.max()), np.where(np.isfinite(modes), modes, 0.0) / dt)
+
+
+class ExactMotion:
+    """Multipliers of the exact motion over a time, pairs of a mode together, slow modes first; kept for reuse."""
+
+    def __init__(self, model: Model, c: np.ndarray) -> None:
+        self._step = _TangentFrom(scheme_kind("exponential").build("exponential", model, 1.0, [4], {}), c)
+        self.modes = ModeSolver(model, c)
+        self._found: dict[tuple[float, float], np.ndarray] = {}
+
+    def __call__(self, state: State, dt: float) -> np.ndarray:
+        """Multipliers over dt from a state."""
+        key = (state.t, dt)
+        if key not in self._found:
+            matrix = self._step(state, dt / FINER, FINER)
+            values = np.linalg.eigvals(matrix) if np.isfinite(matrix).all() else np.ones(len(matrix))
+            values = values[np.argsort(-np.abs(values))][:2 * self.modes.n]  # memory beyond the motion vanishes
+            frozen = self.modes(state).eigenvalues
+            frozen = frozen[np.argsort(np.abs(frozen), kind="stable")]
+            self._found[key] = values[_matched(np.exp(frozen * dt), values)]
+        return self._found[key]
+
+
+def _matched(wanted: np.ndarray, found: np.ndarray) -> list[int]:
+    """For each wanted value the nearest found one that is not taken yet."""
+    left, order = list(range(len(found))), []
+    for value in wanted:
+        best = min(left, key=lambda k: abs(found[k] - value))
+        left.remove(best)
+        order.append(best)
+    return order
+
+
+class _TangentFrom:
+    """Amplification matrix of several major steps from a state."""
+
+    def __init__(self, scheme: Scheme, c: np.ndarray) -> None:
+        self.c, self.scheme, self._tangent = c, scheme, TangentStep(scheme)
+
+    def __call__(self, state: State, dt: float, steps: int) -> np.ndarray:
+        c = self.scheme.constants(self.c, dt)
+        z = np.asarray(self.scheme.starter(state.t, state.q_i, state.q_i_dot, state.loop, c)).ravel()
+        matrix = np.eye(len(self._tangent.columns))
+        for _ in range(steps):
+            z, step = self._tangent(z, c)
+            matrix = step @ matrix
+        return matrix

@@ -1,0 +1,142 @@
+"""A method ready to be run at any step size: built and compiled once, timed without its first call."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import ceil, prod
+from typing import Any
+
+import numpy as np
+
+from runtime.results.sampling import evaluate
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.stepper import Stepper
+from runtime.studies.work_precision.problem import Problem
+
+SAMPLES = 200  # at most so many states of a run are compared with the reference
+REPEATS = (5, 100)  # at least, at most
+ENOUGH = 0.03  # s: repeats last this long together; a single run that does is timed once
+HOPELESS = 1.0  # relative error from which a run counts as failed
+
+
+@dataclass(frozen=True)
+class Spec:
+    """A method by name with m and options; `label` is what reports call it."""
+
+    scheme: str
+    m: tuple[int, ...] | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def label(self) -> str:
+        """The name, with m and options where they were chosen."""
+        ratios = f" m={','.join(map(str, self.m))}" if self.m else ""
+        return self.scheme + ratios + "".join(f" {_word(name, value)}" for name, value in self.options.items())
+
+
+def _word(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else f"{name}={value[0] if isinstance(value, tuple) else value}"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One run: steps of dt [s], CPU seconds, evaluations, error (worst graded coordinate), and how it ended."""
+
+    label: str
+    dt: float
+    steps: int
+    seconds: float
+    evaluations: int
+    error: float
+    end_error: float
+    errors: np.ndarray
+    failure: str = ""
+
+
+class Contender:
+    """A method on a problem."""
+
+    def __init__(self, spec: Spec, problem: Problem, engine: str = "auto") -> None:
+        self.spec, self.problem = spec, problem
+        kind = scheme_kind(spec.scheme)
+        self.scheme = kind.build(spec.scheme, problem.model, 1.0, list(spec.m) if spec.m else None, spec.options)
+        self._stepper = Stepper(self.scheme, engine)
+        self._observe = self.scheme.observe()
+
+    @property
+    def operations(self) -> int:
+        """Of a major step."""
+        return self._stepper.operations
+
+    @cached_property
+    def sub_steps(self) -> int:
+        """Sub-steps of the fastest group in a major step."""
+        return prod(self.scheme.grid.m)
+
+    def run(self, steps: int) -> Trial:
+        """The whole problem in so many major steps: sampled for its error, then timed."""
+        problem = self.problem
+        dt = problem.t_end / steps
+        z0, ready = self._started(dt)
+        states, seconds = self._sampled(z0, ready, steps)
+        per_step, partial = self.scheme.evaluations()
+        iterations = int(np.nan_to_num(states[-1][self.scheme.layout.slice("iterations")][0]))
+        evaluations = (iterations or steps * per_step) + steps * partial
+        if not np.isfinite(states[-1]).all():
+            return self._failed(dt, steps, seconds, evaluations, "not finite")
+        seen = self._seen(states, dt)
+        rms, end = problem.errors(seen["t"][:, 0], seen["q_i"])
+        if not rms.max() < HOPELESS:
+            return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
+        if states[-1][self.scheme.layout.slice("failures")][0] > 0:
+            return self._failed(dt, steps, seconds, evaluations, "iteration failed")
+        seconds = self._timed(z0, ready, steps, seconds)
+        return Trial(self.spec.label, dt, steps, seconds, evaluations, float(rms.max()), float(end.max()), rms)
+
+    def observed(self, steps: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
+        """(what a run in so many steps shows at its samples, the model's constants)."""
+        dt = self.problem.t_end / steps
+        states, _ = self._sampled(*self._started(dt), steps)
+        return self._seen(states, dt), self.problem.c
+
+    def _seen(self, states: list[np.ndarray], dt: float) -> dict[str, np.ndarray]:
+        return evaluate(self._observe, {"z": np.array(states)}, self.scheme.constants(self.problem.c, dt))
+
+    def _started(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
+        problem, state = self.problem, self.problem.state
+        return (self._stepper.start(0.0, state.q, state.q_dot, problem.c, dt), self._stepper.ready(problem.c, dt))
+
+    def _sampled(self, z0: np.ndarray, ready: np.ndarray, steps: int) -> tuple[list[np.ndarray], float]:
+        z, states, spent, every = z0.copy(), [self._stepper.state(z0).copy()], 0.0, max(1, ceil(steps / SAMPLES))
+        done = 0
+        while done < steps:
+            n = min(every, steps - done)
+            began = time.process_time()
+            self._stepper.run(z, ready, n)
+            spent += time.process_time() - began
+            done += n
+            states.append(self._stepper.state(z).copy())
+            if not np.isfinite(z).all():
+                break
+        return states, spent
+
+    def _timed(self, z0: np.ndarray, ready: np.ndarray, steps: int, first: float) -> float:
+        if first > ENOUGH:
+            return first
+        best, total = np.inf, 0.0
+        for repeat in range(REPEATS[1]):
+            if repeat >= REPEATS[0] and total > ENOUGH:
+                break
+            z = z0.copy()
+            began = time.process_time()
+            self._stepper.run(z, ready, steps)
+            spent = time.process_time() - began
+            best, total = min(best, spent), total + spent
+        return float(best)
+
+    def _failed(self, dt: float, steps: int, seconds: float, evaluations: int, why: str) -> Trial:
+        nothing = np.full(len(self.problem.graded), np.nan)
+        return Trial(self.spec.label, dt, steps, seconds, evaluations, np.inf, np.inf, nothing, why)

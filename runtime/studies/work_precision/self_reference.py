@@ -1,0 +1,88 @@
+"""A reference path by compiled one-step methods refined until they agree with themselves: fast, for choosing a method.
+
+It is no judge of the methods that made it; reports take an independent solver (reference_path.py).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from math import ceil
+
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.model import Model
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.stepper import Stepper
+from runtime.studies.work_precision.reference_path import NoReference
+
+MARGIN = 30.0  # the path is this much more accurate than the tolerance asked for
+FIRST_STEPS, SAMPLES = 64, 50
+OUT_OF_RANGE = 1e100  # m or rad: a motion that leaves for good
+METHODS = (("exponential", [2]), ("dop853", None))
+
+
+class TooLong(NoReference):
+    """The motion is too long for the time allowed."""
+
+
+class OneStepPath:
+    """q_i at any times, by steps of at most `step` that end there."""
+
+    def __init__(self, model: Model, c: np.ndarray, state: ConsistentState, method: str, m: list[int] | None) -> None:
+        self.c, self.state = c, state
+        self._stepper = Stepper(scheme_kind(method).build(method, model, 1.0, m, {}))
+        self.step = np.inf
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        """(N, n) at ascending times from 0 on."""
+        layout = self._stepper.scheme.layout
+        z = self._stepper.start(0.0, self.state.q, self.state.q_dot, self.c, 1.0)
+        t0, n, x = (layout.slice(name) for name in ("t0", "n", "x"))
+        rows, reached, ready, last = [], 0.0, None, 0.0
+        for t in times:
+            if t > reached:
+                steps = max(1, ceil((t - reached) / self.step * (1 - 1e-9)))
+                dt = (t - reached) / steps
+                if ready is None or abs(dt - last) > 1e-12 * dt:
+                    ready, last = self._stepper.ready(self.c, dt), dt
+                z[t0], z[n] = reached, 0.0  # the clock of a scheme counts steps of one size
+                self._stepper.run(z, ready, steps)
+                reached = float(t)
+            rows.append(z[x].copy())
+        return np.array(rows)
+
+
+def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float,
+                   seconds: float) -> Callable[[np.ndarray], np.ndarray]:
+    """A path that does not change by more than tolerance / MARGIN when its step is halved.
+
+    Raises TooLong if that takes longer than `seconds`, NoReference if no method gets there.
+    """
+    times, late = np.linspace(0.0, t_end, SAMPLES + 1), False
+    for method, m in METHODS:
+        if method == "exponential" and not model.has("dQ_hat_dq_i"):
+            continue
+        path = OneStepPath(model, c, state, method, m)
+        path.step, previous = t_end / FIRST_STEPS, None
+        began = time.perf_counter()
+        while time.perf_counter() - began < seconds:
+            values = path(times)
+            if not np.isfinite(values).all() or np.abs(values).max() > OUT_OF_RANGE:
+                previous = None
+            else:
+                late = True
+                if previous is not None and _distance(values, previous) < tolerance / MARGIN:
+                    return path
+                previous = values
+            path.step /= 2
+    if late:
+        raise TooLong("the motion is too long for the time allowed")
+    raise NoReference(f"no path of {t_end:g} s stays finite, however small its steps: is the motion unstable?")
+
+
+def _distance(values: np.ndarray, previous: np.ndarray) -> float:
+    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
+    off = np.sqrt(np.mean((values - previous) ** 2, axis=0))
+    return float((off / np.where(spread > 0, spread, 1.0)).max())

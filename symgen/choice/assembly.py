@@ -1,0 +1,74 @@
+"""The scene's constraints as numbers at default parameters, and the consistent initial state."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from symgen.algebra.parameters import ParameterTable
+from symgen.choice.elimination import constraint_jacobian
+from symgen.scene import Scene, SceneError
+from symgen.system.equations import Equations
+
+SINGULAR = 1e-6  # sine of the angle between the first and the last axis of Euler angles
+
+
+class ConstraintNumbers:
+    """C, C_q and C_t of all rows at a position and a time, with default parameters."""
+
+    def __init__(self, equations: Equations, table: ParameterTable) -> None:
+        rows = equations.constraints
+        outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(constraint_jacobian(equations)),
+                   ca.densify(ca.vertcat(*(row.C_t for row in rows)))]
+        self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, table.vector()], outputs)
+        self._defaults = np.array([entry.default for entry in table.entries])
+        self._shape = (len(rows), len(equations.names))
+
+    def position(self, q: np.ndarray, t: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+        """(C, C_q)."""
+        C, C_q, _ = self._function(q, t, self._defaults)
+        return np.asarray(C).ravel(), np.asarray(C_q).reshape(self._shape)
+
+    def velocity(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(C_q, nu) at t = 0."""
+        _, C_q, C_t = self._function(q, 0.0, self._defaults)
+        return np.asarray(C_q).reshape(self._shape), -np.asarray(C_t).ravel()
+
+
+def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) -> ConsistentState:
+    """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
+    places = scene.places()
+    placed, children = {place.joint for place in places}, {place.child for place in places}
+    following = frozenset(k for k, name in enumerate(equations.names)
+                          if name.partition(".")[0] in children and k not in equations.elastic_columns)
+    try:
+        state = consistent_state(
+            equations.names, equations.elastic_columns, [row.label for row in equations.constraints],
+            numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates),
+            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]), equations.joint_columns,
+            [k for k, row in enumerate(equations.constraints) if row.joint in placed], following)
+    except InitialStateError as error:
+        problem, _, remedy = str(error).rpartition("; ")
+        raise SceneError("initial", problem or remedy, remedy if problem else "check parameters") from error
+    _require_regular_angles(scene, equations.names, state.q)
+    return state
+
+
+def _given(entries: dict) -> GivenValues:
+    values = {name: float(getattr(entry, "value", entry)) for name, entry in entries.items()}
+    fixed = frozenset(name for name, entry in entries.items() if getattr(entry, "fixed", False))
+    return GivenValues(values, fixed)
+
+
+def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> None:
+    """Raise SceneError for Euler angles that start where their first and last axis coincide."""
+    for body in scene.moving_bodies:
+        if f"{body.name}.theta2" not in names:
+            continue
+        sequence, middle = getattr(body, "orientation", ""), q[names.index(f"{body.name}.theta2")]
+        if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
+            raise SceneError(
+                f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
+                "first and the last turn about the same axis",
+                'start at another angle, choose another sequence, or use orientation = "euler_parameters"')

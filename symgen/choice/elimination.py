@@ -1,0 +1,225 @@
+"""Which coordinates are dependent: pivots chosen along the structure first, numerically for loops (Eqs. 29-31).
+
+A structural pivot is a coordinate that enters a constraint row with a constant coefficient, so it is solved in
+closed form at every position (a joint that is linear in a body's R_o). Only rows without one - loop closures -
+need Newton; their unknowns are chosen by pivoting on the remaining Jacobian at the initial state. Eliminating a
+coordinate whose coefficient is constant can never divide by a vanishing sine.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field
+
+import casadi as ca
+import numpy as np
+
+from symgen.scene import Scene, SceneError
+from symgen.system.equations import Equations
+
+PIVOT_THRESHOLD = 0.1  # of the largest entry: lets a later body's coordinate be dependent rather than the crank's
+RANK_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class Choice:
+    """q_d in the order it is computed: loop unknowns first, then structural (row, column) pairs.
+
+    redundant: rows that the others imply at every position; nothing is solved from them.
+    """
+
+    structural: list[tuple[int, int]]
+    loop_rows: list[int]
+    loop_columns: list[int]
+    independent: list[int]
+    dependent: list[int] = field(default_factory=list)
+    redundant: list[int] = field(default_factory=list)
+
+
+def structural_pivots(equations: Equations, scene: Scene,
+                      left_out: frozenset[int] = frozenset()) -> tuple[list[tuple[int, int]], list[int]]:
+    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
+    distance = body_distances(scene)
+    column_distance = {c: distance.get(body, 0) for body, columns in equations.body_columns.items() for c in columns}
+    keep = _user_independent(equations, scene)
+    joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
+                   for joint in scene.joints}
+    rows = sorted((r for r in range(len(equations.constraints)) if r not in left_out),
+                  key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r))
+    depends_on: dict[int, set[int]] = {}
+    pairs: list[tuple[int, int]] = []
+    loops: list[int] = []
+    for row in rows:
+        entries = equations.constraints[row].C_q
+        candidates = [c for c, value in entries.items() if value.is_constant() and c not in depends_on
+                      and c not in equations.elastic_columns and c not in keep
+                      and not _reaches(depends_on, set(entries) - {c}, c)]
+        if not candidates:
+            loops.append(row)
+            continue
+        column = max(candidates, key=lambda c: (column_distance.get(c, 0), -c))
+        depends_on[column] = set(entries) - {column}
+        pairs.append((row, column))
+    return _evaluation_order(pairs, depends_on), sorted(loops)
+
+
+def _evaluation_order(pairs: list[tuple[int, int]], depends_on: dict[int, set[int]]) -> list[tuple[int, int]]:
+    ordered: list[tuple[int, int]] = []
+    waiting, done = list(pairs), set()
+    while waiting:
+        ready = [pair for pair in waiting if all(c in done for c in depends_on[pair[1]] if c in depends_on)]
+        ordered += ready
+        done |= {column for _, column in ready}
+        waiting = [pair for pair in waiting if pair not in ready]
+    return ordered
+
+
+def _reaches(depends_on: dict[int, set[int]], start: set[int], target: int) -> bool:
+    """Does anything in `start` depend, directly or not, on `target`?"""
+    stack, seen = list(start), set()
+    while stack:
+        column = stack.pop()
+        if column == target:
+            return True
+        if column not in seen:
+            seen.add(column)
+            stack += depends_on.get(column, ())
+    return False
+
+
+def _body(reference: str) -> str:
+    return reference.split(".")[0]
+
+
+def body_distances(scene: Scene) -> dict[str, int]:
+    """Number of joints between each body and the ground (bodies that float come last)."""
+    neighbours: dict[str, list[str]] = {}
+    for joint in scene.joints:
+        a, b = _body(joint.marker_a), _body(joint.marker_b)
+        neighbours.setdefault(a, []).append(b)
+        neighbours.setdefault(b, []).append(a)
+    grounds = {body.name for body in scene.bodies if body.type == "ground"} | {"ground"}
+    distance: dict[str, int] = {name: 0 for name in grounds}
+    for root in [*grounds, *(body.name for body in scene.bodies)]:
+        if root not in distance:
+            distance[root] = 1
+        queue = deque([root])
+        while queue:
+            body = queue.popleft()
+            for other in neighbours.get(body, ()):
+                if other not in distance:
+                    distance[other] = distance[body] + 1
+                    queue.append(other)
+    return distance
+
+
+def _user_independent(equations: Equations, scene: Scene) -> set[int]:
+    chosen = scene.partition.independent
+    return {equations.names.index(name) for name in chosen} if chosen else set()
+
+
+def dependent_rows(equations: Equations, structural: list[tuple[int, int]], loop_rows: list[int],
+                   jacobian: np.ndarray) -> list[int]:
+    """Loop rows of C_q (rows x columns) that depend on the others at this position, by pivoting on scaled rows."""
+    free = _free_columns(equations, structural)
+    rigid = [k for k, c in enumerate(free) if c not in equations.elastic_columns]
+    elastic = [k for k, c in enumerate(free) if c in equations.elastic_columns]
+    pairs = _pivot(_reduce(jacobian, structural, loop_rows, free), rigid, elastic, _row_scales(jacobian, loop_rows))
+    picked = {row for row, _ in pairs}
+    return [row for k, row in enumerate(loop_rows) if k not in picked]
+
+
+def choose_loops(equations: Equations, scene: Scene, structural: list[tuple[int, int]], loop_rows: list[int],
+                 jacobian: np.ndarray, redundant: list[int]) -> Choice:
+    """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
+
+    loop_rows: independent rows, without the `redundant` ones. Raises SceneError when the user's q_i cannot be
+    independent.
+    """
+    free = _free_columns(equations, structural)
+    reduced = _reduce(jacobian, structural, loop_rows, free)
+    keep = _user_independent(equations, scene)
+    rigid = [k for k, c in enumerate(free) if c not in keep and c not in equations.elastic_columns]
+    elastic = [k for k, c in enumerate(free) if c not in keep and c in equations.elastic_columns]
+    picked = [column for _, column in _pivot(reduced, rigid, elastic, _row_scales(jacobian, loop_rows))]
+    if len(picked) < len(loop_rows):
+        _refuse(equations, reduced, loop_rows)
+    loop_columns = sorted(free[k] for k in picked)
+    independent = [c for c in free if c not in loop_columns]
+    if scene.partition.independent and keep != set(independent):
+        _refuse_choice(equations, keep, independent)
+    if keep:
+        independent = [equations.names.index(name) for name in scene.partition.independent or []]
+    dependent = loop_columns + [column for _, column in structural]
+    return Choice(structural, loop_rows, loop_columns, independent, dependent, redundant)
+
+
+def _free_columns(equations: Equations, structural: list[tuple[int, int]]) -> list[int]:
+    columns = {column for _, column in structural}
+    return [c for c in range(len(equations.names)) if c not in columns]
+
+
+def _row_scales(jacobian: np.ndarray, rows: list[int]) -> np.ndarray:
+    """Largest entry of each row of C_q: what is left of a row is judged against it."""
+    return np.abs(jacobian[rows]).max(axis=1, initial=0.0)
+
+
+def _reduce(jacobian: np.ndarray, structural: list[tuple[int, int]], rows: list[int], free: list[int]) -> np.ndarray:
+    """Loop rows of C_q after substituting the structural pivots."""
+    work = jacobian.astype(float).copy()
+    for row, column in reversed(structural):
+        for target in rows:
+            factor = work[target, column] / work[row, column]
+            if factor != 0:
+                work[target] -= factor * work[row]
+    return work[np.ix_(rows, free)]
+
+
+def _pivot(matrix: np.ndarray, rigid: list[int], elastic: list[int], scales: np.ndarray) -> list[tuple[int, int]]:
+    """(row, column) of a nonsingular block, rigid columns first, the last acceptable one preferred.
+
+    A row whose entries fall below RANK_TOLERANCE of its scale depends on those picked before and is passed over.
+    """
+    work, rows, pairs = matrix.copy(), list(range(matrix.shape[0])), []
+    for pool in (list(rigid), list(elastic)):
+        while rows and pool:
+            block = np.abs(work[np.ix_(rows, pool)])
+            block[block <= RANK_TOLERANCE * scales[rows, None]] = 0.0
+            largest = block.max()
+            if largest == 0.0:
+                break
+            good = [k for k in range(len(pool)) if block[:, k].max() >= PIVOT_THRESHOLD * largest]
+            line = block[:, good[-1]]
+            column = pool.pop(good[-1])
+            row = rows.pop(int(np.flatnonzero(line >= (1 - RANK_TOLERANCE) * line.max())[0]))
+            for other in rows:
+                work[other] -= work[other, column] / work[row, column] * work[row]
+            pairs.append((row, column))
+    return pairs
+
+
+def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int]) -> None:
+    left = np.linalg.svd(reduced)[0][:, -1] if reduced.size else np.ones(len(rows))
+    names = sorted({equations.constraints[row].joint for row, weight in zip(rows, left, strict=True)
+                    if abs(weight) > 1e-6})
+    raise SceneError("partition.independent", "the constraints cannot be solved for the remaining coordinates "
+                     f"at the initial state (loop of {', '.join(names)})",
+                     "choose other independent coordinates or leave the choice to symgen")
+
+
+def _refuse_choice(equations: Equations, keep: set[int], independent: list[int]) -> None:
+    missing = sorted(set(independent) - keep)
+    surplus = sorted(keep - set(independent))
+    text = [f"{equations.names[c]} must be independent too" for c in missing]
+    text += [f"{equations.names[c]} is determined by the joints" for c in surplus]
+    raise SceneError("partition.independent", "; ".join(text), f"the scene has {len(independent)} degrees of freedom: "
+                     f"for instance {', '.join(equations.names[c] for c in independent)}")
+
+
+def constraint_jacobian(equations: Equations) -> ca.SX:
+    """C_q as a dense-shaped SX matrix (rows x coordinates)."""
+    matrix = ca.SX(len(equations.constraints), len(equations.names))
+    for row, constraint in enumerate(equations.constraints):
+        for column, value in constraint.C_q.items():
+            matrix[row, column] = value
+    return matrix

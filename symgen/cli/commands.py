@@ -1,0 +1,30 @@
+"""The whole command line. Nothing heavy is imported here: `symgen --help` answers at once."""
+
+from __future__ import annotations
+
+import argparse
+from importlib.metadata import PackageNotFoundError, version
+
+from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability
+from symgen.cli.arguments import Parser
+
+COMMANDS = (new, listing, show, generate, simulate, resume, animate, stability, advise, reporting, demo)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The whole command line; each subcommand's module adds itself."""
+    root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
+                  "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
+                  "2 wrong input, 130 interrupted.")
+    root.add_argument("--version", action="version", version=f"symgen {_version()}")
+    subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for module in COMMANDS:
+        module.add(subparsers)
+    return root
+
+
+def _version() -> str:
+    try:
+        return version("symgen")
+    except PackageNotFoundError:
+        return "(not installed)"

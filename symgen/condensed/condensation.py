@@ -1,0 +1,157 @@
+"""Condensation to independent coordinates along the structure (Eqs. 29-38).
+
+Every dependent acceleration is one substitution  x_d'' = sum e_j x_j'' + c.  With S collecting the e and s the c,
+M_hat = S^T M S and Q_hat = S^T (Q* - M s). Neither S nor an inverse is ever formed: M_hat comes from one congruence
+per substitution (tip to root, which is the composite-body recursion for a chain), Q_hat from one sweep out and one
+back. Loop closures are solved block by block and then are substitutions like any other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
+from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
+from symgen.choice.elimination import Choice
+from symgen.condensed.loops import Loops, ReducedRow, order_blocks, solve_block
+from symgen.system.equations import Equations, matrix_times
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """x_d' = sum e_j x_j' + c_velocity and x_d'' = sum e_j x_j'' + c_acceleration (Eqs. 36, 35)."""
+
+    column: int
+    e: Row
+    c_velocity: ca.SX
+    c_acceleration: ca.SX
+
+
+@dataclass(frozen=True)
+class Condensed:
+    """A system with its substitutions, in the order of evaluation (independent coordinates to the tips)."""
+
+    equations: Equations
+    choice: Choice
+    substitutions: list[Substitution]
+    loops: Loops
+
+    def dependent_velocities(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """q_dot of every coordinate from q_i_dot (Eq. 36)."""
+        return self._sweep(independent, [s.c_velocity for s in self.substitutions])
+
+    def accelerations(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """q_ddot of every coordinate from q_i_ddot (Eq. 35)."""
+        return self._sweep(independent, [s.c_acceleration for s in self.substitutions])
+
+    def tangent(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
+        """S v: the virtual displacement of every coordinate that goes with v of q_i (Eq. 29)."""
+        return self._sweep(independent, [ca.SX(0)] * len(self.substitutions))
+
+    def _sweep(self, independent: Mapping[int, ca.SX], constants: list[ca.SX]) -> dict[int, ca.SX]:
+        values = dict(independent)
+        for substitution, constant in zip(self.substitutions, constants, strict=True):
+            total = constant
+            for column, factor in substitution.e.items():
+                if column in values:
+                    total = add(total, mul(factor, values[column]))
+            if not total.is_zero():
+                values[substitution.column] = total
+        return values
+
+    def M_hat(self) -> ca.SX:
+        """S^T M S (Eq. 38), dense n_i x n_i."""
+        M = [dict(row) for row in self.equations.M]
+        for substitution in reversed(self.substitutions):
+            congruence(M, substitution.column, substitution.e)
+        independent = self.choice.independent
+        columns = [M[row].get(column, ZERO) for column in independent for row in independent]
+        return ca.densify(ca.reshape(ca.vertcat(*columns), len(independent), len(independent)))
+
+    def generalised_force(self, accelerations: Mapping[int, ca.SX]) -> ca.SX:
+        """S^T (Q* - M x'') for the x'' that `accelerations` of some q_i imply: Q_hat when they are all zero.
+
+        With the slow accelerations given, it is the right-hand side of a sub-step (Eq. 64) without forming
+        M_hat_SL.
+        """
+        eq = self.equations
+        inertia = matrix_times(eq.M, self.accelerations(accelerations))
+        force = {column: sub(eq.Q_star[column], inertia.get(column, ZERO)) for column in range(len(eq.names))}
+        return self.project(force)
+
+    def project(self, force: Row) -> ca.SX:
+        """S^T force: a generalised force on q as one on q_i."""
+        work = dict(force)
+        for substitution in reversed(self.substitutions):
+            value = work.pop(substitution.column, ZERO)
+            if not value.is_zero():
+                add_scaled(work, value, substitution.e)
+        return ca.densify(ca.vertcat(*(work.get(column, ZERO) for column in self.choice.independent)))
+
+
+def congruence(M: list[Row], d: int, e: Row) -> None:
+    """M <- E^T M E for x_d = sum e_j x_j, in place; row and column d vanish."""
+    row = M[d]
+    M[d] = {}
+    M_dd = row.pop(d, ZERO)
+    for column in row:
+        M[column].pop(d, None)
+    carried = {j: add(row.get(j, ZERO), mul(e_j, M_dd)) for j, e_j in e.items()}
+    for i, e_i in e.items():
+        for j, value in row.items():
+            if j not in e:
+                _add_symmetric(M, i, j, mul(e_i, value))
+        for j, e_j in e.items():
+            if i <= j:
+                _add_symmetric(M, i, j, add(mul(e_i, carried[j]), mul(e_j, row.get(i, ZERO))))
+
+
+def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
+    add_to(M[i], j, value)
+    if i != j and j in M[i]:
+        M[j][i] = M[i][j]
+
+
+def condense(equations: Equations, choice: Choice) -> Condensed:
+    """Substitutions for every dependent coordinate of the choice."""
+    structural = [_structural(equations, row, column) for row, column in choice.structural]
+    rows = _reduced_rows(equations, choice, structural)
+    entries = {row: reduced.entries for row, reduced in rows.items()}
+    loops = Loops(order_blocks(choice.loop_rows, choice.loop_columns, entries), rows)
+    return Condensed(equations, choice, _loop_substitutions(loops) + structural, loops)
+
+
+def _structural(equations: Equations, row: int, column: int) -> Substitution:
+    constraint = equations.constraints[row]
+    pivot = constraint.C_q[column]
+    e = {c: div(neg(value), pivot) for c, value in constraint.C_q.items() if c != column}
+    return Substitution(column, e, div(neg(constraint.C_t), pivot), div(constraint.gamma, pivot))
+
+
+def _reduced_rows(equations: Equations, choice: Choice, structural: list[Substitution]) -> dict[int, ReducedRow]:
+    """Loop rows of C_q, nu and gamma in the coordinates that are not structurally eliminated."""
+    result = {}
+    for row in choice.loop_rows:
+        constraint = equations.constraints[row]
+        entries, nu, gamma = dict(constraint.C_q), neg(constraint.C_t), constraint.gamma
+        for substitution in reversed(structural):
+            factor = entries.pop(substitution.column, None)
+            if factor is not None:
+                add_scaled(entries, factor, substitution.e)
+                nu = sub(nu, mul(factor, substitution.c_velocity))
+                gamma = sub(gamma, mul(factor, substitution.c_acceleration))
+        result[row] = ReducedRow(nonzero(entries), nu, gamma)
+    return result
+
+
+def _loop_substitutions(loops: Loops) -> list[Substitution]:
+    """x_block'' = U^-1 (gamma - R x''): each block is solved whole, so that only a singular position is singular."""
+    substitutions = []
+    for block in loops.blocks:
+        e, c_velocity, c_acceleration = solve_block(block, loops)
+        substitutions += [Substitution(column, e[column], c_velocity[k], c_acceleration[k])
+                          for k, column in enumerate(block.columns)]
+    return substitutions

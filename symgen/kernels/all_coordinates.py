@@ -1,0 +1,109 @@
+"""Kernels in all coordinates q: constraints, augmented form, reactions, energies, measures (Eqs. 20-28, 37)."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, to_matrix
+from symgen.choice.elimination import constraint_jacobian
+from symgen.condensed.condensation import Condensed
+from symgen.condensed.loops import solve_transposed
+from symgen.joints.instance import ConstraintRow
+from symgen.kernels.kernel import Kernel
+from symgen.system.equations import Equations, matrix_times
+
+
+def constraints(system: Condensed) -> Kernel:
+    """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    outputs = {"C": ca.vertcat(*(row.C for row in eq.constraints)), "C_q": constraint_jacobian(eq),
+               "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
+               "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
+               "gamma": ca.vertcat(*(row.gamma for row in eq.constraints))}
+    return Kernel(inputs, outputs)
+
+
+def augmented(system: Condensed) -> Kernel:
+    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and the constraints' right-hand side of Eq. (28), all coordinates.
+
+    gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
+    """
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    outputs = {"M": to_matrix(eq.M), "K": to_matrix(eq.K), "Q_v": ca.vertcat(*eq.Q_v), "Q_F": ca.vertcat(*eq.Q_F),
+               "Q_star": ca.vertcat(*eq.Q_star)}
+    if eq.constraints:
+        outputs["C_q"] = constraint_jacobian(eq)
+        outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))
+    return Kernel(inputs, outputs)
+
+
+def _stabilised(eq: Equations, row: ConstraintRow) -> ca.SX:
+    alpha, beta = eq.baumgarte
+    rate = row.C_t + sum((value * eq.q_dot[column] for column, value in row.C_q.items()), ca.SX(0))
+    return row.gamma - 2 * alpha * rate - beta**2 * row.C
+
+
+def reactions(system: Condensed) -> Kernel:
+    """lam from the rows of the dependent coordinates (Eq. 37), solved along the structure, and joint forces.
+
+    lam_R: multipliers of redundant rows, which no equation determines; those of the other rows follow from them.
+    joint_forces (3 or 6 x joints): world force [N] and moment [N m] of each joint on its body b, at marker b.
+    """
+    eq, choice = system.equations, system.choice
+    q_ddot = ca.SX.sym("q_ddot", len(eq.names))
+    inertia = matrix_times(eq.M, {c: q_ddot[c] for c in range(len(eq.names))})
+    force = {c: eq.Q_star[c] - inertia.get(c, ca.SX(0)) for c in range(len(eq.names))}
+    lam_R = ca.SX.sym("lam_R", len(choice.redundant))
+    given = {row: lam_R[k] for k, row in enumerate(choice.redundant)}
+    for row, value in given.items():
+        for column, factor in eq.constraints[row].C_q.items():
+            force[column] = force[column] - factor * value
+    lam = _loop_reactions(system, force) if choice.loop_rows else {}
+    for row, column in reversed(choice.structural):
+        rest = force[column]
+        for other, value in lam.items():
+            if column in eq.constraints[other].C_q:
+                rest = rest - eq.constraints[other].C_q[column] * value
+        lam[row] = rest / eq.constraints[row].C_q[column]
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
+    inputs |= {"lam_R": lam_R, "t": eq.t} if given else {"t": eq.t}
+    lam |= given
+    forces = ca.SX(max((len(row.on_b) for row in eq.constraints), default=3), len(eq.joints))
+    for row, constraint in enumerate(eq.constraints):
+        if not constraint.joint:
+            continue
+        for axis, factor in enumerate(constraint.on_b):
+            column = eq.joints.index(constraint.joint)
+            forces[axis, column] = forces[axis, column] - factor * lam[row]
+    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))),
+                           "joint_forces": forces})
+
+
+def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
+    """U^T lam_loop = the force on the loop unknowns after all structural coordinates are substituted."""
+    choice = system.choice
+    structural = [s for s in system.substitutions if s.column not in choice.loop_columns]
+    work = dict(force)
+    for substitution in reversed(structural):
+        value = work.pop(substitution.column)
+        for column, factor in substitution.e.items():
+            work[column] = work[column] + factor * value
+    return solve_transposed(system.loops.blocks, system.loops.entries(), work)
+
+
+def energy(system: Condensed) -> Kernel:
+    """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    return Kernel(inputs, {"kinetic": eq.kinetic(), "elastic": eq.elastic, "potential": eq.potential,
+                           "power_dissipated": eq.dissipated, "power_applied": eq.applied})
+
+
+def measures(system: Condensed) -> Kernel:
+    """The scene's measures and their rates, in scene order."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    values = list(eq.measures.values())
+    return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})

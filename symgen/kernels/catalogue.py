@@ -1,0 +1,170 @@
+"""The functions a model offers, as SX kernels in independent and dependent coordinates (Eqs. 20-39).
+
+Argument order everywhere: q_i, q_d, q_i_dot, q_d_dot, [extra], t, then p (c once hoisted). Hoisting drops what a
+kernel does not use. q_i follows the partition, q_d the scene's coordinate order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+import casadi as ca
+
+from symgen.algebra.rows import Row
+from symgen.choice.partition import Group
+from symgen.condensed.condensation import Condensed
+from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
+from symgen.condensed.loops import solve_forward
+from symgen.kernels.all_coordinates import augmented, constraints, energy, measures, reactions
+from symgen.kernels.arguments import Arguments, arguments_of
+from symgen.kernels.drawing import drawing
+from symgen.kernels.jacobians import jacobian_kernels
+from symgen.kernels.kernel import Kernel
+from symgen.scene import Scene
+
+
+def build_kernels(
+    system: Condensed, scene: Scene, named_groups: list[Group], wanted: frozenset[str] | None = None
+) -> dict[str, Kernel]:
+    """All kernels of a system with its groups, slow to fast. `wanted` limits them by name."""
+    arguments = arguments_of(system)
+    groups = [group.positions for group in named_groups]
+    builders: dict[str, Callable[[], Kernel]] = {
+        "condensed": lambda: _condensed(system, arguments),
+        "closure": lambda: _closure(system, arguments),
+        "velocities": lambda: _velocities(system, arguments),
+        "accelerations": lambda: _accelerations(system, arguments),
+        "constraints": partial(constraints, system),
+        "augmented": partial(augmented, system),
+        "reactions": partial(reactions, system),
+        "energy": partial(energy, system),
+        "measures": partial(measures, system),
+        "drawing": lambda: drawing(system.equations),
+    }
+    for name, build in jacobian_kernels(system, arguments).items():
+        builders[name] = build
+    if is_tree(system, scene):
+        builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
+    if len(groups) > 1:
+        builders["blocks"] = partial(_blocks, system, arguments, named_groups)
+    for level in range(1, len(groups)):
+        builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
+    chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
+    kernels = {name: build() for name, build in chosen.items()}
+    return {name: kernel for name, kernel in kernels.items()
+            if any(output.numel() for output in kernel.outputs.values())}
+
+
+def _column(arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:
+    entries = [values.get(c, ca.SX(0)) for c in arguments.dependent]
+    return ca.densify(ca.vertcat(*entries)) if entries else ca.SX(0, 1)
+
+
+def _independent(system: Condensed, vector: ca.SX) -> dict[int, ca.SX]:
+    return {column: vector[k] for k, column in enumerate(system.choice.independent)}
+
+
+def _condensed(system: Condensed, a: Arguments) -> Kernel:
+    """M_hat and Q_hat (Eq. 38)."""
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    M_hat = system.M_hat()
+    for k, column in enumerate(system.choice.independent):
+        if M_hat[k, k].is_zero():
+            raise NoInertia(column)
+    return Kernel(inputs, {"M_hat": M_hat, "Q_hat": system.generalised_force({})})
+
+
+def _forward_dynamics(system: Condensed, scene: Scene, a: Arguments) -> Kernel:
+    """q_i_ddot of a tree by topology-ordered elimination, O(N)."""
+    found = tree_accelerations(system, scene)
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(found[c] for c in system.choice.independent)))})
+
+
+def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:
+    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39); long names get an underscore."""
+    M_hat, Q_hat = system.M_hat(), system.generalised_force({})
+    between = "" if all(len(group.name) == 1 for group in groups) else "_"
+    outputs = {f"M_hat_{row.name}{between}{column.name}": M_hat[row.positions, column.positions]
+               for row in groups for column in groups}
+    outputs |= {f"Q_hat_{group.name}": Q_hat[group.positions] for group in groups}
+    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), outputs)
+
+
+def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:
+    """M_hat of the groups from `level` on, and their right-hand side with slower accelerations given (Eq. 64)."""
+    slow = [k for group in groups[:level] for k in group]
+    fast = [k for group in groups[level:] for k in group]
+    q_L_ddot = ca.SX.sym("q_L_ddot", len(slow))
+    given = {system.choice.independent[k]: q_L_ddot[position] for position, k in enumerate(slow)}
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_L_ddot=q_L_ddot)
+    M_hat, force = system.M_hat(), system.generalised_force(given)
+    return Kernel(inputs, {"M_hat_SS": M_hat[fast, fast], "rhs_S": force[fast]})
+
+
+def _closure(system: Condensed, a: Arguments) -> Kernel:
+    """One Newton step on the loop unknowns, then q_d in closed form (Eq. 31).
+
+    C_loop: the loop rows before the step; det_loop: the determinant of each block that the step solves.
+    """
+    eq, choice = system.equations, system.choice
+    position = _placed(system, a)
+    outputs = {"q_d_next": position}
+    if choice.loop_rows:
+        guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
+        old, new = _replacement(system, guess)
+        places = [(row, column) for row in choice.loop_rows for column in choice.loop_columns
+                  if column in system.loops.rows[row].entries]
+        values = [system.loops.rows[row].entries[column] for row, column in places]
+        residual = ca.vertcat(*(eq.constraints[row].C for row in choice.loop_rows))
+        flat = ca.substitute([residual, *values], [old], [new])
+        C = [flat[0][k] + 0 for k in range(len(choice.loop_rows))]
+        U: dict[int, Row] = {row: {} for row in choice.loop_rows}
+        for (row, column), value in zip(places, flat[1:], strict=True):
+            U[row][column] = value + 0
+        step, determinants = solve_forward(system.loops.blocks, U, dict(zip(choice.loop_rows, C, strict=True)))
+        x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
+        loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
+        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C),
+                   "det_loop": ca.vertcat(*determinants)}
+    return Kernel(a.select("q_i", "q_d"), outputs)
+
+
+def _structural_positions(system: Condensed, known: dict[int, ca.SX]) -> dict[int, ca.SX]:
+    """Closed forms of the structural coordinates: each row is solved for its pivot, in order of evaluation."""
+    eq = system.equations
+    values = dict(known)
+    for row, column in system.choice.structural:
+        constraint = eq.constraints[row]
+        involved = [c for c in constraint.C_q if c != column]
+        old = ca.vertcat(eq.q[column], *(eq.q[c] for c in involved))
+        new = ca.vertcat(0, *(values[c] for c in involved))
+        rest = ca.substitute(constraint.C, old, new)
+        values[column] = -rest / constraint.C_q[column]
+    return values
+
+
+def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca.SX]:
+    columns = [column for _, column in system.choice.structural]
+    if not columns:
+        return ca.SX.sym("none", 0), ca.SX(0, 1)
+    return (ca.vertcat(*(system.equations.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
+
+
+def _placed(system: Condensed, a: Arguments) -> ca.SX:
+    known = {c: system.equations.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
+    return _column(a, _structural_positions(system, known))
+
+
+def _velocities(system: Condensed, a: Arguments) -> Kernel:
+    """q_d_dot (Eq. 36)."""
+    values = system.dependent_velocities(_independent(system, a.q_i_dot))
+    return Kernel(a.select("q_i", "q_d", "q_i_dot"), {"q_d_dot": _column(a, values)})
+
+
+def _accelerations(system: Condensed, a: Arguments) -> Kernel:
+    """q_d_ddot (Eq. 35)."""
+    values = system.accelerations(_independent(system, a.q_i_ddot))
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_i_ddot=a.q_i_ddot)
+    return Kernel(inputs, {"q_d_ddot": _column(a, values)})

@@ -1,0 +1,110 @@
+"""What a scene consists of, and its accessors; nothing here is checked across parts."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
+from symgen.scene.errors import SceneError, did_you_mean
+from symgen.scene.expressions import Expression, parse_expression
+from symgen.scene.fields import Meaning, Model, Name, Quantity, Text
+from symgen.scene.flexible import FlexibleBody, FlexibleMarker
+from symgen.scene.joints import Joint
+from symgen.scene.loads import Load
+from symgen.scene.measures import Measure
+from symgen.scene.modal import ModalBody, ModalMarker
+from symgen.scene.parameters import Parameter
+from symgen.scene.places import Place, joint_places
+from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
+from symgen.scene.structure import Structure
+
+AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | FlexibleBody
+AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
+Body = Annotated[AnyBody, Field(discriminator="type")]
+
+
+class SceneParts(Model):
+    """The parts of a scene: each sound by itself. `Scene` adds the checks across them."""
+
+    name: Name
+    title: Text = ""
+    description: Text = ""
+    space: Literal["planar", "spatial"] = "planar"
+    gravity: Annotated[tuple[Quantity, ...], Meaning("acceleration of gravity, (x, y) or (x, y, z)", "m/s^2")] = (
+        0.0,
+        0.0,
+    )
+    parameters: dict[Name, Parameter] = Field(default_factory=dict)
+    bodies: tuple[Body, ...] = ()
+    joints: tuple[Joint, ...] = ()
+    loads: tuple[Load, ...] = ()
+    measures: tuple[Measure, ...] = ()
+    structure: Structure | None = None
+    partition: Partition = Partition()
+    initial: Initial = Initial()
+    simulation: Simulation = Simulation()
+    baumgarte: Baumgarte | None = None
+
+    @property
+    def ground(self) -> GroundBody:
+        """The ground, also when the scene does not mention it."""
+        return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
+
+    @property
+    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | FlexibleBody, ...]:
+        """All bodies but the ground, in the scene's order."""
+        return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
+
+    def body(self, name: str) -> AnyBody:
+        """The body of that name ("ground" included); raises SceneError."""
+        for body in (self.ground, *self.moving_bodies):
+            if body.name == name:
+                return body
+        known = ["ground", *(body.name for body in self.moving_bodies)]
+        raise SceneError("bodies", f"there is no body '{name}'", did_you_mean(name, known))
+
+    def marker(self, reference: str) -> tuple[AnyBody, AnyMarker]:
+        """The body and the marker behind "body.marker", implicit markers included; raises SceneError."""
+        name, _, marker = reference.partition(".")
+        body = self.body(name)
+        markers: dict[str, AnyMarker] = {**body.implicit_markers(), **body.markers}
+        if marker not in markers:
+            raise SceneError(f"body '{name}'", f"it has no marker '{marker}'", did_you_mean(marker, markers))
+        return body, markers[marker]
+
+    def coordinates(self) -> list[str]:
+        """The names of the coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
+        if self.structure is not None:
+            return list(self.structure.coordinates)
+        names = [
+            f"{body.name}.{part}"
+            for body in self.moving_bodies
+            for part in (*self.frame_coordinates(body), *(f"q{k + 1}" for k in range(body.nf)))
+        ]
+        return names + [name for place in self.places() for name in place.coordinates]
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return 3 if self.space == "spatial" else 2
+
+    def frame_coordinates(self, body: AnyBody) -> tuple[str, ...]:
+        """The names of R_o and of the orientation of a body's frame."""
+        if self.space == "planar":
+            return ("x", "y", "theta")
+        angles = getattr(body, "orientation", "zyx") != "euler_parameters"
+        return ("x", "y", "z", *(("theta1", "theta2", "theta3") if angles else ("e0", "e1", "e2", "e3")))
+
+    def places(self) -> list[Place]:
+        """The joints that orient a body by coordinates of their own, in scene order (spatial scenes)."""
+        return joint_places(self.moving_bodies, self.joints) if self.space == "spatial" else []
+
+    def parameter_defaults(self) -> dict[str, float]:
+        """Parameter names and their default values, in SI units."""
+        return {name: parameter.default for name, parameter in self.parameters.items()}
+
+    def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
+        """Parse a quantity that may use the parameters and ``extra_names`` ("t"); raises SceneError."""
+        return parse_expression(text, frozenset((*self.parameters, *extra_names)), item)

@@ -1,0 +1,90 @@
+"""The equations of the whole system in all coordinates q: M, Q*, C, C_q, C_t, gamma, energies (Eqs. 20-28).
+
+Sparse rows of CasADi SX, put together from the scene's bodies, joints and loads. Nothing is condensed here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_to
+from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
+from symgen.joints.instance import ConstraintRow
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Polyline that shows a body: world points as lists of two or three SX."""
+
+    body: str
+    points: list[list[ca.SX]]
+
+
+@dataclass
+class Equations:
+    """Eqs. (20)-(28) of a scene. Columns follow `names`; M is symmetric with both triangles stored.
+
+    Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
+    joint_columns: coordinates of joints; at_rest: coordinates that are not zero where nothing is said (e0 = 1).
+    """
+
+    names: list[str]
+    q: list[ca.SX]
+    q_dot: list[ca.SX]
+    t: ca.SX
+    M: list[Row]
+    K: list[Row]
+    Q_v: list[ca.SX]
+    Q_F: list[ca.SX]
+    constraints: list[ConstraintRow]
+    elastic: ca.SX = field(default_factory=lambda: ca.SX(0))
+    potential: ca.SX = field(default_factory=lambda: ca.SX(0))
+    dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
+    applied: ca.SX = field(default_factory=lambda: ca.SX(0))
+    measures: dict[str, ca.SX] = field(default_factory=dict)
+    elastic_columns: frozenset[int] = frozenset()
+    body_columns: dict[str, list[int]] = field(default_factory=dict)
+    joint_columns: frozenset[int] = frozenset()
+    at_rest: dict[int, float] = field(default_factory=dict)
+    outlines: list[Outline] = field(default_factory=list)
+    baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
+
+    @cached_property
+    def Q_star(self) -> list[ca.SX]:
+        """Q_v - K q + Q_F, per coordinate."""
+        springs = matrix_times(self.K, dict(enumerate(self.q)))
+        return [add(sub(Q_v, springs.get(row, ZERO)), Q_F)
+                for row, (Q_v, Q_F) in enumerate(zip(self.Q_v, self.Q_F, strict=True))]
+
+    @property
+    def joints(self) -> list[str]:
+        """Names of the joints, in the order of their first constraint row."""
+        return list(dict.fromkeys(row.joint for row in self.constraints if row.joint))
+
+    def kinetic(self) -> ca.SX:
+        """1/2 q_dot^T M q_dot."""
+        momenta = [total(mul(value, self.q_dot[column]) for column, value in entries.items()) for entries in self.M]
+        return dot(self.q_dot, momenta) / 2
+
+
+def blank_equations(names: list[str]) -> Equations:
+    """Equations of these coordinates with nothing in them yet."""
+    q = [ca.SX.sym(name) for name in names]
+    q_dot = [ca.SX.sym(f"{name}_dot") for name in names]
+    n = len(names)
+    return Equations(names, q, q_dot, ca.SX.sym("t"), [{} for _ in q], [{} for _ in q], [ZERO] * n, [ZERO] * n, [])
+
+
+def matrix_times(rows: list[Row], vector: Mapping[int, ca.SX]) -> Row:
+    """rows @ vector for a sparse vector, as a sparse vector."""
+    result: Row = {}
+    for row, entries in enumerate(rows):
+        for column, value in entries.items():
+            if column in vector:
+                add_to(result, row, mul(value, vector[column]))
+    return result
+
