@@ -13,8 +13,12 @@ from benchmarks.page import as_json, as_markdown, with_sections
 from benchmarks.result import Benchmark, Skipped
 
 BENCHMARKS: dict[str, Benchmark] = {
-    "step_slider_crank": step_slider_crank.run, "rhs_chain": rhs_chain.run, "generation": generation.run,
-    "rhs_pinocchio": rhs_pinocchio.run, "operations": operations.run, "iftomm": iftomm.run,
+    "step_slider_crank": step_slider_crank.run,
+    "rhs_chain": rhs_chain.run,
+    "generation": generation.run,
+    "rhs_pinocchio": rhs_pinocchio.run,
+    "operations": operations.run,
+    "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
@@ -47,12 +51,23 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("--only", action="append", choices=list(BENCHMARKS), metavar="NAME",
-                        help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})")
-    parser.add_argument("--out", type=Path, default=Path("out/benchmarks"), metavar="DIR",
-                        help="folder for results.json and results.md (default: %(default)s)")
-    parser.add_argument("--publish", action="store_true",
-                        help="also write docs/benchmarks.md; with --only, the other sections stay")
+    parser.add_argument(
+        "--only",
+        action="append",
+        choices=list(BENCHMARKS),
+        metavar="NAME",
+        help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})",
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("out/benchmarks"),
+        metavar="DIR",
+        help="folder for results.json and results.md (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--publish", action="store_true", help="also write docs/benchmarks.md; with --only, the other sections stay"
+    )
     return parser
 
 

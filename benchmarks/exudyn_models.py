@@ -81,34 +81,51 @@ class Cable:
         container = core.SystemContainer()
         mbs = container.AddSystem()
         ground = mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=mbs.AddObject(items.ObjectGround())))
-        hub = mbs.AddNode(items.NodeRigidBody2D(referenceCoordinates=[L1 / 2, 0, 0],
-                                                initialVelocities=[0, SPEED * L1 / 2, SPEED]))
-        crank = mbs.AddObject(items.ObjectRigidBody2D(nodeNumber=hub, physicsMass=M1,
-                                                      physicsInertia=J1 - M1 * (L1 / 2) ** 2))
-        root, tip = (mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=crank, localPosition=[x, 0, 0]))
-                     for x in (-L1 / 2, L1 / 2))
+        hub = mbs.AddNode(
+            items.NodeRigidBody2D(referenceCoordinates=[L1 / 2, 0, 0], initialVelocities=[0, SPEED * L1 / 2, SPEED])
+        )
+        crank = mbs.AddObject(
+            items.ObjectRigidBody2D(nodeNumber=hub, physicsMass=M1, physicsInertia=J1 - M1 * (L1 / 2) ** 2)
+        )
+        root, tip = (
+            mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=crank, localPosition=[x, 0, 0]))
+            for x in (-L1 / 2, L1 / 2)
+        )
         nodes = [mbs.AddNode(self._node(items, k)) for k in range(self.elements + 1)]
         for pair in zip(nodes, nodes[1:], strict=False):
-            mbs.AddObject(items.ObjectANCFCable2D(
-                nodeNumbers=list(pair), physicsLength=L2 / self.elements, physicsMassPerLength=LINE_MASS,
-                physicsBendingStiffness=BENDING_STIFFNESS, physicsAxialStiffness=AXIAL_STIFFNESS))
+            mbs.AddObject(
+                items.ObjectANCFCable2D(
+                    nodeNumbers=list(pair),
+                    physicsLength=L2 / self.elements,
+                    physicsMassPerLength=LINE_MASS,
+                    physicsBendingStiffness=BENDING_STIFFNESS,
+                    physicsAxialStiffness=AXIAL_STIFFNESS,
+                )
+            )
         mbs.AddObject(items.ObjectMassPoint2D(nodeNumber=nodes[-1], physicsMass=M3))
         start = mbs.AddMarker(items.MarkerNodePosition(nodeNumber=nodes[0]))
         mbs.AddObject(items.RevoluteJoint2D(markerNumbers=[ground, root]))
         mbs.AddObject(items.RevoluteJoint2D(markerNumbers=[tip, start]))
-        fixed = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()),
-                                                         coordinate=0))
+        fixed = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
         height = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=nodes[-1], coordinate=1))
         mbs.AddObject(items.CoordinateConstraint(markerNumbers=[fixed, height]))
-        sensor = mbs.AddSensor(items.SensorNode(nodeNumber=nodes[self.elements // 2], storeInternal=True,
-                                                outputVariableType=core.OutputVariableType.Position))
+        sensor = mbs.AddSensor(
+            items.SensorNode(
+                nodeNumber=nodes[self.elements // 2],
+                storeInternal=True,
+                outputVariableType=core.OutputVariableType.Position,
+            )
+        )
         mbs.Assemble()
         return container, mbs, sensor
 
     def _node(self, items: Any, k: int) -> Any:
         s = k / self.elements
-        return items.NodePoint2DSlope1(referenceCoordinates=[L1 + s * L2, 0, 1, 0], initialCoordinates=stretch(s * L2),
-                                       initialVelocities=[0, SPEED * L1 * (1 - s), 0, -SPEED * L1 / L2])
+        return items.NodePoint2DSlope1(
+            referenceCoordinates=[L1 + s * L2, 0, 1, 0],
+            initialCoordinates=stretch(s * L2),
+            initialVelocities=[0, SPEED * L1 * (1 - s), 0, -SPEED * L1 / L2],
+        )
 
     def middle(self, t_end: float, steps: int, period: float) -> tuple[np.ndarray, np.ndarray]:
         """(times, positions of the rod's middle) every `period` seconds, or every step. Raises RuntimeError."""
@@ -137,7 +154,8 @@ class Cable:
         settings.solution.sensors.writePeriod = period or t_end
         settings.linearSolver.reuseAnalyzedPattern = self.sparse
         settings.linearSolver.solverType = (
-            core.LinearSolverType.EigenSparse if self.sparse else core.LinearSolverType.EXUdense)
+            core.LinearSolverType.EigenSparse if self.sparse else core.LinearSolverType.EXUdense
+        )
         integration = settings.timeIntegration
         integration.endTime, integration.numberOfSteps, integration.verboseMode = t_end, steps, 0
         integration.newton.useModifiedNewton = self.modified_newton

@@ -30,9 +30,20 @@ REFERENCE, REFERENCE_STEPS, OWN_STEPS = Cable(32), 20_000, 40_000
 CHECKS = ((Cable(16), 20_000), (Cable(32), 10_000), (Cable(4), 20_000))  # elements or steps halved, few elements
 GOAL = 0.01
 FEWEST, MOST, FINENESS, ROUNDS = 40, 16_000, 4, 7
-CABLES = (Cable(4), Cable(4, sparse=True), Cable(4, newton_tolerance=1e-6), Cable(4, newton_tolerance=1e-5), Cable(6),
-          Cable(6, sparse=True), Cable(6, rho_inf=0.9), Cable(6, modified_newton=False), Cable(8),
-          Cable(8, sparse=True), Cable(8, sparse=True, newton_tolerance=1e-6), Cable(16, sparse=True))
+CABLES = (
+    Cable(4),
+    Cable(4, sparse=True),
+    Cable(4, newton_tolerance=1e-6),
+    Cable(4, newton_tolerance=1e-5),
+    Cable(6),
+    Cable(6, sparse=True),
+    Cable(6, rho_inf=0.9),
+    Cable(6, modified_newton=False),
+    Cable(8),
+    Cable(8, sparse=True),
+    Cable(8, sparse=True, newton_tolerance=1e-6),
+    Cable(16, sparse=True),
+)
 REMARK = """\
 Crank {l1} m, rod {l2} m, {width} m square, {speed:g} rad/s at crank angle 0, running freely for {t_end} s without
 gravity or damping. The rod starts straight, stretched as the rotation stretches it: started unstretched, Exudyn's
@@ -87,25 +98,36 @@ def run() -> Result:
     with workplace() as folder:
         model, set_up = _set_up(folder)
         initial = stretched(model)
-        own, unstiffened = (_spline(_ours(one, initial, "rk4", None, OWN_STEPS))
-                            for one in (model, model_of(slider_crank(stiffening=False), folder)))
+        own, unstiffened = (
+            _spline(_ours(one, initial, "rk4", None, OWN_STEPS))
+            for one in (model, model_of(slider_crank(stiffening=False), folder))
+        )
         times = np.arange(0.0, T_END, PERIOD)
         exudyn, ours = _cables(), _schemes(model, initial)
-        lines = [Line("reference, change with half the elements", changes[0], "m"),
-                 Line("reference, change with half the steps", changes[1], "m"),
-                 Line("four elements less reference", changes[2], "m", note="both with small steps"),
-                 Line("converged modal model less reference", _off((times, own(times)), exact), "m",
-                      note="both with small steps"),
-                 Line("the same without stiffening", _off((times, unstiffened(times)), exact), "m",
-                      note="linear modes alone")]
+        lines = [
+            Line("reference, change with half the elements", changes[0], "m"),
+            Line("reference, change with half the steps", changes[1], "m"),
+            Line("four elements less reference", changes[2], "m", note="both with small steps"),
+            Line(
+                "converged modal model less reference",
+                _off((times, own(times)), exact),
+                "m",
+                note="both with small steps",
+            ),
+            Line(
+                "the same without stiffening", _off((times, unstiffened(times)), exact), "m", note="linear modes alone"
+            ),
+        ]
         details: dict[str, Any] = {"version": version(), "runs": []}
         lines += _contest("", TOLERANCES[0], [(e, exact) for e in exudyn + ours], details, GOAL)
         for tolerance in TOLERANCES:
-            lines += _contest("own motion: ", tolerance, [(e, exact) for e in exudyn] + [(e, own) for e in ours],
-                              details)
+            lines += _contest(
+                "own motion: ", tolerance, [(e, exact) for e in exudyn] + [(e, own) for e in ours], details
+            )
     lines += set_up
-    remark = REMARK.format(l1=L1, l2=L2, width=WIDTH, speed=SPEED, t_end=T_END, version=version(), lateral=LATERAL,
-                           axial=AXIAL, mesh=MESH)
+    remark = REMARK.format(
+        l1=L1, l2=L2, width=WIDTH, speed=SPEED, t_end=T_END, version=version(), lateral=LATERAL, axial=AXIAL, mesh=MESH
+    )
     return Result("exudyn_slider_crank", "Flexible slider-crank, against Exudyn", lines, details, remark)
 
 
@@ -120,20 +142,36 @@ def _set_up(folder: Path) -> tuple[Model, list[Line]]:
     there = time.perf_counter() - started
     settings = cable.settings(PERIOD, 1)
     one = min(cable.solve(settings) for _ in range(5))
-    return model, [Line("set-up here: derive, emit, load, compile exponential m=1", here, "s",
-                        note="wall time, empty cache"),
-                   Line("set-up of Exudyn: 8 elements, assembled", there * 1e3, "ms", note="wall time"),
-                   Line("`SolveDynamic` of one step, 8 elements", one * 1e3, "ms")]
+    return model, [
+        Line("set-up here: derive, emit, load, compile exponential m=1", here, "s", note="wall time, empty cache"),
+        Line("set-up of Exudyn: 8 elements, assembled", there * 1e3, "ms", note="wall time"),
+        Line("`SolveDynamic` of one step, 8 elements", one * 1e3, "ms"),
+    ]
 
 
 def slider_crank(stiffening: bool = True) -> Scene:
     """The mechanism with a meshed rod, its middle measured."""
     builder = SceneBuilder("slider_crank_exudyn")
-    builder.rigid("crank", mass=M1, inertia=J1 - M1 * (L1 / 2) ** 2, center_of_mass=(L1 / 2, 0),
-                  markers={"tip": {"position": (L1, 0)}})
-    builder.beam("rod", length=L2, density=RHO, area=WIDTH**2, second_moment=WIDTH**4 / 12, youngs_modulus=E,
-                 elements=MESH, lateral={"ends": "pinned-pinned", "modes": LATERAL},
-                 axial={"ends": "fixed-free", "modes": AXIAL}, stiffening=stiffening, markers={"middle": {"at": 0.5}})
+    builder.rigid(
+        "crank",
+        mass=M1,
+        inertia=J1 - M1 * (L1 / 2) ** 2,
+        center_of_mass=(L1 / 2, 0),
+        markers={"tip": {"position": (L1, 0)}},
+    )
+    builder.beam(
+        "rod",
+        length=L2,
+        density=RHO,
+        area=WIDTH**2,
+        second_moment=WIDTH**4 / 12,
+        youngs_modulus=E,
+        elements=MESH,
+        lateral={"ends": "pinned-pinned", "modes": LATERAL},
+        axial={"ends": "fixed-free", "modes": AXIAL},
+        stiffening=stiffening,
+        markers={"middle": {"at": 0.5}},
+    )
     builder.rigid("slider", mass=M3, inertia=1e-5)
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.start")
     builder.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.end", "slider.origin")
@@ -171,33 +209,61 @@ def _cables() -> list[Entry]:
 
         return work
 
-    return [Entry(cable.label, partial(cable.middle, T_END, period=PERIOD), partial(worker, cable))
-            for cable in CABLES]
+    return [Entry(cable.label, partial(cable.middle, T_END, period=PERIOD), partial(worker, cable)) for cable in CABLES]
 
 
 def _schemes(model: Model, initial: dict[str, float]) -> list[Entry]:
-    return [Entry(f"this project, {name}" + (f" m={m[0]}" if m else ""), partial(_ours, model, initial, name, m),
-                  lambda steps, name=name, m=m: native_run(model, name, m, T_END, steps, initial, "given"))
-            for name, m in (("single_rate", None), ("rk4", None), ("linearised", [4]), ("exponential", [1]),
-                            ("exponential", [2]), ("exponential", [4]))]
+    return [
+        Entry(
+            f"this project, {name}" + (f" m={m[0]}" if m else ""),
+            partial(_ours, model, initial, name, m),
+            lambda steps, name=name, m=m: native_run(model, name, m, T_END, steps, initial, "given"),
+        )
+        for name, m in (
+            ("single_rate", None),
+            ("rk4", None),
+            ("linearised", [4]),
+            ("exponential", [1]),
+            ("exponential", [2]),
+            ("exponential", [4]),
+        )
+    ]
 
 
-def _ours(model: Model, initial: dict[str, float], scheme: str, m: list[int] | None,
-          steps: int) -> tuple[np.ndarray, np.ndarray] | None:
+def _ours(
+    model: Model, initial: dict[str, float], scheme: str, m: list[int] | None, steps: int
+) -> tuple[np.ndarray, np.ndarray] | None:
     every = max(1, round(PERIOD * steps / T_END))
-    solution = simulate(model, t_end=T_END, dt=T_END / steps, m=m, scheme=scheme, initial=initial, save_every=every,
-                        start="given", engine="compiled")
+    solution = simulate(
+        model,
+        t_end=T_END,
+        dt=T_END / steps,
+        m=m,
+        scheme=scheme,
+        initial=initial,
+        save_every=every,
+        start="given",
+        engine="compiled",
+    )
     if solution.status.name != "completed":
         return None
     return solution.t, np.column_stack([solution["x"], solution["y"]])
 
 
-def _contest(title: str, tolerance: float, entries: list[tuple[Entry, Path2D]], details: dict[str, Any],
-             goal: float | None = None) -> list[Line]:
+def _contest(
+    title: str,
+    tolerance: float,
+    entries: list[tuple[Entry, Path2D]],
+    details: dict[str, Any],
+    goal: float | None = None,
+) -> list[Line]:
     """The fastest on each side and their ratio; with a goal, a line for every contender."""
     title += f"{tolerance:g} m"
-    steps = {entry.label: (n, entry.error(n, path)) for entry, path in entries
-             if (n := entry.fewest(tolerance, path)) is not None}
+    steps = {
+        entry.label: (n, entry.error(n, path))
+        for entry, path in entries
+        if (n := entry.fewest(tolerance, path)) is not None
+    }
     timings = interleave({e.label: e.worker(steps[e.label][0]) for e, _ in entries if e.label in steps}, ROUNDS)
     theirs, mine = (_fastest(timings, side) for side in ("Exudyn", "this project"))
     lines = []

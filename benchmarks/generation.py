@@ -23,8 +23,13 @@ def run() -> Result:
         *_generate("chain, 20 links with 2 modes, all functions", found["chain_20"], 2.0),
         *_generate("chain, 50 links with 2 modes, M_hat and Q_hat", found["chain_50"], 8.0),
         Line("chain, 50 links, load and build M_hat and Q_hat", found["chain_50"]["load"], "s", 3.0),
-        Line("chain, 50 links, compile M_hat and Q_hat", found["chain_50"]["compile"], "s", 20.0,
-             f"{found['chain_50']['operations']['condensed']} operations, empty cache"),
+        Line(
+            "chain, 50 links, compile M_hat and Q_hat",
+            found["chain_50"]["compile"],
+            "s",
+            20.0,
+            f"{found['chain_50']['operations']['condensed']} operations, empty cache",
+        ),
         Line("chain, 50 links, memory of the compiler", found["chain_50"]["compiler_mb"], "MB", 1024.0),
         Line("imports of the generator", found["slider_crank"]["imports"], "s", None, "not in the times above"),
     ]
@@ -35,13 +40,21 @@ def run() -> Result:
 
 def _generate(name: str, found: dict, goal: float) -> list[Line]:
     total = sum(found[phase] for phase in ("scene", "derive", "emit", "write"))
-    return [Line(f"{name}: scene to files", total, "s", goal,
-                 f"derive {found['derive']:.2f}, emit and write {found['emit'] + found['write']:.2f}")]
+    return [
+        Line(
+            f"{name}: scene to files",
+            total,
+            "s",
+            goal,
+            f"derive {found['derive']:.2f}, emit and write {found['emit'] + found['write']:.2f}",
+        )
+    ]
 
 
 def _probe(*arguments: str) -> dict:
-    result = subprocess.run([sys.executable, "-m", "benchmarks.probe", *arguments], cwd=ROOT, capture_output=True,
-                            text=True)
+    result = subprocess.run(
+        [sys.executable, "-m", "benchmarks.probe", *arguments], cwd=ROOT, capture_output=True, text=True
+    )
     if result.returncode != 0:
         raise RuntimeError(f"benchmarks.probe {' '.join(arguments)} failed:\n{result.stderr}")
     return json.loads(result.stdout)

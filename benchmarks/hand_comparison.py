@@ -29,8 +29,14 @@ def main() -> dict:
 
         timings = interleave({"generated": worker(case, compiled), "hand": by_hand}, ROUNDS)
         quotient, lower, upper = ratio(timings["generated"], timings["hand"])
-        return {"generated": timings["generated"].best, "hand": timings["hand"].best, "ratio": quotient,
-                "quartiles": [lower, upper], "difference": error, **counts(case)}
+        return {
+            "generated": timings["generated"].best,
+            "hand": timings["hand"].best,
+            "ratio": quotient,
+            "quartiles": [lower, upper],
+            "difference": error,
+            **counts(case),
+        }
 
 
 def _difference(case: Case, compiled: CompiledProgram, hand: HandStepper) -> float:

@@ -49,6 +49,22 @@ def _data(major_step: float, ratio: int) -> np.ndarray:
     crank = scenes.CRANK_INERTIA + scenes.CRANK_MASS * scenes.CRANK_CENTER**2 + rod["mass"] * scenes.CRANK_LENGTH**2
     e1, e2 = rod["rho_cross_phi"]
     K1, K2 = np.diag(rod["K_ff"])
-    return np.array([scenes.CRANK_LENGTH, scenes.ROD_LENGTH, rod["first_moment"][0], rod["phi_integral"][1, 0], e1, e2,
-                     rod["M_ff"][0, 0], rod["inertia"], crank, scenes.SLIDER_MASS, K1, K2,
-                     major_step, major_step / ratio, ratio - 1])
+    return np.array(
+        [
+            scenes.CRANK_LENGTH,
+            scenes.ROD_LENGTH,
+            rod["first_moment"][0],
+            rod["phi_integral"][1, 0],
+            e1,
+            e2,
+            rod["M_ff"][0, 0],
+            rod["inertia"],
+            crank,
+            scenes.SLIDER_MASS,
+            K1,
+            K2,
+            major_step,
+            major_step / ratio,
+            ratio - 1,
+        ]
+    )

@@ -24,8 +24,11 @@ TOLERANCES = (1e-9, 1e-11)  # rtol; atol is 1/100 of it
 SAMPLES, EVERY = 1001, 10  # frequencies at every tenth sample
 SHOWN = 6  # frequencies listed in full up to here, else the lowest and the highest
 
-HEADER = ("| case | scene | start | t_end [s] | frequencies at the start [rad/s] | largest over the motion "
-          "| rate [1/s] | agreement | evaluations |", "|---|---|---|---:|---|---|---:|---:|---:|")
+HEADER = (
+    "| case | scene | start | t_end [s] | frequencies at the start [rad/s] | largest over the motion "
+    "| rate [1/s] | agreement | evaluations |",
+    "|---|---|---|---:|---|---|---:|---:|---:|",
+)
 
 INTRODUCTION = """# Hard suite
 
@@ -62,8 +65,15 @@ class Measured:
 def reference(model: Model, case: HardCase, rtol: float, samples: int = SAMPLES) -> Solution:
     """The reference motion of a case. Raises RuntimeError if it does not reach t_end."""
     solution = reference_solution(
-        model, t_end=case.t_end, times=np.linspace(0.0, case.t_end, samples), rtol=rtol, atol=rtol / 100,
-        parameters=case.parameters, initial=case.initial, start=case.start)
+        model,
+        t_end=case.t_end,
+        times=np.linspace(0.0, case.t_end, samples),
+        rtol=rtol,
+        atol=rtol / 100,
+        parameters=case.parameters,
+        initial=case.initial,
+        start=case.start,
+    )
     if solution.status.name != "completed":
         raise RuntimeError(f"{case.name}: {solution.status}")
     return solution
@@ -89,16 +99,21 @@ def row(one: Measured) -> str:
     """A case in the table."""
     case = one.case
     decay = "-" if one.decay is None else f"{one.decay:.4g}"
-    return (f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
-            f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
-            f"{one.solution.stats['evaluations']} |")
+    return (
+        f"| [{case.name}](#{case.name}) | `{one.solution.model.name}` | {case.start} | {case.t_end:g} | "
+        f"{_listed(one.start)} | {_listed(one.largest)} | {decay} | {one.agreement:.0e} | "
+        f"{one.solution.stats['evaluations']} |"
+    )
 
 
 def section(one: Measured) -> str:
     """Why a case is hard, its changes to the scene, and the graded coordinates."""
     case, solution = one.case, one.solution
-    changes = [f"{what}: " + ", ".join(f"`{name}` = {value:.6g}" for name, value in values.items()) + "."
-               for what, values in (("Parameters", case.parameters), ("Initial values", case.initial)) if values]
+    changes = [
+        f"{what}: " + ", ".join(f"`{name}` = {value:.6g}" for name, value in values.items()) + "."
+        for what, values in (("Parameters", case.parameters), ("Initial values", case.initial))
+        if values
+    ]
     rows = ["| graded | amplitude | end value |", "|---|---:|---:|"]
     rows += [f"| `{name}` | {amplitude(solution[name]):.3g} | {solution[name][-1]:.6g} |" for name in case.graded]
     text = f"{case.why[0].upper()}{case.why[1:]}."
@@ -130,8 +145,11 @@ def main(arguments: list[str] | None = None) -> int:
     """Compute and print the page; --publish also writes it."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.hard_tables", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), metavar="CASE")
-    parser.add_argument("--publish", action="store_true",
-                        help="also write docs/hard-suite.md; with --only, the other cases stay as they are")
+    parser.add_argument(
+        "--publish",
+        action="store_true",
+        help="also write docs/hard-suite.md; with --only, the other cases stay as they are",
+    )
     options = parser.parse_args(arguments)
     chosen = options.only or list(HARD_SUITE)
     rows, sections = published() if options.publish and options.only else ({}, {})

@@ -33,8 +33,16 @@ IN_A_ROW = 3  # neighbouring numbers of steps that must be accurate enough
 RATIO, MOST = 1.19, 100_000  # of neighbouring numbers of steps tried; most steps
 HOPELESS = 5.0  # times the CPU time of the fastest method so far: a method that is slower still is given up
 SAMPLES, REPEATS, ROUNDS = 1000, 3, 30
-METHODS = (Spec("rk4"), Spec("dop853"), Spec("single_rate"), Spec("radau", None, {"eps": (1e-6,)}), Spec("radau"),
-           Spec("linearised", (2,)), Spec("exponential", (1,)), Spec("exponential", (2,)))
+METHODS = (
+    Spec("rk4"),
+    Spec("dop853"),
+    Spec("single_rate"),
+    Spec("radau", None, {"eps": (1e-6,)}),
+    Spec("radau"),
+    Spec("linearised", (2,)),
+    Spec("exponential", (1,)),
+    Spec("exponential", (2,)),
+)
 REMARK = """\
 Each row is the fastest of
 {methods}, compiled,
@@ -96,17 +104,46 @@ def _upright(run: Solution) -> np.ndarray:
 
 
 CASES = (
-    Case("A02 N-four-bar", n_four_bar, 10.0, 10, _upright,
-         {1.0: (-0.19502030194944, -0.98079920566217), 2.0: (0.057815795768011, 0.99832726786346),
-          10.0: (0.32845811154082, 0.9445185381786)}, 0.1),
-    Case("A04 Bricard", bricard, 1.0, 2, _columns("P3_x", "P3_y", "P3_z"),
-         {0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),
-          1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866)}),
-    Case("A05 flyball governor", flyball_governor, 10.0, 100, _columns("height.travel"),
-         {0.1: (0.52383647556958,), 0.5: (0.74324942478637,), 1.0: (0.50142092237955,), 10.0: (0.61962291706135,)}),
-    Case("heavy top", lambda: heavy_top("xzy"), 1.0, 5, _columns("top.x", "top.y", "top.z"),
-         {0.2: (0.60555056138, 0.59895768179, -0.52398302743),
-          1.0: (0.17334396410, 0.64008859207, -0.74849079113)}),
+    Case(
+        "A02 N-four-bar",
+        n_four_bar,
+        10.0,
+        10,
+        _upright,
+        {
+            1.0: (-0.19502030194944, -0.98079920566217),
+            2.0: (0.057815795768011, 0.99832726786346),
+            10.0: (0.32845811154082, 0.9445185381786),
+        },
+        0.1,
+    ),
+    Case(
+        "A04 Bricard",
+        bricard,
+        1.0,
+        2,
+        _columns("P3_x", "P3_y", "P3_z"),
+        {
+            0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),
+            1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866),
+        },
+    ),
+    Case(
+        "A05 flyball governor",
+        flyball_governor,
+        10.0,
+        100,
+        _columns("height.travel"),
+        {0.1: (0.52383647556958,), 0.5: (0.74324942478637,), 1.0: (0.50142092237955,), 10.0: (0.61962291706135,)},
+    ),
+    Case(
+        "heavy top",
+        lambda: heavy_top("xzy"),
+        1.0,
+        5,
+        _columns("top.x", "top.y", "top.z"),
+        {0.2: (0.60555056138, 0.59895768179, -0.52398302743), 1.0: (0.17334396410, 0.64008859207, -0.74849079113)},
+    ),
 )
 
 
@@ -156,8 +193,16 @@ class Runs:
         scheme = self._scheme(self.case.t_end / steps)
         iterations = int(samples[-1][scheme.layout.slice("iterations")][0])
         full, partial = scheme.evaluations()
-        found = observe_samples(self.model, scheme, np.array(samples), self._p, self._c, self.spec.scheme, {},
-                                Status("completed", self.case.t_end))
+        found = observe_samples(
+            self.model,
+            scheme,
+            np.array(samples),
+            self._p,
+            self._c,
+            self.spec.scheme,
+            {},
+            Status("completed", self.case.t_end),
+        )
         return found, (iterations or steps * full) + steps * partial
 
     def _scheme(self, dt: float) -> Scheme:
@@ -166,8 +211,10 @@ class Runs:
 
     def _begun(self, steps: int) -> tuple[np.ndarray, np.ndarray]:
         dt = self.case.t_end / steps
-        return (self._stepper.start(0.0, self._state.q, self._state.q_dot, self._c, dt),
-                self._stepper.ready(self._c, dt))
+        return (
+            self._stepper.start(0.0, self._state.q, self._state.q_dot, self._c, dt),
+            self._stepper.ready(self._c, dt),
+        )
 
 
 def fewest(runs: Runs, bounds: list[float]) -> tuple[list[Found | None], list[float]]:
@@ -217,8 +264,9 @@ def _case(case: Case, model: Model) -> tuple[list[Line], list]:
     for spec in METHODS:
         found, seconds = fewest(Runs(case, model, spec), bounds)
         for k, one in enumerate(found):
-            details.append({"method": spec.label, "goal": GOALS[k], "steps": one.steps if one else None,
-                            "seconds": seconds[k]})
+            details.append(
+                {"method": spec.label, "goal": GOALS[k], "steps": one.steps if one else None, "seconds": seconds[k]}
+            )
             if one and seconds[k] < bounds[k]:
                 best[k], bounds[k] = one, seconds[k]
     lines: list[Line] = []
@@ -228,7 +276,15 @@ def _case(case: Case, model: Model) -> tuple[list[Line], list]:
             continue
         timing = interleave({"run": one.runs.worker(one.steps)}, ROUNDS)["run"]
         allowed, unit = case.threshold(goal)
-        lines.append(Line(f"{case.name}, {goal}", timing.best * 1e3, "ms", note=(
-            f"{one.runs.spec.label}, {one.steps} steps of {case.t_end / one.steps:.3g} s, {one.evaluations} "
-            f"evaluations, error {one.error * allowed:.1e} {unit}")))
+        lines.append(
+            Line(
+                f"{case.name}, {goal}",
+                timing.best * 1e3,
+                "ms",
+                note=(
+                    f"{one.runs.spec.label}, {one.steps} steps of {case.t_end / one.steps:.3g} s, {one.evaluations} "
+                    f"evaluations, error {one.error * allowed:.1e} {unit}"
+                ),
+            )
+        )
     return lines, details

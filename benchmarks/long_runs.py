@@ -39,26 +39,54 @@ class LongRun:
     sub_steps: int
 
 
-LONG_RUNS = (LongRun("single_rate", 2.8e-5, None, {}, 1), LongRun("coupled", 1e-4, [4], {}, 4),
-             LongRun("linearised", 1.95e-4, [2], {"corrections": 1}, 4),
-             LongRun("linearised", 1e-4, [2], {"corrections": 1}, 4), LongRun("exponential", 1e-4, [2], {}, 4),
-             LongRun("exponential", 5e-5, [2], {}, 4))
+LONG_RUNS = (
+    LongRun("single_rate", 2.8e-5, None, {}, 1),
+    LongRun("coupled", 1e-4, [4], {}, 4),
+    LongRun("linearised", 1.95e-4, [2], {"corrections": 1}, 4),
+    LongRun("linearised", 1e-4, [2], {"corrections": 1}, 4),
+    LongRun("exponential", 1e-4, [2], {}, 4),
+    LongRun("exponential", 5e-5, [2], {}, 4),
+)
 
 
 def long_table() -> list[list[str]]:
     """Energy error of the freely running slider-crank, relative to the largest kinetic energy, in blocks of the run."""
     model = load_model(generated_folder("flexible_slider_crank_free"))
-    rows = [["scheme", "step [s]", "motion [s]", "ended", "largest energy error",
-             f"mean energy error in {BLOCKS} parts of the run"]]
+    rows = [
+        [
+            "scheme",
+            "step [s]",
+            "motion [s]",
+            "ended",
+            "largest energy error",
+            f"mean energy error in {BLOCKS} parts of the run",
+        ]
+    ]
     for run in LONG_RUNS:
         steps = SUB_STEPS // run.sub_steps
-        found = simulate(model, t_end=steps * run.dt, dt=run.dt, m=run.m, scheme=run.scheme, options=run.options,
-                         start="quasi_static", save_every=steps // 4000)
+        found = simulate(
+            model,
+            t_end=steps * run.dt,
+            dt=run.dt,
+            m=run.m,
+            scheme=run.scheme,
+            options=run.options,
+            start="quasi_static",
+            save_every=steps // 4000,
+        )
         error = (found.total_energy - found.total_energy[0]) / found.energy["kinetic"].max()
         parts = ", ".join(f"{part.mean():.1e}" for part in np.array_split(error, BLOCKS))
         label = run.scheme + "".join(f" {name}={value}" for name, value in run.options.items())
-        rows.append([label + (f" m={run.m[0]}" if run.m else ""), f"{run.dt:.3g}", f"{found.t[-1]:.4g}",
-                     found.status.name, f"{np.abs(error).max():.1e}", parts])
+        rows.append(
+            [
+                label + (f" m={run.m[0]}" if run.m else ""),
+                f"{run.dt:.3g}",
+                f"{found.t[-1]:.4g}",
+                found.status.name,
+                f"{np.abs(error).max():.1e}",
+                parts,
+            ]
+        )
     return rows
 
 
@@ -109,19 +137,34 @@ def _growth(t: np.ndarray, q: np.ndarray) -> float:
     """Slope of the logarithm of the largest amplitude in windows of the last third."""
     half = 2 * len(t) // 3
     size, time = np.abs(q[half:]).max(axis=1), t[half:]
-    parts = [(np.log(chunk.max()), place.mean()) for chunk, place in zip(
-        np.array_split(size, 8), np.array_split(time, 8), strict=True)]
+    parts = [
+        (np.log(chunk.max()), place.mean())
+        for chunk, place in zip(np.array_split(size, 8), np.array_split(time, 8), strict=True)
+    ]
     logs, places = np.array(parts).T
     return float(np.polyfit(places, logs, 1)[0])
 
 
 def page() -> str:
     """The three tables with what they say."""
-    return "\n\n".join([
-        "# Long runs, large m, resonances", "`python -m benchmarks.long_runs --publish` writes this page.",
-        "## Ten million sub-steps of an undamped mechanism", str(long_table.__doc__), _markdown(long_table()),
-        "## m from 1 to 200", str(ratio_table.__doc__), _markdown(ratio_table()),
-        "## Steps on a resonance", str(resonance_table.__doc__), _markdown(resonance_table())]) + "\n"
+    return (
+        "\n\n".join(
+            [
+                "# Long runs, large m, resonances",
+                "`python -m benchmarks.long_runs --publish` writes this page.",
+                "## Ten million sub-steps of an undamped mechanism",
+                str(long_table.__doc__),
+                _markdown(long_table()),
+                "## m from 1 to 200",
+                str(ratio_table.__doc__),
+                _markdown(ratio_table()),
+                "## Steps on a resonance",
+                str(resonance_table.__doc__),
+                _markdown(resonance_table()),
+            ]
+        )
+        + "\n"
+    )
 
 
 def _markdown(rows: list[list[str]]) -> str:

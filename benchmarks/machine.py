@@ -13,9 +13,13 @@ from runtime.engine.compiled import COMMON_FLAGS, SMALL_FLAGS, find_compiler
 
 def describe_machine() -> dict[str, str]:
     """Processor, compiler with flags, and versions."""
-    return {"processor": f"{_processor()}, {os.cpu_count()} cores", "compiler": _compiler(),
-            "flags": " ".join((*SMALL_FLAGS, *COMMON_FLAGS)), "python": platform.python_version(),
-            **{package: version(package) for package in ("casadi", "numpy", "sympy")}}
+    return {
+        "processor": f"{_processor()}, {os.cpu_count()} cores",
+        "compiler": _compiler(),
+        "flags": " ".join((*SMALL_FLAGS, *COMMON_FLAGS)),
+        "python": platform.python_version(),
+        **{package: version(package) for package in ("casadi", "numpy", "sympy")},
+    }
 
 
 def _processor() -> str:

@@ -11,9 +11,16 @@ from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 
 
-def native_run(model: Model, name: str, m: list[int] | None, t_end: float, steps: int,
-               initial: Mapping[str, float] | None = None, start: str | None = None,
-               options: Mapping[str, Any] | None = None) -> Callable[[int], None]:
+def native_run(
+    model: Model,
+    name: str,
+    m: list[int] | None,
+    t_end: float,
+    steps: int,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    options: Mapping[str, Any] | None = None,
+) -> Callable[[int], None]:
     """What repeats a run to t_end [s] n times; arguments otherwise as for `simulate`."""
     dt = t_end / steps
     scheme = scheme_kind(name).build(name, model, dt, m, options or {})

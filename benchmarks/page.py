@@ -20,10 +20,18 @@ goal is an upper limit.
 
 def as_json(machine: dict[str, str], results: list[Result]) -> dict[str, Any]:
     """Everything that was measured."""
-    return {"machine": machine, "results": [
-        {"name": result.name, "title": result.title,
-         "lines": [{**asdict(line), "met": line.met} for line in result.lines], "details": result.details}
-        for result in results]}
+    return {
+        "machine": machine,
+        "results": [
+            {
+                "name": result.name,
+                "title": result.title,
+                "lines": [{**asdict(line), "met": line.met} for line in result.lines],
+                "details": result.details,
+            }
+            for result in results
+        ],
+    }
 
 
 def as_markdown(machine: dict[str, str], results: list[Result]) -> str:

@@ -25,8 +25,15 @@ from benchmarks.result import Skipped
 from runtime.engine.compiled import cache_folder
 
 SOURCE = Path(__file__).with_name("pinocchio_tree.cpp")
-FLAGS = ("-std=c++17", "-O3", "-march=native", "-DNDEBUG", "-shared", "-fPIC",
-         "-DBOOST_VARIANT_USE_RELAXED_GET_BY_DEFAULT")  # Pinocchio asks for joint types that are not in the collection
+FLAGS = (
+    "-std=c++17",
+    "-O3",
+    "-march=native",
+    "-DNDEBUG",
+    "-shared",
+    "-fPIC",
+    "-DBOOST_VARIANT_USE_RELAXED_GET_BY_DEFAULT",
+)  # Pinocchio asks for joint types that are not in the collection
 
 
 @dataclass(frozen=True)
@@ -95,8 +102,15 @@ def library() -> ctypes.CDLL:
         raise Skipped("no C++ compiler found")
     casadi = Path(ca.__file__).parent
     folders = [_headers("libpinocchio"), _headers("cmeel-eigen") / "eigen3", casadi / "include"]
-    command = [compiler, *FLAGS, *(f"-I{place}" for place in folders), str(SOURCE), f"-L{casadi}", "-lcasadi",
-               f"-Wl,-rpath,{casadi}"]
+    command = [
+        compiler,
+        *FLAGS,
+        *(f"-I{place}" for place in folders),
+        str(SOURCE),
+        f"-L{casadi}",
+        "-lcasadi",
+        f"-Wl,-rpath,{casadi}",
+    ]
     key = hashlib.sha256("\n".join([*command, version(), SOURCE.read_text(encoding="utf-8")]).encode()).hexdigest()
     target = cache_folder() / f"{key}.so"
     if not target.exists():

@@ -92,8 +92,15 @@ def _profile(work: Callable[[], object]) -> list[dict]:
     profile = cProfile.Profile()
     profile.runcall(work)
     rows = sorted(pstats.Stats(profile).stats.items(), key=lambda item: -item[1][2])[:HOTTEST]  # type: ignore[attr-defined]
-    return [{"function": f"{Path(file).name}:{line}:{name}", "calls": calls, "own_seconds": round(own, 3),
-             "seconds": round(total, 3)} for (file, line, name), (_, calls, own, total, _) in rows]
+    return [
+        {
+            "function": f"{Path(file).name}:{line}:{name}",
+            "calls": calls,
+            "own_seconds": round(own, 3),
+            "seconds": round(total, 3),
+        }
+        for (file, line, name), (_, calls, own, total, _) in rows
+    ]
 
 
 if __name__ == "__main__":

@@ -24,7 +24,8 @@ class PythonStepper:
         layout = self.scheme.layout
         self.x, self.d, self.a = (z[layout.slice(name)].copy() for name in ("x", "d", "a"))
         self.loop, self.loop_old, self.loop_dot = (
-            z[layout.slice(name)].copy() for name in ("loop", "loop_old", "loop_dot"))
+            z[layout.slice(name)].copy() for name in ("loop", "loop_old", "loop_dot")
+        )
         return self
 
     def run(self, n: int) -> None:

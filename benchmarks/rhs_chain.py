@@ -43,9 +43,16 @@ def _case(name: str, modes: int, goal: float, folder: Path) -> tuple[list[Line],
         raise AssertionError(f"chain with {name}: the two right-hand sides differ by {error:.1e}")
     timings = interleave({method: worker(program, state, c) for method, program in programs.items()}, ROUNDS)
     best = min(timings, key=lambda method: timings[method].best)
-    lines = [Line(f"{name}, {method}", timing.best * 1e6, "us", goal if method == best else None,
-                  f"{stages[method].stage.n_instructions()} operations, median +{timing.spread:.0%}")
-             for method, timing in timings.items()]
+    lines = [
+        Line(
+            f"{name}, {method}",
+            timing.best * 1e6,
+            "us",
+            goal if method == best else None,
+            f"{stages[method].stage.n_instructions()} operations, median +{timing.spread:.0%}",
+        )
+        for method, timing in timings.items()
+    ]
     return lines, {"difference": error, "operations": {m: s.stage.n_instructions() for m, s in stages.items()}}
 
 

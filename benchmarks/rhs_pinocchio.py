@@ -47,8 +47,17 @@ class Case:
 def planar_chain() -> Case:
     """The built-in chain of rigid links."""
     relative = np.eye(LINKS) - np.eye(LINKS, k=-1)
-    hinges = [Hinge(k, (LENGTH if k else 0.0, 0.0, 0.0), np.eye(3), MASS, (LENGTH / 2, 0.0, 0.0),
-                    (1.0, 1.0, MASS * LENGTH**2 / 12)) for k in range(LINKS)]
+    hinges = [
+        Hinge(
+            k,
+            (LENGTH if k else 0.0, 0.0, 0.0),
+            np.eye(3),
+            MASS,
+            (LENGTH / 2, 0.0, 0.0),
+            (1.0, 1.0, MASS * LENGTH**2 / 12),
+        )
+        for k in range(LINKS)
+    ]
     return Case(f"planar chain, N = {LINKS}", chain(LINKS), hinges, (0.0, -GRAVITY, 0.0), relative, GOAL)
 
 
@@ -58,8 +67,11 @@ def skew_tree() -> Case:
     builder = SceneBuilder("skew_tree", space="spatial").gravity(0.0, 0.0, -GRAVITY)
     hinges = [_random_hinge(rng, parent) for parent in PARENTS]
     for k in range(len(hinges) + 1):
-        markers = {f"hinge{j + 1}": {"position": one.place, "axis": one.turn[:, 2], "x_axis": one.turn[:, 0]}
-                   for j, one in enumerate(hinges) if one.parent == k}
+        markers = {
+            f"hinge{j + 1}": {"position": one.place, "axis": one.turn[:, 2], "x_axis": one.turn[:, 0]}
+            for j, one in enumerate(hinges)
+            if one.parent == k
+        }
         if k == 0:
             builder.ground(markers=markers)
         else:
@@ -79,8 +91,14 @@ def _random_hinge(rng: np.random.Generator, parent: int) -> Hinge:
     x /= np.linalg.norm(x)
     place, center = (tuple(float(value) for value in rng.uniform(-0.5, 0.5, 3)) for _ in range(2))
     a, b, c = rng.uniform(0.01, 0.05, 3)
-    return Hinge(parent, place, np.column_stack([x, np.cross(z, x), z]), float(rng.uniform(0.5, 2.0)), center,
-                 (float(b + c), float(a + c), float(a + b)))
+    return Hinge(
+        parent,
+        place,
+        np.column_stack([x, np.cross(z, x), z]),
+        float(rng.uniform(0.5, 2.0)),
+        center,
+        (float(b + c), float(a + c), float(a + b)),
+    )
 
 
 def run() -> Result:
@@ -93,8 +111,13 @@ def run() -> Result:
         for case in (planar_chain(), skew_tree()):
             case_lines, details[case.name] = _case(case, PinocchioTree(theirs, case.hinges, case.gravity), folder)
             lines += case_lines
-    return Result("rhs_pinocchio", "Right-hand side of rigid trees, against Pinocchio", lines, details,
-                  REMARK.format(version=found, bodies=len(PARENTS)))
+    return Result(
+        "rhs_pinocchio",
+        "Right-hand side of rigid trees, against Pinocchio",
+        lines,
+        details,
+        REMARK.format(version=found, bodies=len(PARENTS)),
+    )
 
 
 def _case(case: Case, tree: PinocchioTree, folder: Path) -> tuple[list[Line], dict]:
@@ -116,7 +139,7 @@ def _case(case: Case, tree: PinocchioTree, folder: Path) -> tuple[list[Line], di
         values[name] = case.relative @ found if name.startswith("ours") else found
     workers["Pinocchio, aba"] = tree.worker(other)
     workers["Pinocchio, aba"](1)
-    values["Pinocchio, aba"] = other[2 * n:].copy()
+    values["Pinocchio, aba"] = other[2 * n :].copy()
     reference = values["Pinocchio, aba"]
     error = max(float(np.abs(value - reference).max() / np.abs(reference).max()) for value in values.values())
     if not error < AGREEMENT:
@@ -124,15 +147,23 @@ def _case(case: Case, tree: PinocchioTree, folder: Path) -> tuple[list[Line], di
     return _timed(case, workers, {name: stage.stage.n_instructions() for name, stage in stages.items()}, error)
 
 
-def _timed(case: Case, workers: dict[str, Callable[[int], None]], operations: dict[str, int],
-           error: float) -> tuple[list[Line], dict]:
+def _timed(
+    case: Case, workers: dict[str, Callable[[int], None]], operations: dict[str, int], error: float
+) -> tuple[list[Line], dict]:
     timings = interleave(workers, ROUNDS)
     best = min((name for name in timings if name.startswith("ours")), key=lambda name: timings[name].best)
     lines = []
     for name, timing in timings.items():
         note = f"{operations[name]} operations, " if name in operations else ""
-        lines.append(Line(f"{case.name}: {name}", timing.best * 1e6, "us", case.goal if name == best else None,
-                          f"{note}median +{timing.spread:.0%}"))
+        lines.append(
+            Line(
+                f"{case.name}: {name}",
+                timing.best * 1e6,
+                "us",
+                case.goal if name == best else None,
+                f"{note}median +{timing.spread:.0%}",
+            )
+        )
     for name in ("Pinocchio, CasADi code", "Pinocchio, aba"):
         value, lower, upper = ratio(timings[best], timings[name])
         lines.append(Line(f"{case.name}: {best} / {name}", value, "", note=f"quartiles {lower:.2f} to {upper:.2f}"))

@@ -63,7 +63,7 @@ def evaluated(program: CompiledProgram, state: np.ndarray, c: np.ndarray) -> np.
     """q_i_ddot at a state (q_i, q_i_dot, space for q_i_ddot)."""
     z = state.copy()
     program.run(z, c, 1)
-    return z[2 * len(z) // 3:]
+    return z[2 * len(z) // 3 :]
 
 
 def worker(program: CompiledProgram, state: np.ndarray, c: np.ndarray) -> Callable[[int], None]:

@@ -24,10 +24,14 @@ def pinned_rod(modes: int = 2) -> dict:
     k_pi, sign = math.pi * k, np.where(k % 2 == 0, 1.0, -1.0)
     stiffness = ROD_MODULUS * ROD_WIDTH**4 / 12 * k_pi**4 / (2 * ROD_LENGTH**3)
     return {
-        "mass": mass, "first_moment": (mass * ROD_LENGTH / 2, 0.0), "inertia": mass * ROD_LENGTH**2 / 3,
-        "M_ff": np.diag(np.full(modes, mass / 2)), "K_ff": np.diag(stiffness),
+        "mass": mass,
+        "first_moment": (mass * ROD_LENGTH / 2, 0.0),
+        "inertia": mass * ROD_LENGTH**2 / 3,
+        "M_ff": np.diag(np.full(modes, mass / 2)),
+        "K_ff": np.diag(stiffness),
         "phi_integral": np.vstack([np.zeros(modes), mass * (1 - sign) / k_pi]),
-        "rho_cross_phi": -mass * ROD_LENGTH * sign / k_pi, "markers": {"end": {"position": (ROD_LENGTH, 0.0)}},
+        "rho_cross_phi": -mass * ROD_LENGTH * sign / k_pi,
+        "markers": {"end": {"position": (ROD_LENGTH, 0.0)}},
     }
 
 
@@ -44,13 +48,22 @@ def general_rod(modes: int = 4, damped: bool = False, orthogonal: bool = False) 
     if orthogonal:
         M_ff, K_ff = np.diag(np.diag(M_ff)), np.diag(np.diag(K_ff))
     rod = {
-        "mass": mass, "first_moment": (0.16 * mass, 0.02 * mass), "inertia": 0.0046, "M_ff": M_ff, "K_ff": K_ff,
+        "mass": mass,
+        "first_moment": (0.16 * mass, 0.02 * mass),
+        "inertia": 0.0046,
+        "M_ff": M_ff,
+        "K_ff": K_ff,
         "phi_integral": mass * rng.uniform(-0.1, 0.1, size=(2, modes)),
         "rho_dot_phi": mass * length * rng.uniform(-0.06, 0.06, size=modes),
         "rho_cross_phi": mass * length * rng.uniform(-0.06, 0.06, size=modes),
         "phi_cross_phi": 0.1 * mass * (skew - skew.T),
-        "markers": {"end": {"position": (length, 0.0), "shape_x": rng.uniform(-1, 1, size=modes),
-                            "shape_y": rng.uniform(-1, 1, size=modes)}},
+        "markers": {
+            "end": {
+                "position": (length, 0.0),
+                "shape_x": rng.uniform(-1, 1, size=modes),
+                "shape_y": rng.uniform(-1, 1, size=modes),
+            }
+        },
     }
     return {**rod, "D_ff": 0.5 * damping @ damping.T} if damped else rod
 
@@ -59,8 +72,13 @@ def slider_crank(rod: dict) -> Scene:
     """Crank (slow group), flexible rod (its modes are the fast group) and slider, running freely from 150 rad/s."""
     modes = [f"rod.q{k + 1}" for k in range(len(rod["M_ff"]))]
     builder = SceneBuilder("slider_crank_benchmark")
-    builder.rigid("crank", mass=CRANK_MASS, inertia=CRANK_INERTIA, center_of_mass=(CRANK_CENTER, 0),
-                  markers={"tip": {"position": (CRANK_LENGTH, 0)}})
+    builder.rigid(
+        "crank",
+        mass=CRANK_MASS,
+        inertia=CRANK_INERTIA,
+        center_of_mass=(CRANK_CENTER, 0),
+        markers={"tip": {"position": (CRANK_LENGTH, 0)}},
+    )
     builder.modal("rod", **rod).rigid("slider", mass=SLIDER_MASS, inertia=1e-5)
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
     builder.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.end", "slider.origin")

@@ -47,8 +47,10 @@ def make_case(rod: dict, folder: Path) -> Case:
 
 def counts(case: Case) -> dict:
     """Operations of a step, for the JSON file."""
-    return {"operations per major step": operations_per_step(case.program),
-            "stages": {stage.name(): stage.n_instructions() for stage in stages(case.program)}}
+    return {
+        "operations per major step": operations_per_step(case.program),
+        "stages": {stage.name(): stage.n_instructions() for stage in stages(case.program)},
+    }
 
 
 def worker(case: Case, runner: CompiledProgram) -> Callable[[int], None]:

@@ -31,8 +31,12 @@ def run() -> Result:
     runs = [_compared_with_hand() for _ in range(PROCESSES)]
     with workplace() as folder:
         lines, general = _general(make_case(general_rod(), folder))
-    return Result("step_slider_crank", f"One major step of the flexible slider-crank, m = {RATIO}",
-                  _hand_lines(runs) + lines, {"two pinned modes": runs, "four general modes": general})
+    return Result(
+        "step_slider_crank",
+        f"One major step of the flexible slider-crank, m = {RATIO}",
+        _hand_lines(runs) + lines,
+        {"two pinned modes": runs, "four general modes": general},
+    )
 
 
 def _compared_with_hand() -> dict:
@@ -51,12 +55,26 @@ def _hand_lines(runs: list[dict]) -> list[Line]:
     return [
         Line("two pinned modes, generated C", generated * 1e9, "ns", None, note),
         Line("two pinned modes, hand-written C", hand * 1e9, "ns", None, note),
-        Line("generated / hand-written", generated / hand, "", 1.0,
-             f"within one process {ratios[0]:.2f} to {ratios[-1]:.2f}, median {median(ratios):.2f}"),
-        Line("generated, where hand-written C takes 0.83 us", REFERENCE_US * generated / hand, "us", 0.8,
-             "the ratio times 0.83 us"),
-        Line(f"largest relative difference after {AGREEMENT_STEPS} major steps",
-             max(run["difference"] for run in runs), "", AGREEMENT),
+        Line(
+            "generated / hand-written",
+            generated / hand,
+            "",
+            1.0,
+            f"within one process {ratios[0]:.2f} to {ratios[-1]:.2f}, median {median(ratios):.2f}",
+        ),
+        Line(
+            "generated, where hand-written C takes 0.83 us",
+            REFERENCE_US * generated / hand,
+            "us",
+            0.8,
+            "the ratio times 0.83 us",
+        ),
+        Line(
+            f"largest relative difference after {AGREEMENT_STEPS} major steps",
+            max(run["difference"] for run in runs),
+            "",
+            AGREEMENT,
+        ),
     ]
 
 
@@ -66,17 +84,28 @@ def _general(case: Case) -> tuple[list[Line], dict]:
     loop = PythonStepper(case.model, case.scheme, case.c)
     error = _loop_difference(case, compiled, loop)
     timings = interleave({"compiled": worker(case, compiled), "machine": _batched(case, machine)}, ROUNDS)
-    slow = interleave({"compiled": worker(case, compiled), "python": lambda n: loop.restart(case.start).run(n)},
-                      SLOW_ROUNDS)
+    slow = interleave(
+        {"compiled": worker(case, compiled), "python": lambda n: loop.restart(case.start).run(n)}, SLOW_ROUNDS
+    )
     machine_ratio = ratio(timings["machine"], timings["compiled"])
     loop_ratio = ratio(slow["python"], slow["compiled"])
     name = "four general modes"
     lines = [
         _time(f"{name}, generated C", timings["compiled"]),
-        Line(f"{name}, CasADi virtual machine", timings["machine"].best * 1e9, "ns", None,
-             f"{machine_ratio[0]:.1f} times generated C; quartiles {machine_ratio[1]:.1f} to {machine_ratio[2]:.1f}"),
-        Line(f"{name}, Python loop over Functions", slow["python"].best * 1e9, "ns", None,
-             f"{loop_ratio[0]:.0f} times generated C; quartiles {loop_ratio[1]:.0f} to {loop_ratio[2]:.0f}"),
+        Line(
+            f"{name}, CasADi virtual machine",
+            timings["machine"].best * 1e9,
+            "ns",
+            None,
+            f"{machine_ratio[0]:.1f} times generated C; quartiles {machine_ratio[1]:.1f} to {machine_ratio[2]:.1f}",
+        ),
+        Line(
+            f"{name}, Python loop over Functions",
+            slow["python"].best * 1e9,
+            "ns",
+            None,
+            f"{loop_ratio[0]:.0f} times generated C; quartiles {loop_ratio[1]:.0f} to {loop_ratio[2]:.0f}",
+        ),
     ]
     return lines, {**counts(case), "difference of the Python loop": error}
 

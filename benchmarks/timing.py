@@ -21,8 +21,9 @@ class Timing:
     bursts: tuple[float, ...]
 
 
-def interleave(contenders: Mapping[str, Callable[[int], None]], rounds: int,
-               burst_seconds: float = BURST_SECONDS) -> dict[str, Timing]:
+def interleave(
+    contenders: Mapping[str, Callable[[int], None]], rounds: int, burst_seconds: float = BURST_SECONDS
+) -> dict[str, Timing]:
     """Each contender(n) does its work n times; every round runs one burst of each, so that all see the same machine."""
     counts = {name: _calibrate(work, burst_seconds) for name, work in contenders.items()}
     found: dict[str, list[float]] = {name: [] for name in contenders}

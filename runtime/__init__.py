@@ -35,17 +35,42 @@ if TYPE_CHECKING:
     from runtime.studies.advice.auto import simulate
     from runtime.views import animation, plots
 
-__all__ = ["SCHEMES", "Group", "InitialStateError", "Model", "ModelError", "Options", "SchemeError", "Solution",
-           "Status", "animation", "augmented_solution", "load_model", "plots", "reference_solution", "resume",
-           "simulate"]
+__all__ = [
+    "SCHEMES",
+    "Group",
+    "InitialStateError",
+    "Model",
+    "ModelError",
+    "Options",
+    "SchemeError",
+    "Solution",
+    "Status",
+    "animation",
+    "augmented_solution",
+    "load_model",
+    "plots",
+    "reference_solution",
+    "resume",
+    "simulate",
+]
 
 _HOMES = {
-    "augmented_solution": "baselines.augmented", "reference_solution": "baselines.reference",
-    "InitialStateError": "contract.consistent_state", "load_model": "contract.loading", "Group": "contract.model",
-    "Model": "contract.model", "ModelError": "contract.model", "Status": "contract.status",
-    "Solution": "results.solution", "resume": "running.simulate", "SCHEMES": "schemes.catalogue",
-    "Options": "schemes.options", "SchemeError": "schemes.options", "simulate": "studies.advice.auto",
-    "plots": "views", "animation": "views",
+    "augmented_solution": "baselines.augmented",
+    "reference_solution": "baselines.reference",
+    "InitialStateError": "contract.consistent_state",
+    "load_model": "contract.loading",
+    "Group": "contract.model",
+    "Model": "contract.model",
+    "ModelError": "contract.model",
+    "Status": "contract.status",
+    "Solution": "results.solution",
+    "resume": "running.simulate",
+    "SCHEMES": "schemes.catalogue",
+    "Options": "schemes.options",
+    "SchemeError": "schemes.options",
+    "simulate": "studies.advice.auto",
+    "plots": "views",
+    "animation": "views",
 }
 
 moved.redirect()

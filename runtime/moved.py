@@ -37,8 +37,9 @@ PARENTS = frozenset(name.rpartition(".")[0] for name in MOVED if name.count(".")
 class _Redirect(MetaPathFinder, Loader):
     """Finds the modules of MOVED, and empty packages where they stood."""
 
-    def find_spec(self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-                  ) -> ModuleSpec | None:
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
         if fullname in MOVED or fullname in PARENTS:
             return ModuleSpec(fullname, self, is_package=fullname in PARENTS)
         return None

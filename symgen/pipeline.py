@@ -1,12 +1,12 @@
 """The compiler, stage by stage. Read this file first.
 
-    scene        what is there                                     (symgen.scene)
-    equations    M, Q*, C, C_q, gamma in all coordinates           (20)-(28)   SymPy templates evaluated on CasADi SX
-    choice       which rows are redundant, which q dependent       (29)-(31)   along the structure, then by pivoting
-    condensed    substitutions for the dependent coordinates       (32)-(38)
-    groups       the slow-to-fast groups of q_i                    (39), (72)
-    kernels      named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
-    tapes        straight-line code of the kernels, with all that depends on p only in `constants`
+scene        what is there                                     (symgen.scene)
+equations    M, Q*, C, C_q, gamma in all coordinates           (20)-(28)   SymPy templates evaluated on CasADi SX
+choice       which rows are redundant, which q dependent       (29)-(31)   along the structure, then by pivoting
+condensed    substitutions for the dependent coordinates       (32)-(38)
+groups       the slow-to-fast groups of q_i                    (39), (72)
+kernels      named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
+tapes        straight-line code of the kernels, with all that depends on p only in `constants`
 """
 
 from __future__ import annotations
@@ -71,15 +71,21 @@ def derive(scene: Scene, functions: frozenset[str] | None = None, place: Positio
     initial = assembled(scene, equations, numbers) if place is None else _at(place, equations)
     choice = _choice(scene, equations, numbers, initial.q, place)
     if not choice.independent:
-        raise SceneError("joints", "the mechanism has no degree of freedom left: every coordinate is determined",
-                         "remove a joint or a prescribed motion, or give a body modes")
+        raise SceneError(
+            "joints",
+            "the mechanism has no degree of freedom left: every coordinate is determined",
+            "remove a joint or a prescribed motion, or give a body modes",
+        )
     system = condense(equations, choice)
     groups = choose_groups(scene, equations, choice.independent)
     try:
         kernels = build_kernels(system, scene, groups, functions)
     except NoInertia as error:
-        raise SceneError(equations.names[error.args[0]], "has no inertia, so its acceleration is not determined",
-                         "give the body an inertia, or join it so that it cannot move that way") from error
+        raise SceneError(
+            equations.names[error.args[0]],
+            "has no inertia, so its acceleration is not determined",
+            "give the body an inertia, or join it so that it cannot move that way",
+        ) from error
     tapes = hoist(kernels, table.vector())
     return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
 
@@ -89,8 +95,9 @@ def _at(place: Position, equations: Equations) -> ConsistentState:
     return ConsistentState(q, np.zeros(len(q)), {})
 
 
-def _choice(scene: Scene, equations: Equations, numbers: ConstraintNumbers, q: np.ndarray,
-            place: Position | None) -> Choice:
+def _choice(
+    scene: Scene, equations: Equations, numbers: ConstraintNumbers, q: np.ndarray, place: Position | None
+) -> Choice:
     """Redundant rows first (known for a place, found otherwise), then the dependent coordinates."""
     _, jacobian = numbers.position(q)
     if place is not None:

@@ -14,8 +14,13 @@ from symgen.scene import Scene, SceneError
 
 
 def generate_variant(
-    scene_toml_text: str, independent: Sequence[str], groups: Sequence[tuple[str, Sequence[str]]], folder: Path,
-    state: Mapping[str, float] | None = None, redundant: Sequence[str] = (), functions: Sequence[str] | None = None,
+    scene_toml_text: str,
+    independent: Sequence[str],
+    groups: Sequence[tuple[str, Sequence[str]]],
+    folder: Path,
+    state: Mapping[str, float] | None = None,
+    redundant: Sequence[str] = (),
+    functions: Sequence[str] | None = None,
 ) -> Path:
     """Derive a scene with q_i = independent and emit it into `folder`, which `runtime.load_model` reads.
 
@@ -27,8 +32,10 @@ def generate_variant(
     an incomplete state, and for a folder that cannot be written.
     """
     data = Scene.from_toml_text(scene_toml_text).to_dict()
-    data["partition"] = {"independent": list(independent),
-                         "groups": [{"name": name, "coordinates": list(names)} for name, names in groups]}
+    data["partition"] = {
+        "independent": list(independent),
+        "groups": [{"name": name, "coordinates": list(names)} for name, names in groups],
+    }
     place = None
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}

@@ -22,9 +22,12 @@ PLACING = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar
 OTHERS = ("spherical", "point_on_line", "distance", "prescribed_angle", "prescribed_displacement")
 ONE_WAY = ("point_on_line", "prescribed_angle", "prescribed_displacement")  # marker a has the axis
 SEQUENCES = ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz")
-MORE: dict[str, dict[str, Any]] = {"screw": {"lead": 0.3}, "distance": {"length": 0.8},
-                                   "prescribed_angle": {"motion": "0.4 + 0.7*t + sin(3*t)/5"},
-                                   "prescribed_displacement": {"motion": "0.3 + 0.2*sin(2*t)"}}
+MORE: dict[str, dict[str, Any]] = {
+    "screw": {"lead": 0.3},
+    "distance": {"length": 0.8},
+    "prescribed_angle": {"motion": "0.4 + 0.7*t + sin(3*t)/5"},
+    "prescribed_displacement": {"motion": "0.3 + 0.2*sin(2*t)"},
+}
 GRAVITY = (1.0, -2.0, -9.0)
 
 
@@ -62,8 +65,11 @@ def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0)
     on_base, children = {}, []
     for k, kind in enumerate(types):
         a, b = rng.normal(size=(2, 3)), rng.normal(size=(2, 3))
-        near = {"position": 0.5 * rng.normal(size=3), "shape": 0.3 * rng.normal(size=(3, 3)),
-                "rotation": psi * rng.normal(size=(3, 3))}
+        near = {
+            "position": 0.5 * rng.normal(size=3),
+            "shape": 0.3 * rng.normal(size=(3, 3)),
+            "rotation": psi * rng.normal(size=(3, 3)),
+        }
         far: dict[str, Any] = {"position": 0.4 * rng.normal(size=3)}
         if kind == "universal":
             far |= {"shape": 0.3 * rng.normal(size=(3, 2)), "rotation": psi * rng.normal(size=(3, 2))}
@@ -72,8 +78,12 @@ def comb(types: tuple[str, ...], variant: Variant = Variant(), psi: float = 1.0)
         orientation = "euler_parameters" if variant.parameters else SEQUENCES[k % 12]
         fields = {"orientation": orientation, "markers": {"at": far}}
         children.append((kind, fields))
-    base = {**flexible(nodes["base"]), "free": True, "markers": on_base,
-            "orientation": "euler_parameters" if variant.parameters else "zyx"}
+    base = {
+        **flexible(nodes["base"]),
+        "free": True,
+        "markers": on_base,
+        "orientation": "euler_parameters" if variant.parameters else "zyx",
+    }
     order = [*children, ("base", base)] if variant.base_last else [("base", base), *children]
     for name, fields in order:
         if nodes[name].shapes.shape[2] and name != "base":

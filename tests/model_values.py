@@ -38,8 +38,10 @@ def evaluate(model: Model, name: str, p: Array | None = None, **values: Any) -> 
     c = model.constants(model.parameter_vector() if p is None else p)
     result = kernel.call({key: (c if key == "c" else values[key]) for key in kernel.name_in()})
     shapes = {key: kernel.size_out(key) for key in kernel.name_out()}
-    return {key: np.asarray(value).reshape(shapes[key]) if shapes[key][1] != 1 else np.asarray(value).ravel()
-            for key, value in result.items()}
+    return {
+        key: np.asarray(value).reshape(shapes[key]) if shapes[key][1] != 1 else np.asarray(value).ravel()
+        for key, value in result.items()
+    }
 
 
 def positions(model: Model, q_i: Array, t: float, guess: Array, iterations: int = 30) -> Array:
@@ -70,15 +72,23 @@ def join(model: Model, independent: Array, dependent: Array) -> Array:
     return full
 
 
-def random_states(model: Model, count: int, seed: int = 1, rigid: float = 0.4, elastic: float = 2e-3,
-                  rate: float = 2.0, t: float = 0.37) -> list[State]:
+def random_states(
+    model: Model,
+    count: int,
+    seed: int = 1,
+    rigid: float = 0.4,
+    elastic: float = 2e-3,
+    rate: float = 2.0,
+    t: float = 0.37,
+) -> list[State]:
     """Random states around the initial one: rigid coordinates by +-rigid, elastic ones by +-elastic."""
     rng = np.random.default_rng(seed)
     soft = np.array([name in model.elastic for name in model.q_i])
     reach, speed = np.where(soft, elastic, rigid), np.where(soft, 0.1 * rate, rate)
     n, start = len(model.q_i), model.initial_q[model.independent_columns]
-    return [make_state(model, start + rng.uniform(-1, 1, n) * reach, rng.uniform(-1, 1, n) * speed, t)
-            for _ in range(count)]
+    return [
+        make_state(model, start + rng.uniform(-1, 1, n) * reach, rng.uniform(-1, 1, n) * speed, t) for _ in range(count)
+    ]
 
 
 def condensed_accelerations(model: Model, state: State) -> Array:
@@ -130,8 +140,12 @@ def joint_forces(model: Model, state: State, q_ddot: Array) -> dict[str, Array]:
 def _reactions(model: Model, state: State, q_ddot: Array) -> tuple[Array, Array]:
     values = {"q": state.q, "q_dot": state.q_dot, "q_ddot": q_ddot, "t": np.array([state.t])}
     C_q = np.asarray(evaluate(model, "constraints", **state.values())["C_q"]).reshape(-1, len(model.coordinates))
-    lam, forces = joint_reactions(model, {key: value[None, :] for key, value in values.items()}, C_q.T.reshape(1, -1),
-                                  model.constants(model.parameter_vector()))
+    lam, forces = joint_reactions(
+        model,
+        {key: value[None, :] for key, value in values.items()},
+        C_q.T.reshape(1, -1),
+        model.constants(model.parameter_vector()),
+    )
     return lam[0], forces[0]
 
 
@@ -149,6 +163,8 @@ def power_gap(model: Model, state: State, q_ddot: Array, lam: Array) -> float:
     given = float(power["power_applied"][0]) + driven - float(power["power_dissipated"][0])
     assert float(power["power_dissipated"][0]) >= 0
     return abs(float(np.sum(parts)) - given) / (float(np.sum(np.abs(parts))) + 1e-2)
+
+
 def relative_error(value: Array, reference: Array) -> float:
     """Largest difference over the largest entry of the reference (1e-300 if that is zero)."""
     value, reference = np.asarray(value, dtype=float), np.asarray(reference, dtype=float)

@@ -98,7 +98,7 @@ def _give_signs(in_space: Scene, spatial: Model, x: Array, v: Array, t: float) -
             gap = C[[spatial.constraints.index(f"{place.joint}.e{k}") for k in range(4)]]
             if np.linalg.norm(gap) > 1.0:
                 first = spatial.coordinates.index(f"{place.child}.e0")
-                x[first:first + 4], v[first:first + 4] = -x[first:first + 4], -v[first:first + 4]
+                x[first : first + 4], v[first : first + 4] = -x[first : first + 4], -v[first : first + 4]
 
 
 def _angle(scene: Scene, planar: Model, q: Array, joint: str) -> float:

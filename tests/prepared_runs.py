@@ -19,8 +19,15 @@ USUAL_STEPS = 3000
 class PreparedRuns:
     """Runs of one scheme on one model from one start, without the checks of `simulate`."""
 
-    def __init__(self, model: Model, scheme: str, m: list[int] | None = None, options: Mapping[str, Any] | None = None,
-                 start: str | None = None, parameters: Mapping[str, float] | None = None) -> None:
+    def __init__(
+        self,
+        model: Model,
+        scheme: str,
+        m: list[int] | None = None,
+        options: Mapping[str, Any] | None = None,
+        start: str | None = None,
+        parameters: Mapping[str, float] | None = None,
+    ) -> None:
         self.model, self.scheme = model, scheme_kind(scheme).build(scheme, model, 1.0, m, options or {})
         self.stepper = Stepper(self.scheme, steps=USUAL_STEPS)
         p = model.parameter_vector(parameters)

@@ -21,20 +21,34 @@ GRAVITY = st.tuples(st.floats(-3, 3), st.floats(-9.81, 9.81))
 def add_rigid(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tuple[str, str]:
     """A rigid body off its axis; returns its start and end markers."""
     mass = draw(MASSES)
-    builder.rigid(name, mass=mass, inertia=mass * length**2 * draw(st.floats(0.05, 0.2)),
-                  center_of_mass=(length * draw(st.floats(0.2, 0.8)), length * draw(st.floats(-0.2, 0.2))),
-                  markers={"end": {"position": (length, 0.0), "angle": draw(st.floats(-1, 1))}})
+    builder.rigid(
+        name,
+        mass=mass,
+        inertia=mass * length**2 * draw(st.floats(0.05, 0.2)),
+        center_of_mass=(length * draw(st.floats(0.2, 0.8)), length * draw(st.floats(-0.2, 0.2))),
+        markers={"end": {"position": (length, 0.0), "angle": draw(st.floats(-1, 1))}},
+    )
     return f"{name}.origin", f"{name}.end"
 
 
-def add_beam(builder: SceneBuilder, name: str, length: float, draw: Draw,
-             ends: str = "clamped-free") -> tuple[str, str]:
+def add_beam(
+    builder: SceneBuilder, name: str, length: float, draw: Draw, ends: str = "clamped-free"
+) -> tuple[str, str]:
     """A slender beam of one or two lateral modes, perhaps with an axial one, perhaps with geometric stiffening."""
     axial = {"ends": "fixed-free", "modes": 1} if draw(st.booleans()) else None
     side = draw(st.floats(0.01, 0.03))
-    builder.beam(name, length=length, density=draw(st.floats(1000, 8000)), area=side**2, second_moment=side**4 / 12,
-                 youngs_modulus=draw(st.floats(1e9, 1e11)), elements=draw(st.integers(6, 10)),
-                 lateral={"ends": ends, "modes": draw(st.integers(1, 2))}, axial=axial, stiffening=draw(st.booleans()))
+    builder.beam(
+        name,
+        length=length,
+        density=draw(st.floats(1000, 8000)),
+        area=side**2,
+        second_moment=side**4 / 12,
+        youngs_modulus=draw(st.floats(1e9, 1e11)),
+        elements=draw(st.integers(6, 10)),
+        lateral={"ends": ends, "modes": draw(st.integers(1, 2))},
+        axial=axial,
+        stiffening=draw(st.booleans()),
+    )
     return f"{name}.start", f"{name}.end"
 
 
@@ -46,14 +60,26 @@ def add_modal(builder: SceneBuilder, name: str, length: float, draw: Draw) -> tu
     x_shape, y_shape = 0.2 * rng.uniform(-1, 1, (5, nf)), rng.uniform(-1, 1, (5, nf))
     cross = np.einsum("k,ka,kb->ab", mass, x_shape, y_shape)
     M_ff = np.einsum("k,ka,kb->ab", mass, x_shape, x_shape) + np.einsum("k,ka,kb->ab", mass, y_shape, y_shape)
-    builder.modal(name, mass=mass.sum(), first_moment=mass @ points, inertia=float(mass @ (points**2).sum(axis=1)),
-                  M_ff=(M_ff + M_ff.T) / 2, K_ff=np.diag(rng.uniform(1e3, 1e5, nf)),
-                  phi_integral=[mass @ x_shape, mass @ y_shape],
-                  rho_dot_phi=(mass * points[:, 0]) @ x_shape + (mass * points[:, 1]) @ y_shape,
-                  rho_cross_phi=(mass * points[:, 0]) @ y_shape - (mass * points[:, 1]) @ x_shape,
-                  phi_cross_phi=cross - cross.T,
-                  markers={"end": {"position": (length, 0.0), "shape_x": x_shape[-1], "shape_y": y_shape[-1],
-                                   "slope": rng.uniform(-1, 1, nf)}})
+    builder.modal(
+        name,
+        mass=mass.sum(),
+        first_moment=mass @ points,
+        inertia=float(mass @ (points**2).sum(axis=1)),
+        M_ff=(M_ff + M_ff.T) / 2,
+        K_ff=np.diag(rng.uniform(1e3, 1e5, nf)),
+        phi_integral=[mass @ x_shape, mass @ y_shape],
+        rho_dot_phi=(mass * points[:, 0]) @ x_shape + (mass * points[:, 1]) @ y_shape,
+        rho_cross_phi=(mass * points[:, 0]) @ y_shape - (mass * points[:, 1]) @ x_shape,
+        phi_cross_phi=cross - cross.T,
+        markers={
+            "end": {
+                "position": (length, 0.0),
+                "shape_x": x_shape[-1],
+                "shape_y": y_shape[-1],
+                "slope": rng.uniform(-1, 1, nf),
+            }
+        },
+    )
     return f"{name}.origin", f"{name}.end"
 
 
@@ -96,8 +122,11 @@ def four_bars(draw: Draw) -> Scene:
     builder.ground(markers={"right": {"position": tuple(right)}})
     crank = add_rigid(builder, "crank", lengths[0], draw)
     flexible = draw(st.booleans())
-    coupler = (add_beam(builder, "coupler", lengths[1], draw, "pinned-pinned") if flexible
-               else add_rigid(builder, "coupler", lengths[1], draw))
+    coupler = (
+        add_beam(builder, "coupler", lengths[1], draw, "pinned-pinned")
+        if flexible
+        else add_rigid(builder, "coupler", lengths[1], draw)
+    )
     rocker = add_rigid(builder, "rocker", lengths[2], draw)
     builder.revolute("A", "ground.origin", crank[0]).revolute("B", crank[1], coupler[0])
     builder.revolute("C", coupler[1], rocker[1]).revolute("D", "ground.right", rocker[0])

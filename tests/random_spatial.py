@@ -13,8 +13,17 @@ from scipy.spatial.transform import Rotation
 from symgen.scene import Scene, SceneBuilder
 
 Draw = Any
-TREE_JOINTS = ("revolute", "prismatic", "cylindrical", "screw", "universal", "planar", "spherical",
-               "point_on_line", "distance")
+TREE_JOINTS = (
+    "revolute",
+    "prismatic",
+    "cylindrical",
+    "screw",
+    "universal",
+    "planar",
+    "spherical",
+    "point_on_line",
+    "distance",
+)
 MORE: dict[str, dict[str, float]] = {"screw": {"lead": 0.2}, "distance": {"length": 0.7}}
 FREEDOM = {"revolute": 1, "universal": 2, "cylindrical": 2, "spherical": 3}  # of the joints along a loop
 HELD = {"distance": 1, "point_on_line": 2, "spherical": 3, "revolute": 5}  # by the joint that closes it
@@ -44,11 +53,18 @@ class Assembly:
         fields: dict[str, Any] = {"orientation": orientation, "markers": {}, "type": "beam" if flexible else "rigid"}
         if flexible:
             side = self.rng.uniform(0.01, 0.03, 2)
-            fields |= {"length": LENGTH, "density": 3000.0, "area": side[0] * side[1], "youngs_modulus": 1e10,
-                       "elements": 8, "second_moment": side[0] * side[1]**3 / 12,
-                       "second_moment_z": side[1] * side[0]**3 / 12,
-                       "lateral": {"ends": "clamped-free", "modes": 1}, "stiffening": self.draw(st.booleans()),
-                       "lateral_z": {"ends": "clamped-free", "modes": 1} if self.draw(st.booleans()) else None}
+            fields |= {
+                "length": LENGTH,
+                "density": 3000.0,
+                "area": side[0] * side[1],
+                "youngs_modulus": 1e10,
+                "elements": 8,
+                "second_moment": side[0] * side[1] ** 3 / 12,
+                "second_moment_z": side[1] * side[0] ** 3 / 12,
+                "lateral": {"ends": "clamped-free", "modes": 1},
+                "stiffening": self.draw(st.booleans()),
+                "lateral_z": {"ends": "clamped-free", "modes": 1} if self.draw(st.booleans()) else None,
+            }
         else:
             mass, sides = self.rng.uniform(0.5, 3), self.rng.uniform(0.1, 1, 3)
             fields |= {"mass": mass, "inertia": mass / 12 * (sides @ sides - sides**2), "center_of_mass": 0.2 * sides}

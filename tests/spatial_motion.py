@@ -73,8 +73,9 @@ def frames(scene: Scene, q: Array, q_dot: Array, q_ddot: Array) -> dict[str, Fra
         kind = getattr(body, "orientation", EULER_PARAMETERS)
         A, omega, alpha = (np.asarray(part) for part in _turning(kind)(q[turning], q_dot[turning], q_ddot[turning]))
         R = slice(first, first + 3)
-        found[body.name] = Frame(q[R], A, q_dot[R], omega.ravel(), q_ddot[R], alpha.ravel(), q[elastic], q_dot[elastic],
-                                 q_ddot[elastic])
+        found[body.name] = Frame(
+            q[R], A, q_dot[R], omega.ravel(), q_ddot[R], alpha.ravel(), q[elastic], q_dot[elastic], q_ddot[elastic]
+        )
         first += n + body.nf
     return found
 

@@ -86,7 +86,7 @@ def imports(path: Path) -> Iterator[str]:
         elif isinstance(node, ast.ImportFrom):
             base = node.module or ""
             if node.level:
-                parents = package.split(".")[:len(package.split(".")) - node.level + 1]
+                parents = package.split(".")[: len(package.split(".")) - node.level + 1]
                 base = ".".join([*parents, *([base] if base else [])])
             yield base
             yield from (f"{base}.{alias.name}" for alias in node.names)
@@ -111,8 +111,10 @@ def test_runtime_imports_neither_symgen_nor_sympy(path: Path) -> None:
 def test_runtime_loads_without_the_generator() -> None:
     """In a fresh interpreter: importing runtime and loading a model brings in no symgen, sympy or pydantic."""
     folder = ROOT / "generated" / "pendulum"
-    program = ("import sys, runtime; runtime.load_model(sys.argv[1]).kernel('condensed'); "
-               "print(sorted({'symgen', 'sympy', 'pydantic'} & set(sys.modules)))")
+    program = (
+        "import sys, runtime; runtime.load_model(sys.argv[1]).kernel('condensed'); "
+        "print(sorted({'symgen', 'sympy', 'pydantic'} & set(sys.modules)))"
+    )
     result = subprocess.run([sys.executable, "-c", program, str(folder)], cwd=ROOT, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     assert result.stdout.strip() == "[]"
@@ -177,11 +179,15 @@ def test_files_import_each_other_in_no_circle(package: str) -> None:
             name = name.rpartition(".")[0]
         return name
 
-    graph = {module_name(path): {file_of(name) for name in imports(path) if within(name, package)} for path in
-             files(package)}
+    graph = {
+        module_name(path): {file_of(name) for name in imports(path) if within(name, package)} for path in files(package)
+    }
     for module, targets in graph.items():  # `from a.b import c` names both a.b and a.b.c: only a.b.c if it is a file
-        graph[module] = {name for name in targets if name != module
-                         and not any(within(other, name) and other != name for other in targets)}
+        graph[module] = {
+            name
+            for name in targets
+            if name != module and not any(within(other, name) and other != name for other in targets)
+        }
     TopologicalSorter(graph).prepare()  # raises CycleError with the circle
 
 
@@ -198,10 +204,16 @@ def calls(path: Path) -> Iterator[tuple[str, int]]:
 @pytest.mark.parametrize("path", files("symgen", "runtime", "benchmarks", "examples", "generated"), ids=module_name)
 def test_nothing_evaluates_text(path: Path) -> None:
     """No eval, exec, sympify, pickle; np.load only with pickle refused."""
-    bad = [(name, line) for name, line in calls(path)
-           if name in FORBIDDEN_CALLS or name in {"builtins.eval", "builtins.exec", "sp.sympify", "sympy.sympify"}]
-    bad += [(name, 0) for name in imports(path) if name.split(".")[0] in FORBIDDEN_IMPORTS
-            or name.rpartition(".")[2] in {"sympify", "parse_expr"}]
+    bad = [
+        (name, line)
+        for name, line in calls(path)
+        if name in FORBIDDEN_CALLS or name in {"builtins.eval", "builtins.exec", "sp.sympify", "sympy.sympify"}
+    ]
+    bad += [
+        (name, 0)
+        for name in imports(path)
+        if name.split(".")[0] in FORBIDDEN_IMPORTS or name.rpartition(".")[2] in {"sympify", "parse_expr"}
+    ]
     for node in ast.walk(tree(path)):
         if isinstance(node, ast.keyword) and node.arg == "allow_pickle":
             if not (isinstance(node.value, ast.Constant) and node.value.value is False):

@@ -19,8 +19,18 @@ from symgen.generate import generate
 from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]
-SERIES = ("t", "q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error",
-          "constraint_rate_error")
+SERIES = (
+    "t",
+    "q",
+    "q_dot",
+    "q_ddot",
+    "q_i",
+    "lam",
+    "joint_forces",
+    "measures",
+    "constraint_error",
+    "constraint_rate_error",
+)
 STEPS, EVERY, SAVED, BROKEN_OFF = 60, 7, 4, 33
 STEP = {"hub_beam": 2e-4, "slider_crank": 2e-5, "flexible_slider_crank_free": 2e-5}
 
@@ -49,8 +59,15 @@ def assert_same(one: Solution, other: Solution) -> None:
 def settings_of(name: str, scheme: str, engine: str) -> dict[str, Any]:
     dt = STEP[name]
     m = {"none": None, "sub_steps": [2], "groups": [3] if name != "slider_crank" else None}[SCHEMES[scheme].ratios]
-    return {"scheme": scheme, "dt": dt, "m": m, "t_end": STEPS * dt, "save_every": SAVED, "engine": engine,
-            "force": True}
+    return {
+        "scheme": scheme,
+        "dt": dt,
+        "m": m,
+        "t_end": STEPS * dt,
+        "save_every": SAVED,
+        "engine": engine,
+        "force": True,
+    }
 
 
 def broken_off(model: Model, settings: dict[str, Any], path: Path, **more: Any) -> Break:
@@ -67,8 +84,9 @@ CASES += [("flexible_slider_crank_free", scheme, ENGINES[-1]) for scheme in ("pr
 
 
 @pytest.mark.parametrize("name, scheme, engine", CASES)
-def test_resumed_run_is_the_uninterrupted_run(built_in: Load, tmp_path: Path, name: str, scheme: str,
-                                              engine: str) -> None:
+def test_resumed_run_is_the_uninterrupted_run(
+    built_in: Load, tmp_path: Path, name: str, scheme: str, engine: str
+) -> None:
     model, settings, path = built_in(name), settings_of(name, scheme, engine), tmp_path / "run.npz"
     whole = simulate(model, **settings)
     assert whole.status.ok, whole.status
@@ -79,12 +97,19 @@ def test_resumed_run_is_the_uninterrupted_run(built_in: Load, tmp_path: Path, na
 
 def test_checkpoints_do_not_change_a_run(built_in: Load, tmp_path: Path) -> None:
     model, settings = built_in("slider_crank"), settings_of("slider_crank", "single_rate", "interpreted")
-    assert_same(simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=1),
-                simulate(model, **settings))
+    assert_same(
+        simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=1), simulate(model, **settings)
+    )
 
 
-@pytest.mark.parametrize("more", [{"stream": "rows"}, {"outputs": ["hub.theta", "hub.theta_dot", "kinetic"]},
-                                  {"outputs": ["hub.theta", "kinetic"], "stream": "rows"}])
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"stream": "rows"},
+        {"outputs": ["hub.theta", "hub.theta_dot", "kinetic"]},
+        {"outputs": ["hub.theta", "kinetic"], "stream": "rows"},
+    ],
+)
 def test_streams_and_outputs_resume_too(built_in: Load, tmp_path: Path, more: dict[str, Any]) -> None:
     model, settings = built_in("hub_beam"), settings_of("hub_beam", "printed", "interpreted")
 
@@ -103,8 +128,13 @@ def test_streams_and_outputs_resume_too(built_in: Load, tmp_path: Path, more: di
 
 def test_changed_parameters_and_initial_values_are_kept(built_in: Load, tmp_path: Path) -> None:
     model = built_in("slider_crank")
-    settings = {**settings_of("slider_crank", "rk4", "interpreted"), "parameters": {"rod.mass": 0.2},
-                "initial": {"crank.theta": 0.3}, "t0": 0.5, "t_end": 0.5 + STEPS * 2e-5}
+    settings = {
+        **settings_of("slider_crank", "rk4", "interpreted"),
+        "parameters": {"rod.mass": 0.2},
+        "initial": {"crank.theta": 0.3},
+        "t0": 0.5,
+        "t_end": 0.5 + STEPS * 2e-5,
+    }
     whole = simulate(model, **settings)
     stop = Break(0.5 + BROKEN_OFF * 2e-5, tmp_path / "run.npz")
     simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=EVERY, progress=stop)
@@ -135,8 +165,15 @@ def test_other_settings_are_refused(built_in: Load, checkpoint: Path, said: dict
 
 
 def test_the_same_settings_may_be_said_again(built_in: Load, checkpoint: Path, tmp_path: Path) -> None:
-    again = resume(built_in("slider_crank"), checkpoint, scheme="single_rate", dt=2e-5, m=[], options={},
-                   checkpoint=tmp_path / "further.npz")
+    again = resume(
+        built_in("slider_crank"),
+        checkpoint,
+        scheme="single_rate",
+        dt=2e-5,
+        m=[],
+        options={},
+        checkpoint=tmp_path / "further.npz",
+    )
     assert again.status.ok
 
 
@@ -148,7 +185,7 @@ def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_p
     path = tmp_path / "damaged.npz"
     refused = 0
     for position in [0, 10, len(good) // 2, len(good) - 1, *rng.integers(0, len(good), 40)]:
-        for damaged in (good[:position], good[:position] + bytes([good[position] ^ 0x5A]) + good[position + 1:]):
+        for damaged in (good[:position], good[:position] + bytes([good[position] ^ 0x5A]) + good[position + 1 :]):
             path.write_bytes(damaged)
             try:
                 assert_same(resume(model, path), whole)  # a byte that nothing depends on (a date in the archive)
@@ -160,8 +197,19 @@ def test_damaged_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_p
         resume(model, tmp_path / "none.npz")
 
 
-@pytest.mark.parametrize("key, value", [("steps", 1e300), ("options", None), ("digest", 3), ("scheme", ["rk4"]),
-                                        ("guard", None), ("scene_toml", "import os"), ("z", 1.0), ("p", 2.0)])
+@pytest.mark.parametrize(
+    "key, value",
+    [
+        ("steps", 1e300),
+        ("options", None),
+        ("digest", 3),
+        ("scheme", ["rk4"]),
+        ("guard", None),
+        ("scene_toml", "import os"),
+        ("z", 1.0),
+        ("p", 2.0),
+    ],
+)
 def test_edited_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_path: Path, key: str, value: Any) -> None:
     """Also those that are whole archives: a run goes on with what it wrote itself, and with nothing else."""
     arrays = dict(np.load(checkpoint))
@@ -177,7 +225,10 @@ def test_edited_checkpoints_are_refused(built_in: Load, checkpoint: Path, tmp_pa
 
 
 def test_wrong_words_about_checkpoints(built_in: Load, tmp_path: Path) -> None:
-    for wrong in ({"checkpoint_every": 5}, {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 0},
-                  {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 2.5}):
+    for wrong in (
+        {"checkpoint_every": 5},
+        {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 0},
+        {"checkpoint": tmp_path / "a.npz", "checkpoint_every": 2.5},
+    ):
         with pytest.raises(SchemeError, match="checkpoint_every"):
             simulate(built_in("pendulum"), **wrong)  # type: ignore[arg-type]

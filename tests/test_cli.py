@@ -37,11 +37,13 @@ def run(capsys, *words: object) -> tuple[int, dict]:
 
 
 def test_help_is_fast_and_imports_nothing_heavy() -> None:
-    program = ("import sys; from symgen.cli import main\n"
-               "try: main(['--help'])\n"
-               "except SystemExit as end: assert not end.code\n"
-               "heavy = {'sympy', 'matplotlib', 'casadi', 'numpy', 'pydantic'} & set(sys.modules)\n"
-               "sys.exit(', '.join(heavy) if heavy else 0)")
+    program = (
+        "import sys; from symgen.cli import main\n"
+        "try: main(['--help'])\n"
+        "except SystemExit as end: assert not end.code\n"
+        "heavy = {'sympy', 'matplotlib', 'casadi', 'numpy', 'pydantic'} & set(sys.modules)\n"
+        "sys.exit(', '.join(heavy) if heavy else 0)"
+    )
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     assert "simulate" in result.stdout
@@ -97,8 +99,19 @@ def test_generate_only_some_functions(capsys, folder, tmp_path) -> None:
 
 def test_simulate_and_animate(capsys, folder, tmp_path) -> None:
     changes = ("--set", "torque=0.2", "--initial", "rod.theta=-0.5", "--save-every", 5)
-    code, data = run(capsys, "simulate", folder / "code", "--t-end", 0.1, "--engine", "interpreted", *changes,
-                     "--out", tmp_path / "run", "--plots")
+    code, data = run(
+        capsys,
+        "simulate",
+        folder / "code",
+        "--t-end",
+        0.1,
+        "--engine",
+        "interpreted",
+        *changes,
+        "--out",
+        tmp_path / "run",
+        "--plots",
+    )
     assert code == 0 and data["report"]["status"]["ok"]
     assert data["report"]["parameters"]["torque"]["value"] == 0.2
     solution = Solution.load(tmp_path / "run" / "solution.npz")
@@ -128,37 +141,58 @@ def test_no_energy_balance_is_claimed_where_the_samples_were_not_kept(capsys, fo
 
 
 def test_a_run_that_fails_exits_with_one_and_keeps_its_report(capsys, folder, tmp_path) -> None:
-    code, data = run(capsys, "simulate", folder / "code", "--dt", 0.5, "--t-end", 500, "--engine", "interpreted",
-                     "--out", tmp_path)
+    code, data = run(
+        capsys, "simulate", folder / "code", "--dt", 0.5, "--t-end", 500, "--engine", "interpreted", "--out", tmp_path
+    )
     assert code == 1 and not data["report"]["status"]["ok"] and data["report"]["status"]["advice"]
     assert main(["simulate", str(folder / "code"), "--dt", "0.5", "--t-end", "500", "--engine", "interpreted"]) == 1
     assert data["report"]["status"]["name"] in capsys.readouterr().out
 
 
 def test_demo_leaves_everything(capsys, tmp_path) -> None:
-    code, data = run(capsys, "demo", "slider-crank", "--out", tmp_path / "demo", "--t-end", 0.01,
-                     "--engine", "interpreted")
+    code, data = run(
+        capsys, "demo", "slider-crank", "--out", tmp_path / "demo", "--t-end", 0.01, "--engine", "interpreted"
+    )
     assert code == 0 and data["report"]["model"]["name"] == "flexible_slider_crank"
     assert all((tmp_path / "demo" / name).stat().st_size > 500 for name in DEMO_FILES)
     assert (tmp_path / "demo" / "model" / "model.py").is_file()
 
 
 MISTAKES = [
-    [], ["nonsense"], ["show"], ["show", "no_such_scene"], ["show", "missing.toml"], ["show", "."],
-    ["show", "chain", "--with", "links=2.5"], ["show", "chain", "--with", "lynx=3"], ["show", "chain", "--with", "x"],
-    ["generate"], ["generate", "pendulum", "--all"], ["generate", "pendulum", "--functions", "nothing"],
-    ["generate", "pendulum", "--out", "/proc/nowhere/x"], ["generate", "{code}", "--with", "a=1"],
-    ["simulate", "{code}", "--dt", "0"], ["simulate", "{code}", "--dt", "nan"], ["simulate", "{code}", "--dt", "fast"],
-    ["simulate", "{code}", "--t-end", "-1"], ["simulate", "{code}", "--m", "2.5"],
+    [],
+    ["nonsense"],
+    ["show"],
+    ["show", "no_such_scene"],
+    ["show", "missing.toml"],
+    ["show", "."],
+    ["show", "chain", "--with", "links=2.5"],
+    ["show", "chain", "--with", "lynx=3"],
+    ["show", "chain", "--with", "x"],
+    ["generate"],
+    ["generate", "pendulum", "--all"],
+    ["generate", "pendulum", "--functions", "nothing"],
+    ["generate", "pendulum", "--out", "/proc/nowhere/x"],
+    ["generate", "{code}", "--with", "a=1"],
+    ["simulate", "{code}", "--dt", "0"],
+    ["simulate", "{code}", "--dt", "nan"],
+    ["simulate", "{code}", "--dt", "fast"],
+    ["simulate", "{code}", "--t-end", "-1"],
+    ["simulate", "{code}", "--m", "2.5"],
     ["simulate", "{code}", "--m", "1,2,3", "--scheme", "printed"],
-    ["simulate", "{code}", "--scheme", "euler"], ["simulate", "{code}", "--save-every", "0"],
-    ["simulate", "{code}", "--set", "torque"], ["simulate", "{code}", "--set", "torque=inf"],
-    ["simulate", "{code}", "--set", "mass=1"], ["simulate", "{code}", "--initial", "rod.q9=1"],
-    ["simulate", "{code}", "--engine", "warp"], ["simulate", "{code}", "--plots"], ["simulate", "{place}"],
+    ["simulate", "{code}", "--scheme", "euler"],
+    ["simulate", "{code}", "--save-every", "0"],
+    ["simulate", "{code}", "--set", "torque"],
+    ["simulate", "{code}", "--set", "torque=inf"],
+    ["simulate", "{code}", "--set", "mass=1"],
+    ["simulate", "{code}", "--initial", "rod.q9=1"],
+    ["simulate", "{code}", "--engine", "warp"],
+    ["simulate", "{code}", "--plots"],
+    ["simulate", "{place}"],
     ["simulate", "{code}", "--t-end", "0.001", "--out", "/proc/nowhere"],
     ["animate", "{code}", "--t-end", "0.001", "--out", "a.mp4"],
     ["animate", "{code}", "--t-end", "0.001", "--frames", "0"],
-    ["demo", "no_such_scene"], ["new", "class-9", "--out", "/proc/nowhere/a.toml"],
+    ["demo", "no_such_scene"],
+    ["new", "class-9", "--out", "/proc/nowhere/a.toml"],
 ]
 
 

@@ -21,8 +21,28 @@ def said(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str
 
 def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     """Central difference on L1: the limit is 2 / w of the fastest coupled mode, for every m."""
-    code, out, _ = said(capsys, "stability", *MOTION, "--scheme", "coupled", "--m", "2", "--m", "5", "--states", "1",
-                        "--points", "6", "--set", "k_L=0", "--set", "zeta=0", "--out", str(tmp_path), "--json")
+    code, out, _ = said(
+        capsys,
+        "stability",
+        *MOTION,
+        "--scheme",
+        "coupled",
+        "--m",
+        "2",
+        "--m",
+        "5",
+        "--states",
+        "1",
+        "--points",
+        "6",
+        "--set",
+        "k_L=0",
+        "--set",
+        "zeta=0",
+        "--out",
+        str(tmp_path),
+        "--json",
+    )
     assert code == 0
     limits = json.loads(out)["limits"]
     assert [row["m"] for row in limits] == [[2], [5]]
@@ -35,11 +55,17 @@ def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path
     assert fine[0] == pytest.approx(fine[1], rel=0.01)
 
 
-@pytest.mark.parametrize(("words", "message"), [
-    (["--dt-from", "1e-3"], "belong together"), (["--dt-from", "1", "--dt-to", "0.1"], "below --dt-to"),
-    (["--points", "1"], "--points must be"), (["--scheme", "nothing"], "no scheme 'nothing'"),
-    (["--scheme", "coupled", "--m", "2,2"], "m needs 1 ratio"), (["--option", "guess=x", "--scheme", "rk4"],
-                                                                "rk4 has no option")])
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--dt-from", "1e-3"], "belong together"),
+        (["--dt-from", "1", "--dt-to", "0.1"], "below --dt-to"),
+        (["--points", "1"], "--points must be"),
+        (["--scheme", "nothing"], "no scheme 'nothing'"),
+        (["--scheme", "coupled", "--m", "2,2"], "m needs 1 ratio"),
+        (["--option", "guess=x", "--scheme", "rk4"], "rk4 has no option"),
+    ],
+)
 def test_stability_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
     code, _, err = said(capsys, "stability", *MOTION, *words)
     assert code == 2
@@ -54,9 +80,14 @@ def test_advise_ends_with_a_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*words, "--t-end", "3"]) == 0
 
 
-@pytest.mark.parametrize(("words", "message"), [
-    (["--tolerance", "2"], "tolerance must be between 0 and 1"), (["--graded", "x_Q"], "'x_Q' cannot be graded"),
-    (["--graded", ","], "at least one name")])
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--tolerance", "2"], "tolerance must be between 0 and 1"),
+        (["--graded", "x_Q"], "'x_Q' cannot be graded"),
+        (["--graded", ","], "at least one name"),
+    ],
+)
 def test_advise_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
     code, _, err = said(capsys, "advise", *MOTION, *words)
     assert code == 2
@@ -70,26 +101,46 @@ def test_a_motion_without_result_is_a_numerical_failure(capsys: pytest.CaptureFi
 
 
 def test_report_leaves_one_page(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, _ = said(capsys, "report", *MOTION, "--methods", "exponential:1,rk4", "--longest", "0.002", "--out",
-                        str(tmp_path))
+    code, out, _ = said(
+        capsys, "report", *MOTION, "--methods", "exponential:1,rk4", "--longest", "0.002", "--out", str(tmp_path)
+    )
     assert code == 0
     assert "recommended: " in out
     assert (tmp_path / "comparison.html").exists()
 
 
 def test_report_runs_cases_of_the_suite(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, _ = said(capsys, "report", "--suite", "hard", "--cases", "oscillators_10", "--methods",
-                        "exponential:1,dop853", "--longest", "0.002", "--out", str(tmp_path), "--json")
+    code, out, _ = said(
+        capsys,
+        "report",
+        "--suite",
+        "hard",
+        "--cases",
+        "oscillators_10",
+        "--methods",
+        "exponential:1,dop853",
+        "--longest",
+        "0.002",
+        "--out",
+        str(tmp_path),
+        "--json",
+    )
     assert code == 0
     assert json.loads(out)["cases"][0][0] == "oscillators_10"
     assert (tmp_path / "oscillators_10" / "comparison.html").exists()
     assert "oscillators_10/comparison.html" in (tmp_path / "suite.html").read_text()
 
 
-@pytest.mark.parametrize(("words", "message"), [
-    ([], "give a scene, or --suite hard"), (["pendulum", "--suite", "hard"], "give a scene"),
-    (["pendulum", "--cases", "x"], "belongs to --suite"), (["--suite", "hard", "--cases", "x"], "has no case 'x'"),
-    (["pendulum", "--methods", "leapfrog"], "no method 'leapfrog'")])
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([], "give a scene, or --suite hard"),
+        (["pendulum", "--suite", "hard"], "give a scene"),
+        (["pendulum", "--cases", "x"], "belongs to --suite"),
+        (["--suite", "hard", "--cases", "x"], "has no case 'x'"),
+        (["pendulum", "--methods", "leapfrog"], "no method 'leapfrog'"),
+    ],
+)
 def test_report_refuses(capsys: pytest.CaptureFixture[str], words: list[str], message: str) -> None:
     code, _, err = said(capsys, "report", *words)
     assert code == 2

@@ -51,8 +51,9 @@ def advice(oscillators: Model) -> Advice:
 @pytest.fixture(scope="module")
 def comparison(oscillators: Model) -> Comparison:
     setting = make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START)
-    return compare(setting, methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"]),
-                   longest=0.003)
+    return compare(
+        setting, methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"]), longest=0.003
+    )
 
 
 def exact(t: np.ndarray) -> np.ndarray:
@@ -72,8 +73,9 @@ def test_the_reference_is_the_exact_motion(problem: Problem) -> None:
 def test_errors_are_those_of_the_exact_motion(problem: Problem) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
     trial = Contender(Spec("rk4"), problem, engine="interpreted").run(150)
-    run = simulate(problem.model, t_end=T_END, dt=T_END / 150, scheme="rk4", parameters=PLAIN, initial=START,
-                   save_every=1)
+    run = simulate(
+        problem.model, t_end=T_END, dt=T_END / 150, scheme="rk4", parameters=PLAIN, initial=START, save_every=1
+    )
     truth = exact(run.t)[:, 0]
     wanted = np.sqrt(np.mean((run["x_L"] - truth) ** 2)) / exact(np.linspace(0, T_END, 2001))[:, 0].std()
     assert trial.error == pytest.approx(wanted, rel=0.02)
@@ -131,9 +133,15 @@ def test_auto_runs_what_was_advised(oscillators: Model) -> None:
     assert "advice" in run.stats
 
 
-@pytest.mark.parametrize(("arguments", "message"), [
-    ({"dt": 0.1}, "auto chooses dt"), ({"m": [2]}, "auto chooses"), ({"tolerance": 0.0}, "tolerance must be between"),
-    ({"t0": 1.0}, "from t = 0")])
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"dt": 0.1}, "auto chooses dt"),
+        ({"m": [2]}, "auto chooses"),
+        ({"tolerance": 0.0}, "tolerance must be between"),
+        ({"t0": 1.0}, "from t = 0"),
+    ],
+)
 def test_auto_refuses_what_it_cannot_use(oscillators: Model, arguments: dict, message: str) -> None:
     with pytest.raises(SchemeError, match=message):
         simulate(oscillators, t_end=T_END, scheme="auto", **arguments)
@@ -158,8 +166,13 @@ def test_no_advice_says_what_was_tried(oscillators: Model, monkeypatch: pytest.M
     monkeypatch.setattr("runtime.studies.work_precision.search.CHEAP", 0.0)
     monkeypatch.setattr("runtime.studies.work_precision.search.HOPELESSLY_SLOW", 0.0)
     with pytest.raises(NoAdvice, match=r"printed m=4"):
-        advise(oscillators, t_end=T_END, parameters={"c": 0.9, "w": 50.0, "k_L": 1.0, "zeta": 0.0}, initial=START,
-               tolerance=1e-9)
+        advise(
+            oscillators,
+            t_end=T_END,
+            parameters={"c": 0.9, "w": 50.0, "k_L": 1.0, "zeta": 0.0},
+            initial=START,
+            tolerance=1e-9,
+        )
 
 
 def test_a_motion_without_reference_is_said_so(oscillators: Model) -> None:

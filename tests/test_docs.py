@@ -99,8 +99,12 @@ def test_pictures_are_small() -> None:
 
 
 def defined_tests() -> set[str]:
-    return {node.name for path in (ROOT / "tests").rglob("test_*.py") for node in ast.parse(read(path)).body
-            if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")}
+    return {
+        node.name
+        for path in (ROOT / "tests").rglob("test_*.py")
+        for node in ast.parse(read(path)).body
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")
+    }
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_id)
@@ -138,8 +142,12 @@ def test_equation_numbers_of_docstrings() -> None:
 
 def test_symbols_are_names_of_the_code() -> None:
     """Every name of the table is a word of the sources, stands once, and cites equations that exist."""
-    sources = [path for folder in ("symgen", "runtime", "generated") for path in (ROOT / folder).rglob("*.py")
-               if path.name != "notation.py"]
+    sources = [
+        path
+        for folder in ("symgen", "runtime", "generated")
+        for path in (ROOT / folder).rglob("*.py")
+        if path.name != "notation.py"
+    ]
     words = {word for path in sources for word in re.findall(r"[A-Za-z_]\w*", read(path))}
     names = [symbol.code for symbol in SYMBOLS]
     assert len(set(names)) == len(names)
@@ -161,8 +169,11 @@ def schema_keys() -> set[str]:
 
 
 def schema_types() -> set[str]:
-    return {part["properties"]["type"]["const"] for part in Scene.json_schema()["$defs"].values()
-            if "const" in part.get("properties", {}).get("type", {})}
+    return {
+        part["properties"]["type"]["const"]
+        for part in Scene.json_schema()["$defs"].values()
+        if "const" in part.get("properties", {}).get("type", {})
+    }
 
 
 def test_the_pages_of_scenes_are_complete() -> None:

@@ -22,8 +22,11 @@ FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """A writable copy of the emitted pendulum."""
-    return Path(shutil.copytree(generated_folder("pendulum"), tmp_path / "pendulum",
-                                ignore=shutil.ignore_patterns("__pycache__")))
+    return Path(
+        shutil.copytree(
+            generated_folder("pendulum"), tmp_path / "pendulum", ignore=shutil.ignore_patterns("__pycache__")
+        )
+    )
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -32,8 +35,11 @@ def test_emitted_code_is_current(name: str) -> None:
 
 
 def test_every_emitted_folder_belongs_to_a_scene() -> None:
-    folders = {path.name for path in generated_folder("pendulum").parent.iterdir()
-               if path.is_dir() and not path.name.startswith(("_", "."))}
+    folders = {
+        path.name
+        for path in generated_folder("pendulum").parent.iterdir()
+        if path.is_dir() and not path.name.startswith(("_", "."))
+    }
     assert folders == set(SCENES)
 
 
@@ -47,11 +53,22 @@ def test_generation_is_deterministic(tmp_path: Path) -> None:
 
 def test_emission_does_not_depend_on_the_hash_seed() -> None:
     """Sets and dictionaries may be walked in another order in another process: the text must not show it."""
-    program = ("import hashlib; from symgen.emission.write import emit; from symgen.pipeline import derive; "
-               "from symgen.scenes import SCENES; files = emit(derive(SCENES['flexible_slider_crank']())); "
-               "print(hashlib.sha256(''.join(files.values()).encode()).hexdigest())")
-    digests = {subprocess.run([sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True,
-                              env={**os.environ, "PYTHONHASHSEED": seed}).stdout for seed in ("1", "2")}
+    program = (
+        "import hashlib; from symgen.emission.write import emit; from symgen.pipeline import derive; "
+        "from symgen.scenes import SCENES; files = emit(derive(SCENES['flexible_slider_crank']())); "
+        "print(hashlib.sha256(''.join(files.values()).encode()).hexdigest())"
+    )
+    digests = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=ROOT,
+            check=True,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        ).stdout
+        for seed in ("1", "2")
+    }
     assert len(digests) == 1
 
 
@@ -60,13 +77,16 @@ def test_a_copy_agrees(copy: Path) -> None:
     assert load_model(copy).name == "pendulum"
 
 
-@pytest.mark.parametrize("file, old, new", [
-    ("model.py", "ca.cos(rod_theta)", "ca.sin(rod_theta)"),
-    ("model.py", '"""Simple', '"""Very simple'),
-    ("data.json", "9.81", "9.82"),
-    ("scene.toml", "9.81", "9.82"),
-    ("model.md", "pendulum", "clock"),
-])
+@pytest.mark.parametrize(
+    "file, old, new",
+    [
+        ("model.py", "ca.cos(rod_theta)", "ca.sin(rod_theta)"),
+        ("model.py", '"""Simple', '"""Very simple'),
+        ("data.json", "9.81", "9.82"),
+        ("scene.toml", "9.81", "9.82"),
+        ("model.md", "pendulum", "clock"),
+    ],
+)
 def test_an_edit_is_a_diff_and_is_refused(copy: Path, file: str, old: str, new: str) -> None:
     path = copy / file
     text = path.read_text(encoding="utf-8")

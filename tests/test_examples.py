@@ -31,8 +31,16 @@ def numbers(text: str) -> list[float]:
 
 
 def test_every_example_is_here() -> None:
-    tested = {"build_slider_crank", "compare_schemes", "from_toml", "linear_structure", "optimise_torque",
-              "parameter_study", "mesh_connecting_rod", "build_spatial_arm"}
+    tested = {
+        "build_slider_crank",
+        "compare_schemes",
+        "from_toml",
+        "linear_structure",
+        "optimise_torque",
+        "parameter_study",
+        "mesh_connecting_rod",
+        "build_spatial_arm",
+    }
     assert {path.stem for path in EXAMPLES.glob("*.py")} == tested
 
 

@@ -31,8 +31,13 @@ def scaled_slider_crank(size: float) -> Scene:
     """Crank and rod of the given size, spun so fast that a step turns the crank by most of a radian."""
     scene = SceneBuilder("small")
     for name, length in (("crank", size), ("rod", 2 * size)):
-        scene.rigid(name, mass=1.0, inertia=size**2 / 12, center_of_mass=(length / 2, 0),
-                    markers={"tip": {"position": (length, 0)}})
+        scene.rigid(
+            name,
+            mass=1.0,
+            inertia=size**2 / 12,
+            center_of_mass=(length / 2, 0),
+            markers={"tip": {"position": (length, 0)}},
+        )
     scene.rigid("slider", mass=1.0, inertia=size**2)
     scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
     scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
@@ -73,8 +78,11 @@ def test_sweep_that_cannot_converge_is_named(built_in: Load) -> None:
 
 def test_start_that_is_not_finite(tmp_path: Path) -> None:
     """M_hat is singular for the changed parameter, which no sign rule catches."""
-    scene = SceneBuilder("pair").parameter("c", 0.5).structure(
-        coordinates=["a", "b"], mass=[[1.0, "c"], ["c", 1.0]], stiffness=[[1.0, 0.0], [0.0, 1.0]])
+    scene = (
+        SceneBuilder("pair")
+        .parameter("c", 0.5)
+        .structure(coordinates=["a", "b"], mass=[[1.0, "c"], ["c", 1.0]], stiffness=[[1.0, 0.0], [0.0, 1.0]])
+    )
     model = load_model(generate(scene.initial({"a": 1.0}).build(), tmp_path / "pair"))
     solution = simulate(model, parameters={"c": 1.0}, scheme="single_rate", t_end=1.0, dt=0.1)
     assert solution.status.name == "not_finite"
@@ -83,8 +91,16 @@ def test_start_that_is_not_finite(tmp_path: Path) -> None:
 
 def test_deflection_beyond_second_order_stiffening(model_of: Build) -> None:
     """The truncated kinetic energy loses its sign at about a fifth of the length; a run says so."""
-    arm = SceneBuilder("arm").beam("arm", length=0.6, density=2700.0, area=4e-5, second_moment=1.3e-11,
-                                   youngs_modulus=7e10, lateral={"ends": "clamped-free", "modes": 2}, stiffening=True)
+    arm = SceneBuilder("arm").beam(
+        "arm",
+        length=0.6,
+        density=2700.0,
+        area=4e-5,
+        second_moment=1.3e-11,
+        youngs_modulus=7e10,
+        lateral={"ends": "clamped-free", "modes": 2},
+        stiffening=True,
+    )
     arm.revolute("hinge", "ground.origin", "arm.start").simulation(t_end=0.1, dt=2e-5, scheme="single_rate")
     model = model_of(arm.build())
     assert simulate(model, initial={"arm.q1": 0.05}, t_end=0.01).status.ok
@@ -163,8 +179,12 @@ def test_printed_scheme_with_default_tolerance_keeps_its_order(built_in: Load) -
     model = built_in("hub_beam")
     exact = simulate(model, scheme="single_rate", dt=1e-5, t_end=0.2, save_every=10**6).q_i[-1]
     steps = np.array([8e-4, 4e-4, 2e-4])
-    errors = [np.abs(simulate(model, scheme="printed", m=[1], dt=float(dt), t_end=0.2, save_every=10**6).q_i[-1]
-                     - exact).max() for dt in steps]
+    errors = [
+        np.abs(
+            simulate(model, scheme="printed", m=[1], dt=float(dt), t_end=0.2, save_every=10**6).q_i[-1] - exact
+        ).max()
+        for dt in steps
+    ]
     assert abs(np.polyfit(np.log(steps), np.log(errors), 1)[0] - 2.0) < 0.1
     assert errors[-1] < 5e-8
 

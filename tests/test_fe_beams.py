@@ -34,8 +34,9 @@ def bending(roots: np.ndarray, second_moment: float) -> np.ndarray:
     return (roots / LENGTH) ** 2 * np.sqrt(MATERIAL.E * second_moment / (MATERIAL.rho * SECTION.area)) / (2.0 * np.pi)
 
 
-@pytest.mark.parametrize(("roots", "choices"), [(FREE_FREE, {"mode_set": "free"}),
-                                                (CLAMPED_FREE, {"mode_set": "mixed", "fixed": ["left"]})])
+@pytest.mark.parametrize(
+    ("roots", "choices"), [(FREE_FREE, {"mode_set": "free"}), (CLAMPED_FREE, {"mode_set": "mixed", "fixed": ["left"]})]
+)
 def test_bending_frequencies_are_analytic(roots: np.ndarray, choices: dict[str, object]) -> None:
     found = body(**choices).frequencies
     expected = np.sort(np.concatenate([bending(roots, SECTION.I_y), bending(roots, SECTION.I_z)]))[:5]
@@ -105,8 +106,10 @@ def test_modes_are_orthonormal_in_the_mass(choices: dict[str, object], mass: str
 
 
 def test_lumped_mass_nears_the_consistent_one_with_the_square_of_the_element() -> None:
-    gaps = [body(elements, 1, mass="lumped").frequencies[0] / body(elements, 1).frequencies[0] - 1.0
-            for elements in (10, 20)]
+    gaps = [
+        body(elements, 1, mass="lumped").frequencies[0] / body(elements, 1).frequencies[0] - 1.0
+        for elements in (10, 20)
+    ]
     assert gaps[0] < 0.0 and 3.5 < gaps[0] / gaps[1] < 4.5
     heavy, light = body(20, 1), body(20, 1, mass="lumped")
     assert_allclose(light.integrals.mass, heavy.integrals.mass, rtol=1e-13)
@@ -134,17 +137,26 @@ def test_integrals_of_a_straight_beam() -> None:
 @pytest.mark.parametrize("modes", [2, 4])
 def test_products_of_shapes_near_those_of_a_fine_mesh(modes: int) -> None:
     """An arch bends in all directions; the nodal masses with their first moments do well on few elements."""
+
     def arch(elements: int) -> FlexibleBody:
         angle = np.linspace(0.0, 2.0, elements + 1)
         nodes = np.column_stack([np.sin(angle), np.cos(angle), 0.1 * angle])
-        return FlexibleBody.from_mesh(LineMesh(nodes, [(k, k + 1) for k in range(elements)], SECTION), MATERIAL,
-                                      interface={"end": [0]}, modes=modes)
+        return FlexibleBody.from_mesh(
+            LineMesh(nodes, [(k, k + 1) for k in range(elements)], SECTION),
+            MATERIAL,
+            interface={"end": [0]},
+            modes=modes,
+        )
 
     fine, errors = arch(160).integrals, []
     for elements in (10, 20):
         coarse = arch(elements).integrals
-        errors.append([np.abs(getattr(coarse, name) - getattr(fine, name)).max() / np.abs(getattr(fine, name)).max()
-                       for name in ("rho_phi", "phi_phi")])
+        errors.append(
+            [
+                np.abs(getattr(coarse, name) - getattr(fine, name)).max() / np.abs(getattr(fine, name)).max()
+                for name in ("rho_phi", "phi_phi")
+            ]
+        )
     assert np.all(np.array(errors[0]) < 0.04) and np.all(np.array(errors[1]) < 0.3 * np.array(errors[0]))
 
 
@@ -169,8 +181,12 @@ def test_the_direction_of_a_beam_does_not_matter() -> None:
     third = tuple(np.array([2.0, 3.0, 6.0]) / 7.0)
     turned = FlexibleBody.from_mesh(beam(20, third), MATERIAL, interface={"left": [0], "right": [20]}, modes=6)
     assert_allclose(turned.frequencies, body(20).frequencies, rtol=1e-8)
-    assert_allclose(np.linalg.eigvalsh(turned.integrals.moments), np.linalg.eigvalsh(body(20).integrals.moments),
-                    rtol=1e-9, atol=1e-12)
+    assert_allclose(
+        np.linalg.eigvalsh(turned.integrals.moments),
+        np.linalg.eigvalsh(body(20).integrals.moments),
+        rtol=1e-9,
+        atol=1e-12,
+    )
 
 
 def test_torsion_counts_in_the_products_of_shapes() -> None:

@@ -56,8 +56,9 @@ def test_symmetry_gives_exact_zeros(rod: FlexibleBody) -> None:
     assert np.all(in_plane != out_of_plane)
 
 
-def test_the_numbers_do_not_depend_on_the_start_of_the_iteration(rod: FlexibleBody,
-                                                                 monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_numbers_do_not_depend_on_the_start_of_the_iteration(
+    rod: FlexibleBody, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Another start vector rounds differently everywhere, as another machine does."""
     monkeypatch.setattr("symgen.fe.eigen.SEED", 1)
     other, first = connecting_rod().fields(0.01), rod.fields(0.01)

@@ -77,15 +77,30 @@ CASES: dict[str, tuple[Callable[[], object], str, str]] = {
     "nan": (lambda: matrices(changed(MODEL.K, {(3, 3): np.nan})), "stiffness", "not a finite number"),
     "negative mass": (lambda: matrices(M=changed(MODEL.M, {(3, 3): -1.0})), "mass", "row 4 has a negative diagonal"),
     "no mass": (lambda: matrices(M=0.0 * MODEL.M), "mass", "singular"),
-    "mass on a line": (lambda: matrices(M=sp.diags(np.tile([1.0, 1, 1, 0, 0, 0], N)),
-                                        nodes=TABLE * [1, 1, 0, 0]), "mass", "singular"),
-    "indefinite mass": (lambda: matrices(M=changed(MODEL.M, {(0, 6): 40.0, (6, 0): 40.0})), "mass",
-                        "not positive definite"),
-    "negative stiffness": (lambda: matrices(changed(MODEL.K, {(3, 9): -1e9, (9, 3): -1e9})), "stiffness",
-                           "not positive definite"),
-    "empty row": (lambda: matrices(sp.block_diag([MODEL.K, sp.csr_matrix((6, 6))]),
-                                   sp.block_diag([MODEL.M, sp.csr_matrix((6, 6))]), [*TABLE, (99, 0, 0, 0)]),
-                  "stiffness", "6 rows have neither stiffness nor mass, the first is component 1 of node 99"),
+    "mass on a line": (
+        lambda: matrices(M=sp.diags(np.tile([1.0, 1, 1, 0, 0, 0], N)), nodes=TABLE * [1, 1, 0, 0]),
+        "mass",
+        "singular",
+    ),
+    "indefinite mass": (
+        lambda: matrices(M=changed(MODEL.M, {(0, 6): 40.0, (6, 0): 40.0})),
+        "mass",
+        "not positive definite",
+    ),
+    "negative stiffness": (
+        lambda: matrices(changed(MODEL.K, {(3, 9): -1e9, (9, 3): -1e9})),
+        "stiffness",
+        "not positive definite",
+    ),
+    "empty row": (
+        lambda: matrices(
+            sp.block_diag([MODEL.K, sp.csr_matrix((6, 6))]),
+            sp.block_diag([MODEL.M, sp.csr_matrix((6, 6))]),
+            [*TABLE, (99, 0, 0, 0)],
+        ),
+        "stiffness",
+        "6 rows have neither stiffness nor mass, the first is component 1 of node 99",
+    ),
     "node table": (lambda: matrices(nodes=TABLE[:, :2]), "nodes", r"shape \(11, 2\)"),
     "node place": (lambda: matrices(nodes=np.where(TABLE == 3.0, np.nan, TABLE)), "nodes", "not a whole number"),
     "node twice": (lambda: matrices(nodes=TABLE[[*range(N - 1), 0]]), "nodes", "twice"),
@@ -105,8 +120,11 @@ CASES: dict[str, tuple[Callable[[], object], str, str]] = {
     "no node": (lambda: cube(interface={"pin": lambda places: places[:, 0] > 9.0}), "interface 'pin'", "empty"),
     "no interface": (lambda: matrices(interface={}), "interface", "no interface"),
     "one solid node": (lambda: cube(interface={"pin": [0]}), "interface 'pin'", "on one line"),
-    "line of nodes": (lambda: cube(interface={"pin": lambda p: np.hypot(p[:, 0], p[:, 1]) < 1e-9}), "interface 'pin'",
-                      "on one line"),
+    "line of nodes": (
+        lambda: cube(interface={"pin": lambda p: np.hypot(p[:, 0], p[:, 1]) < 1e-9}),
+        "interface 'pin'",
+        "on one line",
+    ),
     "too many modes": (lambda: matrices(modes=61), "modes", "61 modes asked for, the model has 60"),
     "negative modes": (lambda: matrices(modes=-1), "modes", "-1 modes"),
     "lumping": (lambda: matrices(M=uneven_mass(), mass="lumped"), "mass", "gives node 0 a negative mass"),
@@ -116,8 +134,11 @@ CASES: dict[str, tuple[Callable[[], object], str, str]] = {
     "mixed without": (lambda: matrices(mode_set="mixed"), "fixed", "needs an interface"),
     "mixed unknown": (lambda: matrices(mode_set="mixed", fixed=["pon"]), "fixed", "'pon' is not known"),
     "fixed in free": (lambda: matrices(fixed=["pin"]), "fixed", "held in a mixed set"),
-    "shared node": (lambda: matrices(mode_set="fixed_interface", interface={"a": [0], "b": [0, 1]}), "interface 'b'",
-                    "node 0 is also of 'a'"),
+    "shared node": (
+        lambda: matrices(mode_set="fixed_interface", interface={"a": [0], "b": [0, 1]}),
+        "interface 'b'",
+        "node 0 is also of 'a'",
+    ),
     "rigid only": (lambda: matrices(mode_set="fixed_interface", interface={"a": [0]}, modes=0), "modes", "rigid"),
     "origin": (lambda: matrices(origin=(0.0, 1.0)), "origin", "not a point"),
     "origin name": (lambda: matrices(origin="pon"), "origin", "'pon' is not known"),
@@ -132,10 +153,20 @@ CASES: dict[str, tuple[Callable[[], object], str, str]] = {
     "axis": (lambda: frame(nodes=np.array(NODES)[:, [1, 0, 2]] * [0, 1, 1]), "section.y_axis", "along a beam"),
     "mesh": (lambda: FlexibleBody.from_mesh(skfem.MeshTri(), STEEL, interface=FACES, modes=1), "mesh", "MeshTri"),
     "order": (lambda: cube(order=3), "mesh", "order 3"),
-    "twisted cell": (lambda: FlexibleBody.from_mesh(skfem.MeshHex(CUBE.p, CUBE.t[[1, 0, *range(2, 8)]]), STEEL,
-                                                    interface=FACES, modes=1), "mesh", "turned inside out"),
-    "flat cell": (lambda: FlexibleBody.from_mesh(skfem.MeshTet(CUBE.p * [[1], [1], [0]], skfem.MeshTet().t), STEEL,
-                                                 interface=FACES, modes=1), "mesh", "no volume"),
+    "twisted cell": (
+        lambda: FlexibleBody.from_mesh(
+            skfem.MeshHex(CUBE.p, CUBE.t[[1, 0, *range(2, 8)]]), STEEL, interface=FACES, modes=1
+        ),
+        "mesh",
+        "turned inside out",
+    ),
+    "flat cell": (
+        lambda: FlexibleBody.from_mesh(
+            skfem.MeshTet(CUBE.p * [[1], [1], [0]], skfem.MeshTet().t), STEEL, interface=FACES, modes=1
+        ),
+        "mesh",
+        "no volume",
+    ),
 }
 
 
@@ -153,9 +184,16 @@ def test_the_data_that_the_cases_spoil_are_good() -> None:
     assert matrices().nf == cube().nf == frame().nf == hinge(0).nf == 3
 
 
-@pytest.mark.parametrize(("text", "problem"), [("1 2\n3 4\n", "not Matrix Market"), ("1 2 x\n", "table of numbers"),
-                                               ("0 0 1.0\n", "counts rows from 0"), ("1 2 3\n1 2\n", "numbers"),
-                                               ("%%MatrixMarket matrix nonsense\n", "cannot be read")])
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("1 2\n3 4\n", "not Matrix Market"),
+        ("1 2 x\n", "table of numbers"),
+        ("0 0 1.0\n", "counts rows from 0"),
+        ("1 2 3\n1 2\n", "numbers"),
+        ("%%MatrixMarket matrix nonsense\n", "cannot be read"),
+    ],
+)
 def test_files_that_are_no_matrices(tmp_path: Path, text: str, problem: str) -> None:
     path = tmp_path / "K.txt"
     path.write_text(text)

@@ -19,8 +19,9 @@ from symgen.fe.frame import frame_structure
 from symgen.fe.structure import Structure
 
 N = 8
-MESH = LineMesh([(0.1 * k, 0.0, 0.01 * k) for k in range(N)], [(k, k + 1) for k in range(N - 1)],
-                Section.rectangle(0.02, 0.01))
+MESH = LineMesh(
+    [(0.1 * k, 0.0, 0.01 * k) for k in range(N)], [(k, k + 1) for k in range(N - 1)], Section.rectangle(0.02, 0.01)
+)
 IDS = np.array([10, 11, 12, 13, 14, 15, 16, 40])
 ENDS = {"pin": [10], "slot": [40]}
 
@@ -45,8 +46,9 @@ def same(found: FlexibleBody, expected: dict[str, Any]) -> None:
 
 def node_file(folder: Path, separator: str = " ") -> Path:
     path = folder / "nodes.txt"
-    rows = [separator.join([str(name), *map(repr, map(float, place))])
-            for name, place in zip(IDS, MESH.nodes, strict=True)]
+    rows = [
+        separator.join([str(name), *map(repr, map(float, place))]) for name, place in zip(IDS, MESH.nodes, strict=True)
+    ]
     path.write_text("# id x y z\n" + "\n".join(rows) + "\n")
     return path
 
@@ -55,8 +57,12 @@ def node_file(folder: Path, separator: str = " ") -> Path:
 def test_matrix_market(tmp_path: Path, model: Structure, expected: dict[str, Any], symmetry: str) -> None:
     for name, matrix in (("K", model.K), ("M", model.M)):
         scipy.io.mmwrite(tmp_path / f"{name}.mtx", matrix, symmetry=symmetry, precision=17)
-    same(FlexibleBody.from_matrices(tmp_path / "K.mtx", str(tmp_path / "M.mtx"), node_file(tmp_path, ","), dofs=6,
-                                    interface=ENDS, modes=4), expected)
+    same(
+        FlexibleBody.from_matrices(
+            tmp_path / "K.mtx", str(tmp_path / "M.mtx"), node_file(tmp_path, ","), dofs=6, interface=ENDS, modes=4
+        ),
+        expected,
+    )
 
 
 def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: Structure, expected: dict[str, Any]) -> None:
@@ -65,19 +71,30 @@ def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: Structure, e
     for name, matrix in (("job.sti", model.K), ("job.mas", model.M)):
         upper = sp.triu(matrix[order][:, order]).tocoo()
         rows = zip(upper.row + 1, upper.col + 1, upper.data, strict=True)
-        (tmp_path / name).write_text("".join(f"{i} {j} {value!r}\n" for i, j, value in
-                                             ((int(i), int(j), float(value)) for i, j, value in rows)))
+        (tmp_path / name).write_text(
+            "".join(f"{i} {j} {value!r}\n" for i, j, value in ((int(i), int(j), float(value)) for i, j, value in rows))
+        )
     (tmp_path / "job.dof").write_text("".join(f"{IDS[model.node[row]]}.{model.component[row] + 1}\n" for row in order))
-    same(FlexibleBody.from_matrices(tmp_path / "job.sti", tmp_path / "job.mas", node_file(tmp_path),
-                                    dofs=tmp_path / "job.dof", interface=ENDS, modes=4), expected)
+    same(
+        FlexibleBody.from_matrices(
+            tmp_path / "job.sti",
+            tmp_path / "job.mas",
+            node_file(tmp_path),
+            dofs=tmp_path / "job.dof",
+            interface=ENDS,
+            modes=4,
+        ),
+        expected,
+    )
 
 
 def test_arrays(model: Structure, expected: dict[str, Any]) -> None:
     table = np.column_stack([IDS, np.array(MESH.nodes)])
     dofs = np.column_stack([IDS[model.node], model.component + 1])
     same(FlexibleBody.from_matrices(model.K.toarray(), model.M, table, dofs=dofs, interface=ENDS, modes=4), expected)
-    counted = FlexibleBody.from_matrices(model.K, model.M, MESH.nodes, dofs=6, modes=4,
-                                         interface={"pin": [1], "slot": [N]})  # without ids they count from 1
+    counted = FlexibleBody.from_matrices(
+        model.K, model.M, MESH.nodes, dofs=6, modes=4, interface={"pin": [1], "slot": [N]}
+    )  # without ids they count from 1
     same(counted, expected)
 
 
@@ -85,8 +102,9 @@ def test_arrays(model: Structure, expected: dict[str, Any]) -> None:
 def test_nastran_op4(tmp_path: Path, model: Structure, expected: dict[str, Any], choices: dict[str, Any]) -> None:
     path = str(tmp_path / "model.op4")
     op4.write(path, ["KGG", "MGG"], [model.K.toarray(), model.M.toarray()], **choices)
-    grids = "".join(f"GRID,{name},,{place[0]!r},{place[1]!r},{place[2]!r}\n"
-                    for name, place in zip(IDS, MESH.nodes, strict=True))
+    grids = "".join(
+        f"GRID,{name},,{place[0]!r},{place[1]!r},{place[2]!r}\n" for name, place in zip(IDS, MESH.nodes, strict=True)
+    )
     (tmp_path / "model.bdf").write_text("BEGIN BULK\n" + grids + "ENDDATA\n")
     for nodes in (tmp_path / "model.bdf", node_file(tmp_path)):
         same(FlexibleBody.from_nastran(path, nodes, stiffness="kgg", mass="mgg", interface=ENDS, modes=4), expected)
@@ -96,6 +114,7 @@ def test_nastran_op4(tmp_path: Path, model: Structure, expected: dict[str, Any],
 
 def op2_text(matrices: dict[str, np.ndarray]) -> bytes:
     """An OUTPUT2 file without header: Fortran records between keys, each column as one string of doubles."""
+
     def record(content: bytes) -> bytes:
         return struct.pack("i", len(content)) + content + struct.pack("i", len(content))
 

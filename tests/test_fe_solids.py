@@ -21,13 +21,15 @@ FACES = {"left": lambda places: places[:, 0] < 1e-9, "right": lambda places: pla
 
 
 def hexahedra(cells: int = 10) -> skfem.MeshHex:
-    return skfem.MeshHex.init_tensor(np.linspace(0, SIZE[0], cells + 1), np.linspace(0, SIZE[1], 3),
-                                     np.linspace(0, SIZE[2], 2))
+    return skfem.MeshHex.init_tensor(
+        np.linspace(0, SIZE[0], cells + 1), np.linspace(0, SIZE[1], 3), np.linspace(0, SIZE[2], 2)
+    )
 
 
 def tetrahedra(cells: int = 10) -> skfem.MeshTet:
-    return skfem.MeshTet.init_tensor(np.linspace(0, SIZE[0], cells + 1), np.linspace(0, SIZE[1], 3),
-                                     np.linspace(0, SIZE[2], 2))
+    return skfem.MeshTet.init_tensor(
+        np.linspace(0, SIZE[0], cells + 1), np.linspace(0, SIZE[1], 3), np.linspace(0, SIZE[2], 2)
+    )
 
 
 def body(**choices: object) -> FlexibleBody:
@@ -52,8 +54,9 @@ def test_integrals_about_another_origin() -> None:
     assert_allclose(body(origin="right").markers["left"].position, [-SIZE[0], 0.0, 0.0], atol=1e-15)
 
 
-@pytest.mark.parametrize("choices", [{}, {"mode_set": "mixed", "fixed": ["left"]},
-                                     {"mode_set": "fixed_interface", "modes": 1}])
+@pytest.mark.parametrize(
+    "choices", [{}, {"mode_set": "mixed", "fixed": ["left"]}, {"mode_set": "fixed_interface", "modes": 1}]
+)
 def test_integrals_give_the_moments_of_the_deformed_body(choices: dict[str, object]) -> None:
     """int (rho0 + u)_i (rho0 + u)_j dm and int (rho0 + u)_i v_j dm for random q_f, q_f' from the mass of the mesh."""
     made = body(origin=(0.01, -0.02, 0.03), **choices)
@@ -110,8 +113,14 @@ def permuted(made: Structure, seed: int) -> Structure:
     rng = np.random.default_rng(seed)
     nodes, rows = rng.permutation(len(made.ids)), rng.permutation(made.n_dof)
     place = np.argsort(nodes)
-    return structure(made.K[rows][:, rows], made.M[rows][:, rows], made.ids[nodes], made.positions[nodes],
-                     place[made.node[rows]], made.component[rows])
+    return structure(
+        made.K[rows][:, rows],
+        made.M[rows][:, rows],
+        made.ids[nodes],
+        made.positions[nodes],
+        place[made.node[rows]],
+        made.component[rows],
+    )
 
 
 @pytest.mark.parametrize("choices", [{}, {"mode_set": "fixed_interface", "modes": 2}])
@@ -167,8 +176,18 @@ def test_markers_follow_a_rigid_motion() -> None:
 
 def test_fields_are_plain_numbers() -> None:
     fields = body(modes=3).fields([0.01, 0.02, 0.0])
-    assert list(fields) == ["mass", "first_moment", "inertia_moments", "M_ff", "K_ff", "D_ff", "phi_integral",
-                            "rho_phi", "phi_phi", "markers"]
+    assert list(fields) == [
+        "mass",
+        "first_moment",
+        "inertia_moments",
+        "M_ff",
+        "K_ff",
+        "D_ff",
+        "phi_integral",
+        "rho_phi",
+        "phi_phi",
+        "markers",
+    ]
     assert np.shape(fields["phi_phi"]) == (3, 3, 3, 3) and np.shape(fields["rho_phi"]) == (3, 3, 3)
     omega = np.sqrt(np.diag(fields["K_ff"]))
     assert_allclose(np.diag(fields["D_ff"]), 2.0 * np.array([0.01, 0.02, 0.0]) * omega)

@@ -24,8 +24,16 @@ UNLIKE = {"chain": "dop853", "bricard": "rk4"}  # exponential steps of these wou
 
 
 def run(model: Model, case: HardCase, steps: int = 1, scheme: str = "single_rate") -> Solution:
-    return simulate(model, t_end=case.t_end * PART, dt=case.t_end * PART / steps, scheme=scheme, save_every=steps,
-                    parameters=case.parameters, initial=case.initial, start=case.start)
+    return simulate(
+        model,
+        t_end=case.t_end * PART,
+        dt=case.t_end * PART / steps,
+        scheme=scheme,
+        save_every=steps,
+        parameters=case.parameters,
+        initial=case.initial,
+        start=case.start,
+    )
 
 
 def fastest(model: Model, case: HardCase) -> float:

@@ -32,8 +32,14 @@ def slider_crank(rod: SceneBuilder, end: str, start: str, modes: int) -> Scene:
 
 def two_pinned_modes() -> Scene:
     rod = SceneBuilder("pinned").beam(
-        "rod", length=0.3, density=7870.0, area=6.4e-5, second_moment=3.4e-10, youngs_modulus=2e11,
-        lateral={"ends": "pinned-pinned", "modes": 2})
+        "rod",
+        length=0.3,
+        density=7870.0,
+        area=6.4e-5,
+        second_moment=3.4e-10,
+        youngs_modulus=2e11,
+        lateral={"ends": "pinned-pinned", "modes": 2},
+    )
     return slider_crank(rod, "rod.end", "rod.start", 2)
 
 
@@ -44,16 +50,31 @@ def four_general_modes() -> Scene:
     M_ff = half @ half.T + 4 * np.eye(4)
     turn = 0.1 * (half - half.T)
     rod = SceneBuilder("general").modal(
-        "rod", mass=10.0, first_moment=(0.2, 0.0), inertia=10.0, M_ff=M_ff, K_ff=3 * M_ff,
-        phi_integral=0.1 * rng.normal(size=(2, 4)), rho_dot_phi=0.1 * rng.normal(size=4),
-        rho_cross_phi=0.1 * rng.normal(size=4), phi_cross_phi=turn,
-        markers={"end": {"position": (0.3, 0), "shape_x": rng.normal(size=4), "shape_y": rng.normal(size=4)}})
+        "rod",
+        mass=10.0,
+        first_moment=(0.2, 0.0),
+        inertia=10.0,
+        M_ff=M_ff,
+        K_ff=3 * M_ff,
+        phi_integral=0.1 * rng.normal(size=(2, 4)),
+        rho_dot_phi=0.1 * rng.normal(size=4),
+        rho_cross_phi=0.1 * rng.normal(size=4),
+        phi_cross_phi=turn,
+        markers={"end": {"position": (0.3, 0), "shape_x": rng.normal(size=4), "shape_y": rng.normal(size=4)}},
+    )
     return slider_crank(rod, "rod.end", "rod.origin", 4)
 
 
-@pytest.mark.parametrize(("scene", "budget"), [
-    (two_pinned_modes(), 170), (four_general_modes(), 620), (chain(10), 750), (chain(10, 2), 5600),
-], ids=["two pinned modes", "four general modes", "rigid chain of 10", "flexible chain of 10"])
+@pytest.mark.parametrize(
+    ("scene", "budget"),
+    [
+        (two_pinned_modes(), 170),
+        (four_general_modes(), 620),
+        (chain(10), 750),
+        (chain(10, 2), 5600),
+    ],
+    ids=["two pinned modes", "four general modes", "rigid chain of 10", "flexible chain of 10"],
+)
 def test_condensed_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
     assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
 
@@ -68,9 +89,15 @@ def dense_spatial_chain() -> Scene:
     return builder.build()
 
 
-@pytest.mark.parametrize(("scene", "budget"), [
-    (spatial_chain(10), 4000), (spatial_chain(10, 2), 13_500), (dense_spatial_chain(), 17_700),
-], ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"])
+@pytest.mark.parametrize(
+    ("scene", "budget"),
+    [
+        (spatial_chain(10), 4000),
+        (spatial_chain(10, 2), 13_500),
+        (dense_spatial_chain(), 17_700),
+    ],
+    ids=["rigid chain of 10", "flexible chain of 10", "general flexible chain of 10"],
+)
 def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -> None:
     """Well below 8,100 operations (rigid) and 23,100 (two modes a link)."""
     assert derive(scene, CONDENSED).tapes["condensed"].operations <= budget
@@ -78,8 +105,10 @@ def test_spatial_equations_stay_within_their_budget(scene: Scene, budget: int) -
 
 def test_tree_accelerations_grow_linearly() -> None:
     """Topology-ordered elimination: 275 operations a body with two modes, 290 for each further one (420 were asked)."""
-    counts = {links: derive(chain(links, 2), frozenset({"forward_dynamics"})).tapes["forward_dynamics"].operations
-              for links in (5, 10, 20, 30)}
+    counts = {
+        links: derive(chain(links, 2), frozenset({"forward_dynamics"})).tapes["forward_dynamics"].operations
+        for links in (5, 10, 20, 30)
+    }
     assert counts[10] <= 275 * 10
     assert counts[30] - counts[20] == counts[20] - counts[10] == 2 * (counts[10] - counts[5]) <= 10 * 290
 
@@ -101,8 +130,11 @@ def hand_double_pendulum() -> ca.Function:
     return ca.Function("hand", [q_i, v, J_1, h, J_2, weight_1, weight_2], [M_hat, Q_hat])
 
 
-@pytest.mark.parametrize(("name", "hand"), [("pendulum", hand_pendulum()), ("double_pendulum", hand_double_pendulum())],
-                         ids=["pendulum", "double pendulum"])
+@pytest.mark.parametrize(
+    ("name", "hand"),
+    [("pendulum", hand_pendulum()), ("double_pendulum", hand_double_pendulum())],
+    ids=["pendulum", "double pendulum"],
+)
 def test_small_models_cost_no_more_than_code_written_by_hand(name: str, hand: ca.Function) -> None:
     assert load_model(generated_folder(name)).kernel("condensed").n_instructions() <= hand.n_instructions()
 

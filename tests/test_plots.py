@@ -48,8 +48,9 @@ def test_many_coordinates_and_bodies_stay_readable() -> None:
     small = rod_solution()
     bodies = [f"link{k}" for k in range(40)]
     names = [f"{body}.{part}" for body in bodies for part in ("theta", "q1")]
-    model = replace(small.model, coordinates=names, elastic=[name for name in names if name.endswith("q1")],
-                    q_i=names, q_d=[])
+    model = replace(
+        small.model, coordinates=names, elastic=[name for name in names if name.endswith("q1")], q_i=names, q_d=[]
+    )
     q = np.outer(np.sin(small.t), np.arange(1.0, 81.0))
     many = replace(small, model=model, q=q, q_dot=q, q_ddot=q, q_i=q)
     figure = plots.coordinates(many)

@@ -24,8 +24,11 @@ from symgen.variants import generate_variant
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
 FIRST, REVOLUTION, SINGULAR = 0.714355529293, 1.94251492261, 10
-TIPS = {1.0: (-0.19502030194944, -0.98079920566217), 2.0: (0.057815795768011, 0.99832726786346),
-        10.0: (0.32845811154082, 0.9445185381786)}
+TIPS = {
+    1.0: (-0.19502030194944, -0.98079920566217),
+    2.0: (0.057815795768011, 0.99832726786346),
+    10.0: (0.32845811154082, 0.9445185381786),
+}
 SERIES = ("t", "q", "q_dot", "q_ddot", "q_i", "lam")
 
 
@@ -55,13 +58,24 @@ def bars_stay_parallel(solution: Solution) -> bool:
     return all(np.abs(angle - solution["upright0.theta"]).max() < 1e-6 for angle in turned)
 
 
-@pytest.mark.parametrize("scheme, dt, tip, energy", [
-    ("dop853", 1e-3, 1e-6, 1e-4), ("rk4", 1e-3, 1e-6, 1e-4), ("radau", 1e-3, 1e-6, 1e-4),
-    ("single_rate", 1.25e-4, 1e-6, 2e-5), ("single_rate", 1e-2, 1e-3, 0.1), ("rk4", 1e-2, 1e-3, 0.1),
-    ("dop853", 1e-2, 1e-6, 1e-4), ("coupled", 1e-3, 2e-4, 1e-2), ("linearised", 2e-3, 1e-4, 1e-2),
-    ("exponential", 2e-3, 1e-5, 1e-4)])
-def test_four_bars_pass_ten_singular_positions(built_in: Load, scheme: str, dt: float, tip: float,
-                                               energy: float) -> None:
+@pytest.mark.parametrize(
+    "scheme, dt, tip, energy",
+    [
+        ("dop853", 1e-3, 1e-6, 1e-4),
+        ("rk4", 1e-3, 1e-6, 1e-4),
+        ("radau", 1e-3, 1e-6, 1e-4),
+        ("single_rate", 1.25e-4, 1e-6, 2e-5),
+        ("single_rate", 1e-2, 1e-3, 0.1),
+        ("rk4", 1e-2, 1e-3, 0.1),
+        ("dop853", 1e-2, 1e-6, 1e-4),
+        ("coupled", 1e-3, 2e-4, 1e-2),
+        ("linearised", 2e-3, 1e-4, 1e-2),
+        ("exponential", 2e-3, 1e-5, 1e-4),
+    ],
+)
+def test_four_bars_pass_ten_singular_positions(
+    built_in: Load, scheme: str, dt: float, tip: float, energy: float
+) -> None:
     run = simulate(built_in("n_four_bar"), scheme=scheme, dt=dt, t_end=10.0, save_every=round(0.01 / dt))
     assert run.status.ok
     assert [event.kind for event in run.events] == ["singular_position"] * SINGULAR
@@ -84,8 +98,9 @@ def test_singular_times_are_those_of_the_exact_motion(built_in: Load) -> None:
 def test_a_run_may_start_beside_a_singular_position(built_in: Load, start: float, passed: int) -> None:
     """The determinant has no larger values to be compared with, and few steps before the position."""
     model = built_in("n_four_bar")
-    exact = solve_ivp(lambda t, y: [y[1], 3.5 * 9.81 / 3 * math.sin(y[0])], (0, start), [0.0, 1.0], rtol=1e-12,
-                      atol=1e-12).y[:, -1]
+    exact = solve_ivp(
+        lambda t, y: [y[1], 3.5 * 9.81 / 3 * math.sin(y[0])], (0, start), [0.0, 1.0], rtol=1e-12, atol=1e-12
+    ).y[:, -1]
     initial = {f"upright{k}.theta": math.pi / 2 - exact[0] for k in range(3)}
     initial |= {"upright0.theta_dot": -exact[1]}
     run = simulate(model, scheme="rk4", dt=1e-3, t_end=2.0, initial=initial, save_every=10)
@@ -97,8 +112,9 @@ def loop(crank: float, rod: float, independent: str) -> SceneBuilder:
     """A slider-crank. With crank and rod of one length, upright, the rod may go on beside the crank or turn with it."""
     scene = SceneBuilder("loop").gravity(0, -9.81)
     for name, length in (("crank", crank), ("rod", rod)):
-        scene.rigid(name, mass=1.0, inertia=0.02, center_of_mass=(length / 2, 0),
-                    markers={"tip": {"position": (length, 0)}})
+        scene.rigid(
+            name, mass=1.0, inertia=0.02, center_of_mass=(length / 2, 0), markers={"tip": {"position": (length, 0)}}
+        )
     scene.rigid("slider", mass=0.5, inertia=0.01)
     scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
     scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
@@ -111,8 +127,10 @@ def equal_slider_crank() -> SceneBuilder:
     return loop(0.5, 0.5, "crank.theta")
 
 
-@pytest.mark.parametrize("scheme, dt, energy", [
-    ("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5), ("single_rate", 1e-2, 0.5)])
+@pytest.mark.parametrize(
+    "scheme, dt, energy",
+    [("single_rate", 1e-3, 5e-3), ("rk4", 1e-3, 1e-6), ("dop853", 1e-2, 1e-5), ("single_rate", 1e-2, 0.5)],
+)
 def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: float, energy: float) -> None:
     run = simulate(model_of(equal_slider_crank().build()), scheme=scheme, dt=dt, save_every=round(0.01 / dt))
     assert run.status.ok and len(run.events) == 8
@@ -125,8 +143,7 @@ def test_equal_slider_crank_keeps_its_branch(model_of: Build, scheme: str, dt: f
 def test_damped_and_driven_mechanisms_pass_too(model_of: Build) -> None:
     """Energy is compared by the work of dampers and loads."""
     scene = equal_slider_crank().torque("drive", "crank.origin", "2 + 3 * sin(5 * t)")
-    scene.rotational_spring_damper("bearing", "ground.origin", "crank.origin", stiffness=0.5,
-                                   damping=0.1)
+    scene.rotational_spring_damper("bearing", "ground.origin", "crank.origin", stiffness=0.5, damping=0.1)
     run = simulate(model_of(scene.build()), scheme="rk4", t_end=1.5, save_every=1)
     assert run.status.ok and len(run.events) >= 2
     assert np.abs(run.work()).max() > 1.0 and energy_error(run) < 1e-6
@@ -243,8 +260,13 @@ def random_four_bar(seed: int) -> Scene:
     scene = SceneBuilder(f"random{seed}").gravity(0, -9.81)
     end = np.zeros(2)
     for name, length, angle in zip(("crank", "coupler", "rocker"), lengths, angles, strict=True):
-        scene.rigid(name, mass=float(rng.uniform(0.5, 2)), inertia=float(length**2 * rng.uniform(0.05, 0.2)),
-                    center_of_mass=(float(length / 2), 0.02), markers={"tip": {"position": (float(length), 0)}})
+        scene.rigid(
+            name,
+            mass=float(rng.uniform(0.5, 2)),
+            inertia=float(length**2 * rng.uniform(0.05, 0.2)),
+            center_of_mass=(float(length / 2), 0.02),
+            markers={"tip": {"position": (float(length), 0)}},
+        )
         end += length * np.array([math.cos(angle), math.sin(angle)])
     scene.ground(markers={"right": {"position": (float(end[0]), float(end[1]))}})
     scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "coupler.origin")

@@ -31,16 +31,28 @@ def rod_model() -> Model:
         return ca.Function("constants", [p], [p[:1]], ["p"], ["c"])
 
     return Model(
-        name="rod_on_hinge", title="Rod on a hinge", coordinates=["rod.x", "rod.y", "rod.theta", "rod.q1"],
-        elastic=["rod.q1"], q_i=["rod.q1", "rod.theta"], q_d=["rod.x", "rod.y"], loop_unknowns=[],
-        groups=[Group("slow", [1]), Group("fast", [0])], constraints=["hinge.x", "hinge.y"],
+        name="rod_on_hinge",
+        title="Rod on a hinge",
+        coordinates=["rod.x", "rod.y", "rod.theta", "rod.q1"],
+        elastic=["rod.q1"],
+        q_i=["rod.q1", "rod.theta"],
+        q_d=["rod.x", "rod.y"],
+        loop_unknowns=[],
+        groups=[Group("slow", [1]), Group("fast", [0])],
+        constraints=["hinge.x", "hinge.y"],
         joints=["hinge"],
-        measures=["tip", "tip_dot"], outlines=[("rod", 5), ("ground", 1)],
-        parameters=[Parameter("length", "m", "of the rod", "declared", 2.0),
-                    Parameter("rod.data.1", "", "", "data", 3.0)],
-        initial_q=np.zeros(4), initial_q_dot=np.zeros(4), builders={"drawing": drawing, "constants": constants},
+        measures=["tip", "tip_dot"],
+        outlines=[("rod", 5), ("ground", 1)],
+        parameters=[
+            Parameter("length", "m", "of the rod", "declared", 2.0),
+            Parameter("rod.data.1", "", "", "data", 3.0),
+        ],
+        initial_q=np.zeros(4),
+        initial_q_dot=np.zeros(4),
+        builders={"drawing": drawing, "constants": constants},
         simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "save_every": 1},
-        operations={"condensed": 55})
+        operations={"condensed": 55},
+    )
 
 
 def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
@@ -51,16 +63,34 @@ def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
     q_dot = np.stack([zero, zero, np.cos(t), -0.03 * np.sin(3 * t)], axis=1)
     q_ddot = np.stack([zero, zero, -np.sin(t), -0.09 * np.cos(3 * t)], axis=1)
     kinetic = 5.0 + t**3  # fed by the drive at 3 t^2 + 2 W, of which damping takes 2 W
-    energy = {"kinetic": kinetic, "elastic": zero + 1.0, "potential": zero - 2.0, "power_dissipated": zero + 2.0,
-              "power_applied": zero, "power_driven": 3.0 * t**2 + 2.0}
+    energy = {
+        "kinetic": kinetic,
+        "elastic": zero + 1.0,
+        "potential": zero - 2.0,
+        "power_dissipated": zero + 2.0,
+        "power_applied": zero,
+        "power_driven": 3.0 * t**2 + 2.0,
+    }
     return Solution(
-        model=rod_model(), scheme="printed", dt=0.01, m=[10], parameters=np.array([2.0, 3.0]), t=t, q_i=q[:, [3, 2]],
-        q=q, q_dot=q_dot, q_ddot=q_ddot, lam=np.stack([t, -t], axis=1), energy=energy,
+        model=rod_model(),
+        scheme="printed",
+        dt=0.01,
+        m=[10],
+        parameters=np.array([2.0, 3.0]),
+        t=t,
+        q_i=q[:, [3, 2]],
+        q=q,
+        q_dot=q_dot,
+        q_ddot=q_ddot,
+        lam=np.stack([t, -t], axis=1),
+        energy=energy,
         joint_forces=np.stack([-t, t, zero], axis=1)[:, None, :],
-        constraint_error=np.full_like(t, 1e-15), constraint_rate_error=np.full_like(t, 1e-14),
+        constraint_error=np.full_like(t, 1e-15),
+        constraint_rate_error=np.full_like(t, 1e-14),
         measures=np.stack([2.0 * t, zero + 2.0], axis=1),
         stats={"steps": 200, "engine": "interpreted", "wall_seconds": np.float64(0.5)},
-        status=status or Status("completed", 2.0))
+        status=status or Status("completed", 2.0),
+    )
 
 
 def test_access_by_name() -> None:
@@ -72,8 +102,15 @@ def test_access_by_name() -> None:
     assert np.array_equal(solution.multiplier("hinge.y"), solution.lam[:, 1])
 
 
-@pytest.mark.parametrize("access", [lambda s: s["rod.q2"], lambda s: s.rate("tip"), lambda s: s.multiplier("x"),
-                                    lambda s: s.interpolate(0.5, "nothing")])
+@pytest.mark.parametrize(
+    "access",
+    [
+        lambda s: s["rod.q2"],
+        lambda s: s.rate("tip"),
+        lambda s: s.multiplier("x"),
+        lambda s: s.interpolate(0.5, "nothing"),
+    ],
+)
 def test_unknown_names_list_the_known_ones(access) -> None:
     with pytest.raises(ModelError, match="rod_on_hinge has no .*; it has"):
         access(rod_solution())

@@ -35,9 +35,15 @@ def test_outputs_are_the_columns_of_the_whole_run(built_in: Load, tmp_path: Path
     model = built_in("slider_crank")
     whole = simulate(model, **SETTINGS)  # type: ignore[arg-type]
     kept = simulate(model, **SETTINGS, outputs=OUTPUTS)  # type: ignore[arg-type]
-    expected = {"t": whole.t, "crank.theta": whole["crank.theta"], "crank.theta_dot": whole.rate("crank.theta"),
-                "slider.x_ddot": whole.acceleration("slider.x"), "kinetic": whole.energy["kinetic"],
-                "energy.potential": whole.energy["potential"], "lam.C.x": whole.multiplier("C.x")}
+    expected = {
+        "t": whole.t,
+        "crank.theta": whole["crank.theta"],
+        "crank.theta_dot": whole.rate("crank.theta"),
+        "slider.x_ddot": whole.acceleration("slider.x"),
+        "kinetic": whole.energy["kinetic"],
+        "energy.potential": whole.energy["potential"],
+        "lam.C.x": whole.multiplier("C.x"),
+    }
     assert list(kept.outputs) == list(expected)
     for name, values in expected.items():
         assert np.array_equal(kept.outputs[name], values), name
@@ -73,7 +79,7 @@ def test_what_a_crash_leaves_is_readable(built_in: Load, tmp_path: Path) -> None
     left = Solution.load(tmp_path / "run", model)
     whole = simulate(model, **SETTINGS)  # type: ignore[arg-type]
     assert 200 < len(left.t) < 335 and left.status.name == "interrupted"
-    assert np.array_equal(left.q, whole.q[:len(left.t)])
+    assert np.array_equal(left.q, whole.q[: len(left.t)])
 
 
 def test_failed_run_ends_its_stream_with_the_last_good_state(built_in: Load, tmp_path: Path) -> None:
@@ -95,8 +101,15 @@ def test_memory_stays_bounded(built_in: Load, tmp_path: Path, kept: str) -> None
 
     def peak(steps: int) -> int:
         tracemalloc.start()
-        simulate(model, scheme="single_rate", dt=2e-5, t_end=steps * 2e-5, save_every=1,  # type: ignore[arg-type]
-                 engine="interpreted", **more)
+        simulate(
+            model,
+            scheme="single_rate",
+            dt=2e-5,
+            t_end=steps * 2e-5,
+            save_every=1,  # type: ignore[arg-type]
+            engine="interpreted",
+            **more,
+        )
         found = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
         return found

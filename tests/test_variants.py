@@ -51,12 +51,20 @@ def test_groups_and_functions_are_those_asked_for(tmp_path: Path) -> None:
     rigid, elastic = ["rocker.theta"], [name for name in original.q_i if name in original.elastic]
     q = dict(zip(original.coordinates, map(float, original.initial_q), strict=True))
     text = (source / "scene.toml").read_text(encoding="utf-8")
-    folder = generate_variant(text, [*rigid, *elastic], [("slow", rigid), ("fast", elastic)], tmp_path / "groups", q,
-                              functions=["condensed", "closure", "velocities"])
+    folder = generate_variant(
+        text,
+        [*rigid, *elastic],
+        [("slow", rigid), ("fast", elastic)],
+        tmp_path / "groups",
+        q,
+        functions=["condensed", "closure", "velocities"],
+    )
     model = load_model(folder)
     assert model.q_i == [*rigid, *elastic]
     assert [(group.name, group.positions) for group in model.groups] == [
-        ("slow", [0]), ("fast", list(range(1, 1 + len(elastic))))]
+        ("slow", [0]),
+        ("fast", list(range(1, 1 + len(elastic)))),
+    ]
     assert set(model.builders) == {"constants", "condensed", "closure", "velocities"}
 
 
@@ -64,15 +72,21 @@ def test_a_variant_beyond_a_singular_position(tmp_path: Path) -> None:
     """Two windows hanging down, where the scene does not start, with the middle upright independent."""
     original = load_model(generate(n_four_bar(2), tmp_path / "original", frozenset({"closure"})))
     down = np.zeros(len(original.coordinates))
-    values = {"upright0": (0, 0, -1.4), "upright1": (1, 0, -1.4), "upright2": (2, 0, -1.4),
-              "top1": (np.cos(1.4), -np.sin(1.4), 0), "top2": (1 + np.cos(1.4), -np.sin(1.4), 0)}
+    values = {
+        "upright0": (0, 0, -1.4),
+        "upright1": (1, 0, -1.4),
+        "upright2": (2, 0, -1.4),
+        "top1": (np.cos(1.4), -np.sin(1.4), 0),
+        "top2": (1 + np.cos(1.4), -np.sin(1.4), 0),
+    }
     for body, numbers in values.items():
         for part, number in zip(("x", "y", "theta"), numbers, strict=True):
             down[original.coordinates.index(f"{body}.{part}")] = number
     state = dict(zip(original.coordinates, map(float, down), strict=True))
     text = n_four_bar(2).to_toml()
-    model = load_model(generate_variant(text, ["upright1.theta"], [("all", ["upright1.theta"])],
-                                        tmp_path / "down", state))
+    model = load_model(
+        generate_variant(text, ["upright1.theta"], [("all", ["upright1.theta"])], tmp_path / "down", state)
+    )
     found = make_state(model, [-1.4], [0.0])
     np.testing.assert_allclose(join(model, found.q_i, found.q_d), down, rtol=0, atol=1e-14)
 
@@ -89,8 +103,16 @@ def test_the_redundant_rows_are_those_handed_over(tmp_path: Path) -> None:
     original = load_model(generate(builder.build(), tmp_path / "original"))
     assert original.redundant == ["E.x", "E.y"]
     state = dict(zip(original.coordinates, map(float, original.initial_q), strict=True))
-    variant = load_model(generate_variant(builder.build().to_toml(), ["rocker.theta"], [("all", ["rocker.theta"])],
-                                          tmp_path / "variant", state, ["D.x", "D.y"]))
+    variant = load_model(
+        generate_variant(
+            builder.build().to_toml(),
+            ["rocker.theta"],
+            [("all", ["rocker.theta"])],
+            tmp_path / "variant",
+            state,
+            ["D.x", "D.y"],
+        )
+    )
     assert variant.redundant == ["D.x", "D.y"]
     here = make_state(original, [1.2], [0.7])
     rocker = original.coordinates.index("rocker.theta")
@@ -101,11 +123,17 @@ def test_the_redundant_rows_are_those_handed_over(tmp_path: Path) -> None:
 def test_bad_variants_are_refused(tmp_path: Path) -> None:
     state = state_of(load_model(FOLDER), 1.3)
     with pytest.raises(SceneError, match="no value for crank.x"):
-        generate_variant(TEXT, ["rocker.theta"], [("all", ["rocker.theta"])], tmp_path / "a",
-                         {name: value for name, value in state.items() if name != "crank.x"})
+        generate_variant(
+            TEXT,
+            ["rocker.theta"],
+            [("all", ["rocker.theta"])],
+            tmp_path / "a",
+            {name: value for name, value in state.items() if name != "crank.x"},
+        )
     with pytest.raises(SceneError, match="cannot be solved for the remaining"):
-        generate_variant(TEXT, ["rocker.theta", "crank.theta"], [("all", ["rocker.theta", "crank.theta"])],
-                         tmp_path / "b", state)
+        generate_variant(
+            TEXT, ["rocker.theta", "crank.theta"], [("all", ["rocker.theta", "crank.theta"])], tmp_path / "b", state
+        )
     assert not any(tmp_path.iterdir())
 
 

@@ -1,6 +1,6 @@
 """The README's picture from what `symgen demo slider-crank --out DIR` left: a still of the animation, two coordinates.
 
-    python docs/images/make_picture.py DIR
+python docs/images/make_picture.py DIR
 """
 
 import sys

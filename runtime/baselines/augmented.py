@@ -52,8 +52,14 @@ def _spread(C_q: ca.MX, all_C_q: ca.MX, lam: ca.MX) -> ca.MX:
 
 
 def augmented_solution(
-    model: Model, *, t_end: float, times: np.ndarray, rtol: float = 1e-9, atol: float = 1e-11,
-    parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
+    model: Model,
+    *,
+    t_end: float,
+    times: np.ndarray,
+    rtol: float = 1e-9,
+    atol: float = 1e-11,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
     start: str | None = None,
 ) -> Solution:
     """Integrate (28) in all coordinates from 0 to t_end with DOP853, reporting at `times`.
@@ -71,11 +77,39 @@ def augmented_solution(
         return np.concatenate([y[n:], np.asarray(q_ddot).ravel()])
 
     started = time.perf_counter()
-    result = solve_ivp(slope, (0.0, t_end), np.concatenate([state.q, state.q_dot]), method="DOP853",
-                       t_eval=np.asarray(times, dtype=float), rtol=rtol, atol=atol)
+    result = solve_ivp(
+        slope,
+        (0.0, t_end),
+        np.concatenate([state.q, state.q_dot]),
+        method="DOP853",
+        t_eval=np.asarray(times, dtype=float),
+        rtol=rtol,
+        atol=atol,
+    )
     wall = time.perf_counter() - started
     accelerations = np.array([slope(t, y)[n:] for t, y in zip(result.t, result.y.T, strict=True)])
-    status = Status("completed", t_end) if result.success else Status(
-        "not_finite", float(result.t[-1]), None, str(result.message), "Loosen the tolerances or add Baumgarte terms.")
-    return assemble_solution(model, result.t, result.y[:n].T, result.y[n:].T, accelerations, p, c, "augmented DOP853",
-                             0.0, [], {"evaluations": int(result.nfev), "wall_seconds": wall}, status)
+    status = (
+        Status("completed", t_end)
+        if result.success
+        else Status(
+            "not_finite",
+            float(result.t[-1]),
+            None,
+            str(result.message),
+            "Loosen the tolerances or add Baumgarte terms.",
+        )
+    )
+    return assemble_solution(
+        model,
+        result.t,
+        result.y[:n].T,
+        result.y[n:].T,
+        accelerations,
+        p,
+        c,
+        "augmented DOP853",
+        0.0,
+        [],
+        {"evaluations": int(result.nfev), "wall_seconds": wall},
+        status,
+    )

@@ -34,9 +34,9 @@ class CondensedOde:
         n, loops = len(model.q_i), len(model.loop_unknowns)
         self.model, self.n = model, n
         self.t, self.y, self.c = ca.SX.sym("t"), ca.SX.sym("y", 2 * n + loops), ca.SX.sym("c", model.c_size)
-        self.q_i, self.v = self.y[:n], self.y[n:2 * n]
+        self.q_i, self.v = self.y[:n], self.y[n : 2 * n]
         self.kernels = StepKernels(model, self.c)
-        self.motion: Motion = self.kernels.close(self.q_i, self.y[2 * n:], self.t, closure_iterations)
+        self.motion: Motion = self.kernels.close(self.q_i, self.y[2 * n :], self.t, closure_iterations)
         self.v_d = self.kernels.rates(self.motion, self.v)
 
     def slope(self, a: ca.SX) -> ca.SX:
@@ -60,8 +60,15 @@ class CondensedOde:
         """(t, y, c) -> OBSERVED."""
         a, a_d = self.accelerations(), ca.SX(0, 1)
         if self.model.q_d:
-            a_d = self.kernels.call("accelerations", q_i=self.q_i, q_d=self.motion.q_d, q_i_dot=self.v,
-                                    q_d_dot=self.v_d, q_i_ddot=a, t=self.t)["q_d_ddot"]
+            a_d = self.kernels.call(
+                "accelerations",
+                q_i=self.q_i,
+                q_d=self.motion.q_d,
+                q_i_dot=self.v,
+                q_d_dot=self.v_d,
+                q_i_ddot=a,
+                t=self.t,
+            )["q_d_ddot"]
         parts = [self.q_i, self.motion.q_d, self.v, self.v_d, a, a_d]
         return ca.Function("observe", [self.t, self.y, self.c], ca.cse(parts), ["t", "y", "c"], list(OBSERVED))
 
@@ -75,8 +82,9 @@ class Start:
     y: np.ndarray
 
 
-def start_of(model: Model, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None,
-             start: str | None) -> Start:
+def start_of(
+    model: Model, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None, start: str | None
+) -> Start:
     """Raises ModelError or InitialStateError for bad arguments."""
     p = model.parameter_vector(parameters)
     c = model.constants(p)
@@ -86,10 +94,28 @@ def start_of(model: Model, parameters: Mapping[str, float] | None, initial: Mapp
     return Start(p, c, np.concatenate([state.q[columns], state.q_dot[columns], loop]))
 
 
-def observed_solution(model: Model, start: Start, t: np.ndarray, y: np.ndarray, name: str,
-                      stats: dict[str, float | int | str], status: Status) -> Solution:
+def observed_solution(
+    model: Model,
+    start: Start,
+    t: np.ndarray,
+    y: np.ndarray,
+    name: str,
+    stats: dict[str, float | int | str],
+    status: Status,
+) -> Solution:
     """Solution of the states y (N, size) at times t."""
     seen = evaluate(CondensedOde(model, TO_ROUNDING).observe(), {"t": t[:, None], "y": y}, start.c)
     return assemble_solution(
-        model, t, join(model, seen["q_i"], seen["q_d"]), join(model, seen["q_i_dot"], seen["q_d_dot"]),
-        join(model, seen["q_i_ddot"], seen["q_d_ddot"]), start.p, start.c, name, 0.0, [], stats, status)
+        model,
+        t,
+        join(model, seen["q_i"], seen["q_d"]),
+        join(model, seen["q_i_dot"], seen["q_d_dot"]),
+        join(model, seen["q_i_ddot"], seen["q_d_ddot"]),
+        start.p,
+        start.c,
+        name,
+        0.0,
+        [],
+        stats,
+        status,
+    )

@@ -22,9 +22,18 @@ MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps wo
 
 
 def scipy_solution(
-    model: Model, method: str = "DOP853", *, t_end: float, times: np.ndarray | None = None, rtol: float = 1e-9,
-    atol: float = 1e-11, parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
-    start: str | None = None, compiled: bool = True, closure_iterations: int = 1,
+    model: Model,
+    method: str = "DOP853",
+    *,
+    t_end: float,
+    times: np.ndarray | None = None,
+    rtol: float = 1e-9,
+    atol: float = 1e-11,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    compiled: bool = True,
+    closure_iterations: int = 1,
 ) -> Solution:
     """Integrate the condensed equations from 0 to t_end with one of EXPLICIT or IMPLICIT (exact Jacobian).
 
@@ -43,14 +52,27 @@ def scipy_solution(
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()
-    result = solve_ivp(_counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol,
-                       atol=atol, **more)
+    result = solve_ivp(
+        _counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol, atol=atol, **more
+    )
     wall = time.perf_counter() - started
-    status = Status("completed", t_end) if result.success else Status(
-        "not_finite", float(result.t[-1]) if len(result.t) else 0.0, None, str(result.message),
-        "Loosen the tolerances.")
-    stats: dict[str, float | int | str] = {"evaluations": int(result.nfev), "wall_seconds": wall, "rtol": rtol,
-                                           "atol": atol}
+    status = (
+        Status("completed", t_end)
+        if result.success
+        else Status(
+            "not_finite",
+            float(result.t[-1]) if len(result.t) else 0.0,
+            None,
+            str(result.message),
+            "Loosen the tolerances.",
+        )
+    )
+    stats: dict[str, float | int | str] = {
+        "evaluations": int(result.nfev),
+        "wall_seconds": wall,
+        "rtol": rtol,
+        "atol": atol,
+    }
     if method in IMPLICIT:
         stats |= {"jacobians": int(result.njev), "factorisations": int(result.nlu)}
     return observed_solution(model, given, result.t, result.y.T, method, stats, status)
@@ -64,8 +86,10 @@ def _counted(slope: Slope, method: str) -> Slope:
         nonlocal done
         done += 1
         if done > MOST_EVALUATIONS:
-            raise NoResult(f"{method} needs more than {MOST_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
-                           "its steps shrink, as at a singular position of q_i or of Euler angles")
+            raise NoResult(
+                f"{method} needs more than {MOST_EVALUATIONS:.0e} evaluations to get beyond t = {t:.9g} s: "
+                "its steps shrink, as at a singular position of q_i or of Euler angles"
+            )
         return slope(t, y).copy()
 
     return evaluated

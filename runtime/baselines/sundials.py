@@ -25,14 +25,28 @@ METHODS = ("cvodes", "idas")
 MULTISTEP = {"bdf": "newton", "adams": "functional"}  # and how the equations of a step are solved
 FLAGS = ("-O2", "-march=native", "-fno-math-errno")
 MAX_STEPS = 100_000_000
-COUNTERS = {"evaluations": "nfevals", "steps": "nsteps", "factorisations": "nlinsetups", "rejected": "netfails",
-            "iterations": "nniters"}
+COUNTERS = {
+    "evaluations": "nfevals",
+    "steps": "nsteps",
+    "factorisations": "nlinsetups",
+    "rejected": "netfails",
+    "iterations": "nniters",
+}
 
 
 def sundials_solution(
-    model: Model, method: str = "cvodes", *, t_end: float, times: np.ndarray | None = None, rtol: float = 1e-9,
-    atol: float = 1e-11, parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
-    start: str | None = None, multistep: str = "bdf", compiled: bool = True,
+    model: Model,
+    method: str = "cvodes",
+    *,
+    t_end: float,
+    times: np.ndarray | None = None,
+    rtol: float = 1e-9,
+    atol: float = 1e-11,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    multistep: str = "bdf",
+    compiled: bool = True,
 ) -> Solution:
     """Integrate from 0 to t_end with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
 
@@ -41,8 +55,10 @@ def sundials_solution(
     method, ModelError or InitialStateError for bad arguments, CompilerError if compiling fails.
     """
     if method not in METHODS or multistep not in MULTISTEP:
-        raise ValueError(f"method must be one of {', '.join(METHODS)} and multistep one of {', '.join(MULTISTEP)}, "
-                         f"not {method!r} and {multistep!r}")
+        raise ValueError(
+            f"method must be one of {', '.join(METHODS)} and multistep one of {', '.join(MULTISTEP)}, "
+            f"not {method!r} and {multistep!r}"
+        )
     given = start_of(model, parameters, initial, start)
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     system, guess = _system(model, method, given)
@@ -72,13 +88,19 @@ def sundials_solution(
         counted, y = integrator.stats(), np.asarray(result["xf"]).T
     except RuntimeError as error:
         t = np.zeros(1)
-        status = Status("not_finite", 0.0, None, f"{method} failed: {str(error).strip().splitlines()[-1]}",
-                        "Loosen the tolerances.")
+        status = Status(
+            "not_finite", 0.0, None, f"{method} failed: {str(error).strip().splitlines()[-1]}", "Loosen the tolerances."
+        )
     name = f"{method} {multistep}" if method == "cvodes" else method
     stats: dict[str, float | int | str] = {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
     native = any(integrator.get_function(part).class_name() == "External" for part in integrator.get_function())
-    stats |= {"engine": "compiled" if native else "interpreted", "setup_seconds": prepared - began,
-              "wall_seconds": wall, "rtol": rtol, "atol": atol}
+    stats |= {
+        "engine": "compiled" if native else "interpreted",
+        "setup_seconds": prepared - began,
+        "wall_seconds": wall,
+        "rtol": rtol,
+        "atol": atol,
+    }
     return observed_solution(model, given, t, y, name, stats, status)
 
 
@@ -95,16 +117,27 @@ def _system(model: Model, method: str, given: Start) -> tuple[dict[str, ca.SX], 
     return {**symbols, "z": a, "ode": slope, "alg": algebraic}, np.asarray(start(0.0, given.y, given.c)).ravel()
 
 
-def _integrator(method: str, system: dict[str, ca.SX], t: np.ndarray, options: dict[str, Any],
-                compiled: bool) -> ca.Function:
+def _integrator(
+    method: str, system: dict[str, ca.SX], t: np.ndarray, options: dict[str, Any], compiled: bool
+) -> ca.Function:
     compiler = find_compiler() if compiled else None
     if compiler is None:
         return ca.integrator("opponent", method, system, 0.0, t, options)
     # CasADi writes its C file to the working folder; once loaded, the library is not needed on disk any more
     jit: dict[str, Any] = {
-        "jit": True, "compiler": "shell", "jit_name": "opponent", "jit_temp_suffix": False, "jit_cleanup": False,
-        "jit_options": {"compiler": compiler, "linker": compiler, "flags": list(FLAGS), "verbose": False,
-                        "cleanup": False}}
+        "jit": True,
+        "compiler": "shell",
+        "jit_name": "opponent",
+        "jit_temp_suffix": False,
+        "jit_cleanup": False,
+        "jit_options": {
+            "compiler": compiler,
+            "linker": compiler,
+            "flags": list(FLAGS),
+            "verbose": False,
+            "cleanup": False,
+        },
+    }
     with tempfile.TemporaryDirectory() as folder, chdir(folder):
         try:
             return ca.integrator("opponent", method, system, 0.0, t, {**options, **jit})

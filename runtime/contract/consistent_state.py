@@ -20,8 +20,9 @@ VELOCITY_TOLERANCE = 1e-12
 OTHER_STARTS, TURN_OPEN = 6, 0.6  # rad or m
 REMEDY = {
     "position": "free one of the fixed values, correct lengths and axes, take a joint that leaves more free, or start "
-                "closer to an assembled position",
-    "velocity": "free one of the fixed rates, or remove one of these joints or prescribed motions"}
+    "closer to an assembled position",
+    "velocity": "free one of the fixed rates, or remove one of these joints or prescribed motions",
+}
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -48,9 +49,16 @@ class ConsistentState:
 
 
 def consistent_state(
-    names: list[str], elastic: frozenset[int], labels: list[str], position: Residual,
-    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]], coordinates: GivenValues, rates: GivenValues,
-    guess: np.ndarray | None = None, reluctant: frozenset[int] = frozenset(), first: Sequence[int] = (),
+    names: list[str],
+    elastic: frozenset[int],
+    labels: list[str],
+    position: Residual,
+    velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    coordinates: GivenValues,
+    rates: GivenValues,
+    guess: np.ndarray | None = None,
+    reluctant: frozenset[int] = frozenset(),
+    first: Sequence[int] = (),
     following: frozenset[int] = frozenset(),
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
@@ -82,15 +90,22 @@ def consistent_state(
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
         _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
-    changed = {name: (float(given[k]), float(q[k])) for k, name in enumerate(names)
-               if (name in coordinates.values or k in elastic) and q[k] != given[k]}
-    changed |= {f"{name}_dot": (rates.values[name], float(v[k])) for k, name in enumerate(names)
-                if name in rates.values and v[k] != rates.values[name]}
+    changed = {
+        name: (float(given[k]), float(q[k]))
+        for k, name in enumerate(names)
+        if (name in coordinates.values or k in elastic) and q[k] != given[k]
+    }
+    changed |= {
+        f"{name}_dot": (rates.values[name], float(v[k]))
+        for k, name in enumerate(names)
+        if name in rates.values and v[k] != rates.values[name]
+    }
     return ConsistentState(q, v, changed)
 
 
-def _start(names: list[str], elastic: frozenset[int], given: GivenValues,
-           guess: np.ndarray | None, reluctant: frozenset[int]) -> tuple[np.ndarray, list[np.ndarray]]:
+def _start(
+    names: list[str], elastic: frozenset[int], given: GivenValues, guess: np.ndarray | None, reluctant: frozenset[int]
+) -> tuple[np.ndarray, list[np.ndarray]]:
     """(starting values, what may move: first only what was left open, then what is reluctant, given, elastic)."""
     start = np.zeros(len(names)) if guess is None else guess
     value = np.array([given.values.get(name, start[k]) for k, name in enumerate(names)])
@@ -135,8 +150,9 @@ def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray
     return best
 
 
-def _velocities(v0: np.ndarray, free: np.ndarray, cheap: np.ndarray, C_q: np.ndarray,
-                nu: np.ndarray) -> np.ndarray | None:
+def _velocities(
+    v0: np.ndarray, free: np.ndarray, cheap: np.ndarray, C_q: np.ndarray, nu: np.ndarray
+) -> np.ndarray | None:
     v = v0 + _least_dear_change(C_q, nu - C_q @ v0, free, cheap)
     v = v + _least_change(C_q, nu - C_q @ v, free)
     residual = float(np.abs(nu - C_q @ v).max(initial=0.0))
@@ -167,8 +183,9 @@ def _scale(values: np.ndarray) -> float:
     return max(1.0, float(np.abs(values).max(initial=0.0)))
 
 
-def _refuse(residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: list[str], names: list[str],
-            level: str) -> NoReturn:
+def _refuse(
+    residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: list[str], names: list[str], level: str
+) -> NoReturn:
     worst = np.abs(residual) > 0.01 * np.abs(residual).max()
     joints = sorted({labels[k].split(".")[0] for k in np.flatnonzero(worst)})
     touched = np.abs(C_q[worst]).max(axis=0) > 0
@@ -176,4 +193,5 @@ def _refuse(residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: lis
     reason = f"; fixed there: {', '.join(held)}" if held else ""
     raise InitialStateError(
         f"no consistent initial state at {level} level: {', '.join(joints)} cannot all be satisfied "
-        f"(largest error {np.abs(residual).max():.3g}){reason}; {REMEDY[level]}")
+        f"(largest error {np.abs(residual).max():.3g}){reason}; {REMEDY[level]}"
+    )

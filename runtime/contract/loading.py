@@ -43,8 +43,10 @@ def load_model(folder: str | Path) -> Model:
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         if isinstance(error, ModelError):
             raise
-        raise ModelError(f"{path} is incomplete or was edited ({type(error).__name__}: {error}); "
-                         f"regenerate with: symgen generate {path}") from error
+        raise ModelError(
+            f"{path} is incomplete or was edited ({type(error).__name__}: {error}); "
+            f"regenerate with: symgen generate {path}"
+        ) from error
 
 
 def manifest_digest(manifest: dict[str, Any]) -> str:
@@ -57,13 +59,16 @@ def _manifest(path: Path) -> dict[str, Any]:
     try:
         manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise ModelError(f"{path} is not a generated model (manifest.json: {error}); "
-                         f"generate it with: symgen generate SCENE --out {path}") from error
+        raise ModelError(
+            f"{path} is not a generated model (manifest.json: {error}); "
+            f"generate it with: symgen generate SCENE --out {path}"
+        ) from error
     if not isinstance(manifest, dict) or manifest.get("format") != FORMAT:
         raise ModelError(f"{path} was generated in another format; regenerate it with: symgen generate {path}")
     if manifest.get("sha256") != manifest_digest(manifest):
-        raise ModelError(f"{path / 'manifest.json'} was edited since it was generated; "
-                         f"regenerate with: symgen generate {path}")
+        raise ModelError(
+            f"{path / 'manifest.json'} was edited since it was generated; regenerate with: symgen generate {path}"
+        )
     return manifest
 
 
@@ -73,8 +78,10 @@ def _checked_text(path: Path, name: str, expected: str) -> str:
     except (OSError, UnicodeDecodeError) as error:
         raise ModelError(f"{path / name} cannot be read ({error}); regenerate with: symgen generate {path}") from error
     if hashlib.sha256(text.encode()).hexdigest() != expected:
-        raise ModelError(f"{path / name} was edited since it was generated (its hash differs from manifest.json); "
-                         f"regenerate with: symgen generate {path}")
+        raise ModelError(
+            f"{path / name} was edited since it was generated (its hash differs from manifest.json); "
+            f"regenerate with: symgen generate {path}"
+        )
     return text
 
 
@@ -94,13 +101,26 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, s
     parameters = [Parameter(**entry, default=data["p"][entry["name"]]) for entry in manifest["parameters"]]
     names = manifest["coordinates"]
     return Model(
-        name=manifest["scene"], title=manifest["title"], coordinates=names, elastic=manifest["elastic"], q_i=q_i,
-        q_d=manifest["q_d"], loop_unknowns=manifest["loop_unknowns"], groups=groups,
-        constraints=manifest["constraints"], joints=manifest["joints"], measures=manifest["measures"],
-        outlines=[(body, count) for body, count in manifest["outlines"]], parameters=parameters,
+        name=manifest["scene"],
+        title=manifest["title"],
+        coordinates=names,
+        elastic=manifest["elastic"],
+        q_i=q_i,
+        q_d=manifest["q_d"],
+        loop_unknowns=manifest["loop_unknowns"],
+        groups=groups,
+        constraints=manifest["constraints"],
+        joints=manifest["joints"],
+        measures=manifest["measures"],
+        outlines=[(body, count) for body, count in manifest["outlines"]],
+        parameters=parameters,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
-        builders=module.FUNCTIONS, simulation=manifest["simulation"],
+        builders=module.FUNCTIONS,
+        simulation=manifest["simulation"],
         operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
-        digest=manifest["sha256"], scene_toml=scene_toml, redundant=manifest["redundant"])
+        digest=manifest["sha256"],
+        scene_toml=scene_toml,
+        redundant=manifest["redundant"],
+    )

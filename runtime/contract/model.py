@@ -74,15 +74,19 @@ class Model:
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 
     def __repr__(self) -> str:
-        return (f"<Model {self.name}: {len(self.coordinates)} coordinates, {len(self.q_i)} independent, "
-                f"{len(self.constraints)} constraints>")
+        return (
+            f"<Model {self.name}: {len(self.coordinates)} coordinates, {len(self.q_i)} independent, "
+            f"{len(self.constraints)} constraints>"
+        )
 
     def kernel(self, name: str) -> ca.Function:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
         if name not in self._kernels:
             if name not in self.builders:
-                raise ModelError(f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
-                                 "Regenerate the scene with that function")
+                raise ModelError(
+                    f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
+                    "Regenerate the scene with that function"
+                )
             self._kernels[name] = self.builders[name]()
         return self._kernels[name]
 
@@ -106,8 +110,9 @@ class Model:
         if "c" in kernel.name_in():
             call["c"] = constants(p)
         outputs = kernel(**call)
-        return ca.Function(name, [*inputs.values(), p], [outputs[key] for key in kernel.name_out()],
-                           [*names, "p"], kernel.name_out())
+        return ca.Function(
+            name, [*inputs.values(), p], [outputs[key] for key in kernel.name_out()], [*names, "p"], kernel.name_out()
+        )
 
     def structurally_zero(self, name: str, output: str) -> bool:
         """Is an output of a kernel zero whatever its arguments are?"""

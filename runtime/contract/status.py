@@ -5,8 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-StatusName = Literal["completed", "interrupted", "step_too_long", "not_finite", "diverged", "constraints_lost",
-                     "mass_not_positive", "iteration_failed", "partition_lost", "branch_lost"]
+StatusName = Literal[
+    "completed",
+    "interrupted",
+    "step_too_long",
+    "not_finite",
+    "diverged",
+    "constraints_lost",
+    "mass_not_positive",
+    "iteration_failed",
+    "partition_lost",
+    "branch_lost",
+]
 EventKind = Literal["repartition", "singular_position", "no_variant"]
 
 

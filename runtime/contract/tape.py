@@ -34,9 +34,29 @@ class Tape:
         return len(self.nodes) + sum(len(entries) for entries in self.outputs)
 
 
-BINARY = frozenset((ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV, ca.OP_POW, ca.OP_CONSTPOW, ca.OP_LT, ca.OP_LE,
-                    ca.OP_EQ, ca.OP_NE, ca.OP_AND, ca.OP_OR, ca.OP_FMIN, ca.OP_FMAX, ca.OP_ATAN2, ca.OP_FMOD,
-                    ca.OP_COPYSIGN, ca.OP_IF_ELSE_ZERO, ca.OP_HYPOT))
+BINARY = frozenset(
+    (
+        ca.OP_ADD,
+        ca.OP_SUB,
+        ca.OP_MUL,
+        ca.OP_DIV,
+        ca.OP_POW,
+        ca.OP_CONSTPOW,
+        ca.OP_LT,
+        ca.OP_LE,
+        ca.OP_EQ,
+        ca.OP_NE,
+        ca.OP_AND,
+        ca.OP_OR,
+        ca.OP_FMIN,
+        ca.OP_FMAX,
+        ca.OP_ATAN2,
+        ca.OP_FMOD,
+        ca.OP_COPYSIGN,
+        ca.OP_IF_ELSE_ZERO,
+        ca.OP_HYPOT,
+    )
+)
 UNUSED = -1
 
 
@@ -50,8 +70,14 @@ def read_tape(function: ca.Function) -> Tape:
             raise ValueError(f"{function.name()}: output {function.name_out(k)} is not dense")
     outputs = [[UNUSED] * (rows * columns) for rows, columns in shapes]
     nodes = _read_nodes(function, outputs)
-    return Tape(function.name_in(), [function.nnz_in(k) for k in range(function.n_in())],
-                function.name_out(), shapes, nodes, outputs)
+    return Tape(
+        function.name_in(),
+        [function.nnz_in(k) for k in range(function.n_in())],
+        function.name_out(),
+        shapes,
+        nodes,
+        outputs,
+    )
 
 
 def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
@@ -94,8 +120,10 @@ def as_function(name: str, tape: Tape) -> ca.Function:
     values: list[ca.SX] = []
     for node in tape.nodes:
         values.append(node_value(node, values, entries[node.a] if node.op == ca.OP_INPUT else []))
-    outputs = [ca.densify(ca.reshape(ca.vertcat(*(values[entry] for entry in found)), *shape))
-               for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)]
+    outputs = [
+        ca.densify(ca.reshape(ca.vertcat(*(values[entry] for entry in found)), *shape))
+        for found, shape in zip(tape.outputs, tape.output_shapes, strict=True)
+    ]
     return ca.Function(name, inputs, outputs, tape.input_names, tape.output_names)
 
 

@@ -26,21 +26,54 @@ static inline double smaller(double a, double b) { return a < b || b != b ? a : 
 """
 
 _BINARY = {
-    ca.OP_ADD: "{a} + {b}", ca.OP_SUB: "{a} - {b}", ca.OP_MUL: "{a} * {b}", ca.OP_DIV: "{a} / {b}",
-    ca.OP_POW: "pow({a}, {b})", ca.OP_CONSTPOW: "pow({a}, {b})", ca.OP_LT: "{a} < {b}", ca.OP_LE: "{a} <= {b}",
-    ca.OP_EQ: "{a} == {b}", ca.OP_NE: "{a} != {b}", ca.OP_AND: "{a} && {b}", ca.OP_OR: "{a} || {b}",
-    ca.OP_FMIN: "smaller({a}, {b})", ca.OP_FMAX: "larger({a}, {b})", ca.OP_ATAN2: "atan2({a}, {b})",
-    ca.OP_FMOD: "fmod({a}, {b})", ca.OP_COPYSIGN: "copysign({a}, {b})", ca.OP_HYPOT: "hypot({a}, {b})",
+    ca.OP_ADD: "{a} + {b}",
+    ca.OP_SUB: "{a} - {b}",
+    ca.OP_MUL: "{a} * {b}",
+    ca.OP_DIV: "{a} / {b}",
+    ca.OP_POW: "pow({a}, {b})",
+    ca.OP_CONSTPOW: "pow({a}, {b})",
+    ca.OP_LT: "{a} < {b}",
+    ca.OP_LE: "{a} <= {b}",
+    ca.OP_EQ: "{a} == {b}",
+    ca.OP_NE: "{a} != {b}",
+    ca.OP_AND: "{a} && {b}",
+    ca.OP_OR: "{a} || {b}",
+    ca.OP_FMIN: "smaller({a}, {b})",
+    ca.OP_FMAX: "larger({a}, {b})",
+    ca.OP_ATAN2: "atan2({a}, {b})",
+    ca.OP_FMOD: "fmod({a}, {b})",
+    ca.OP_COPYSIGN: "copysign({a}, {b})",
+    ca.OP_HYPOT: "hypot({a}, {b})",
     ca.OP_IF_ELSE_ZERO: "{a} != 0 ? {b} : 0",
 }
 _UNARY = {
-    ca.OP_NEG: "-{a}", ca.OP_SQ: "{a} * {a}", ca.OP_TWICE: "2 * {a}", ca.OP_INV: "1 / {a}", ca.OP_NOT: "!{a}",
-    ca.OP_SIGN: "{a} > 0 ? 1 : {a} < 0 ? -1 : {a}", ca.OP_ASSIGN: "{a}",
-    **{op: name + "({a})" for op, name in (
-        (ca.OP_SQRT, "sqrt"), (ca.OP_EXP, "exp"), (ca.OP_LOG, "log"), (ca.OP_SIN, "sin"), (ca.OP_COS, "cos"),
-        (ca.OP_TAN, "tan"), (ca.OP_ASIN, "asin"), (ca.OP_ACOS, "acos"), (ca.OP_ATAN, "atan"), (ca.OP_SINH, "sinh"),
-        (ca.OP_COSH, "cosh"), (ca.OP_TANH, "tanh"), (ca.OP_FABS, "fabs"), (ca.OP_FLOOR, "floor"),
-        (ca.OP_CEIL, "ceil"))},
+    ca.OP_NEG: "-{a}",
+    ca.OP_SQ: "{a} * {a}",
+    ca.OP_TWICE: "2 * {a}",
+    ca.OP_INV: "1 / {a}",
+    ca.OP_NOT: "!{a}",
+    ca.OP_SIGN: "{a} > 0 ? 1 : {a} < 0 ? -1 : {a}",
+    ca.OP_ASSIGN: "{a}",
+    **{
+        op: name + "({a})"
+        for op, name in (
+            (ca.OP_SQRT, "sqrt"),
+            (ca.OP_EXP, "exp"),
+            (ca.OP_LOG, "log"),
+            (ca.OP_SIN, "sin"),
+            (ca.OP_COS, "cos"),
+            (ca.OP_TAN, "tan"),
+            (ca.OP_ASIN, "asin"),
+            (ca.OP_ACOS, "acos"),
+            (ca.OP_ATAN, "atan"),
+            (ca.OP_SINH, "sinh"),
+            (ca.OP_COSH, "cosh"),
+            (ca.OP_TANH, "tanh"),
+            (ca.OP_FABS, "fabs"),
+            (ca.OP_FLOOR, "floor"),
+            (ca.OP_CEIL, "ceil"),
+        )
+    },
 }
 
 
@@ -55,9 +88,11 @@ def program_source(program: Program) -> str:
     size = stages(program)[0].size1_in(0)
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
     # a local z can stay in registers over a step; the caller's may alias anything
-    parts.append(f"void run(double *z_run, const double *c, long n) {{\n  double z[{size}];\n{copy}"
-                 "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
-                 f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n")
+    parts.append(
+        f"void run(double *z_run, const double *c, long n) {{\n  double z[{size}];\n{copy}"
+        "  for (long k = 0; k < n; ++k) {\n" + body + "\n  }\n"
+        f"  memcpy(z_run, z, {size} * sizeof(double));\n}}\n"
+    )
     return "\n".join(parts)
 
 
@@ -77,8 +112,9 @@ def _control(node: Program, numbers: dict[str, int], depth: int) -> list[str]:
 
 def stage_source(name: str, tape: Tape) -> str:
     """C source of `static void name(double *z, const double *c)`: z is updated in place, changed entries only."""
-    stores = [(entry, node) for entry, node in enumerate(tape.outputs[0])
-              if not _is_same_entry(tape.nodes[node], entry)]
+    stores = [
+        (entry, node) for entry, node in enumerate(tape.outputs[0]) if not _is_same_entry(tape.nodes[node], entry)
+    ]
     needed = _needed(tape, [node for _, node in stores])
     order = [k for k in range(len(tape.nodes)) if needed[k] and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
     writer = _Writer(tape, order, stores)
@@ -158,7 +194,7 @@ class _Writer:
         chunks = range((len(self.order) - 1) // CHUNK + 1)
         parts = [f"static _Thread_local double {name}_w[{max(1, len(slots))}];"]
         parts += [self._chunk(name, chunk, chunk_of, slots) for chunk in chunks]
-        stores = [self.stores[k:k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
+        stores = [self.stores[k : k + CHUNK] for k in range(0, len(self.stores), CHUNK)]
         parts += [self._store_chunk(name, k, part, slots) for k, part in enumerate(stores)]
         calls = [f"  {name}_{chunk}(z, c, {name}_w);" for chunk in chunks]
         calls += [f"  {name}_store_{k}(z, {name}_w);" for k in range(len(stores))]
@@ -173,10 +209,12 @@ class _Writer:
         return "\n".join([*lines, "}\n"])
 
     def _chunk(self, name: str, chunk: int, chunk_of: dict[int, int], slots: dict[int, int]) -> str:
-        members = self.order[chunk * CHUNK:(chunk + 1) * CHUNK]
+        members = self.order[chunk * CHUNK : (chunk + 1) * CHUNK]
         names = {k: f"w[{slot}]" for k, slot in slots.items() if chunk_of.get(k, chunk) != chunk}
-        lines = [f"static __attribute__((noinline)) void {name}_{chunk}"
-                 "(const double *z, const double *c, double *restrict w) {"]
+        lines = [
+            f"static __attribute__((noinline)) void {name}_{chunk}"
+            "(const double *z, const double *c, double *restrict w) {"
+        ]
         for k in members:
             names[k] = f"v{k}"
             lines.append(f"  const double v{k} = {self._expression(k, names)};")

@@ -65,8 +65,11 @@ def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: 
         interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
         size = sum(stage.n_instructions() for stage in stages(program))
         pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
-        return _compiled_if_possible(program, z_size, c_size) if pays and find_compiler() else InterpretedProgram(
-            program, z_size, c_size)
+        return (
+            _compiled_if_possible(program, z_size, c_size)
+            if pays and find_compiler()
+            else InterpretedProgram(program, z_size, c_size)
+        )
     return CompiledProgram(program) if wish == "compiled" else InterpretedProgram(program, z_size, c_size)
 
 

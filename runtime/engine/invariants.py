@@ -42,8 +42,12 @@ class _Hoister:
 
     def _repeat(self, node: Repeat) -> Program:
         tapes = {stage.name(): read_tape(stage) for stage in stages(node.body)}
-        changed = {entry for tape in tapes.values() for entry, k in enumerate(tape.outputs[0])
-                   if not _passes(tape.nodes[k], entry)}
+        changed = {
+            entry
+            for tape in tapes.values()
+            for entry, k in enumerate(tape.outputs[0])
+            if not _passes(tape.nodes[k], entry)
+        }
         before: list[Program] = []
         rebuilt: dict[str, ca.Function] = {}
         for name, tape in tapes.items():
@@ -98,12 +102,14 @@ def _invariant_nodes(tape: Tape, changed: set[int]) -> list[int]:
     for k, node in enumerate(tape.nodes):
         if k not in fixed and node.op not in (ca.OP_INPUT, ca.OP_CONST):
             read |= {node.a, node.b}
-    return [k for k, reads_z in fixed.items()
-            if reads_z and k in read and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)]
+    return [
+        k
+        for k, reads_z in fixed.items()
+        if reads_z and k in read and tape.nodes[k].op not in (ca.OP_INPUT, ca.OP_CONST)
+    ]
 
 
-def _stage(name: str, tape: Tape, held: dict[int, int], wanted: dict[int, int] | None,
-           size: int) -> ca.Function:
+def _stage(name: str, tape: Tape, held: dict[int, int], wanted: dict[int, int] | None, size: int) -> ca.Function:
     """The stage with `held` nodes read from z; with `wanted`, only those nodes, written to their entries."""
     z, c = ca.SX.sym("z", size), ca.SX.sym("c", tape.input_sizes[1])
     inputs = [ca.vertsplit(z), ca.vertsplit(c)]
@@ -121,7 +127,7 @@ def _stage(name: str, tape: Tape, held: dict[int, int], wanted: dict[int, int] |
             values.append(ca.SX.binary(node.op, values[node.a], values[node.b]))
     out = list(inputs[Z_ARGUMENT])
     if wanted is None:
-        out[:len(tape.outputs[0])] = [values[k] for k in tape.outputs[0]]
+        out[: len(tape.outputs[0])] = [values[k] for k in tape.outputs[0]]
     else:
         for k, entry in wanted.items():
             out[entry] = values[k]

@@ -88,15 +88,24 @@ class _Pool:
         for k, node in enumerate(tape.nodes):
             if k not in numbers and node.op != ca.OP_INPUT:
                 read |= {node.a, node.b}
-        divisions = {k: self._place(Node(ca.OP_INV, numbers[node.b], UNUSED, 0.0)) for k, node in enumerate(tape.nodes)
-                     if node.op == ca.OP_DIV and node.b in numbers and k not in numbers}
-        largest = {k: number for k, number in numbers.items()
-                   if k in read and tape.nodes[k].op not in (ca.OP_CONST, ca.OP_INPUT)}
+        divisions = {
+            k: self._place(Node(ca.OP_INV, numbers[node.b], UNUSED, 0.0))
+            for k, node in enumerate(tape.nodes)
+            if node.op == ca.OP_DIV and node.b in numbers and k not in numbers
+        }
+        largest = {
+            k: number
+            for k, number in numbers.items()
+            if k in read and tape.nodes[k].op not in (ca.OP_CONST, ca.OP_INPUT)
+        }
         divisors = Counter(node.b for k, node in enumerate(tape.nodes) if node.op == ca.OP_DIV and k not in divisions)
         one = self._entry(self._place(Node(ca.OP_CONST, UNUSED, UNUSED, 1.0)))
-        return Found({k: self._entry(number) for k, number in largest.items()},
-                     {k: self._entry(number) for k, number in divisions.items()},
-                     frozenset(divisor for divisor, count in divisors.items() if count > 1), one)
+        return Found(
+            {k: self._entry(number) for k, number in largest.items()},
+            {k: self._entry(number) for k, number in divisions.items()},
+            frozenset(divisor for divisor, count in divisors.items() if count > 1),
+            one,
+        )
 
     def _place(self, node: Node) -> int:
         if node not in self._number:

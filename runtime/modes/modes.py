@@ -106,8 +106,9 @@ def state_at(solution: Solution, k: int) -> State:
     """Sample k of a solution."""
     model = solution.model
     loops = [model.coordinates.index(name) for name in model.loop_unknowns]
-    return State(float(solution.t[k]), solution.q_i[k], solution.q_dot[k, model.independent_columns],
-                 solution.q[k, loops])
+    return State(
+        float(solution.t[k]), solution.q_i[k], solution.q_dot[k, model.independent_columns], solution.q[k, loops]
+    )
 
 
 def modes_at(solution: Solution, samples: Iterable[int]) -> list[Modes]:

@@ -24,18 +24,35 @@ if TYPE_CHECKING:
     from runtime.results.samples import Samples
 
 FORMAT = "symgen solution 2"
-FORCE_PARTS = {3: ("force_x", "force_y", "moment"),
-               6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z")}  # planar, spatial
-ARRAYS = ("parameters", "t", "q_i", "q", "q_dot", "q_ddot", "lam", "constraint_error", "constraint_rate_error",
-          "measures", "joint_forces")
+FORCE_PARTS = {
+    3: ("force_x", "force_y", "moment"),
+    6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
+}  # planar, spatial
+ARRAYS = (
+    "parameters",
+    "t",
+    "q_i",
+    "q",
+    "q_dot",
+    "q_ddot",
+    "lam",
+    "constraint_error",
+    "constraint_rate_error",
+    "measures",
+    "joint_forces",
+)
 NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
 def write_npz(solution: Samples, path: str | Path) -> None:
     """Plain arrays, and one JSON text for the rest. Raises OutputError."""
-    header = {"format": FORMAT, **run_header(solution), "energy": list(solution.energy),
-              "outputs": list(solution.outputs)}
+    header = {
+        "format": FORMAT,
+        **run_header(solution),
+        "energy": list(solution.energy),
+        "outputs": list(solution.outputs),
+    }
     arrays = {key: np.asarray(getattr(solution, key), dtype=float) for key in ARRAYS}
     arrays |= {f"energy_{key}": np.asarray(series, dtype=float) for key, series in solution.energy.items()}
     arrays |= {f"output_{key}": np.asarray(series, dtype=float) for key, series in solution.outputs.items()}
@@ -72,8 +89,9 @@ def read_stream(path: str | Path, model: Model | None) -> dict[str, Any]:
         raise ModelError(f"{path} holds no samples; simulate again")
     columns = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     fields: dict[str, Any] = {key: columns[key] for key in ARRAYS if key != "parameters"}
-    fields["energy"] = {key.removeprefix("energy_"): values for key, values in columns.items()
-                        if key.startswith("energy_")}
+    fields["energy"] = {
+        key.removeprefix("energy_"): values for key, values in columns.items() if key.startswith("energy_")
+    }
     return {**fields, "parameters": np.array(header["parameters"], dtype=float), **read_run_header(header, path, model)}
 
 
@@ -86,11 +104,16 @@ def run_header(solution: Samples) -> dict[str, Any]:
             "groups": [asdict(group) for group in model.groups],
             "outlines": [list(entry) for entry in model.outlines],
             "parameters": [asdict(parameter) for parameter in model.parameters],
-            "initial_q": model.initial_q.tolist(), "initial_q_dot": model.initial_q_dot.tolist(),
-            "simulation": dict(model.simulation), "operations": dict(model.operations),
+            "initial_q": model.initial_q.tolist(),
+            "initial_q_dot": model.initial_q_dot.tolist(),
+            "simulation": dict(model.simulation),
+            "operations": dict(model.operations),
         },
-        "scheme": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
-        "stats": {key: _plain(value) for key, value in solution.stats.items()}, "status": asdict(solution.status),
+        "scheme": solution.scheme,
+        "dt": float(solution.dt),
+        "m": [int(ratio) for ratio in solution.m],
+        "stats": {key: _plain(value) for key, value in solution.stats.items()},
+        "status": asdict(solution.status),
         "events": [asdict(event) for event in solution.events],
     }
 
@@ -101,19 +124,27 @@ def read_run_header(header: dict[str, Any], path: str | Path, model: Model | Non
     for key in ("coordinates", "q_i", "constraints", "measures"):
         if model is not None and getattr(model, key) != getattr(recorded, key):
             raise ModelError(f"{path} belongs to model {recorded.name}, whose {key} differ from those of {model.name}")
-    return {**{key: header[key] for key in ("scheme", "dt", "m", "stats")}, "status": Status(**header["status"]),
-            "events": [Event(**event) for event in header["events"]], "model": model or recorded}
+    return {
+        **{key: header[key] for key in ("scheme", "dt", "m", "stats")},
+        "status": Status(**header["status"]),
+        "events": [Event(**event) for event in header["events"]],
+        "model": model or recorded,
+    }
 
 
 def _recorded_model(header: dict[str, Any]) -> Model:
     """A model with names but without functions."""
     return Model(
-        **{key: header[key] for key in NAMES}, groups=[Group(**entry) for entry in header["groups"]],
+        **{key: header[key] for key in NAMES},
+        groups=[Group(**entry) for entry in header["groups"]],
         outlines=[(body, count) for body, count in header["outlines"]],
         parameters=[Parameter(**entry) for entry in header["parameters"]],
         initial_q=np.array(header["initial_q"], dtype=float),
         initial_q_dot=np.array(header["initial_q_dot"], dtype=float),
-        builders={}, simulation=header["simulation"], operations=header["operations"])
+        builders={},
+        simulation=header["simulation"],
+        operations=header["operations"],
+    )
 
 
 def _plain(value: Any) -> Any:
@@ -127,8 +158,11 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
     for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
         columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
     columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
-    columns |= {f"{joint}.{part}": solution.joint_forces[:, k, axis] for k, joint in enumerate(model.joints)
-                for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])}
+    columns |= {
+        f"{joint}.{part}": solution.joint_forces[:, k, axis]
+        for k, joint in enumerate(model.joints)
+        for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])
+    }
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
     columns["constraint_rate_error"] = solution.constraint_rate_error
@@ -139,8 +173,15 @@ def to_csv(solution: Samples, path: str | Path) -> None:
     """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
     columns = solution.outputs or table(solution)
     with replacing(path) as temporary:
-        np.savetxt(temporary, np.column_stack(list(columns.values())), fmt="%.17g", delimiter=",",
-                   header=",".join(columns), comments="", encoding="utf-8")
+        np.savetxt(
+            temporary,
+            np.column_stack(list(columns.values())),
+            fmt="%.17g",
+            delimiter=",",
+            header=",".join(columns),
+            comments="",
+            encoding="utf-8",
+        )
 
 
 def to_xarray(solution: Samples) -> xarray.Dataset:
@@ -166,12 +207,25 @@ def to_xarray(solution: Samples) -> xarray.Dataset:
     variables["parameters"] = ("parameter", solution.parameters)
     dataset = xarray.Dataset(
         variables,
-        coords={"t": ("t", solution.t, {"units": "s"}), "coordinate": _labels(model.coordinates),
-                "independent": _labels(model.q_i), "constraint": _labels(model.constraints),
-                "joint": _labels(model.joints), "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
-                "measure": _labels(model.measures), "parameter": _labels([entry.name for entry in model.parameters])},
-        attrs={"model": model.name, "title": model.title, "scheme": solution.scheme, "dt": solution.dt,
-               "m": np.array(solution.m, dtype=int), "status": str(solution.status)})
+        coords={
+            "t": ("t", solution.t, {"units": "s"}),
+            "coordinate": _labels(model.coordinates),
+            "independent": _labels(model.q_i),
+            "constraint": _labels(model.constraints),
+            "joint": _labels(model.joints),
+            "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
+            "measure": _labels(model.measures),
+            "parameter": _labels([entry.name for entry in model.parameters]),
+        },
+        attrs={
+            "model": model.name,
+            "title": model.title,
+            "scheme": solution.scheme,
+            "dt": solution.dt,
+            "m": np.array(solution.m, dtype=int),
+            "status": str(solution.status),
+        },
+    )
     return dataset
 
 

@@ -20,8 +20,16 @@ CLOSED = 1e-12  # constraint error of a sample [mechanism lengths, at least 1 m]
 MOST_CLOSURES = 8
 
 
-def observe_samples(model: Model, scheme: Scheme, samples: np.ndarray, p: np.ndarray, c: np.ndarray,
-                    name: str, stats: dict[str, float | int | str], status: Status) -> Solution:
+def observe_samples(
+    model: Model,
+    scheme: Scheme,
+    samples: np.ndarray,
+    p: np.ndarray,
+    c: np.ndarray,
+    name: str,
+    stats: dict[str, float | int | str],
+    status: Status,
+) -> Solution:
     """Solution of the samples (N, len(z)) of a scheme's state between major steps."""
     observed = evaluate(scheme.observer, {"z": samples}, scheme.constants(c))
     if scheme.closes and model.loop_unknowns:
@@ -48,8 +56,18 @@ def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray)
 
 
 def assemble_solution(
-    model: Model, t: np.ndarray, q: np.ndarray, q_dot: np.ndarray, q_ddot: np.ndarray, p: np.ndarray, c: np.ndarray,
-    name: str, dt: float, m: list[int], stats: dict[str, float | int | str], status: Status,
+    model: Model,
+    t: np.ndarray,
+    q: np.ndarray,
+    q_dot: np.ndarray,
+    q_ddot: np.ndarray,
+    p: np.ndarray,
+    c: np.ndarray,
+    name: str,
+    dt: float,
+    m: list[int],
+    stats: dict[str, float | int | str],
+    status: Status,
 ) -> Solution:
     """Solution from full coordinate histories (N, n): what any integrator on the emitted functions can call."""
     values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
@@ -67,17 +85,35 @@ def assemble_solution(
         driven = np.sum(lam * constraint["C_t"], axis=1)
     if model.measures:
         measures = evaluate(model.kernel("measures"), values, c)["measures"]
-    return Solution(model=model, scheme=name, dt=dt, m=list(m), parameters=p, t=t, q_i=q[:, model.independent_columns],
-                    q=q, q_dot=q_dot, q_ddot=q_ddot, lam=lam, energy={**energy, "power_driven": driven},
-                    constraint_error=error, constraint_rate_error=rate_error, measures=measures, joint_forces=forces,
-                    stats=stats, status=status)
+    return Solution(
+        model=model,
+        scheme=name,
+        dt=dt,
+        m=list(m),
+        parameters=p,
+        t=t,
+        q_i=q[:, model.independent_columns],
+        q=q,
+        q_dot=q_dot,
+        q_ddot=q_ddot,
+        lam=lam,
+        energy={**energy, "power_driven": driven},
+        constraint_error=error,
+        constraint_rate_error=rate_error,
+        measures=measures,
+        joint_forces=forces,
+        stats=stats,
+        status=status,
+    )
 
 
 def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
     """One Solution from parts that follow each other, perhaps with other q_i: q_i become those of `model`."""
     arrays: dict[str, Any] = {
-        entry.name: np.concatenate([getattr(part, entry.name) for part in parts]) for entry in fields(Solution)
-        if isinstance(getattr(parts[-1], entry.name), np.ndarray) and entry.name not in ("parameters", "q_i")}
+        entry.name: np.concatenate([getattr(part, entry.name) for part in parts])
+        for entry in fields(Solution)
+        if isinstance(getattr(parts[-1], entry.name), np.ndarray) and entry.name not in ("parameters", "q_i")
+    }
     energy = {key: np.concatenate([part.energy[key] for part in parts]) for key in parts[-1].energy}
     return replace(parts[-1], **arrays, energy=energy, model=model, q_i=arrays["q"][:, model.independent_columns])
 
@@ -85,12 +121,21 @@ def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
 def _constraint_errors(model: Model) -> ca.Function:
     """(q, q_dot, t, c) -> C, C_t, C_dot = C_q q_dot + C_t."""
     kernel, n = model.kernel("constraints"), len(model.coordinates)
-    values = {"q": ca.SX.sym("q", n), "q_dot": ca.SX.sym("q_dot", n), "t": ca.SX.sym("t"),
-              "c": ca.SX.sym("c", model.c_size)}
+    values = {
+        "q": ca.SX.sym("q", n),
+        "q_dot": ca.SX.sym("q_dot", n),
+        "t": ca.SX.sym("t"),
+        "c": ca.SX.sym("c", model.c_size),
+    }
     found = kernel.call({key: values[key] for key in kernel.name_in()})
     C_dot = ca.mtimes(found["C_q"], values["q_dot"]) + found["C_t"]
-    return ca.Function("constraint_errors", list(values.values()), [found["C"], found["C_t"], C_dot], list(values),
-                       ["C", "C_t", "C_dot"])
+    return ca.Function(
+        "constraint_errors",
+        list(values.values()),
+        [found["C"], found["C_t"], C_dot],
+        list(values),
+        ["C", "C_t", "C_dot"],
+    )
 
 
 def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:

@@ -14,8 +14,9 @@ from runtime.contract.model import Model
 from runtime.results.sampling import evaluate
 
 
-def joint_reactions(model: Model, values: Mapping[str, np.ndarray], C_q: np.ndarray,
-                    c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def joint_reactions(
+    model: Model, values: Mapping[str, np.ndarray], C_q: np.ndarray, c: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """(lam (N, n_c), world forces and moments of the joints (N, joints, 3)) at N states.
 
     values: q, q_dot, q_ddot and t, samples by rows; C_q (N, n_c n), flattened column by column.

@@ -50,8 +50,10 @@ class Samples:
     outputs: dict[str, np.ndarray] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        return (f"<{type(self).__name__} of {self.model.name}: {self.scheme}, {len(self.t)} samples from "
-                f"{self.t[0]:g} to {self.t[-1]:g} s, {self.status.name}>")
+        return (
+            f"<{type(self).__name__} of {self.model.name}: {self.scheme}, {len(self.t)} samples from "
+            f"{self.t[0]:g} to {self.t[-1]:g} s, {self.status.name}>"
+        )
 
     def __getitem__(self, name: str) -> np.ndarray:
         """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure by name.
@@ -123,8 +125,11 @@ class Samples:
         if times.size and not (times.min() >= self.t[0] and times.max() <= self.t[-1]):
             raise ValueError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
         values, slopes = self._samples(what)
-        flat = _linear(self.t, values, times.ravel()) if slopes is None or len(self.t) < 2 else \
-            _hermite(self.t, values, slopes, times.ravel())
+        flat = (
+            _linear(self.t, values, times.ravel())
+            if slopes is None or len(self.t) < 2
+            else _hermite(self.t, values, slopes, times.ravel())
+        )
         return flat.reshape(times.shape + values.shape[1:])
 
     def _samples(self, what: str) -> tuple[np.ndarray, np.ndarray | None]:

@@ -25,11 +25,12 @@ def evaluate(function: ca.Function, values: dict[str, np.ndarray], c: np.ndarray
     output = {name: np.zeros((n, function.numel_out(name))) for name in function.name_out()}
     for first in range(0, n, size):
         rows = np.minimum(np.arange(first, first + size), n - 1)
-        columns: dict[str, np.ndarray] = {name: c[:, None] if name == "c" else values[name][rows].T
-                                          for name in function.name_in()}
+        columns: dict[str, np.ndarray] = {
+            name: c[:, None] if name == "c" else values[name][rows].T for name in function.name_in()
+        }
         result = mapped(**columns)
         for name, table in output.items():
             height, width = function.size_out(name)
             block = np.asarray(result[name], dtype=float).reshape(height, size, width)
-            table[first:first + size] = block.transpose(1, 2, 0).reshape(size, -1)[:n - first]
+            table[first : first + size] = block.transpose(1, 2, 0).reshape(size, -1)[: n - first]
     return output

@@ -59,8 +59,9 @@ class StreamFile(Table):
             self.folder.mkdir(parents=True, exist_ok=True)
             self._file = open(self.folder / ROWS, "r+b" if resumed else "w+b")
         except OSError as error:
-            raise OutputError(f"{self.folder} cannot take a stream of samples ({error.strerror}); "
-                              "choose another place") from error
+            raise OutputError(
+                f"{self.folder} cannot take a stream of samples ({error.strerror}); choose another place"
+            ) from error
         self.rows = (self.folder / ROWS).stat().st_size // self._row_bytes
 
     @property
@@ -112,7 +113,7 @@ def read_blocks(folder: str | Path, rows: int = ROWS_A_BLOCK) -> Iterator[dict[s
     try:
         with open(Path(folder) / ROWS, "rb") as file:
             while len(data := file.read(8 * width * rows)) >= 8 * width:
-                yield split(np.frombuffer(data[:len(data) // (8 * width) * 8 * width], dtype="<f8"), columns)
+                yield split(np.frombuffer(data[: len(data) // (8 * width) * 8 * width], dtype="<f8"), columns)
     except OSError as error:
         raise ModelError(f"{folder} has lost its samples ({error.strerror})") from error
 
@@ -123,6 +124,6 @@ def split(values: np.ndarray, columns: Sequence[tuple[str, Sequence[int]]]) -> d
     found, first = {}, 0
     for name, shape in columns:
         size = int(np.prod(shape, dtype=int))
-        found[name] = table[:, first:first + size].reshape(len(table), *shape)
+        found[name] = table[:, first : first + size].reshape(len(table), *shape)
         first += size
     return found

@@ -36,8 +36,15 @@ class Checkpoint:
         """To a temporary name, then renamed: there is always a whole one. Raises OutputError."""
         text = json.dumps({"format": FORMAT, **self.header, "arrays": list(self.arrays)})
         with replacing(path) as temporary, open(temporary, "wb") as stream:
-            np.savez(stream, allow_pickle=False, header=np.array(text), sha256=np.array(self._digest(text)), z=self.z,
-                     p=self.p, **{f"record_{name}": values for name, values in self.arrays.items()})
+            np.savez(
+                stream,
+                allow_pickle=False,
+                header=np.array(text),
+                sha256=np.array(self._digest(text)),
+                z=self.z,
+                p=self.p,
+                **{f"record_{name}": values for name, values in self.arrays.items()},
+            )
 
     def _digest(self, text: str) -> str:
         """SHA-256 of the header's text and of all arrays: whoever edits a checkpoint shall not go on with it."""
@@ -60,16 +67,27 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
             header = json.loads(text)
             if header["format"] != FORMAT:
                 raise ModelError(f"{path} is a checkpoint in another format; run it with the version that wrote it")
-            found = Checkpoint(header, data["z"], data["p"],
-                               {name: data[f"record_{name}"] for name in header["arrays"]})
+            found = Checkpoint(
+                header, data["z"], data["p"], {name: data[f"record_{name}"] for name in header["arrays"]}
+            )
             if str(data["sha256"]) != found._digest(text):
-                raise ModelError(f"checkpoint {path} was edited since it was written; start again, or take an older "
-                                 "copy")
+                raise ModelError(
+                    f"checkpoint {path} was edited since it was written; start again, or take an older copy"
+                )
             return found
     except ModelError:
         raise
-    except (OSError, ValueError, KeyError, TypeError, EOFError, AttributeError, NotImplementedError, RuntimeError,
-            zipfile.BadZipFile) as error:
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        EOFError,
+        AttributeError,
+        NotImplementedError,
+        RuntimeError,
+        zipfile.BadZipFile,
+    ) as error:
         reason = getattr(error, "strerror", None) or error
         raise ModelError(f"{path} is not a whole checkpoint ({reason}); start again, or take an older copy") from error
 
@@ -79,8 +97,10 @@ def check_model(checkpoint: Checkpoint, model: Model, path: str | Path) -> None:
     header = checkpoint.header
     if header["digest"] != model.digest:
         same = " (the same scene, generated anew with other content)" if header["model"] == model.name else ""
-        raise ModelError(f"checkpoint {path} belongs to model {header['model']} with manifest {header['digest'][:12]}, "
-                         f"not to {model.name} with {model.digest[:12]}{same}; give the model that it was made with")
+        raise ModelError(
+            f"checkpoint {path} belongs to model {header['model']} with manifest {header['digest'][:12]}, "
+            f"not to {model.name} with {model.digest[:12]}{same}; give the model that it was made with"
+        )
 
 
 def check_settings(checkpoint: Checkpoint, wanted: Mapping[str, Any], path: str | Path) -> None:
@@ -88,5 +108,7 @@ def check_settings(checkpoint: Checkpoint, wanted: Mapping[str, Any], path: str 
     for name, value in wanted.items():
         kept = checkpoint.header[name]
         if value is not None and json.loads(json.dumps(value)) != kept:
-            raise SchemeError(f"checkpoint {path} was made with {name} = {kept!r}, not {value!r}; a run goes on with "
-                              "its own settings: leave this one out, or start a new run")
+            raise SchemeError(
+                f"checkpoint {path} was made with {name} = {kept!r}, not {value!r}; a run goes on with "
+                "its own settings: leave this one out, or start a new run"
+            )

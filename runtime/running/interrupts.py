@@ -24,8 +24,10 @@ class Interrupts:
 def heard_interrupts() -> Iterator[Interrupts]:
     """Hear Ctrl-C while inside. Outside the main thread, and where the caller has a handler, nothing changes."""
     heard = Interrupts()
-    ours = (threading.current_thread() is threading.main_thread()
-            and signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+    ours = (
+        threading.current_thread() is threading.main_thread()
+        and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    )
     if ours:
         signal.signal(signal.SIGINT, heard._heard)
     try:

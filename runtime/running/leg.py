@@ -35,8 +35,9 @@ class Leg:
         """Prepare and compile. Raises ModelError or CompilerError."""
         c = model.constants(p)
         stepper = Stepper(plan.scheme, engine, plan.steps)
-        return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L),
-                   Watch(model, plan.scheme, c, force=force))
+        return cls(
+            model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), Watch(model, plan.scheme, c, force=force)
+        )
 
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0) -> np.ndarray:
         """The whole z at a consistent state of all coordinates after so many steps of the run (Eqs. 68-71)."""
@@ -71,5 +72,6 @@ class Leg:
     def observed(self, samples: list[np.ndarray]) -> Solution:
         """Samples of the scheme's part of z as a Solution of this leg's model."""
         plan = self.plan
-        return observe_samples(self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {},
-                               Status("completed", plan.t_end))
+        return observe_samples(
+            self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {}, Status("completed", plan.t_end)
+        )

@@ -56,8 +56,17 @@ class Plan:
         return replace(self, scheme=built)
 
 
-def make_plan(model: Model, t_end: float | None, dt: float | None, m: list[int] | None, scheme: str | None,
-              save_every: int | None, options: Mapping[str, Any] | None, t0: float, bounded: bool = False) -> Plan:
+def make_plan(
+    model: Model,
+    t_end: float | None,
+    dt: float | None,
+    m: list[int] | None,
+    scheme: str | None,
+    save_every: int | None,
+    options: Mapping[str, Any] | None,
+    t0: float,
+    bounded: bool = False,
+) -> Plan:
     """Resolve defaults and check every number of a run. bounded: samples do not stay in memory. Raises SchemeError."""
     defaults = model.simulation
     name = scheme or str(defaults["scheme"])

@@ -31,8 +31,9 @@ class Record:
     table: where rows of columns go; None keeps whole states. outputs: names of the columns, () for all there are.
     """
 
-    def __init__(self, legs: list[Leg], save_every: int, table: Table | None = None,
-                 outputs: Sequence[str] = ()) -> None:
+    def __init__(
+        self, legs: list[Leg], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
+    ) -> None:
         self.legs, self.every, self.table, self.outputs = legs, save_every, table, tuple(outputs)
         self.samples: list[tuple[int, np.ndarray]] = []  # all of them, or those that wait to be written
         self.first: tuple[int, np.ndarray] | None = None
@@ -80,8 +81,9 @@ class Record:
 
     def restore(self, arrays: dict[str, np.ndarray], rows: int, last_step: int) -> None:
         """Continue from `arrays`; a stream is cut to so many rows. Raises ModelError if it has fewer."""
-        parts = sorted((tuple(map(int, name.split("_")[1:])), part) for name, part in arrays.items()
-                       if name.startswith("samples_"))
+        parts = sorted(
+            (tuple(map(int, name.split("_")[1:])), part) for name, part in arrays.items() if name.startswith("samples_")
+        )
         kept = [(leg, z) for (_, leg), part in parts for z in part]
         self.first, self.last_step = (kept[0] if kept else None), last_step
         if self.table is None:
@@ -90,8 +92,10 @@ class Record:
         if "table" in arrays:
             self.table.append(arrays["table"])
         if self.table.rows < rows:
-            raise ModelError(f"the stream holds {self.table.rows} samples, the checkpoint was written after {rows}; "
-                             "give the stream that belongs to the checkpoint")
+            raise ModelError(
+                f"the stream holds {self.table.rows} samples, the checkpoint was written after {rows}; "
+                "give the stream that belongs to the checkpoint"
+            )
         self.table.keep(rows)
 
     def solution(self, last: tuple[int, np.ndarray]) -> Solution:
@@ -119,24 +123,34 @@ def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
     known = output_values(solution)
     for name in outputs:
         if name not in known:
-            raise ModelError(f"model {solution.model.name} has no output {name!r}; it has "
-                             f"{', '.join(list(known)[1:25])}{', ...' if len(known) > 25 else ''}")
+            raise ModelError(
+                f"model {solution.model.name} has no output {name!r}; it has "
+                f"{', '.join(list(known)[1:25])}{', ...' if len(known) > 25 else ''}"
+            )
     return [("t", ()), *((name, ()) for name in outputs if name != "t")]
 
 
 def output_values(solution: Solution) -> dict[str, np.ndarray]:
     """All columns by the names that outputs are asked for: those of export.table, energies and measures bare too."""
     table = export.table(solution)
-    bare = {name.partition(".")[2]: values for name, values in table.items()
-            if name.startswith(("energy.", "measure."))}
+    bare = {
+        name.partition(".")[2]: values for name, values in table.items() if name.startswith(("energy.", "measure."))
+    }
     return {**table, **{name: values for name, values in bare.items() if name not in table}}
 
 
 def rows_of(solution: Solution, outputs: Sequence[str]) -> np.ndarray:
     """(N, width) of the columns of `columns_of`."""
-    values: dict[str, Any] = output_values(solution) if outputs else {
-        "t": solution.t, **{key: getattr(solution, key) for key in SERIES},
-        **{f"energy_{key}": series for key, series in solution.energy.items()}}
+    values: dict[str, Any] = (
+        output_values(solution)
+        if outputs
+        else {
+            "t": solution.t,
+            **{key: getattr(solution, key) for key in SERIES},
+            **{f"energy_{key}": series for key, series in solution.energy.items()},
+        }
+    )
     n = len(solution.t)
-    return np.concatenate([np.asarray(values[name], dtype=float).reshape(n, -1)
-                           for name, _ in columns_of(solution, outputs)], axis=1)
+    return np.concatenate(
+        [np.asarray(values[name], dtype=float).reshape(n, -1) for name, _ in columns_of(solution, outputs)], axis=1
+    )

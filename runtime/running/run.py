@@ -66,8 +66,13 @@ class Run:
             if interrupted:
                 self.status = self.leg.watch.after(self._state, last=True)
             if self.status is None and interrupted:
-                self.status = Status("interrupted", self.leg.plan.time(self.step), None, "stopped by the user",
-                                     "What was computed is kept.")
+                self.status = Status(
+                    "interrupted",
+                    self.leg.plan.time(self.step),
+                    None,
+                    "stopped by the user",
+                    "What was computed is kept.",
+                )
                 self._keep()
                 self._write_checkpoint()
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
@@ -122,8 +127,9 @@ class Run:
             return
         passage = Passage(self.leg, self.guard, self.record.legs, self.engine)
         found = passage.go_on(z if previous is None else previous)
-        if found.event is not None and (found.event.kind != "no_variant" or not any(
-                event.text == found.event.text for event in self.events)):  # said once
+        if found.event is not None and (
+            found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)
+        ):  # said once
             self.events.append(found.event)
         self.status = found.status
         if found.drop_from is None and found.status is None:  # look again later
@@ -147,8 +153,13 @@ class Run:
         self.status = self._checked(closely=True)
         if self.status is None:
             self.z = good
-            self.status = Status("branch_lost", time_, None, "the loop closure is singular within the next step",
-                                 "Reduce the step, start elsewhere, or change a length a little.")
+            self.status = Status(
+                "branch_lost",
+                time_,
+                None,
+                "the loop closure is singular within the next step",
+                "Reduce the step, start elsewhere, or change a length a little.",
+            )
 
     def _batch(self, per_call: int) -> int:
         plan, done = self.leg.plan, self.step
@@ -175,12 +186,19 @@ class Run:
             return
         arrays = self.record.arrays()
         table = self.record.table
-        header = {**self.header, "watch": self.leg.watch.memory(), "last_step": self.record.last_step,
-                  "rows": 0 if table is None else table.rows, "step": self.step,
-                  "stream": str(table.folder) if isinstance(table, StreamFile) else None,
-                  "events": [[event.time, event.kind, event.text] for event in self.events],
-                  "legs": [list(leg.model.q_i) for leg in self.record.legs], "leg": self._leg_number,
-                  "guard": self.guard.memory(), "place": self.leg.observed([self._state]).q[0].tolist()}
+        header = {
+            **self.header,
+            "watch": self.leg.watch.memory(),
+            "last_step": self.record.last_step,
+            "rows": 0 if table is None else table.rows,
+            "step": self.step,
+            "stream": str(table.folder) if isinstance(table, StreamFile) else None,
+            "events": [[event.time, event.kind, event.text] for event in self.events],
+            "legs": [list(leg.model.q_i) for leg in self.record.legs],
+            "leg": self._leg_number,
+            "guard": self.guard.memory(),
+            "place": self.leg.observed([self._state]).q[0].tolist(),
+        }
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
         Checkpoint(header, self.z, self.leg.p, arrays).write(self.rule.path)

@@ -53,12 +53,25 @@ class RunArguments(TypedDict, total=False):
 
 
 def simulate(
-    model: Model, *, t_end: float | None = None, dt: float | None = None, m: list[int] | None = None,
-    scheme: str | None = None, parameters: Mapping[str, float] | None = None,
-    initial: Mapping[str, float] | None = None, save_every: int | None = None, engine: str = "auto",
-    options: Mapping[str, Any] | None = None, t0: float = 0.0, progress: Progress | None = None, force: bool = False,
-    start: str | None = None, outputs: Sequence[str] | None = None, stream: str | Path | None = None,
-    checkpoint: str | Path | None = None, checkpoint_every: int | None = None,
+    model: Model,
+    *,
+    t_end: float | None = None,
+    dt: float | None = None,
+    m: list[int] | None = None,
+    scheme: str | None = None,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    save_every: int | None = None,
+    engine: str = "auto",
+    options: Mapping[str, Any] | None = None,
+    t0: float = 0.0,
+    progress: Progress | None = None,
+    force: bool = False,
+    start: str | None = None,
+    outputs: Sequence[str] | None = None,
+    stream: str | Path | None = None,
+    checkpoint: str | Path | None = None,
+    checkpoint_every: int | None = None,
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings).
 
@@ -95,9 +108,17 @@ def simulate(
 
 
 def resume(
-    model: Model, path: str | Path, *, stream: str | Path | None = None, engine: str = "auto",
-    progress: Progress | None = None, checkpoint: str | Path | None = None, checkpoint_every: int | None = None,
-    scheme: str | None = None, dt: float | None = None, m: list[int] | None = None,
+    model: Model,
+    path: str | Path,
+    *,
+    stream: str | Path | None = None,
+    engine: str = "auto",
+    progress: Progress | None = None,
+    checkpoint: str | Path | None = None,
+    checkpoint_every: int | None = None,
+    scheme: str | None = None,
+    dt: float | None = None,
+    m: list[int] | None = None,
     options: Mapping[str, Any] | None = None,
 ) -> Solution:
     """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
@@ -118,18 +139,34 @@ def resume(
         legs.append(Leg.build(variant, settings.plan.on(variant), kept.p, engine, True))
     leg = legs[int(header["leg"])]
     if len(leg.stepper.start(0.0, model.initial_q, model.initial_q_dot, leg.c, settings.plan.grid.dt_L)) != len(kept.z):
-        raise ModelError(f"checkpoint {path} holds a state of another length than this scheme's; it was written by "
-                         "another version")
+        raise ModelError(
+            f"checkpoint {path} holds a state of another length than this scheme's; it was written by another version"
+        )
     set_up = time.perf_counter()
     z = kept.z.copy()
     leg.watch.resume(leg.stepper.state(z), [float(value) for value in header["watch"]])
-    record = _record(leg, settings, z, stream or header["stream"],
-                     keep_rows=bool(settings.outputs) or header["stream"] is not None, resumed=True)
+    record = _record(
+        leg,
+        settings,
+        z,
+        stream or header["stream"],
+        keep_rows=bool(settings.outputs) or header["stream"] is not None,
+        resumed=True,
+    )
     record.legs[:] = legs
     record.restore(kept.arrays, int(header["rows"]), int(header["last_step"]))
-    run = Run(leg, z, record, _rule(checkpoint or path, checkpoint_every), settings.header(model), progress,
-              [Event(*event) for event in header["events"]], engine=engine, guard=Guard.remembered(header["guard"]),
-              earlier=kept.arrays.get("earlier"))
+    run = Run(
+        leg,
+        z,
+        record,
+        _rule(checkpoint or path, checkpoint_every),
+        settings.header(model),
+        progress,
+        [Event(*event) for event in header["events"]],
+        engine=engine,
+        guard=Guard.remembered(header["guard"]),
+        earlier=kept.arrays.get("earlier"),
+    )
     return _finished(run, settings, set_up - started)
 
 
@@ -145,17 +182,28 @@ class _Settings:
     def header(self, model: Model) -> dict[str, Any]:
         """In JSON."""
         plan = self.plan
-        return {"model": model.name, "digest": model.digest, "scene_toml": model.scene_toml,
-                "scheme": plan.name, "dt": plan.grid.dt_L,
-                "m": list(plan.grid.m), "options": dict(plan.options), "t0": plan.t0, "steps": plan.steps,
-                "save_every": plan.save_every, "force": self.force, "outputs": list(self.outputs),
-                "initial_changes": self.initial_changes}
+        return {
+            "model": model.name,
+            "digest": model.digest,
+            "scene_toml": model.scene_toml,
+            "scheme": plan.name,
+            "dt": plan.grid.dt_L,
+            "m": list(plan.grid.m),
+            "options": dict(plan.options),
+            "t0": plan.t0,
+            "steps": plan.steps,
+            "save_every": plan.save_every,
+            "force": self.force,
+            "outputs": list(self.outputs),
+            "initial_changes": self.initial_changes,
+        }
 
     @classmethod
     def of(cls, model: Model, header: Mapping[str, Any]) -> _Settings:
         """From a checkpoint's header."""
-        options = {name: tuple(value) if isinstance(value, list) else value
-                   for name, value in header["options"].items()}
+        options = {
+            name: tuple(value) if isinstance(value, list) else value for name, value in header["options"].items()
+        }
         built = scheme_kind(header["scheme"]).build(header["scheme"], model, header["dt"], header["m"] or None, options)
         plan = Plan(header["scheme"], built, options, int(header["steps"]), int(header["save_every"]), header["t0"])
         return cls(plan, bool(header["force"]), tuple(header["outputs"]), str(header["initial_changes"]))
@@ -170,8 +218,9 @@ def _rule(path: str | Path | None, every: int | None) -> CheckpointRule:
     return CheckpointRule(None if path is None else Path(path), chosen)
 
 
-def _record(leg: Leg, settings: _Settings, z: np.ndarray, stream: str | Path | None, keep_rows: bool,
-            resumed: bool = False) -> Record:
+def _record(
+    leg: Leg, settings: _Settings, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: bool = False
+) -> Record:
     """Whole states in memory, columns in memory, or a stream. Raises OutputError or ModelError."""
     table: Table | None = None
     if keep_rows:
@@ -181,10 +230,16 @@ def _record(leg: Leg, settings: _Settings, z: np.ndarray, stream: str | Path | N
             table = Table(columns)
         else:
             table = StreamFile(stream, columns, resumed)
-            running = Status("interrupted", leg.plan.t0, None, "the run did not come to its end",
-                             "What was streamed is there.")
-            table.write_header({**run_header(replace(seen, status=running)), "parameters": leg.p.tolist(),
-                                "outputs": list(settings.outputs)})
+            running = Status(
+                "interrupted", leg.plan.t0, None, "the run did not come to its end", "What was streamed is there."
+            )
+            table.write_header(
+                {
+                    **run_header(replace(seen, status=running)),
+                    "parameters": leg.p.tolist(),
+                    "outputs": list(settings.outputs),
+                }
+            )
     return Record([leg], leg.plan.save_every, table, settings.outputs)
 
 
@@ -208,8 +263,9 @@ def _finished(run: Run, settings: _Settings, setup: float) -> Solution:
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.leg.p)
     table = run.record.table
     if isinstance(table, StreamFile):
-        table.write_header({**run_header(solution), "parameters": run.leg.p.tolist(),
-                            "outputs": list(settings.outputs)})
+        table.write_header(
+            {**run_header(solution), "parameters": run.leg.p.tolist(), "outputs": list(settings.outputs)}
+        )
         table.close()
     return solution
 
@@ -224,9 +280,14 @@ def _statistics(leg: Leg, z: np.ndarray, setup: float, wall: float) -> dict[str,
     cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(scheme)}
     return {
         **cost,
-        "steps": steps, "sub_steps": sub_steps, "full_evaluations": full_evaluations,
-        "evaluations": full_evaluations + sub_steps, "iterations": iterations, "engine": stepper.engine.name,
+        "steps": steps,
+        "sub_steps": sub_steps,
+        "full_evaluations": full_evaluations,
+        "evaluations": full_evaluations + sub_steps,
+        "iterations": iterations,
+        "engine": stepper.engine.name,
         "operations_per_step": stepper.operations,
-        "setup_seconds": setup, "wall_seconds": wall,
+        "setup_seconds": setup,
+        "wall_seconds": wall,
         "seconds_per_step": wall / max(1, steps),
     }

@@ -44,8 +44,13 @@ class Watch:
     def first(self, z: np.ndarray) -> Status | None:
         """Check the start and remember its scale."""
         if not np.all(np.isfinite(z)):
-            return Status("not_finite", float(z[0]), None, "the accelerations at the start are not finite",
-                          self._angles(z) or "M_hat may be singular: check masses, inertias and the initial position.")
+            return Status(
+                "not_finite",
+                float(z[0]),
+                None,
+                "the accelerations at the start are not finite",
+                self._angles(z) or "M_hat may be singular: check masses, inertias and the initial position.",
+            )
         layout = self.scheme.layout
         x, d = z[layout.slice("x")], self._increments(z)
         self._scale = max(1.0, float(np.abs(x).max(initial=0.0)), float(np.abs(d).max(initial=0.0)))
@@ -111,8 +116,11 @@ class Watch:
         if not self._constraints.positive_mass(z):
             return self._stop("mass_not_positive", None, "M_hat is no longer positive definite")
         if self._energy.grows(z):
-            return self._stop("diverged", int(np.abs(self.scheme.rates(z)).argmax()),
-                              "energy grows although nothing feeds the mechanism")
+            return self._stop(
+                "diverged",
+                int(np.abs(self.scheme.rates(z)).argmax()),
+                "energy grows although nothing feeds the mechanism",
+            )
         return None
 
     def _stop(self, name: StatusName, k: int | None, cause: str) -> Status:
@@ -129,7 +137,7 @@ class Watch:
         loop = [self.model.q_d.index(name) for name in self.model.loop_unknowns]
         q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
         try:
-            solver = ModeSolver(self.model, self.c[:self.model.c_size])
+            solver = ModeSolver(self.model, self.c[: self.model.c_size])
             return self.scheme.step_limit(*solver.slopes(State(float(seen["t"]), q_i, rates, q_d[loop])))
         except np.linalg.LinAlgError:  # not finite, or M_hat is singular
             return None
@@ -137,33 +145,45 @@ class Watch:
     def _angles(self, z: np.ndarray) -> str | None:
         """What is to be said if Euler angles are near their singular orientation."""
         seen = self.scheme.observer(z=z, c=self.c)
-        values = {name: float(value) for names, key in ((self.model.q_i, "q_i"), (self.model.q_d, "q_d"))
-                  for name, value in zip(names, np.asarray(seen[key]).ravel(), strict=True)}
+        values = {
+            name: float(value)
+            for names, key in ((self.model.q_i, "q_i"), (self.model.q_d, "q_d"))
+            for name, value in zip(names, np.asarray(seen[key]).ravel(), strict=True)
+        }
         return singular_angles(self.model.scene_toml, values)
 
     def _advice(self, name: str) -> str:
         if self._good is not None and (turned := self._angles(self._good)) is not None:
             return turned
         if name == "mass_not_positive":
-            return ("A deflection is too large for second-order geometric stiffening, or a mass is not positive: "
-                    "use more or stiffer bodies, smaller loads, or a shorter step if it grew by instability.")
+            return (
+                "A deflection is too large for second-order geometric stiffening, or a mass is not positive: "
+                "use more or stiffer bodies, smaller loads, or a shorter step if it grew by instability."
+            )
         if name == "iteration_failed":
             return "Use a smaller step, a larger eps, or (printed) common_update = direct."
         limit, h = self._limit(), self.scheme.grid.h[-1]
         if limit is None:
             return "Reduce the step."
-        text = (f"The {limit} at the last good state: the scheme needs a step below {limit.h:.3g} s there, and the "
-                f"fastest group's step is {h:.3g} s.")
+        text = (
+            f"The {limit} at the last good state: the scheme needs a step below {limit.h:.3g} s there, and the "
+            f"fastest group's step is {h:.3g} s."
+        )
         if h > limit.h:
             return text
         if name == "constraints_lost":
-            return text + (" So the mechanism may be at a dead centre, where the chosen independent coordinates do not "
-                           "determine it: choose others (partition.independent), or reduce the step.")
+            return text + (
+                " So the mechanism may be at a dead centre, where the chosen independent coordinates do not "
+                "determine it: choose others (partition.independent), or reduce the step."
+            )
         if len(self.scheme.grid.groups) > 1:
-            return text + (" So the sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): "
-                           "reduce m or dt, add damping, or use single_rate.")
-        return text + (" So the growth may be physical: a spinning beam without geometric stiffening diverges, "
-                       "for instance.")
+            return text + (
+                " So the sub-cycling itself is unstable (a frozen q_L_ddot acts as negative damping): "
+                "reduce m or dt, add damping, or use single_rate."
+            )
+        return text + (
+            " So the growth may be physical: a spinning beam without geometric stiffening diverges, for instance."
+        )
 
 
 class _ConstraintCheck:
@@ -197,7 +217,7 @@ class _ConstraintCheck:
 def _mass(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> M_hat."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = {**scheme.observer(z=z, c=c), "c": c[:model.c_size]}
+    seen = {**scheme.observer(z=z, c=c), "c": c[: model.c_size]}
     kernel = model.kernel("condensed")
     result = kernel.call({key: seen[key] for key in kernel.name_in()})
     return ca.Function("mass", [z, c], [result["M_hat"]])
@@ -213,7 +233,7 @@ def _observed(model: Model, scheme: Scheme, name: str) -> tuple[list[ca.SX], dic
             q[int(column)] = seen[f"q_{suffix}"][position]
             q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
     kernel = model.kernel(name)
-    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c[:model.c_size]}
+    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c[: model.c_size]}
     return [z, c], dict(kernel.call({key: values[key] for key in kernel.name_in()}))
 
 

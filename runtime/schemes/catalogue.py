@@ -52,16 +52,18 @@ class SchemeKind:
             if option not in self.takes:
                 raise SchemeError(f"{name} has no option {option!r}; its options are {', '.join(sorted(self.takes))}")
         if self.ratios == "none" and m:
-            raise SchemeError(f"{name} takes one step for all coordinates; leave m = {m!r} out, "
-                              "or choose another scheme")
+            raise SchemeError(
+                f"{name} takes one step for all coordinates; leave m = {m!r} out, or choose another scheme"
+            )
         if m is None:
             m = self._usual_m(model)
         groups = [list(group.positions) for group in model.groups]
         if self.ratios != "groups":
             groups = [list(range(len(model.q_i)))]
         names = ", ".join(group.name for group in model.groups) if self.ratios == "groups" else name
-        grid = make_grid(groups, dt, m, 0 if self.ratios == "none" else
-                         1 if self.ratios == "sub_steps" else len(groups) - 1, names)
+        grid = make_grid(
+            groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
+        )
         return self.make(model, grid, replace(self.defaults, **changes))
 
     def _usual_m(self, model: Model) -> list[int]:
@@ -77,25 +79,58 @@ class SchemeKind:
 
 SCHEMES: dict[str, SchemeKind] = {
     "single_rate": SchemeKind(CentralDifference, "central difference, one step for all coordinates", "none", CENTRAL),
-    "printed": SchemeKind(CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP,
-                          Options(common_update="fixed_point")),
+    "printed": SchemeKind(
+        CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP, Options(common_update="fixed_point")
+    ),
     "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", ("closure_iterations",)),
-    "decoupled": SchemeKind(Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups",
-                            ("closure_iterations",)),
-    "linearised": SchemeKind(Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps",
-                             ("propagation", "closure_iterations", "corrections"), default_m=4),
-    "exponential": SchemeKind(Exponential, "exponential Rosenbrock, order 4", "sub_steps",
-                              ("propagation", "closure_iterations"), default_m=4),
-    "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", ("closure_iterations",),
-                      Options(closure_iterations=1)),
-    "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", ("closure_iterations",),
-                         Options(closure_iterations=1)),
-    "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", NEWTON + ("closure_iterations",),
-                        Options(eps=(1e-10,), max_iterations=15, closure_iterations=1)),
-    "generalized_alpha": SchemeKind(GeneralizedAlpha, "generalized-alpha on all coordinates, order 2", "none",
-                                    (*NEWTON, "rho_inf"), Options(eps=(1e-7,), max_iterations=15)),
-    "hht": SchemeKind(HilberHughesTaylor, "Hilber-Hughes-Taylor on all coordinates, order 2", "none",
-                      (*NEWTON, "alpha"), Options(eps=(1e-7,), max_iterations=15)),
+    "decoupled": SchemeKind(
+        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", ("closure_iterations",)
+    ),
+    "linearised": SchemeKind(
+        Linearised,
+        "sub-steps of the system linearised at the midpoint",
+        "sub_steps",
+        ("propagation", "closure_iterations", "corrections"),
+        default_m=4,
+    ),
+    "exponential": SchemeKind(
+        Exponential, "exponential Rosenbrock, order 4", "sub_steps", ("propagation", "closure_iterations"), default_m=4
+    ),
+    "rk4": SchemeKind(
+        ClassicalRungeKutta,
+        "classical Runge-Kutta, order 4",
+        "none",
+        ("closure_iterations",),
+        Options(closure_iterations=1),
+    ),
+    "dop853": SchemeKind(
+        DormandPrince8,
+        "Dormand-Prince, order 8, fixed step",
+        "none",
+        ("closure_iterations",),
+        Options(closure_iterations=1),
+    ),
+    "radau": SchemeKind(
+        Radau,
+        "Radau IIA, order 5, fixed step",
+        "none",
+        NEWTON + ("closure_iterations",),
+        Options(eps=(1e-10,), max_iterations=15, closure_iterations=1),
+    ),
+    "generalized_alpha": SchemeKind(
+        GeneralizedAlpha,
+        "generalized-alpha on all coordinates, order 2",
+        "none",
+        (*NEWTON, "rho_inf"),
+        Options(eps=(1e-7,), max_iterations=15),
+    ),
+    "hht": SchemeKind(
+        HilberHughesTaylor,
+        "Hilber-Hughes-Taylor on all coordinates, order 2",
+        "none",
+        (*NEWTON, "alpha"),
+        Options(eps=(1e-7,), max_iterations=15),
+    ),
 }
 
 

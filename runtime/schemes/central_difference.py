@@ -51,8 +51,18 @@ class CentralDifference(Scheme):
     def fields(self) -> dict[str, int]:
         """See the module's text."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        return {"s": 1, "d": n, "a": n, "base_q": n, "base_v": n, "base_a": n, "base_s": len(self.grid.groups),
-                "loop_old": loops, "loop_dot": loops, "unconverged": 1}
+        return {
+            "s": 1,
+            "d": n,
+            "a": n,
+            "base_q": n,
+            "base_v": n,
+            "base_a": n,
+            "base_s": len(self.grid.groups),
+            "loop_old": loops,
+            "loop_dot": loops,
+            "unconverged": 1,
+        }
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of central difference, with or without predicted velocities."""
@@ -121,7 +131,7 @@ class CentralDifference(Scheme):
 
     def _sweep_start(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         """Starting guess: q(t + h) = q(t) is q_ddot = -d / h^2 (48)-(49); Taylor is the last q_ddot (50)-(51)."""
-        guess = z["a"] if self.options.guess == "taylor" else -z["d"] / self._h(kernels)**2
+        guess = z["a"] if self.options.guess == "taylor" else -z["d"] / self._h(kernels) ** 2
         return {"a": guess, "unconverged": ca.SX(1)}
 
     def _sweep(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
@@ -172,15 +182,15 @@ class CentralDifference(Scheme):
         for g in range(level):
             for k in self.grid.groups[g]:
                 s = z["s"] - z["base_s"][g] if g else z["s"]  # the slowest group's step is the major step
-                q[k], v[k] = interpolate(z["base_q"][k], z["base_v"][k], z["base_a"][k], s, kernels.h[level],
-                                         kernels.h[g], z["x"][k])
+                q[k], v[k] = interpolate(
+                    z["base_q"][k], z["base_v"][k], z["base_a"][k], s, kernels.h[level], kernels.h[g], z["x"][k]
+                )
                 a[k] = z["base_a"][k]
         return q, v, a
 
     def _motion(self, z: Fields, kernels: StepKernels, q_i: ca.SX, t: ca.SX) -> Motion:
         """Closure from a leapfrog guess of the loop unknowns: x(t - h) + 2 h x_dot(t), third order."""
-        return kernels.close(q_i, z["loop_old"] + 2 * kernels.h[-1] * z["loop_dot"], t,
-                             self.options.closure_iterations)
+        return kernels.close(q_i, z["loop_old"] + 2 * kernels.h[-1] * z["loop_dot"], t, self.options.closure_iterations)
 
     def _direct_update(self, z: Fields, kernels: StepKernels, level: int) -> Mapping[str, ca.SX]:
         """Accelerations of the active groups solved at once, with Newton on their velocities where needed."""
@@ -188,8 +198,11 @@ class CentralDifference(Scheme):
         motion = self._motion(z, kernels, q, self._now(z, kernels, level))
         active, h = self.grid.from_level(level), self._h(kernels)
         v = ca.SX(v_half)
-        newton = self.newton if level == 0 else (
-            velocity_dependent(self.model) and self.options.sub_step_velocity == "newton")
+        newton = (
+            self.newton
+            if level == 0
+            else (velocity_dependent(self.model) and self.options.sub_step_velocity == "newton")
+        )
         for _ in range(self.options.newton_iterations if newton else 1):
             for k in active:
                 v[k] = v_half[k] + h[k] / 2 * a[k]
@@ -200,8 +213,9 @@ class CentralDifference(Scheme):
             v[k] = v_half[k] + h[k] / 2 * a[k]
         return self._advance(z, kernels, motion, v, a, level)
 
-    def _solve_active(self, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX, level: int,
-                      newton: bool) -> ca.SX:
+    def _solve_active(
+        self, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX, level: int, newton: bool
+    ) -> ca.SX:
         """(M_hat - h/2 dQ/dv) (a_new - a) = Q - M_hat a on the active rows; M_hat a_new = Q without Newton."""
         active, slow = self.grid.from_level(level), self.grid.first_of(level)
         if level == 0 and self._by_tree:
@@ -217,8 +231,9 @@ class CentralDifference(Scheme):
         a_active = ca.vertcat(*(a[k] for k in active))
         return solve_general(M_hat - ca.mtimes(J, half), force - ca.mtimes(J, ca.mtimes(half, a_active)))
 
-    def _advance(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX,
-                 level: int) -> dict[str, ca.SX]:
+    def _advance(
+        self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX, a: ca.SX, level: int
+    ) -> dict[str, ca.SX]:
         """Move the active groups by their own steps; slow ones remember where their step began."""
         last, h = len(self.grid.groups) - 1, self._h(kernels)
         s = ca.SX(0) if level == 0 else z["s"]
@@ -251,8 +266,12 @@ class CentralDifference(Scheme):
         a = self._solve_active(kernels, motion, q_i_dot, ca.SX.zeros(len(self.model.q_i)), 0, newton=False)  # (68)
         closed = kernels.loop_part(motion.q_d)
         before = closed - kernels.h[-1] * kernels.loop_part(kernels.rates(motion, q_i_dot))
-        return {"a": a, "d": h * q_i_dot - h**2 / 2 * a,  # (69)-(71): q(t) - q(t - h)
-                "loop": before, "loop_old": closed}
+        return {
+            "a": a,
+            "d": h * q_i_dot - h**2 / 2 * a,  # (69)-(71): q(t) - q(t - h)
+            "loop": before,
+            "loop_old": closed,
+        }
 
     def observe(self) -> ca.Function:
         """(z, c) -> OBSERVED between two major steps."""

@@ -43,8 +43,15 @@ class Exponential(LinearSubSteps):
         inner: tuple[Program, ...] = (Repeat(sub_step, whole),) if whole else ()
         if NODE * m > whole:
             inner = (*inner, self.sub_step(NODE * m - whole))
-        return Sequence((self.stage("linearise", self._linearise), *inner, self.stage("correct", self._correct),
-                         Repeat(sub_step, m), self.stage("finish", self._finish)))
+        return Sequence(
+            (
+                self.stage("linearise", self._linearise),
+                *inner,
+                self.stage("correct", self._correct),
+                Repeat(sub_step, m),
+                self.stage("finish", self._finish),
+            )
+        )
 
     def evaluations(self) -> tuple[int, int]:
         """Two, and the sub-steps."""
@@ -55,21 +62,33 @@ class Exponential(LinearSubSteps):
         motion = kernels.close(z["x"], z["loop"], t, self.options.closure_iterations)
         found = kernels.linearised(motion, v)
         G0 = found.Q_hat - ca.mtimes(found.J_v, v)
-        return {**self.begin(z, kernels, found, G0, kernels.force_rate(motion, v, found.a)),
-                "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
-                **self.closed(z, motion)}
+        return {
+            **self.begin(z, kernels, found, G0, kernels.force_rate(motion, v, found.a)),
+            "loop": kernels.loop_part(motion.q_d),
+            "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
+            **self.closed(z, motion),
+        }
 
     def _correct(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         h, system = kernels.h[0], self.stored.unpack(z)
         tau = NODE * h
-        motion = kernels.close(z["x"] + z["w"], z["loop"] + tau * z["loop_dot"], self.now(z, kernels) + tau,
-                               self.options.closure_iterations)
+        motion = kernels.close(
+            z["x"] + z["w"],
+            z["loop"] + tau * z["loop_dot"],
+            self.now(z, kernels) + tau,
+            self.options.closure_iterations,
+        )
         a = kernels.accelerations(motion, z["u"])
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
         bend = kernels.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
-        out = {"G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear), "w": ca.SX.zeros(len(self.model.q_i)),
-               "u": z["v"], "tau": ca.SX(0), "loop": z["loop"] + h * z["loop_dot"] + bend / NODE**2,
-               **self.closed(z, motion)}
+        out = {
+            "G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear),
+            "w": ca.SX.zeros(len(self.model.q_i)),
+            "u": z["v"],
+            "tau": ca.SX(0),
+            "loop": z["loop"] + h * z["loop_dot"] + bend / NODE**2,
+            **self.closed(z, motion),
+        }
         if self.by_central_difference:
             out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
         return out

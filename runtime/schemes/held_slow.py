@@ -78,8 +78,14 @@ class HeldSlow(OneStep):
         motion = kernels.close(q_i, fields["loop"], t0, 1)
         a, H = kernels.accelerations(motion, q_i_dot), self._own_steps(kernels)
         loop_dot = kernels.loop_part(kernels.rates(motion, q_i_dot))
-        return {**fields, "a": a, "x_last": q_i - H * q_i_dot + H * H / 2 * a, "v_last": q_i_dot - H * a,
-                "loop_dot": loop_dot, "loop_old": fields["loop"] - kernels.h[0] * loop_dot}
+        return {
+            **fields,
+            "a": a,
+            "x_last": q_i - H * q_i_dot + H * H / 2 * a,
+            "v_last": q_i_dot - H * a,
+            "loop_dot": loop_dot,
+            "loop_old": fields["loop"] - kernels.h[0] * loop_dot,
+        }
 
     def _own_steps(self, kernels: StepKernels) -> ca.SX:
         """Time between two holds of each coordinate; the fastest group's secant is the slowest one's."""
@@ -100,12 +106,20 @@ class HeldSlow(OneStep):
             out["x_last"][k], out["v_last"][k] = z["x"][k], z["v"][k]
         if level > 0:
             return out
-        motion = kernels.close(x_ahead, z["loop_old"] + 2 * kernels.h[0] * z["loop_dot"], self.now(z, kernels) + ahead,
-                               self.options.closure_iterations)
+        motion = kernels.close(
+            x_ahead,
+            z["loop_old"] + 2 * kernels.h[0] * z["loop_dot"],
+            self.now(z, kernels) + ahead,
+            self.options.closure_iterations,
+        )
         held = {**out, "s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
         if kernels.loops:
-            held |= {"loop_old": z["loop"], "loop": kernels.loop_part(motion.q_d),
-                     "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)), **self.closed(z, motion)}
+            held |= {
+                "loop_old": z["loop"],
+                "loop": kernels.loop_part(motion.q_d),
+                "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)),
+                **self.closed(z, motion),
+            }
         return held
 
     def renewed(self, kernels: StepKernels, motion: Motion, v: ca.SX) -> dict[str, ca.SX]:

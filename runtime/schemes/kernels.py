@@ -38,7 +38,7 @@ class StepKernels:
     """SX evaluations of a model's kernels for the stages of a scheme; h holds the steps of the groups [s]."""
 
     def __init__(self, model: Model, c: ca.SX) -> None:
-        self.model, self.c, self.h = model, c[:model.c_size], c[model.c_size:]
+        self.model, self.c, self.h = model, c[: model.c_size], c[model.c_size :]
         self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
 
     def call(self, name: str, **arguments: ca.SX) -> dict[str, ca.SX]:
@@ -69,8 +69,13 @@ class StepKernels:
         return self.call("velocities", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=q_i_dot, t=motion.t)["q_d_dot"]
 
     def _arguments(self, motion: Motion, q_i_dot: ca.SX) -> dict[str, ca.SX]:
-        return {"q_i": motion.q_i, "q_d": motion.q_d, "q_i_dot": q_i_dot, "q_d_dot": self.rates(motion, q_i_dot),
-                "t": motion.t}
+        return {
+            "q_i": motion.q_i,
+            "q_d": motion.q_d,
+            "q_i_dot": q_i_dot,
+            "q_d_dot": self.rates(motion, q_i_dot),
+            "t": motion.t,
+        }
 
     def condensed(self, motion: Motion, q_i_dot: ca.SX) -> tuple[ca.SX, ca.SX]:
         """(M_hat, Q_hat) of Eq. (38)."""
@@ -81,7 +86,8 @@ class StepKernels:
         """q_i_ddot by the shorter of two routes: O(N) elimination along a tree, or a factorisation of M_hat."""
         n, counts = len(self.model.q_i), self.model.operations
         if self.model.has("forward_dynamics") and (
-                not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2):
+            not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2
+        ):
             return self.tree_accelerations(motion, q_i_dot)
         return solve_symmetric(*self.condensed(motion, q_i_dot))
 
@@ -139,5 +145,3 @@ def _largest(vector: ca.SX) -> ca.SX:
     for k in range(1, vector.numel()):
         total = ca.fmax(total, ca.fabs(vector[k]))
     return total
-
-

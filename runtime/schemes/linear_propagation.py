@@ -85,8 +85,16 @@ def _shifted(system: LinearSystem, h: ca.SX, r: complex) -> Number:
     return Number(square.real * m - r.real * d - k, square.imag * m - r.imag * d if r.imag else None)
 
 
-def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tuple[ca.SX, ca.SX, ca.SX],
-              tau: ca.SX, h: ca.SX, part: float = 1.0) -> tuple[ca.SX, ca.SX]:
+def propagate(
+    system: LinearSystem,
+    factors: Factors,
+    w: ca.SX,
+    u: ca.SX,
+    G: tuple[ca.SX, ca.SX, ca.SX],
+    tau: ca.SX,
+    h: ca.SX,
+    part: float = 1.0,
+) -> tuple[ca.SX, ca.SX]:
     """(w, w') after a part of a sub-step h from (w, u) at tau; G holds G0, G1, G2."""
     Mu, Jv_u = ca.mtimes(system.M, u), ca.mtimes(system.J_v, u)
     slope = G[1] + tau * G[2]
@@ -98,8 +106,9 @@ def propagate(system: LinearSystem, factors: Factors, w: ca.SX, u: ca.SX, G: tup
     return new_w, new_u
 
 
-def _solved(pole: Pole, factors: Number, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX],
-            h: ca.SX) -> tuple[ca.SX, ca.SX]:
+def _solved(
+    pole: Pole, factors: Number, forces: tuple[ca.SX, ca.SX, ca.SX], rates: tuple[ca.SX, ca.SX, ca.SX], h: ca.SX
+) -> tuple[ca.SX, ca.SX]:
     """Real parts of (r - h A)^-1 (p, s) with p = h w1 u and M s = h w1 M a + h^2 w2 G' + h^3 w3 G''."""
     r, (w1, w2, w3) = pole.r, pole.weights
     (force, slope, bend), (u, Mu, Jv_u) = forces, rates

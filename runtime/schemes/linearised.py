@@ -28,8 +28,10 @@ class Linearised(LinearSubSteps):
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         if grid.m[0] % 2:
-            raise SchemeError(f"linearised needs an even number of sub-steps m, not {grid.m[0]}: half of them lead to "
-                              "the next midpoint")
+            raise SchemeError(
+                f"linearised needs an even number of sub-steps m, not {grid.m[0]}: half of them lead to "
+                "the next midpoint"
+            )
         super().__init__(model, grid, options)
 
     def work_fields(self) -> dict[str, int]:
@@ -43,8 +45,16 @@ class Linearised(LinearSubSteps):
         linearise, half = self.stage("linearise", self._linearise), Repeat(sub_step, m // 2)
         correct = Sequence((half, self.stage("recentre", self._recentre), linearise))
         again = (Repeat(correct, self.options.corrections),) if self.options.corrections else ()
-        return Sequence((linearise, *again, Repeat(sub_step, m), self.stage("finish", self._finish), half,
-                         self.stage("predict", self._predict)))
+        return Sequence(
+            (
+                linearise,
+                *again,
+                Repeat(sub_step, m),
+                self.stage("finish", self._finish),
+                half,
+                self.stage("predict", self._predict),
+            )
+        )
 
     def evaluations(self) -> tuple[int, int]:
         """One and the corrections, and the sub-steps."""
@@ -61,9 +71,12 @@ class Linearised(LinearSubSteps):
         motion = kernels.close(q, z["loop"], t, self.options.closure_iterations)
         found = kernels.linearised(motion, v)
         G0 = found.Q_hat - ca.mtimes(found.J_q, q - z["x"]) - ca.mtimes(found.J_v, v)
-        return {**self.begin(z, kernels, found, G0, ca.SX.zeros(len(self.model.q_i))),
-                "loop": kernels.loop_part(motion.q_d), "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
-                **self.closed(z, motion)}
+        return {
+            **self.begin(z, kernels, found, G0, ca.SX.zeros(len(self.model.q_i))),
+            "loop": kernels.loop_part(motion.q_d),
+            "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
+            **self.closed(z, motion),
+        }
 
     def _recentre(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         """The midpoint that the linear system itself leads to."""

@@ -53,10 +53,15 @@ class Options:
 
     def checked(self, groups: int) -> Options:
         """Options with one eps per group. Raises SchemeError for anything that makes no sense."""
-        choices = {"common_update": ("fixed_point", "direct"), "guess": ("taylor", "previous"),
-                   "propagation": ("rational", "central_difference"), "stopping": ("relative", "absolute"),
-                   "common_velocity": ("auto", "newton", "predictor"),
-                   "sub_step_velocity": ("predictor", "newton"), "slow_interpolation": tuple(INTERPOLATIONS)}
+        choices = {
+            "common_update": ("fixed_point", "direct"),
+            "guess": ("taylor", "previous"),
+            "propagation": ("rational", "central_difference"),
+            "stopping": ("relative", "absolute"),
+            "common_velocity": ("auto", "newton", "predictor"),
+            "sub_step_velocity": ("predictor", "newton"),
+            "slow_interpolation": tuple(INTERPOLATIONS),
+        }
         for name, allowed in choices.items():
             if getattr(self, name) not in allowed:
                 raise SchemeError(f"{name} must be one of {', '.join(allowed)}, not {getattr(self, name)!r}")

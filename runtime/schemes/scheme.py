@@ -44,8 +44,17 @@ class Scheme(ABC):
         self.model, self.grid = model, grid
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
-        common = {"t0": 1, "n": 1, "x": len(model.q_i), "loop": len(model.loop_unknowns), "closure_error": 1,
-                  "iterations": 1, "failures": 1, "det_low": blocks, "det_high": blocks}
+        common = {
+            "t0": 1,
+            "n": 1,
+            "x": len(model.q_i),
+            "loop": len(model.loop_unknowns),
+            "closure_error": 1,
+            "iterations": 1,
+            "failures": 1,
+            "det_low": blocks,
+            "det_high": blocks,
+        }
         self.layout = Layout({**common, **self.fields()})
         self.c_size = model.c_size + len(grid.h)
         self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(model.q_i))])
@@ -145,8 +154,9 @@ class Scheme(ABC):
         v_d = kernels.rates(motion, v)
         a_d = ca.SX(0, 1)
         if self.model.q_d:
-            a_d = kernels.call("accelerations", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=v, q_d_dot=v_d, q_i_ddot=a,
-                               t=motion.t)["q_d_ddot"]
+            a_d = kernels.call(
+                "accelerations", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=v, q_d_dot=v_d, q_i_ddot=a, t=motion.t
+            )["q_d_ddot"]
         outputs = ca.cse([motion.t, motion.q_i, motion.q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 

@@ -21,8 +21,9 @@ def end_point_sum(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_
     return q + s * v + (s * s + s * h) / 2 * a, v + s * a
 
 
-def constant_acceleration(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX,
-                          q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
+def constant_acceleration(
+    q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
+) -> tuple[ca.SX, ca.SX]:
     """Exact polynomial of (59): q + s v + s^2 a / 2."""
     return q + s * v + s * s / 2 * a, v + s * a
 

@@ -37,8 +37,10 @@ class Number:
     def __matmul__(self, other: Number) -> Number:
         if self.im is None or other.im is None:
             return Number(ca.mtimes(self.re, other.re))
-        return Number(ca.mtimes(self.re, other.re) - ca.mtimes(self.im, other.im),
-                      ca.mtimes(self.re, other.im) + ca.mtimes(self.im, other.re))
+        return Number(
+            ca.mtimes(self.re, other.re) - ca.mtimes(self.im, other.im),
+            ca.mtimes(self.re, other.im) + ca.mtimes(self.im, other.re),
+        )
 
     def reciprocal(self) -> Number:
         """1 / self, of a number."""
@@ -75,8 +77,10 @@ def factor(matrix: Number, symmetric: bool = False) -> Number:
 
 def _padded(rows: int, columns: int) -> Callable[[ca.SX], ca.SX]:
     """Zeros below and to the right."""
+
     def pad(part: ca.SX) -> ca.SX:
         return ca.diagcat(part, ca.SX(rows - part.shape[0], columns - part.shape[1]))
+
     return pad
 
 
@@ -91,7 +95,7 @@ def solve(factors: Number, b: Number) -> Number:
     found = []
     for k in range(n):
         found.append(left[0, 0] @ factors[k, k])
-        left = left[1:, 0] - factors[k + 1:, k] @ found[-1]
+        left = left[1:, 0] - factors[k + 1 :, k] @ found[-1]
     return joined(found, ca.vertcat)
 
 

@@ -24,8 +24,11 @@ class StepLimit:
     by_decay: bool
 
     def __str__(self) -> str:
-        return (f"fastest decay rate is {self.rate:.4g} 1/s" if self.by_decay else
-                f"fastest coupled frequency is {self.rate:.4g} rad/s")
+        return (
+            f"fastest decay rate is {self.rate:.4g} 1/s"
+            if self.by_decay
+            else f"fastest coupled frequency is {self.rate:.4g} rad/s"
+        )
 
 
 def limit_between_the_axes(A_q: np.ndarray, A_v: np.ndarray, reach: float, decay_reach: float) -> StepLimit | None:

@@ -11,8 +11,9 @@ from runtime.schemes.scheme import Scheme
 MANY = 10**9  # steps: more than enough for compiling to pay
 
 
-def start_vector(scheme: Scheme, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray,
-                 dt: float | None = None) -> np.ndarray:
+def start_vector(
+    scheme: Scheme, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float | None = None
+) -> np.ndarray:
     """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
     model, columns = scheme.model, scheme.model.independent_columns
     z = scheme.starter(t, q[columns], q_dot[columns], q[model.loop_columns], scheme.constants(c, dt))
@@ -29,8 +30,9 @@ class Stepper:
         self.scheme = scheme
         self._prepared = prepare(scheme.program(), scheme.layout.size, scheme.c_size)
         self.program = self._prepared.program
-        self.engine = choose_engine(engine, self.program, self._prepared.z_size,
-                                    int(self._prepared.constants.size1_out(0)), steps)
+        self.engine = choose_engine(
+            engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), steps
+        )
 
     @property
     def operations(self) -> int:
@@ -47,7 +49,7 @@ class Stepper:
 
     def state(self, z: np.ndarray) -> np.ndarray:
         """The scheme's part of z, as a view."""
-        return z[:self.scheme.layout.size]
+        return z[: self.scheme.layout.size]
 
     def run(self, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
         """Advance z by so many major steps, in place."""

@@ -19,8 +19,9 @@ class StoredSystem:
     shifts: see factors_of; () for no factors. matrices: those that are kept beside the factors.
     """
 
-    def __init__(self, model: Model, shifts: tuple[complex, ...] | None = None,
-                 matrices: tuple[str, ...] = MATRICES) -> None:
+    def __init__(
+        self, model: Model, shifts: tuple[complex, ...] | None = None, matrices: tuple[str, ...] = MATRICES
+    ) -> None:
         self.n = len(model.q_i)
         q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
         kernels = StepKernels(model, ca.SX.sym("c", model.c_size + 1))
@@ -49,8 +50,10 @@ class StoredSystem:
 
     def pack_factors(self, factors: Factors) -> dict[str, ca.SX]:
         """Fields of the factors."""
-        return {f"lu_{k}": ca.vertcat(*(_entries(part, self._factors) for part in (one.re, one.im)
-                                            if part is not None)) for k, one in enumerate(factors)}
+        return {
+            f"lu_{k}": ca.vertcat(*(_entries(part, self._factors) for part in (one.re, one.im) if part is not None))
+            for k, one in enumerate(factors)
+        }
 
     def unpack(self, z: Fields) -> LinearSystem:
         """All three matrices."""
@@ -65,8 +68,9 @@ class StoredSystem:
         found = []
         for k, is_complex in enumerate(self._complex):
             values, size = z[f"lu_{k}"], self._factors.nnz()
-            found.append(Number(ca.SX(self._factors, values[:size]),
-                                ca.SX(self._factors, values[size:]) if is_complex else None))
+            found.append(
+                Number(ca.SX(self._factors, values[:size]), ca.SX(self._factors, values[size:]) if is_complex else None)
+            )
         return tuple(found)
 
 

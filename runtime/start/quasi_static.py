@@ -44,8 +44,11 @@ def quasi_static_state(model: Model, c: np.ndarray, t: float, state: ConsistentS
                 moved.append(solver.solve(t + sign * step, at, v, loop)[elastic])
             v[elastic] = (moved[0] - moved[1]) / (2 * step)
     q, q_dot = solver.closed(t, q_i, v, loop)
-    changed = {name: (float(state.q[k]), float(q[k])) for k, name in enumerate(model.coordinates)
-               if name in model.elastic and q[k] != state.q[k]}
+    changed = {
+        name: (float(state.q[k]), float(q[k]))
+        for k, name in enumerate(model.coordinates)
+        if name in model.elastic and q[k] != state.q[k]
+    }
     return ConsistentState(q, q_dot, {**state.changed, **changed})
 
 
@@ -79,8 +82,10 @@ class _Equilibrium:
             q[self.elastic] -= step
             if np.abs(step).max() <= TOLERANCE * max(1e-6, float(np.abs(q[self.elastic]).max())):
                 return q
-        raise InitialStateError("there is no quasi-static elastic equilibrium in reach of the initial state "
-                                "(a soft or buckled body?): start = given, with elastic coordinates of your own")
+        raise InitialStateError(
+            "there is no quasi-static elastic equilibrium in reach of the initial state "
+            "(a soft or buckled body?): start = given, with elastic coordinates of your own"
+        )
 
     def closed(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates."""

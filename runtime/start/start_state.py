@@ -14,8 +14,9 @@ from runtime.start.quasi_static import quasi_static_state
 STARTS = ("given", "quasi_static")
 
 
-def start_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None,
-                start: str | None = None) -> ConsistentState:
+def start_state(
+    model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None, start: str | None = None
+) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0, keeping the model's q_i except for the user's changes.
 
     changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. start: one of STARTS, the scene's
@@ -34,8 +35,9 @@ def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:
     return any(name.removesuffix("_dot") in model.elastic for name in changes)
 
 
-def _given_state(model: Model, p: np.ndarray, c: np.ndarray, t0: float,
-                 changes: Mapping[str, float] | None) -> ConsistentState:
+def _given_state(
+    model: Model, p: np.ndarray, c: np.ndarray, t0: float, changes: Mapping[str, float] | None
+) -> ConsistentState:
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults):
@@ -59,13 +61,16 @@ def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float]
         elif name.endswith("_dot") and name[:-4] in model.coordinates:
             rates[name[:-4]] = float(value)
         else:
-            raise InitialStateError(f"model {model.name} has no coordinate {name!r}; it has "
-                                    f"{', '.join(model.coordinates)} (rates end in _dot)")
+            raise InitialStateError(
+                f"model {model.name} has no coordinate {name!r}; it has "
+                f"{', '.join(model.coordinates)} (rates end in _dot)"
+            )
     return coordinates, rates
 
 
-def _assembled(model: Model, c: np.ndarray, t0: float, coordinates: dict[str, float],
-               rates: dict[str, float]) -> ConsistentState:
+def _assembled(
+    model: Model, c: np.ndarray, t0: float, coordinates: dict[str, float], rates: dict[str, float]
+) -> ConsistentState:
     kernel = model.kernel("constraints")
     shape = (len(model.constraints), len(model.coordinates))
 
@@ -82,12 +87,23 @@ def _assembled(model: Model, c: np.ndarray, t0: float, coordinates: dict[str, fl
     independent = {name: model.initial_q[model.coordinates.index(name)] for name in model.q_i}
     independent_rates = {name: model.initial_q_dot[model.coordinates.index(name)] for name in model.q_i}
     elastic = frozenset(model.coordinates.index(name) for name in model.elastic)
-    keep = {name: value for name, value in independent.items()
-            if not coordinates or set(coordinates) <= set(model.q_i) or name in model.elastic}
-    keep_rates = {name: value for name, value in independent_rates.items()
-                  if not rates or set(rates) <= set(model.q_i) or name in model.elastic}
+    keep = {
+        name: value
+        for name, value in independent.items()
+        if not coordinates or set(coordinates) <= set(model.q_i) or name in model.elastic
+    }
+    keep_rates = {
+        name: value
+        for name, value in independent_rates.items()
+        if not rates or set(rates) <= set(model.q_i) or name in model.elastic
+    }
     return consistent_state(
-        model.coordinates, elastic, model.constraints, lambda q: evaluate(q)[:2], velocity,
-        GivenValues({**keep, **coordinates}, frozenset(coordinates)), GivenValues({**keep_rates, **rates},
-                                                                                  frozenset(rates)),
-        guess=model.initial_q)
+        model.coordinates,
+        elastic,
+        model.constraints,
+        lambda q: evaluate(q)[:2],
+        velocity,
+        GivenValues({**keep, **coordinates}, frozenset(coordinates)),
+        GivenValues({**keep_rates, **rates}, frozenset(rates)),
+        guess=model.initial_q,
+    )

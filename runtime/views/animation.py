@@ -53,8 +53,10 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
     5 % of the mechanism's size (at least 1). Raises ModelError if the model has nothing to draw.
     """
     if not solution.model.has("drawing"):
-        raise ModelError(f"model {solution.model.name} has no drawing (a structure without bodies, a model generated "
-                         "without it, or a solution loaded without its model)")
+        raise ModelError(
+            f"model {solution.model.name} has no drawing (a structure without bodies, a model generated "
+            "without it, or a solution loaded without its model)"
+        )
     if frames < 1:
         raise ValueError(f"frames must be at least 1, not {frames}")
     if exaggeration is not None and not np.isfinite(exaggeration):
@@ -91,7 +93,11 @@ def _automatic(true: np.ndarray, ghost: np.ndarray) -> float:
 
 
 def animate(
-    solution: Solution, path: str | Path, frames: int = 60, fps: float = 20.0, exaggeration: float | None = None,
+    solution: Solution,
+    path: str | Path,
+    frames: int = 60,
+    fps: float = 20.0,
+    exaggeration: float | None = None,
 ) -> Film:
     """Write a GIF that repeats: bodies, ghost of the undeformed ones, ground, time. Returns what was drawn.
 
@@ -106,8 +112,15 @@ def animate(
     palette = images[len(images) // 2].quantize(colors=64, method=Image.Quantize.MEDIANCUT)
     indexed = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     with replacing(path) as temporary:
-        indexed[0].save(temporary, format="GIF", save_all=True, append_images=indexed[1:],
-                        duration=round(1000.0 / fps), loop=0, optimize=False)
+        indexed[0].save(
+            temporary,
+            format="GIF",
+            save_all=True,
+            append_images=indexed[1:],
+            duration=round(1000.0 / fps),
+            loop=0,
+            optimize=False,
+        )
     return shown
 
 
@@ -174,9 +187,9 @@ def _actors(ax: Axes, model: Model, shown: Film) -> tuple[Callable[[int], None],
         if body == GROUND or count == 0:
             continue
         if body in flexible and shown.exaggeration != 0.0:
-            ghost, = ax.plot([], [], color="0.65", lw=1.2, ls=(0, (4, 3)), animated=True)
+            (ghost,) = ax.plot([], [], color="0.65", lw=1.2, ls=(0, (4, 3)), animated=True)
             pieces.append((ghost, shown.ghost, part))
-        line, = ax.plot([], [], color=COLOURS[colour % len(COLOURS)], lw=3.0, solid_capstyle="round", animated=True)
+        (line,) = ax.plot([], [], color=COLOURS[colour % len(COLOURS)], lw=3.0, solid_capstyle="round", animated=True)
         if body not in flexible or count == 1:
             line.set(marker="s" if count == 1 else "o", ms=10 if count == 1 else 5, mec="white", mew=0.8)
         pieces.append((line, shown.xy, part))

@@ -113,8 +113,10 @@ def _panels(solution: Solution) -> list[Panel]:
     moving = [name for k, name in enumerate(model.coordinates) if _moves(solution.q[:, k])] or model.coordinates
     rigid = [name for name in moving if name not in model.elastic]
     angles = [name for name in rigid if unit(name) == "rad"]
-    panels = [Panel("angles", "angle [rad]", angles),
-              Panel("positions", "position [m]", [name for name in rigid if name not in angles])]
+    panels = [
+        Panel("angles", "angle [rad]", angles),
+        Panel("positions", "position [m]", [name for name in rigid if name not in angles]),
+    ]
     elastic = [name for name in moving if name in model.elastic]
     for body in dict.fromkeys(name.rpartition(".")[0] for name in elastic):
         own = [name for name in elastic if name.rpartition(".")[0] == body]
@@ -147,8 +149,7 @@ def _lines(ax: Axes, solution: Solution, panel: Panel) -> None:
 def _grid(count: int, title: str, columns: int = 2, ratios: Sequence[float] | None = None) -> tuple[Figure, list[Any]]:
     columns = 1 if count <= 3 else columns
     rows = -(-count // columns) or 1
-    figure = Figure(figsize=(9.6 if columns > 1 else 7.2, max(2.2 * rows, 3.6) + 0.6), dpi=120,
-                    layout="constrained")
+    figure = Figure(figsize=(9.6 if columns > 1 else 7.2, max(2.2 * rows, 3.6) + 0.6), dpi=120, layout="constrained")
     FigureCanvasAgg(figure)
     grid = figure.subplots(rows, columns, squeeze=False, height_ratios=ratios, sharex=ratios is not None)
     axes = list(grid.ravel())
@@ -166,8 +167,16 @@ def _grid(count: int, title: str, columns: int = 2, ratios: Sequence[float] | No
 
 def _legend(ax: Axes) -> None:
     """Above the axes on the right, where it hides no curve."""
-    ax.legend(fontsize=8, frameon=False, ncols=5, loc="lower right", bbox_to_anchor=(1.0, 0.98), borderaxespad=0.0,
-              handlelength=1.4, columnspacing=1.2)
+    ax.legend(
+        fontsize=8,
+        frameon=False,
+        ncols=5,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 0.98),
+        borderaxespad=0.0,
+        handlelength=1.4,
+        columnspacing=1.2,
+    )
 
 
 def _title(solution: Solution, what: str) -> str:

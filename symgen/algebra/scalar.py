@@ -59,7 +59,7 @@ def entries(matrix: ca.SX) -> list[list[ca.SX]]:
     if not matrix.numel():
         return [[ZERO] * columns for _ in range(rows)]
     flat = ca.vertsplit(ca.densify(ca.reshape(matrix.T, -1, 1)))
-    return [flat[row * columns:(row + 1) * columns] for row in range(rows)]
+    return [flat[row * columns : (row + 1) * columns] for row in range(rows)]
 
 
 def vector(column: ca.SX) -> list[ca.SX]:

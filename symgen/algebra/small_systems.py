@@ -57,7 +57,7 @@ def expanded_determinant(U: list[list[ca.SX]]) -> ca.SX:
 def _expanded(row: list[ca.SX], columns: tuple[int, ...], minors: dict[tuple[int, ...], ca.SX]) -> ca.SX:
     result = ZERO
     for place, column in enumerate(columns):
-        term = mul(row[column], minors[columns[:place] + columns[place + 1:]])
+        term = mul(row[column], minors[columns[:place] + columns[place + 1 :]])
         result = sub(result, term) if place % 2 else add(result, term)
     return result
 

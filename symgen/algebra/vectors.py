@@ -42,8 +42,11 @@ def negative(vector: Sequence[ca.SX]) -> Vector:
 
 def cross(a: Sequence[ca.SX], b: Sequence[ca.SX]) -> Vector:
     """a x b."""
-    return [sub(mul(a[1], b[2]), mul(a[2], b[1])), sub(mul(a[2], b[0]), mul(a[0], b[2])),
-            sub(mul(a[0], b[1]), mul(a[1], b[0]))]
+    return [
+        sub(mul(a[1], b[2]), mul(a[2], b[1])),
+        sub(mul(a[2], b[0]), mul(a[0], b[2])),
+        sub(mul(a[0], b[1]), mul(a[1], b[0])),
+    ]
 
 
 def times(matrix: Columns, vector: Sequence[ca.SX]) -> Vector:

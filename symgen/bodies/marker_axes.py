@@ -28,11 +28,14 @@ def quaternion_of(rotation: np.ndarray) -> np.ndarray:
     squares = np.array([1 + trace, *(1 - trace + 2 * rotation[k, k] for k in range(3))]) / 4
     largest = int(np.argmax(squares))
     r = rotation
-    numerators = np.array([
-        [4 * squares[0], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
-        [r[2, 1] - r[1, 2], 4 * squares[1], r[0, 1] + r[1, 0], r[0, 2] + r[2, 0]],
-        [r[0, 2] - r[2, 0], r[0, 1] + r[1, 0], 4 * squares[2], r[1, 2] + r[2, 1]],
-        [r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[1, 2] + r[2, 1], 4 * squares[3]]])
+    numerators = np.array(
+        [
+            [4 * squares[0], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
+            [r[2, 1] - r[1, 2], 4 * squares[1], r[0, 1] + r[1, 0], r[0, 2] + r[2, 0]],
+            [r[0, 2] - r[2, 0], r[0, 1] + r[1, 0], 4 * squares[2], r[1, 2] + r[2, 1]],
+            [r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[1, 2] + r[2, 1], 4 * squares[3]],
+        ]
+    )
     quaternion = numerators[largest] / (4 * np.sqrt(squares[largest]))
     quaternion[np.abs(quaternion) < 1e-15] = 0.0
     return quaternion if quaternion[0] >= 0 else -quaternion

@@ -83,8 +83,12 @@ def euler_parameters() -> Template:
         A[i, i] = 1 - 2 * sp.Add(*(e[j] ** 2 for j in range(1, 4) if j != i + 1))
     rates = dict(zip(e, e_dot, strict=True))
     slope = A.applyfunc(lambda entry: derivative(entry, rates))
-    norm = sp.groebner([sp.Add(*(x**2 for x in e)) - 1, sp.Add(*(x * v for x, v in zip(e, e_dot, strict=True)))],
-                       *e_dot, *e, order="grevlex")
+    norm = sp.groebner(
+        [sp.Add(*(x**2 for x in e)) - 1, sp.Add(*(x * v for x, v in zip(e, e_dot, strict=True)))],
+        *e_dot,
+        *e,
+        order="grevlex",
+    )
     body_rate = [norm.reduce(sp.expand(entry))[1] for entry in axial(A.T * slope)]
     world_rate = [norm.reduce(sp.expand(entry))[1] for entry in axial(slope * A.T)]
     body = [[sp.diff(entry, rate) for entry in body_rate] for rate in e_dot]

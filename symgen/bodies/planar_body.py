@@ -58,11 +58,17 @@ class PlanarBody:
         """Upper triangle of the body's mass matrix (Eq. 20) as (row, column, value) in system columns."""
         integrals, columns, moments = self._require_mass(), self.coordinates.columns, self._moments
         x, y, angle, modes = columns[0], columns[1], columns[2], columns[3:]
-        block = template.body_template().evaluate(moments.values(None), [
-            "M_RR", "M_Rtheta_x", "M_Rtheta_y", "M_thetatheta"])
+        block = template.body_template().evaluate(
+            moments.values(None), ["M_RR", "M_Rtheta_x", "M_Rtheta_y", "M_thetatheta"]
+        )
         M_ff = entries(integrals.M_ff)
-        found = [(x, x, block["M_RR"]), (y, y, block["M_RR"]), (x, angle, block["M_Rtheta_x"]),
-                   (y, angle, block["M_Rtheta_y"]), (angle, angle, block["M_thetatheta"])]
+        found = [
+            (x, x, block["M_RR"]),
+            (y, y, block["M_RR"]),
+            (x, angle, block["M_Rtheta_x"]),
+            (y, angle, block["M_Rtheta_y"]),
+            (angle, angle, block["M_thetatheta"]),
+        ]
         for a, column in enumerate(modes):
             row = template.body_template().evaluate(moments.values(a), ["M_Rf_x", "M_Rf_y", "M_thetaf"])
             found += [(x, column, row["M_Rf_x"]), (y, column, row["M_Rf_y"]), (angle, column, row["M_thetaf"])]
@@ -83,8 +89,12 @@ class PlanarBody:
     def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
         """K of Eq. (20), non-zero in K_ff only, as (row, column, value) in system columns."""
         K_ff, modes = entries(self._require_mass().K_ff), self.coordinates.columns[3:]
-        return [(row, column, K_ff[a][b]) for a, row in enumerate(modes) for b, column in enumerate(modes)
-                if not K_ff[a][b].is_zero()]
+        return [
+            (row, column, K_ff[a][b])
+            for a, row in enumerate(modes)
+            for b, column in enumerate(modes)
+            if not K_ff[a][b].is_zero()
+        ]
 
     def damping_force(self) -> Row:
         """-D_ff q_f_dot by system column (modal damping)."""
@@ -94,8 +104,11 @@ class PlanarBody:
     def gravity_force(self, gravity: list[ca.SX]) -> Row:
         """Generalised force of a uniform field of acceleration `gravity` (m/s^2)."""
         moments, columns, mass = self._moments, self.coordinates.columns, self._require_mass().mass
-        force = {columns[0]: mul(mass, gravity[0]), columns[1]: mul(mass, gravity[1]),
-                 columns[2]: sub(mul(moments.h[0], gravity[1]), mul(moments.h[1], gravity[0]))}
+        force = {
+            columns[0]: mul(mass, gravity[0]),
+            columns[1]: mul(mass, gravity[1]),
+            columns[2]: sub(mul(moments.h[0], gravity[1]), mul(moments.h[1], gravity[0])),
+        }
         for a, column in enumerate(columns[3:]):
             force[column] = dot(moments.s[a], gravity)
         return force
@@ -118,9 +131,19 @@ class PlanarBody:
         a_x, a_y = self.rotate(*local.rho)
         b_x, b_y = self.rotate(*local.rho_dot)
         n_x, n_y = self.rotate(local.nu, ZERO)
-        values = {point.a_x: a_x, point.a_y: a_y, point.b_x: b_x, point.b_y: b_y, point.n_x: n_x, point.n_y: n_y,
-                  point.R_x: q.R_o[0], point.R_y: q.R_o[1], point.R_dot_x: q.R_o_dot[0],
-                  point.R_dot_y: q.R_o_dot[1], point.theta_dot: q.theta_dot}
+        values = {
+            point.a_x: a_x,
+            point.a_y: a_y,
+            point.b_x: b_x,
+            point.b_y: b_y,
+            point.n_x: n_x,
+            point.n_y: n_y,
+            point.R_x: q.R_o[0],
+            point.R_y: q.R_o[1],
+            point.R_dot_x: q.R_o_dot[0],
+            point.R_dot_y: q.R_o_dot[1],
+            point.theta_dot: q.theta_dot,
+        }
         motion = point.kinematics_template().evaluate(values)
         rows: list[Row] = [{}, {}]
         phi_row: Row = {}
@@ -132,10 +155,15 @@ class PlanarBody:
             phi_row[column] = local.slope[a]
         turn, turn_rate = dot(local.slope, q.q_f), dot(local.slope, q.q_f_dot)
         return MarkerMotion(
-            r=[motion["r_x"], motion["r_y"]], r_dot=[motion["r_dot_x"], motion["r_dot_y"]],
-            bias=[motion["bias_x"], motion["bias_y"]], r_columns=[nonzero(row) for row in rows],
-            phi=add(add(q.theta, shape.angle), turn), phi_dot=add(q.theta_dot, turn_rate), phi_row=nonzero(phi_row),
-            direction=self._direction(shape.angle, turn))
+            r=[motion["r_x"], motion["r_y"]],
+            r_dot=[motion["r_dot_x"], motion["r_dot_y"]],
+            bias=[motion["bias_x"], motion["bias_y"]],
+            r_columns=[nonzero(row) for row in rows],
+            phi=add(add(q.theta, shape.angle), turn),
+            phi_dot=add(q.theta_dot, turn_rate),
+            phi_row=nonzero(phi_row),
+            direction=self._direction(shape.angle, turn),
+        )
 
     def _direction(self, angle: ca.SX, turn: ca.SX) -> list[ca.SX]:
         """(cos phi, sin phi) of a marker, without new trigonometry where the marker does not turn."""

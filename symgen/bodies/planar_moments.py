@@ -66,10 +66,24 @@ class Moments:
     def values(self, mode: int | None) -> dict[sp.Symbol, ca.SX]:
         """Values of the template's symbols; `mode` selects the representative mode a."""
         t = template
-        values = {t.m: self.mass, t.h_x: self.h[0], t.h_y: self.h[1], t.hd_x: self.hd[0], t.hd_y: self.hd[1],
-                  t.hn_x: self.hn[0], t.hn_y: self.hn[1], t.I_theta: self.inertia, t.kd: self.kd,
-                  t.theta_dot: self.theta_dot}
+        values = {
+            t.m: self.mass,
+            t.h_x: self.h[0],
+            t.h_y: self.h[1],
+            t.hd_x: self.hd[0],
+            t.hd_y: self.hd[1],
+            t.hn_x: self.hn[0],
+            t.hn_y: self.hn[1],
+            t.I_theta: self.inertia,
+            t.kd: self.kd,
+            t.theta_dot: self.theta_dot,
+        }
         if mode is not None:
-            values |= {t.k_a: self.k[mode], t.g_a: self.g[mode], t.Gd_a: self.Gd[mode],
-                       t.s_x: self.s[mode][0], t.s_y: self.s[mode][1]}
+            values |= {
+                t.k_a: self.k[mode],
+                t.g_a: self.g[mode],
+                t.Gd_a: self.Gd[mode],
+                t.s_x: self.s[mode][0],
+                t.s_y: self.s[mode][1],
+            }
         return values

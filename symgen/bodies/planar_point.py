@@ -70,7 +70,16 @@ def point_kinematics() -> PointKinematics:
 def kinematics_template() -> Template:
     """Position, velocity, bias acceleration and angle column of a point, as one template."""
     kinematics = point_kinematics()
-    vectors = {"r": kinematics.position, "r_dot": kinematics.velocity, "bias": kinematics.bias,
-               "theta": kinematics.columns["theta"]}
-    return Template({f"{name}_{axis}": component for name, vector in vectors.items()
-                     for axis, component in zip("xy", vector, strict=True)})
+    vectors = {
+        "r": kinematics.position,
+        "r_dot": kinematics.velocity,
+        "bias": kinematics.bias,
+        "theta": kinematics.columns["theta"],
+    }
+    return Template(
+        {
+            f"{name}_{axis}": component
+            for name, vector in vectors.items()
+            for axis, component in zip("xy", vector, strict=True)
+        }
+    )

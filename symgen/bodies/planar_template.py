@@ -64,8 +64,13 @@ def _integrate_over_body(expression: sp.Expr) -> sp.Expr:
 def _moment(factors: Sequence[sp.Symbol]) -> sp.Expr:
     if not factors:
         return m
-    owners = [(name, axis) for symbol in factors for name, vector in _VECTORS.items() for axis in (0, 1)
-              if vector[axis] == symbol]
+    owners = [
+        (name, axis)
+        for symbol in factors
+        for name, vector in _VECTORS.items()
+        for axis in (0, 1)
+        if vector[axis] == symbol
+    ]
     if len(owners) == 1:
         name, axis = owners[0]
         return _FIRST_MOMENTS[name][axis]

@@ -19,8 +19,12 @@ def marker_shape(scene: Scene, reference: str, table: ParameterTable) -> tuple[s
         assert isinstance(body, BeamBody)
         point = beam_point(body, beam_integrals_of(body), float(marker.at), table)
         return body.name, PointShape(point.position, angle, point.Phi, point.slope, point.H)
-    position = ca.vertcat(*(table.quantity(value, f"{reference}.{axis}", "m", "marker position")
-                            for axis, value in zip("xy", marker.position, strict=True)))
+    position = ca.vertcat(
+        *(
+            table.quantity(value, f"{reference}.{axis}", "m", "marker position")
+            for axis, value in zip("xy", marker.position, strict=True)
+        )
+    )
     nf = body.nf
     Phi, slope, H = ca.SX(2, nf), ca.SX(nf, 1), ca.SX(nf, nf)
     if isinstance(marker, ModalMarker):

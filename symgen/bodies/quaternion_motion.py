@@ -34,8 +34,9 @@ class QuaternionMotion:
                 add_to(rows[i], column, entry)
         rate = plus(quaternion_product(self.rate, other.value), quaternion_product(self.value, other.rate))
         mixed = quaternion_product(self.rate, other.rate)
-        bias = plus(quaternion_product(self.bias, other.value), quaternion_product(self.value, other.bias), mixed,
-                    mixed)
+        bias = plus(
+            quaternion_product(self.bias, other.value), quaternion_product(self.value, other.bias), mixed, mixed
+        )
         return QuaternionMotion(quaternion_product(self.value, other.value), rows, rate, bias)
 
     def conjugate(self) -> QuaternionMotion:
@@ -61,8 +62,12 @@ def turn_about(axis: int, angle: ca.SX, rate: ca.SX, column: int) -> QuaternionM
     value, slope = zeros(4), zeros(4)
     value[0], value[1 + axis] = cosine, sine
     slope[0], slope[1 + axis] = div(neg(sine), ca.SX(2)), div(cosine, ca.SX(2))
-    return QuaternionMotion(value, [nonzero({column: entry}) for entry in slope], scaled(rate, slope),
-                            scaled(neg(mul(half_rate, half_rate)), value))
+    return QuaternionMotion(
+        value,
+        [nonzero({column: entry}) for entry in slope],
+        scaled(rate, slope),
+        scaled(neg(mul(half_rate, half_rate)), value),
+    )
 
 
 def small_turn(turn: Vector, turn_rate: Vector, turn_columns: list[Row]) -> QuaternionMotion:

@@ -64,8 +64,20 @@ def rigid_integrals(body: RigidBody, table: ParameterTable) -> ShapeIntegrals:
     center = _position(body.center_of_mass, f"{body.name}.center_of_mass", table)
     none, square = ca.SX(2, 0), ca.SX(0, 0)
     column = ca.SX(0, 1)
-    return ShapeIntegrals(mass, mass * center, inertia + mass * ca.sumsqr(center), none, column, column,
-                          square, square, square, square, square, square)
+    return ShapeIntegrals(
+        mass,
+        mass * center,
+        inertia + mass * ca.sumsqr(center),
+        none,
+        column,
+        column,
+        square,
+        square,
+        square,
+        square,
+        square,
+        square,
+    )
 
 
 def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
@@ -80,8 +92,11 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
         return _matrix(values, f"{name}.{label}", unit, table, (nf, nf))
 
     def symmetric(values: Table | None, label: str, unit: str) -> ca.SX:
-        upper = None if values is None else [[0.0 if b < a else value for b, value in enumerate(row)]
-                                             for a, row in enumerate(values)]
+        upper = (
+            None
+            if values is None
+            else [[0.0 if b < a else value for b, value in enumerate(row)] for a, row in enumerate(values)]
+        )
         return ca.triu2symm(ca.triu(square(upper, label, unit)))
 
     stiffening = body.foreshortening
@@ -110,8 +125,9 @@ def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
 
 @lru_cache(maxsize=64)
 def _mesh_integrals(elements: int, lateral: tuple[str, int] | None, axial: tuple[str, int] | None) -> BeamIntegrals:
-    return beam_integrals(lateral_modes(elements, *lateral) if lateral else None,
-                          axial_modes(elements, *axial) if axial else None)
+    return beam_integrals(
+        lateral_modes(elements, *lateral) if lateral else None, axial_modes(elements, *axial) if axial else None
+    )
 
 
 @lru_cache(maxsize=4096)
@@ -144,8 +160,10 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
         return table.data(values, f"{key}.{label}", "1", "shape integral of the mesh")
 
     nf = len(data.phi_x)
-    K_ff = ca.diagcat(modulus * second / length**3 * matrix(data.kappa_lateral, "kappa_lateral"),
-                      modulus * area / length * matrix(data.kappa_axial, "kappa_axial"))
+    K_ff = ca.diagcat(
+        modulus * second / length**3 * matrix(data.kappa_lateral, "kappa_lateral"),
+        modulus * area / length * matrix(data.kappa_axial, "kappa_axial"),
+    )
     M_ff = mass * matrix(data.mass, "mass")
     zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
     D_ff = ca.SX(nf, nf)
@@ -199,8 +217,12 @@ def body_integrals(scene: Scene, name: str, table: ParameterTable) -> ShapeInteg
 
 
 def _position(values: Sequence[float | str], name: str, table: ParameterTable, unit: str = "m") -> ca.SX:
-    return ca.vertcat(*(table.quantity(value, f"{name}.{axis}", unit, f"component {axis}")
-                        for axis, value in zip("xy", values, strict=True)))
+    return ca.vertcat(
+        *(
+            table.quantity(value, f"{name}.{axis}", unit, f"component {axis}")
+            for axis, value in zip("xy", values, strict=True)
+        )
+    )
 
 
 def _matrix(values: Table | None, name: str, unit: str, table: ParameterTable, shape: tuple[int, int]) -> ca.SX:

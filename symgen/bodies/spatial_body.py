@@ -36,12 +36,12 @@ class SpatialCoordinates:
     @property
     def turning(self) -> list[int]:
         """Columns of theta."""
-        return self.columns[3:3 + len(self.theta)]
+        return self.columns[3 : 3 + len(self.theta)]
 
     @property
     def elastic(self) -> list[int]:
         """Columns of q_f."""
-        return self.columns[3 + len(self.theta):]
+        return self.columns[3 + len(self.theta) :]
 
 
 @dataclass(frozen=True)
@@ -67,8 +67,9 @@ class SpatialMarker:
 class SpatialBody:
     """A rigid (nf = 0) or flexible body in space; ground is a body without coordinates or mass."""
 
-    def __init__(self, name: str, coordinates: SpatialCoordinates, turning: Orientation,
-                 integrals: SpatialIntegrals | None) -> None:
+    def __init__(
+        self, name: str, coordinates: SpatialCoordinates, turning: Orientation, integrals: SpatialIntegrals | None
+    ) -> None:
         self.name, self.coordinates, self.orientation, self.integrals = name, coordinates, turning, integrals
 
     @staticmethod
@@ -84,8 +85,11 @@ class SpatialBody:
     @cached_property
     def _whole(self) -> dict[str, ca.SX]:
         """Outputs of the body template that belong to no mode."""
-        names = [name for name in template.body_template().outputs if not name.endswith("mode_0")
-                 and not name.startswith(("M_Rf", "M_turnf"))]
+        names = [
+            name
+            for name in template.body_template().outputs
+            if not name.endswith("mode_0") and not name.startswith(("M_Rf", "M_turnf"))
+        ]
         return template.body_template().evaluate(self._moments.values(), names)
 
     @cached_property
@@ -142,8 +146,12 @@ class SpatialBody:
     def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:
         """K of Eq. (20), non-zero in K_ff only, as (row, column, value) in system columns."""
         K_ff, modes = self._require_mass().K_ff, self.coordinates.elastic
-        return [(row, column, K_ff[a][b]) for a, row in enumerate(modes) for b, column in enumerate(modes)
-                if not K_ff[a][b].is_zero()]
+        return [
+            (row, column, K_ff[a][b])
+            for a, row in enumerate(modes)
+            for b, column in enumerate(modes)
+            if not K_ff[a][b].is_zero()
+        ]
 
     def damping_force(self) -> Row:
         """-D_ff q_f_dot by system column (modal damping)."""
@@ -187,8 +195,18 @@ class SpatialBody:
         inner = plus(cross(turning.omega, arm), b)
         bias = plus(cross(turning.omega, plus(inner, b)), cross(turning.bias, arm), nu)
         spin = _MarkerSpin(self, point, local)
-        return SpatialMarker(plus(q.R_o, arm), plus(q.R_o_dot, inner), bias, rows, spin.axes, spin.omega, spin.rows,
-                             spin.bias, spin.quaternion, spin.local)
+        return SpatialMarker(
+            plus(q.R_o, arm),
+            plus(q.R_o_dot, inner),
+            bias,
+            rows,
+            spin.axes,
+            spin.omega,
+            spin.rows,
+            spin.bias,
+            spin.quaternion,
+            spin.local,
+        )
 
     def quaternion(self) -> QuaternionMotion | None:
         """The frame's, None with Euler angles."""
@@ -225,8 +243,9 @@ class _MarkerSpin:
         whole = body.quaternion()
         self.quaternion = None if whole is None else whole.times(self.local)
 
-    def _deformed(self, turning: Orientation, point: SpatialPoint, local: LocalMotion,
-                  elastic: list[int]) -> list[Vector]:
+    def _deformed(
+        self, turning: Orientation, point: SpatialPoint, local: LocalMotion, elastic: list[int]
+    ) -> list[Vector]:
         """Add the deformation's share to omega, bias and rows; the marker's axes in the frame."""
         psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
         k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
@@ -242,6 +261,8 @@ class _MarkerSpin:
         x, y, z = psi
         tilde = [[ZERO, neg(z), y], [z, ZERO, neg(x)], [neg(y), x, ZERO]]
         square = product(tilde, tilde)
-        rotation = [[add(ONE if i == j else ZERO, add(tilde[i][j], mul(half, square[i][j])) / k) for j in range(3)]
-                    for i in range(3)]
+        rotation = [
+            [add(ONE if i == j else ZERO, add(tilde[i][j], mul(half, square[i][j])) / k) for j in range(3)]
+            for i in range(3)
+        ]
         return product(rotation, point.axes)

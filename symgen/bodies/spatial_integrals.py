@@ -40,10 +40,14 @@ def _rigid(body: RigidBody, table: ParameterTable) -> SpatialIntegrals:
     mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
     center = three(body.center_of_mass, f"{body.name}.center_of_mass", "m", table, "centre of mass")
     assert isinstance(body.inertia, tuple)
-    about = [table.quantity(value, f"{body.name}.inertia.{axis}", "kg m^2", f"moment of inertia about {axis}")
-             for value, axis in zip(body.inertia, ("xx", "yy", "zz"), strict=True)]
-    xy, xz, yz = (table.quantity(value, f"{body.name}.products.{axis}", "kg m^2", f"entry {axis} of the inertia tensor")
-                  for value, axis in zip(body.products, ("xy", "xz", "yz"), strict=True))
+    about = [
+        table.quantity(value, f"{body.name}.inertia.{axis}", "kg m^2", f"moment of inertia about {axis}")
+        for value, axis in zip(body.inertia, ("xx", "yy", "zz"), strict=True)
+    ]
+    xy, xz, yz = (
+        table.quantity(value, f"{body.name}.products.{axis}", "kg m^2", f"entry {axis} of the inertia tensor")
+        for value, axis in zip(body.products, ("xy", "xz", "yz"), strict=True)
+    )
     half = (about[0] + about[1] + about[2]) / 2
     J0 = [[half - about[0], neg(xy), neg(xz)], [neg(xy), half - about[1], neg(yz)], [neg(xz), neg(yz), half - about[2]]]
     for i in range(3):
@@ -71,20 +75,36 @@ def _flexible(body: FlexibleBody, table: ParameterTable) -> SpatialIntegrals:
     phi_phi = np.array(body.phi_phi, dtype=float)
     bent = body.stiffening
     S_H = [block(np.array(bent.H[i]), f"H[{i}]", "kg/m") for i in range(3)] if bent and bent.H else []
-    G_H = [[block(np.array(bent.xH[i][j]), f"xH[{i},{j}]", "kg") for j in range(3)] for i in range(3)] \
-        if bent and bent.xH else []
+    G_H = (
+        [[block(np.array(bent.xH[i][j]), f"xH[{i},{j}]", "kg") for j in range(3)] for i in range(3)]
+        if bent and bent.xH
+        else []
+    )
     phi = body.phi_integral or ((0.0,) * nf,) * 3
-    P = [[block(phi_phi[a, b] if a <= b else phi_phi[b, a].T, f"phi_phi[{a},{b}]", "kg") for b in range(nf)]
-         for a in range(nf)] if len(body.phi_phi) else []
+    P = (
+        [
+            [block(phi_phi[a, b] if a <= b else phi_phi[b, a].T, f"phi_phi[{a},{b}]", "kg") for b in range(nf)]
+            for a in range(nf)
+        ]
+        if len(body.phi_phi)
+        else []
+    )
     return SpatialIntegrals(
         mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
         S1=three(body.first_moment, f"{name}.first_moment", "kg m", table, "int rho0 dm"),
         J0=symmetric(body.inertia_moments, "inertia_moments", "kg m^2"),
-        Sb=[[table.quantity(phi[i][a], f"{name}.phi_integral[{i},{a}]", "kg", "int Phi dm") for i in range(3)]
-            for a in range(nf)],
-        N=[block(rho_phi[a], f"rho_phi[{a}]", "kg m") for a in range(nf)], P=P,
-        M_ff=symmetric(body.M_ff, "M_ff", "kg"), K_ff=symmetric(body.K_ff, "K_ff", "N/m"),
-        D_ff=symmetric(body.D_ff, "D_ff", "N s/m"), S_H=S_H, G_H=G_H)
+        Sb=[
+            [table.quantity(phi[i][a], f"{name}.phi_integral[{i},{a}]", "kg", "int Phi dm") for i in range(3)]
+            for a in range(nf)
+        ],
+        N=[block(rho_phi[a], f"rho_phi[{a}]", "kg m") for a in range(nf)],
+        P=P,
+        M_ff=symmetric(body.M_ff, "M_ff", "kg"),
+        K_ff=symmetric(body.K_ff, "K_ff", "N/m"),
+        D_ff=symmetric(body.D_ff, "D_ff", "N s/m"),
+        S_H=S_H,
+        G_H=G_H,
+    )
 
 
 def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
@@ -97,8 +117,10 @@ def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
     density = table.quantity(body.density, f"{name}.density", "kg/m^3", "density")
     area = table.quantity(body.area, f"{name}.area", "m^2", "cross-section area")
     modulus = table.quantity(body.youngs_modulus, f"{name}.youngs_modulus", "N/m^2", "Young's modulus")
-    section = [table.quantity(value, f"{name}.{label}", "m^4", "second moment of area")
-               for label, value in (("second_moment", body.second_moment), ("second_moment_z", body.second_moment_z))]
+    section = [
+        table.quantity(value, f"{name}.{label}", "m^4", "second moment of area")
+        for label, value in (("second_moment", body.second_moment), ("second_moment_z", body.second_moment_z))
+    ]
     zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
     mass = density * area * length
 
@@ -116,11 +138,14 @@ def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
     for a, axis in enumerate(data.axes):
         K_ff[a][a] = mul(stiffness[axis], K_ff[a][a])
         D_ff[a][a] = mul(mul(ca.SX(2), zeta), ca.sqrt(K_ff[a][a] * M_ff[a][a]))
-    N = [[scaled(mass * length, numbers(data.x_phi[a:a + 1], f"x_phi[{a}]")[0]), zeros(), zeros()] for a in range(nf)]
+    N = [[scaled(mass * length, numbers(data.x_phi[a : a + 1], f"x_phi[{a}]")[0]), zeros(), zeros()] for a in range(nf)]
     P = [[by(mass, numbers(data.pairs[a, b], f"pairs[{a},{b}]")) for b in range(nf)] for a in range(nf)]
     S_H = [by(mass / length, numbers(data.H, "H")), _square(nf), _square(nf)] if body.stiffening else []
-    G_H = [[by(mass, numbers(data.xH, "xH")), _square(nf), _square(nf)], [_square(nf)] * 3, [_square(nf)] * 3] \
-        if body.stiffening else []
+    G_H = (
+        [[by(mass, numbers(data.xH, "xH")), _square(nf), _square(nf)], [_square(nf)] * 3, [_square(nf)] * 3]
+        if body.stiffening
+        else []
+    )
     Sb = by(mass, numbers(data.phi.T, "phi"))
     return SpatialIntegrals(mass, [mass * length / 2, ZERO, ZERO], J0, Sb, N, P, M_ff, K_ff, D_ff, S_H, G_H)
 
@@ -139,7 +164,8 @@ def spatial_beam_of(body: BeamBody) -> SpatialBeam:
 @lru_cache(maxsize=64)
 def _mesh(elements: int, lateral: tuple[tuple[int, str, int], ...], axial: tuple[str, int] | None) -> SpatialBeam:
     sets: list[tuple[int, LateralModes | AxialModes]] = [
-        (axis, lateral_modes(elements, ends, modes)) for axis, ends, modes in lateral]
+        (axis, lateral_modes(elements, ends, modes)) for axis, ends, modes in lateral
+    ]
     if axial:
         sets.append((0, axial_modes(elements, *axial)))
     return spatial_beam(tuple(sets))
@@ -200,4 +226,3 @@ def _turned(marker: MarkerDirections, reference: str, table: ParameterTable) -> 
 
     axes = [[entry(float(rotation[i, j]), f"axes[{i},{j}]") for j in range(3)] for i in range(3)]
     return axes, [entry(float(value), f"quaternion[{k}]") for k, value in enumerate(quaternion_of(rotation))]
-

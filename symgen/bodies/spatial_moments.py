@@ -77,8 +77,10 @@ class LocalMotion:
     @staticmethod
     def turn_rows(point: SpatialPoint, columns: list[int]) -> list[Row]:
         """dpsi_i/dq."""
-        return [{column: point.turns[a][i] for a, column in enumerate(columns) if not point.turns[a][i].is_zero()}
-                for i in range(3)]
+        return [
+            {column: point.turns[a][i] for a, column in enumerate(columns) if not point.turns[a][i].is_zero()}
+            for i in range(3)
+        ]
 
 
 class SpatialMoments:
@@ -106,8 +108,10 @@ class SpatialMoments:
                     self.J[i][j] = self.J[j][i] = add(self.J[i][j], mul(mul(ca.SX(0.5), change), q))
         self.B = [axial(L) for L in self.L]
         self.Gd = [axial(self._rates(a, q_f_dot)) for a in range(nf)]
-        W = [[total(mul(L[i][j], rate) for L, rate in zip(self.L, q_f_dot, strict=True)) for j in range(3)]
-             for i in range(3)]
+        W = [
+            [total(mul(L[i][j], rate) for L, rate in zip(self.L, q_f_dot, strict=True)) for j in range(3)]
+            for i in range(3)
+        ]
         self.tW, self.y = add(add(W[0][0], W[1][1]), W[2][2]), transposed_times(W, omega)
         self.u, self.ww = times(self.J, omega), dot(omega, omega)
 
@@ -127,22 +131,33 @@ class SpatialMoments:
     def _rates(self, a: int, q_f_dot: Vector) -> Matrix:
         """int rho_dot phi_a^T dm."""
         P = self.data.P
-        return [[total(mul(rate, P[b][a][i][j]) for b, rate in enumerate(q_f_dot)) if P else ZERO for j in range(3)]
-                for i in range(3)]
+        return [
+            [total(mul(rate, P[b][a][i][j]) for b, rate in enumerate(q_f_dot)) if P else ZERO for j in range(3)]
+            for i in range(3)
+        ]
 
     def values(self) -> dict[sp.Symbol, ca.SX]:
         """Symbols that belong to the body as a whole."""
         found = {t.m: self.data.mass, t.tW: self.tW, t.ww: self.ww}
-        for symbols, vector in ((t.w, self.omega), (t.h, self.h), (t.u, self.u), (t.y, self.y), (t.hd, self.hd),
-                                (t.hn, self.hn)):
+        for symbols, vector in (
+            (t.w, self.omega),
+            (t.h, self.h),
+            (t.u, self.u),
+            (t.y, self.y),
+            (t.hd, self.hd),
+            (t.hn, self.hn),
+        ):
             found |= dict(zip(symbols, vector, strict=True))
         return found | {t.J[i][j]: self.J[i][j] for i in range(3) for j in range(i, 3)}
 
     def mode_values(self, a: int) -> dict[sp.Symbol, ca.SX]:
         """And those of mode a."""
         L = self.L[a]
-        found = {**self.values(), t.tL: add(add(L[0][0], L[1][1]), L[2][2]),
-                 t.x_a: dot(self.omega, times(L, self.omega))}
+        found = {
+            **self.values(),
+            t.tL: add(add(L[0][0], L[1][1]), L[2][2]),
+            t.x_a: dot(self.omega, times(L, self.omega)),
+        }
         for symbols, vector in ((t.s, self.s[a]), (t.B, self.B[a]), (t.Gd, self.Gd[a])):
             found |= dict(zip(symbols, vector, strict=True))
         return found

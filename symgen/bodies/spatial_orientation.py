@@ -64,5 +64,13 @@ def orientation(kind: str, theta: Vector, theta_dot: Vector) -> Orientation:
     body = [[out[f"gb_{k}_{i}"] for i in range(3)] for k in range(n)]
     world = [[out[f"g_{k}_{i}"] for i in range(3)] for k in range(n)]
     bias_body = [out[f"sb_{i}"] for i in range(3)]
-    return Orientation(theta, A, body, world, combination(body, theta_dot), combination(world, theta_dot), bias_body,
-                       plus(times(A, bias_body)))
+    return Orientation(
+        theta,
+        A,
+        body,
+        world,
+        combination(body, theta_dot),
+        combination(world, theta_dot),
+        bias_body,
+        plus(times(A, bias_body)),
+    )

@@ -76,8 +76,11 @@ def _of_one_point() -> tuple[dict[str, sp.Expr], dict[sp.Symbol, sp.Expr]]:
     bias = [p + 2 * q + r for p, q, r in zip(cross(w, cross(w, rho)), cross(w, rate), nu, strict=True)]
     partial = {"R": units, "turn": [cross(unit, rho) for unit in units], "mode": [list(phi)]}
     kept = {symbol: 0 for symbol in nu}  # pairs with nu are beyond the second order that the energy keeps
-    blocks = {f"Q_{name}_{i}": -dot(column, bias) if name == "R" else (-dot(column, bias)).subs(kept)
-              for name, columns in partial.items() for i, column in enumerate(columns)}
+    blocks = {
+        f"Q_{name}_{i}": -dot(column, bias) if name == "R" else (-dot(column, bias)).subs(kept)
+        for name, columns in partial.items()
+        for i, column in enumerate(columns)
+    }
     blocks["M_RR"] = dot(units[0], units[0])
     for i in range(3):
         blocks |= {f"M_Rf_{i}": dot(units[i], phi), f"M_turnf_{i}": dot(partial["turn"][i], phi)}
@@ -85,8 +88,16 @@ def _of_one_point() -> tuple[dict[str, sp.Expr], dict[sp.Symbol, sp.Expr]]:
             blocks[f"M_Rturn_{i}{j}"] = dot(units[i], partial["turn"][j])
             blocks[f"M_turnturn_{i}{j}"] = dot(partial["turn"][i], partial["turn"][j])
     values = {m: sp.Integer(1), tW: dot(rho, rate), tL: dot(rho, phi), x_a: dot(w, rho) * dot(phi, w), ww: dot(w, w)}
-    pairs = [(h, rho), (u, [p * dot(rho, w) for p in rho]), (y, [p * dot(rho, w) for p in rate]), (hd, rate), (hn, nu),
-             (Gd, cross(rate, phi)), (s, phi), (B, cross(rho, phi))]
+    pairs = [
+        (h, rho),
+        (u, [p * dot(rho, w) for p in rho]),
+        (y, [p * dot(rho, w) for p in rate]),
+        (hd, rate),
+        (hn, nu),
+        (Gd, cross(rate, phi)),
+        (s, phi),
+        (B, cross(rho, phi)),
+    ]
     for names, components in pairs:
         values |= dict(zip(names, components, strict=True))
     values |= {J[i][j]: rho[i] * rho[j] for i in range(3) for j in range(3)}
@@ -96,8 +107,9 @@ def _of_one_point() -> tuple[dict[str, sp.Expr], dict[sp.Symbol, sp.Expr]]:
 @cache
 def body_template() -> Template:
     """M_RR, M_Rturn_ij, M_turnturn_ij, M_Rf_i, M_turnf_i and Q_R_i, Q_turn_i, Q_mode_0 of Eq. (20), in body axes."""
-    outputs = _mass() | {f"Q_{name}_{i}": component for name, components in _force().items()
-                         for i, component in enumerate(components)}
+    outputs = _mass() | {
+        f"Q_{name}_{i}": component for name, components in _force().items() for i, component in enumerate(components)
+    }
     derived, values = _of_one_point()
     for name, written in outputs.items():
         if sp.expand(written.subs(values, simultaneous=True) - derived[name]) != 0:

@@ -19,8 +19,11 @@ class ConstraintNumbers:
 
     def __init__(self, equations: Equations, table: ParameterTable) -> None:
         rows = equations.constraints
-        outputs = [ca.densify(ca.vertcat(*(row.C for row in rows))), ca.densify(constraint_jacobian(equations)),
-                   ca.densify(ca.vertcat(*(row.C_t for row in rows)))]
+        outputs = [
+            ca.densify(ca.vertcat(*(row.C for row in rows))),
+            ca.densify(constraint_jacobian(equations)),
+            ca.densify(ca.vertcat(*(row.C_t for row in rows))),
+        ]
         self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, table.vector()], outputs)
         self._defaults = np.array([entry.default for entry in table.entries])
         self._shape = (len(rows), len(equations.names))
@@ -40,14 +43,25 @@ def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) ->
     """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
     places = scene.places()
     placed, children = {place.joint for place in places}, {place.child for place in places}
-    following = frozenset(k for k, name in enumerate(equations.names)
-                          if name.partition(".")[0] in children and k not in equations.elastic_columns)
+    following = frozenset(
+        k
+        for k, name in enumerate(equations.names)
+        if name.partition(".")[0] in children and k not in equations.elastic_columns
+    )
     try:
         state = consistent_state(
-            equations.names, equations.elastic_columns, [row.label for row in equations.constraints],
-            numbers.position, numbers.velocity, _given(scene.initial.coordinates), _given(scene.initial.rates),
-            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]), equations.joint_columns,
-            [k for k, row in enumerate(equations.constraints) if row.joint in placed], following)
+            equations.names,
+            equations.elastic_columns,
+            [row.label for row in equations.constraints],
+            numbers.position,
+            numbers.velocity,
+            _given(scene.initial.coordinates),
+            _given(scene.initial.rates),
+            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]),
+            equations.joint_columns,
+            [k for k, row in enumerate(equations.constraints) if row.joint in placed],
+            following,
+        )
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
         raise SceneError("initial", problem or remedy, remedy if problem else "check parameters") from error
@@ -69,6 +83,8 @@ def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> No
         sequence, middle = getattr(body, "orientation", ""), q[names.index(f"{body.name}.theta2")]
         if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
             raise SceneError(
-                f"{body.name}.theta2", f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
+                f"{body.name}.theta2",
+                f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
                 "first and the last turn about the same axis",
-                'start at another angle, choose another sequence, or use orientation = "euler_parameters"')
+                'start at another angle, choose another sequence, or use orientation = "euler_parameters"',
+            )

@@ -36,24 +36,35 @@ class Choice:
     redundant: list[int] = field(default_factory=list)
 
 
-def structural_pivots(equations: Equations, scene: Scene,
-                      left_out: frozenset[int] = frozenset()) -> tuple[list[tuple[int, int]], list[int]]:
+def structural_pivots(
+    equations: Equations, scene: Scene, left_out: frozenset[int] = frozenset()
+) -> tuple[list[tuple[int, int]], list[int]]:
     """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
     distance = body_distances(scene)
     column_distance = {c: distance.get(body, 0) for body, columns in equations.body_columns.items() for c in columns}
     keep = _user_independent(equations, scene)
-    joint_depth = {joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
-                   for joint in scene.joints}
-    rows = sorted((r for r in range(len(equations.constraints)) if r not in left_out),
-                  key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r))
+    joint_depth = {
+        joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
+        for joint in scene.joints
+    }
+    rows = sorted(
+        (r for r in range(len(equations.constraints)) if r not in left_out),
+        key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r),
+    )
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []
     for row in rows:
         entries = equations.constraints[row].C_q
-        candidates = [c for c, value in entries.items() if value.is_constant() and c not in depends_on
-                      and c not in equations.elastic_columns and c not in keep
-                      and not _reaches(depends_on, set(entries) - {c}, c)]
+        candidates = [
+            c
+            for c, value in entries.items()
+            if value.is_constant()
+            and c not in depends_on
+            and c not in equations.elastic_columns
+            and c not in keep
+            and not _reaches(depends_on, set(entries) - {c}, c)
+        ]
         if not candidates:
             loops.append(row)
             continue
@@ -118,8 +129,9 @@ def _user_independent(equations: Equations, scene: Scene) -> set[int]:
     return {equations.names.index(name) for name in chosen} if chosen else set()
 
 
-def dependent_rows(equations: Equations, structural: list[tuple[int, int]], loop_rows: list[int],
-                   jacobian: np.ndarray) -> list[int]:
+def dependent_rows(
+    equations: Equations, structural: list[tuple[int, int]], loop_rows: list[int], jacobian: np.ndarray
+) -> list[int]:
     """Loop rows of C_q (rows x columns) that depend on the others at this position, by pivoting on scaled rows."""
     free = _free_columns(equations, structural)
     rigid = [k for k, c in enumerate(free) if c not in equations.elastic_columns]
@@ -129,8 +141,14 @@ def dependent_rows(equations: Equations, structural: list[tuple[int, int]], loop
     return [row for k, row in enumerate(loop_rows) if k not in picked]
 
 
-def choose_loops(equations: Equations, scene: Scene, structural: list[tuple[int, int]], loop_rows: list[int],
-                 jacobian: np.ndarray, redundant: list[int]) -> Choice:
+def choose_loops(
+    equations: Equations,
+    scene: Scene,
+    structural: list[tuple[int, int]],
+    loop_rows: list[int],
+    jacobian: np.ndarray,
+    redundant: list[int],
+) -> Choice:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
 
     loop_rows: independent rows, without the `redundant` ones. Raises SceneError when the user's q_i cannot be
@@ -200,11 +218,15 @@ def _pivot(matrix: np.ndarray, rigid: list[int], elastic: list[int], scales: np.
 
 def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int]) -> None:
     left = np.linalg.svd(reduced)[0][:, -1] if reduced.size else np.ones(len(rows))
-    names = sorted({equations.constraints[row].joint for row, weight in zip(rows, left, strict=True)
-                    if abs(weight) > 1e-6})
-    raise SceneError("partition.independent", "the constraints cannot be solved for the remaining coordinates "
-                     f"at the initial state (loop of {', '.join(names)})",
-                     "choose other independent coordinates or leave the choice to symgen")
+    names = sorted(
+        {equations.constraints[row].joint for row, weight in zip(rows, left, strict=True) if abs(weight) > 1e-6}
+    )
+    raise SceneError(
+        "partition.independent",
+        "the constraints cannot be solved for the remaining coordinates "
+        f"at the initial state (loop of {', '.join(names)})",
+        "choose other independent coordinates or leave the choice to symgen",
+    )
 
 
 def _refuse_choice(equations: Equations, keep: set[int], independent: list[int]) -> None:
@@ -212,8 +234,12 @@ def _refuse_choice(equations: Equations, keep: set[int], independent: list[int])
     surplus = sorted(keep - set(independent))
     text = [f"{equations.names[c]} must be independent too" for c in missing]
     text += [f"{equations.names[c]} is determined by the joints" for c in surplus]
-    raise SceneError("partition.independent", "; ".join(text), f"the scene has {len(independent)} degrees of freedom: "
-                     f"for instance {', '.join(equations.names[c] for c in independent)}")
+    raise SceneError(
+        "partition.independent",
+        "; ".join(text),
+        f"the scene has {len(independent)} degrees of freedom: "
+        f"for instance {', '.join(equations.names[c] for c in independent)}",
+    )
 
 
 def constraint_jacobian(equations: Equations) -> ca.SX:

@@ -23,8 +23,11 @@ def choose_groups(scene: Scene, equations: Equations, independent: list[int]) ->
     groups = _from_scene(scene, names) if scene.partition.groups else _by_kind(equations, independent)
     ratios = scene.simulation.m
     if ratios and len(ratios) != len(groups) - 1:
-        raise SceneError("simulation.m", f"has {len(ratios)} step ratios for {len(groups)} groups "
-                         f"({', '.join(group.name for group in groups)})", "give one for each group after the first")
+        raise SceneError(
+            "simulation.m",
+            f"has {len(ratios)} step ratios for {len(groups)} groups ({', '.join(group.name for group in groups)})",
+            "give one for each group after the first",
+        )
     return groups
 
 
@@ -38,16 +41,24 @@ def _by_kind(equations: Equations, independent: list[int]) -> list[Group]:
 
 
 def _from_scene(scene: Scene, names: list[str]) -> list[Group]:
-    groups = [Group(group.name, [k for k, name in enumerate(names)
-                                 if any(fnmatchcase(name, pattern) for pattern in group.coordinates)])
-              for group in scene.partition.groups or []]
+    groups = [
+        Group(
+            group.name,
+            [k for k, name in enumerate(names) if any(fnmatchcase(name, pattern) for pattern in group.coordinates)],
+        )
+        for group in scene.partition.groups or []
+    ]
     grouped = [k for group in groups for k in group.positions]
     missing = [name for k, name in enumerate(names) if k not in grouped]
     if missing:
-        raise SceneError("partition.groups", f"independent coordinates in no group: {', '.join(missing)}",
-                         "add them to a group")
+        raise SceneError(
+            "partition.groups", f"independent coordinates in no group: {', '.join(missing)}", "add them to a group"
+        )
     empty = [group.name for group in groups if not group.positions]
     if empty:
-        raise SceneError("partition.groups", f"group {empty[0]} holds no independent coordinate "
-                         f"(they are {', '.join(names)})", "name independent coordinates or drop the group")
+        raise SceneError(
+            "partition.groups",
+            f"group {empty[0]} holds no independent coordinate (they are {', '.join(names)})",
+            "name independent coordinates or drop the group",
+        )
     return groups

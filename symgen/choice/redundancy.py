@@ -34,17 +34,29 @@ def require_redundant(equations: Equations, constraints: Constraints, q: np.ndar
     rng = np.random.default_rng(0)
     if not all(_holds_after_motion(constraints, q, 0.0, kept, dropped, rng, reach) for _ in range(TRIALS)):
         raise SceneError(
-            "joints", f"the initial position is singular: {joints} and the joints of the same loops depend on each "
-            "other there, and only there", "start from another position, or remove or weaken one of these joints "
-            "(a point_on_line instead of a revolute, for instance)")
+            "joints",
+            f"the initial position is singular: {joints} and the joints of the same loops depend on each "
+            "other there, and only there",
+            "start from another position, or remove or weaken one of these joints "
+            "(a point_on_line instead of a revolute, for instance)",
+        )
     if not all(_holds_after_motion(constraints, q, t, kept, dropped, rng, reach) for t in (MOVE_TIME, -MOVE_TIME)):
         raise SceneError(
-            "joints", f"{joints} repeat what other joints already say at t = 0, and contradict them later",
-            "give the prescribed motions equal functions of time, or remove all but one of them")
+            "joints",
+            f"{joints} repeat what other joints already say at t = 0, and contradict them later",
+            "give the prescribed motions equal functions of time, or remove all but one of them",
+        )
 
 
-def _holds_after_motion(constraints: Constraints, q: np.ndarray, t: float, kept: list[int], dropped: list[int],
-                        rng: np.random.Generator, reach: np.ndarray) -> bool:
+def _holds_after_motion(
+    constraints: Constraints,
+    q: np.ndarray,
+    t: float,
+    kept: list[int],
+    dropped: list[int],
+    rng: np.random.Generator,
+    reach: np.ndarray,
+) -> bool:
     """Do the dropped rows hold after a random motion along the freedoms that the kept ones leave?
 
     reach: how far each coordinate may move.

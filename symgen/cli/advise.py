@@ -16,9 +16,13 @@ if TYPE_CHECKING:
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
-        subparsers, "advise", run, "Find the method and step that suit a scene.",
+        subparsers,
+        "advise",
+        run,
+        "Find the method and step that suit a scene.",
         "Frequencies and damping over the motion, groups by the widest gap, then every method is tried on the motion "
-        "until it meets the tolerance; the fastest that keeps its stability limit is advised.")
+        "until it meets the tolerance; the fastest that keeps its stability limit is advised.",
+    )
     add_scene(command)
     add_accuracy_options(command)
     add_motion_options(command)
@@ -32,7 +36,14 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
     model = opened_model(arguments.scene, arguments.made_with)
     with Progress(f"symgen {model.name}") as progress:
-        advice: Advice = advise(model, tolerance=arguments.tolerance, graded=arguments.graded, t_end=arguments.t_end,
-                                parameters=dict(arguments.set), initial=dict(arguments.initial),
-                                start=arguments.start, note=progress.note)
+        advice: Advice = advise(
+            model,
+            tolerance=arguments.tolerance,
+            graded=arguments.graded,
+            t_end=arguments.t_end,
+            parameters=dict(arguments.set),
+            initial=dict(arguments.initial),
+            start=arguments.start,
+            note=progress.note,
+        )
     return Outcome({"advice": advice_data(advice)}, advice_lines(advice))

@@ -22,8 +22,9 @@ class Parser(argparse.ArgumentParser):
         raise UsageError(f"{message}\n{self.format_usage().rstrip()}")
 
 
-def add_command(subparsers: Any, name: str, run: Callable[[argparse.Namespace], Any], summary: str,
-                details: str = "") -> argparse.ArgumentParser:
+def add_command(
+    subparsers: Any, name: str, run: Callable[[argparse.Namespace], Any], summary: str, details: str = ""
+) -> argparse.ArgumentParser:
     """A subcommand with the option every command has."""
     command: argparse.ArgumentParser = subparsers.add_parser(name, help=summary, description=f"{summary} {details}")
     command.add_argument("--json", action="store_true", help="write one JSON object to standard output, nothing else")
@@ -34,28 +35,59 @@ def add_command(subparsers: Any, name: str, run: Callable[[argparse.Namespace], 
 def add_scene(command: argparse.ArgumentParser, **options: Any) -> None:
     """The word that names a scene, and what built-in scenes can be made with."""
     command.add_argument("scene", **{**SCENE, **options})
-    command.add_argument("--with", action="append", type=assignment, default=[], dest="made_with", metavar="NAME=VALUE",
-                         help="what a built-in scene is made with, for instance links=50 for chain; may be repeated")
+    command.add_argument(
+        "--with",
+        action="append",
+        type=assignment,
+        default=[],
+        dest="made_with",
+        metavar="NAME=VALUE",
+        help="what a built-in scene is made with, for instance links=50 for chain; may be repeated",
+    )
 
 
 def add_motion_options(command: argparse.ArgumentParser) -> None:
     """Which motion of the scene is meant; what is not given comes from the scene."""
     group = command.add_argument_group("motion", "What is not given comes from the scene's [simulation].")
     group.add_argument("--t-end", type=number, metavar="SECONDS", help="end of the motion")
-    group.add_argument("--set", action="append", type=assignment, default=[], metavar="NAME=VALUE",
-                       help="change a parameter; may be repeated")
-    group.add_argument("--initial", action="append", type=assignment, default=[], metavar="NAME=VALUE",
-                       help="change a starting coordinate, or a rate by NAME_dot; may be repeated")
-    group.add_argument("--start", choices=("given", "quasi_static"),
-                       help="elastic coordinates as given, or in equilibrium with the rigid motion")
+    group.add_argument(
+        "--set",
+        action="append",
+        type=assignment,
+        default=[],
+        metavar="NAME=VALUE",
+        help="change a parameter; may be repeated",
+    )
+    group.add_argument(
+        "--initial",
+        action="append",
+        type=assignment,
+        default=[],
+        metavar="NAME=VALUE",
+        help="change a starting coordinate, or a rate by NAME_dot; may be repeated",
+    )
+    group.add_argument(
+        "--start",
+        choices=("given", "quasi_static"),
+        help="elastic coordinates as given, or in equilibrium with the rigid motion",
+    )
 
 
 def add_accuracy_options(command: argparse.ArgumentParser) -> None:
     """What is graded, and how well it has to be met."""
-    command.add_argument("--tolerance", type=number, default=1e-3, metavar="ERROR",
-                         help="RMS error over the motion relative to each amplitude (default: %(default)s)")
-    command.add_argument("--graded", type=names, metavar="NAMES",
-                         help="coordinates that are graded, separated by commas (default: all independent ones)")
+    command.add_argument(
+        "--tolerance",
+        type=number,
+        default=1e-3,
+        metavar="ERROR",
+        help="RMS error over the motion relative to each amplitude (default: %(default)s)",
+    )
+    command.add_argument(
+        "--graded",
+        type=names,
+        metavar="NAMES",
+        help="coordinates that are graded, separated by commas (default: all independent ones)",
+    )
 
 
 def add_run_options(command: argparse.ArgumentParser) -> None:
@@ -64,12 +96,21 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("run", "What is not given comes from the scene's [simulation].")
     group.add_argument("--dt", type=number, metavar="SECONDS", help="major step dt_L")
     group.add_argument("--m", type=ratios, metavar="10,4", help="ratio of each next group's step, slow to fast")
-    group.add_argument("--scheme", help="time stepping scheme, for instance exponential or single_rate; auto finds "
-                       "the fastest, its step and m for --tolerance")
+    group.add_argument(
+        "--scheme",
+        help="time stepping scheme, for instance exponential or single_rate; auto finds "
+        "the fastest, its step and m for --tolerance",
+    )
     group.add_argument("--tolerance", type=number, metavar="ERROR", help="relative error that auto may make")
     group.add_argument("--graded", type=names, metavar="NAMES", help="coordinates that auto looks at (default: all)")
-    group.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
-                       help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable")
+    group.add_argument(
+        "--option",
+        action="append",
+        type=option,
+        default=[],
+        metavar="NAME=VALUE",
+        help="change a reading or tolerance of the scheme, such as common_update=direct; repeatable",
+    )
     group.add_argument("--force", action="store_true", help="run although the step is above its limit at the start")
     group.add_argument("--save-every", type=int, metavar="STEPS", help="keep one of so many major steps")
     add_engine(group)
@@ -77,15 +118,23 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
 
 def add_engine(group: Any) -> None:
     """What steps a run."""
-    group.add_argument("--engine", choices=("auto", "interpreted", "compiled"), default="auto",
-                       help="interpreted by CasADi or compiled C (default: auto)")
+    group.add_argument(
+        "--engine",
+        choices=("auto", "interpreted", "compiled"),
+        default="auto",
+        help="interpreted by CasADi or compiled C (default: auto)",
+    )
 
 
 def add_checkpoint_options(command: argparse.ArgumentParser) -> None:
     """What of a long run is left on the disk while it goes on."""
     group = command.add_argument_group("long runs")
-    group.add_argument("--checkpoint-every", type=int, metavar="STEPS",
-                       help="major steps between two checkpoints (default: one a minute)")
+    group.add_argument(
+        "--checkpoint-every",
+        type=int,
+        metavar="STEPS",
+        help="major steps between two checkpoints (default: one a minute)",
+    )
     group.add_argument("--stream", metavar="DIR", help="folder that takes the samples instead of memory")
 
 

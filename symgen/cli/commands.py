@@ -13,9 +13,11 @@ COMMANDS = (new, listing, show, generate, simulate, resume, animate, stability, 
 
 def parser() -> argparse.ArgumentParser:
     """The whole command line; each subcommand's module adds itself."""
-    root = Parser(prog="symgen", description="Symbolic code generation and multirate time stepping for flexible "
-                  "multibody dynamics.", epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, "
-                  "2 wrong input, 130 interrupted.")
+    root = Parser(
+        prog="symgen",
+        description="Symbolic code generation and multirate time stepping for flexible multibody dynamics.",
+        epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, 2 wrong input, 130 interrupted.",
+    )
     root.add_argument("--version", action="version", version=f"symgen {_version()}")
     subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for module in COMMANDS:

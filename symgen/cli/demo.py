@@ -21,11 +21,19 @@ LONGEST = 0.02  # s: where a method's curve ends
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
-        subparsers, "demo", run, "Generate a built-in scene, simulate it, and show the results.",
+        subparsers,
+        "demo",
+        run,
+        "Generate a built-in scene, simulate it, and show the results.",
         "Leaves model/, report.json, report.md, motion.gif, coordinates.png, energy.png, solution.npz and .csv, and a "
-        "comparison of methods: comparison.html, .md, .csv, .json, error_time.png, error_evaluations.png.")
-    add_scene(command, nargs="?", default="slider-crank",
-              help="slider-crank (flexible, the default), any other built-in scene, or a .toml file")
+        "comparison of methods: comparison.html, .md, .csv, .json, error_time.png, error_evaluations.png.",
+    )
+    add_scene(
+        command,
+        nargs="?",
+        default="slider-crank",
+        help="slider-crank (flexible, the default), any other built-in scene, or a .toml file",
+    )
     command.add_argument("--out", metavar="DIR", help="folder for everything (default: out/SCENE)")
     add_run_options(command)
 
@@ -65,8 +73,13 @@ def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progres
 
     if not model.has("dQ_hat_dq_i"):
         return {}
-    setting = make_setting(model, t_end=arguments.t_end, parameters=dict(arguments.set),
-                           initial=dict(arguments.initial), start=arguments.start)
+    setting = make_setting(
+        model,
+        t_end=arguments.t_end,
+        parameters=dict(arguments.set),
+        initial=dict(arguments.initial),
+        start=arguments.start,
+    )
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
     comparison = compare(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
     return write_comparison(comparison, folder)

@@ -19,13 +19,20 @@ if TYPE_CHECKING:
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
-        subparsers, "generate", run, "Derive a scene and write its code.",
-        "Built-in scenes go to generated/SCENE of the checkout, others to ./SCENE, unless --out says otherwise.")
+        subparsers,
+        "generate",
+        run,
+        "Derive a scene and write its code.",
+        "Built-in scenes go to generated/SCENE of the checkout, others to ./SCENE, unless --out says otherwise.",
+    )
     add_scene(command, nargs="?")
     command.add_argument("--all", action="store_true", help="every built-in scene (with --out: DIR/SCENE)")
     command.add_argument("--out", metavar="DIR", help="folder to write to")
-    command.add_argument("--check", action="store_true",
-                         help="write nothing; exit 1 with a unified diff if the code there is not current")
+    command.add_argument(
+        "--check",
+        action="store_true",
+        help="write nothing; exit 1 with a unified diff if the code there is not current",
+    )
     command.add_argument("--functions", metavar="A,B", help="only these functions (large models can go without some)")
 
 
@@ -59,8 +66,9 @@ def _sources(arguments: argparse.Namespace) -> list[Source]:
         source = find_source(arguments.scene, arguments.made_with)
         return [Source(source.scene, Path(arguments.out)) if arguments.out else source]
     sources = [find_source(name) for name in builtin_scenes()]
-    return [Source(source.scene, Path(arguments.out) / source.scene.name) if arguments.out else source
-            for source in sources]
+    return [
+        Source(source.scene, Path(arguments.out) / source.scene.name) if arguments.out else source for source in sources
+    ]
 
 
 def _functions(text: str | None) -> frozenset[str] | None:
@@ -72,8 +80,10 @@ def _functions(text: str | None) -> frozenset[str] | None:
     names = frozenset(part.strip() for part in text.split(",") if part.strip())
     unknown = sorted(name for name in names if name not in MEANING and not re.fullmatch(r"substep_\d+", name))
     if unknown or not names:
-        raise UsageError(f"--functions: {', '.join(unknown) or 'nothing'} is not a function; "
-                         f"known: {', '.join(MEANING)}, substep_2, ...")
+        raise UsageError(
+            f"--functions: {', '.join(unknown) or 'nothing'} is not a function; "
+            f"known: {', '.join(MEANING)}, substep_2, ..."
+        )
     return names
 
 

@@ -19,7 +19,9 @@ def run(arguments: argparse.Namespace) -> Outcome:
     """Name and first docstring line of each."""
     from symgen.cli.sources import builtin_scenes
 
-    entries = [{"name": name, "description": (inspect.getdoc(make) or "").partition("\n")[0]}
-               for name, make in builtin_scenes().items()]
+    entries = [
+        {"name": name, "description": (inspect.getdoc(make) or "").partition("\n")[0]}
+        for name, make in builtin_scenes().items()
+    ]
     width = max((len(entry["name"]) for entry in entries), default=0)
     return Outcome({"scenes": entries}, [f"{entry['name']:<{width}}  {entry['description']}" for entry in entries])

@@ -33,5 +33,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     if path.exists() and not arguments.force:
         raise SceneError(f"file '{path}'", "is there already", "choose another --out, or replace it with --force")
     write_text(path, text)
-    return Outcome({"scene": name, "file": str(path)},
-                   [f"Wrote {path}. Next: symgen show {path}, then symgen simulate {path} --out results"])
+    return Outcome(
+        {"scene": name, "file": str(path)},
+        [f"Wrote {path}. Next: symgen show {path}, then symgen simulate {path} --out results"],
+    )

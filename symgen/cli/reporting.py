@@ -29,17 +29,30 @@ if TYPE_CHECKING:
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
-        subparsers, "report", run, "Compare methods on a scene: error against CPU time and evaluations.",
+        subparsers,
+        "report",
+        run,
+        "Compare methods on a scene: error against CPU time and evaluations.",
         "Every method runs the motion with ever finer steps, judged by an independent reference. Leaves "
-        "comparison.json, .csv, .md, .html, error_time.png and error_evaluations.png in --out.")
+        "comparison.json, .csv, .md, .html, error_time.png and error_evaluations.png in --out.",
+    )
     add_scene(command, nargs="?")
     command.add_argument("--suite", choices=("hard",), help="the hard suite instead of a scene")
     command.add_argument("--cases", type=names, metavar="NAMES", help="only these cases of the suite")
-    command.add_argument("--methods", type=names, metavar="NAMES",
-                         help="methods such as exponential:2,coupled:4,rk4,cvodes_bdf; compiled for all but the "
-                         "adaptive ones (default: all that make sense)")
-    command.add_argument("--longest", type=number, default=0.3, metavar="SECONDS",
-                         help="a method's curve ends with a run this long (default: %(default)s)")
+    command.add_argument(
+        "--methods",
+        type=names,
+        metavar="NAMES",
+        help="methods such as exponential:2,coupled:4,rk4,cvodes_bdf; compiled for all but the "
+        "adaptive ones (default: all that make sense)",
+    )
+    command.add_argument(
+        "--longest",
+        type=number,
+        default=0.3,
+        metavar="SECONDS",
+        help="a method's curve ends with a run this long (default: %(default)s)",
+    )
     command.add_argument("--out", metavar="DIR", help="folder for the report (default: out/report/SCENE)")
     add_accuracy_options(command)
     add_motion_options(command)
@@ -60,8 +73,14 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
     from symgen.cli.sources import opened_model
 
     model = opened_model(arguments.scene, arguments.made_with)
-    setting = make_setting(model, t_end=arguments.t_end, parameters=dict(arguments.set),
-                           initial=dict(arguments.initial), start=arguments.start, graded=arguments.graded)
+    setting = make_setting(
+        model,
+        t_end=arguments.t_end,
+        parameters=dict(arguments.set),
+        initial=dict(arguments.initial),
+        start=arguments.start,
+        graded=arguments.graded,
+    )
     comparison = _compared(model, setting, arguments)
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
     files = write_comparison(comparison, folder)
@@ -116,8 +135,13 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     from symgen.scenes.hard_suite import HARD_SUITE
 
     case = HARD_SUITE[name]
-    motion: dict[str, Any] = {"t_end": case.t_end, "start": case.start, "graded": list(case.graded),
-                              "parameters": dict(case.parameters), "initial": dict(case.initial)}
+    motion: dict[str, Any] = {
+        "t_end": case.t_end,
+        "start": case.start,
+        "graded": list(case.graded),
+        "parameters": dict(case.parameters),
+        "initial": dict(case.initial),
+    }
     with tempfile.TemporaryDirectory() as place:
         model = load_model(generate(case.make(), Path(place) / "model"))
     try:
@@ -127,7 +151,8 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     write_comparison(comparison, folder)
     try:
         with Progress(f"symgen {name}") as progress:
-            return SuiteResult(name, comparison, advise(model, tolerance=arguments.tolerance, note=progress.note,
-                                                        **motion))
+            return SuiteResult(
+                name, comparison, advise(model, tolerance=arguments.tolerance, note=progress.note, **motion)
+            )
     except NoResult as error:
         return SuiteResult(name, comparison, None, str(error))

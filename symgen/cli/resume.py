@@ -12,12 +12,20 @@ from symgen.cli.outcome import Outcome
 
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
-    command = add_command(subparsers, "resume", run, "Go on with a run from its checkpoint.",
-                          "The results are those of an uninterrupted run, bit for bit.")
+    command = add_command(
+        subparsers,
+        "resume",
+        run,
+        "Go on with a run from its checkpoint.",
+        "The results are those of an uninterrupted run, bit for bit.",
+    )
     command.add_argument("file", metavar="FILE", help="what simulate --checkpoint wrote")
-    command.add_argument("scene", metavar="SCENE", nargs="?",
-                         help="built-in name, .toml file or generated folder of the run (default: the scene that the "
-                         "checkpoint holds)")
+    command.add_argument(
+        "scene",
+        metavar="SCENE",
+        nargs="?",
+        help="built-in name, .toml file or generated folder of the run (default: the scene that the checkpoint holds)",
+    )
     command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
     add_engine(command)
     add_checkpoint_options(command)
@@ -35,11 +43,20 @@ def run(arguments: argparse.Namespace) -> Outcome:
     folder = Path(arguments.out) if arguments.out else None
     keep = folder / "model" if folder else None
     header = read_checkpoint(arguments.file).header
-    model = (opened_model(arguments.scene, keep=keep) if arguments.scene
-             else opened_text(header["model"], header["scene_toml"], keep))
+    model = (
+        opened_model(arguments.scene, keep=keep)
+        if arguments.scene
+        else opened_text(header["model"], header["scene_toml"], keep)
+    )
     with Progress(f"symgen {model.name}") as progress:
-        solution = resume(model, arguments.file, stream=arguments.stream, engine=arguments.engine, progress=progress,
-                          checkpoint_every=arguments.checkpoint_every)
+        solution = resume(
+            model,
+            arguments.file,
+            stream=arguments.stream,
+            engine=arguments.engine,
+            progress=progress,
+            checkpoint_every=arguments.checkpoint_every,
+        )
     files = leave_results(solution, folder) if folder else {}
     lines = summary(solution) + ([f"results in {folder}"] if folder else [])
     return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

@@ -28,11 +28,24 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
 
     try:
         with Progress(f"symgen {model.name}") as progress:
-            return simulate(model, t_end=arguments.t_end, dt=arguments.dt, m=arguments.m, scheme=arguments.scheme,
-                            parameters=dict(arguments.set), initial=dict(arguments.initial),
-                            save_every=arguments.save_every, engine=arguments.engine, progress=progress,
-                            options=dict(arguments.option), force=arguments.force, start=arguments.start,
-                            tolerance=arguments.tolerance, graded=arguments.graded, **kept)
+            return simulate(
+                model,
+                t_end=arguments.t_end,
+                dt=arguments.dt,
+                m=arguments.m,
+                scheme=arguments.scheme,
+                parameters=dict(arguments.set),
+                initial=dict(arguments.initial),
+                save_every=arguments.save_every,
+                engine=arguments.engine,
+                progress=progress,
+                options=dict(arguments.option),
+                force=arguments.force,
+                start=arguments.start,
+                tolerance=arguments.tolerance,
+                graded=arguments.graded,
+                **kept,
+            )
     except CompilerError as error:  # asked for --engine compiled where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
@@ -68,16 +81,20 @@ def summary(solution: Solution) -> list[str]:
     """A few lines on a run for a person."""
     model, stats = solution.model, solution.stats
     m = ",".join(map(str, solution.m)) or "-"
-    lines = [f"{model.title or model.name}: {solution.status}",
-             f"scheme {solution.scheme}, dt = {solution.dt:g} s, m = {m}, {stats.get('steps', '?')} steps, "
-             f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
-             f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, {_energy(solution)}"]
+    lines = [
+        f"{model.title or model.name}: {solution.status}",
+        f"scheme {solution.scheme}, dt = {solution.dt:g} s, m = {m}, {stats.get('steps', '?')} steps, "
+        f"{stats.get('engine', '?')}, {_seconds(stats.get('wall_seconds'))}",
+        f"largest constraint error {float(solution.constraint_error.max(initial=0.0)):.3g}, {_energy(solution)}",
+    ]
     balance = float(abs(solution.energy_balance()).max()) if len(solution.t) > 2 else 0.0
     scale = float(solution.energy["kinetic"].max() + solution.energy["elastic"].max())
     if balance > BALANCE_REMARK * scale:
-        lines.append(f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
-                     "(work is integrated over the saved samples), or compare with --scheme single_rate and a smaller "
-                     "step")
+        lines.append(
+            f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
+            "(work is integrated over the saved samples), or compare with --scheme single_rate and a smaller "
+            "step"
+        )
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")

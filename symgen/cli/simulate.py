@@ -12,16 +12,25 @@ from symgen.cli.outcome import Outcome
 
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
-    command = add_command(subparsers, "simulate", run, "Simulate a scene or a generated model.",
-                          "With --out it leaves model/, solution.npz, solution.csv, report.json and report.md.")
+    command = add_command(
+        subparsers,
+        "simulate",
+        run,
+        "Simulate a scene or a generated model.",
+        "With --out it leaves model/, solution.npz, solution.csv, report.json and report.md.",
+    )
     add_scene(command)
     command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
     command.add_argument("--plots", action="store_true", help="also leave coordinates.png and energy.png (needs --out)")
     add_run_options(command)
     command.add_argument("--checkpoint", metavar="FILE", help="file that `symgen resume` goes on from")
     add_checkpoint_options(command)
-    command.add_argument("--outputs", type=names, metavar="NAMES",
-                         help="keep only these coordinates, rates, measures or energies, separated by commas")
+    command.add_argument(
+        "--outputs",
+        type=names,
+        metavar="NAMES",
+        help="keep only these coordinates, rates, measures or energies, separated by commas",
+    )
 
 
 def run(arguments: argparse.Namespace) -> Outcome:
@@ -35,8 +44,14 @@ def run(arguments: argparse.Namespace) -> Outcome:
         raise UsageError("--plots needs --out DIR")
     folder = Path(arguments.out) if arguments.out else None
     model = opened_model(arguments.scene, arguments.made_with, folder / "model" if folder else None)
-    solution = run_model(model, arguments, outputs=arguments.outputs, stream=arguments.stream,
-                         checkpoint=arguments.checkpoint, checkpoint_every=arguments.checkpoint_every)
+    solution = run_model(
+        model,
+        arguments,
+        outputs=arguments.outputs,
+        stream=arguments.stream,
+        checkpoint=arguments.checkpoint,
+        checkpoint_every=arguments.checkpoint_every,
+    )
     files = leave_results(solution, folder) if folder else {}
     if folder and arguments.plots:
         files |= leave_pictures(solution, folder)

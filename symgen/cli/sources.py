@@ -62,8 +62,11 @@ def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Sourc
         return Source(Scene.from_toml(path / "scene.toml"), path)
     if path.is_dir():
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
-    raise SceneError(f"scene '{word}'", "is neither a built-in scene nor a .toml file",
-                     f"{did_you_mean(word.replace('-', '_'), scenes)} (see: symgen list)")
+    raise SceneError(
+        f"scene '{word}'",
+        "is neither a built-in scene nor a .toml file",
+        f"{did_you_mean(word.replace('-', '_'), scenes)} (see: symgen list)",
+    )
 
 
 def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, float]]) -> Scene:

@@ -17,9 +17,13 @@ if TYPE_CHECKING:
 def add(subparsers: Any) -> None:
     """Declare the subcommand."""
     command = add_command(
-        subparsers, "stability", run, "Compute where a scheme is stable on a scene.",
+        subparsers,
+        "stability",
+        run,
+        "Compute where a scheme is stable on a scene.",
         "The exact Jacobian of the step, along the motion: spectral radius over (dt_S, m), the largest stable step for "
-        "each m, growth rates, resonance windows. With --out it leaves stability.csv and stability.png.")
+        "each m, growth rates, resonance windows. With --out it leaves stability.csv and stability.png.",
+    )
     add_scene(command)
     command.add_argument("--scheme", help="time stepping scheme (default: the scene's)")
     command.add_argument("--m", action="append", type=ratios, metavar="10,4", help="ratios to look at; may be repeated")
@@ -27,8 +31,14 @@ def add(subparsers: Any) -> None:
     command.add_argument("--dt-to", type=number, metavar="SECONDS", help="largest step of the fastest group")
     command.add_argument("--points", type=int, default=20, help="steps to look at for each m (default: %(default)s)")
     command.add_argument("--states", type=int, default=16, help="states along the motion (default: %(default)s)")
-    command.add_argument("--option", action="append", type=option, default=[], metavar="NAME=VALUE",
-                         help="an option of the scheme; may be repeated")
+    command.add_argument(
+        "--option",
+        action="append",
+        type=option,
+        default=[],
+        metavar="NAME=VALUE",
+        help="an option of the scheme; may be repeated",
+    )
     command.add_argument("--out", metavar="DIR", help="folder for stability.csv and stability.png")
     add_motion_options(command)
 
@@ -48,10 +58,19 @@ def run(arguments: argparse.Namespace) -> Outcome:
     model = opened_model(arguments.scene, arguments.made_with)
     with Progress(f"symgen {model.name}") as progress:
         chart = stability_chart(
-            model, arguments.scheme, m=arguments.m, points=arguments.points, states=arguments.states,
+            model,
+            arguments.scheme,
+            m=arguments.m,
+            points=arguments.points,
+            states=arguments.states,
             dt_range=None if arguments.dt_from is None else (arguments.dt_from, arguments.dt_to),
-            options=dict(arguments.option), t_end=arguments.t_end, parameters=dict(arguments.set),
-            initial=dict(arguments.initial), start=arguments.start, progress=progress)
+            options=dict(arguments.option),
+            t_end=arguments.t_end,
+            parameters=dict(arguments.set),
+            initial=dict(arguments.initial),
+            start=arguments.start,
+            progress=progress,
+        )
     files = {}
     if arguments.out:
         folder = Path(arguments.out)
@@ -63,8 +82,10 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 
 def _lines(chart: StabilityChart, files: dict[str, str]) -> list[str]:
-    lines = [f"{chart.model.name}, {chart.scheme}, {len(chart.states)} states over {chart.t_end:g} s",
-             f"{'m':>8}  {'dt limit':>12}  {'dt_S limit':>12}  {'growth below':>13}  windows"]
+    lines = [
+        f"{chart.model.name}, {chart.scheme}, {len(chart.states)} states over {chart.t_end:g} s",
+        f"{'m':>8}  {'dt limit':>12}  {'dt_S limit':>12}  {'growth below':>13}  windows",
+    ]
     for row in chart.table():
         m = ",".join(map(str, row["m"])) or "-"
         if row["dt_limit"] is None:

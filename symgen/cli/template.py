@@ -1,6 +1,6 @@
 """The scene that `symgen new` writes: a small working mechanism, with the other choices as comments."""
 
-TEMPLATE = '''\
+TEMPLATE = """\
 # A scene of symgen. All numbers are in SI units: m, kg, s, N, rad. Angles are absolute and counter-clockwise.
 # Look at it:    symgen show @FILE@
 # Simulate it:   symgen simulate @FILE@ --out results
@@ -102,7 +102,7 @@ t_end = 1.0
 dt = 2e-4
 scheme = "single_rate"
 save_every = 10
-'''
+"""
 
 
 def scene_text(name: str, file: str) -> str:

@@ -152,6 +152,7 @@ def _loop_substitutions(loops: Loops) -> list[Substitution]:
     substitutions = []
     for block in loops.blocks:
         e, c_velocity, c_acceleration = solve_block(block, loops)
-        substitutions += [Substitution(column, e[column], c_velocity[k], c_acceleration[k])
-                          for k, column in enumerate(block.columns)]
+        substitutions += [
+            Substitution(column, e[column], c_velocity[k], c_acceleration[k]) for k, column in enumerate(block.columns)
+        ]
     return substitutions

@@ -37,15 +37,23 @@ def is_tree(system: Condensed, scene: Scene) -> bool:
         body, source = body_of[column], body_of[other]
         return body == source or distance.get(source, 0) < distance.get(body, 0)
 
-    return bool(body_of) and _has_no_ring(scene) and all(
-        follows(s.column, other) for s in system.substitutions for other in s.e)
+    return (
+        bool(body_of)
+        and _has_no_ring(scene)
+        and all(follows(s.column, other) for s in system.substitutions for other in s.e)
+    )
 
 
 def _has_no_ring(scene: Scene) -> bool:
     """Do the joints leave one way at most between any two bodies?"""
     grounds = {body.name for body in scene.bodies if body.type == "ground"} | {"ground"}
-    pairs = {frozenset("ground" if name in grounds else name for name in (
-        joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])) for joint in scene.joints}
+    pairs = {
+        frozenset(
+            "ground" if name in grounds else name
+            for name in (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
+        )
+        for joint in scene.joints
+    }
     graph = [tuple(pair) for pair in pairs if len(pair) == 2]
     names = sorted({name for pair in graph for name in pair})
     adjacency = np.zeros((len(names), len(names)), dtype=bool)

@@ -66,8 +66,9 @@ def order_blocks(rows: Sequence[int], columns: Sequence[int], entries: Entries) 
         ready = next(k for k in waiting if set(label[needs[members[k]].any(axis=0)]) <= done | {k})
         waiting.remove(ready)
         done.add(ready)
-        blocks.append(LoopBlock(sorted(rows[int(row_of[j])] for j in members[ready]),
-                                [columns[int(j)] for j in members[ready]]))
+        blocks.append(
+            LoopBlock(sorted(rows[int(row_of[j])] for j in members[ready]), [columns[int(j)] for j in members[ready]])
+        )
     return blocks
 
 
@@ -117,6 +118,10 @@ def solve_block(block: LoopBlock, loops: Loops) -> tuple[dict[int, Row], list[ca
     sides = [[-row.entries.get(column, ZERO) for row in rows] for column in others]
     sides += [[row.nu for row in rows], [row.gamma for row in rows]]
     solved, _ = solve_small(_matrix(block, loops.entries()), sides)
-    e = {column: {other: solved[position][k] for position, other in enumerate(others)
-                  if not solved[position][k].is_zero()} for k, column in enumerate(block.columns)}
+    e = {
+        column: {
+            other: solved[position][k] for position, other in enumerate(others) if not solved[position][k].is_zero()
+        }
+        for k, column in enumerate(block.columns)
+    }
     return e, solved[-2], solved[-1]

@@ -12,15 +12,41 @@ LONGEST_INLINE = 96
 _ATOM, _POWER, _UNARY, _PRODUCT, _SUM, _COMPARE = 6, 5, 4, 3, 2, 1
 
 _INFIX = {
-    ca.OP_ADD: ("+", _SUM), ca.OP_SUB: ("-", _SUM), ca.OP_MUL: ("*", _PRODUCT), ca.OP_DIV: ("/", _PRODUCT),
-    ca.OP_LT: ("<", _COMPARE), ca.OP_LE: ("<=", _COMPARE), ca.OP_EQ: ("==", _COMPARE), ca.OP_NE: ("!=", _COMPARE),
+    ca.OP_ADD: ("+", _SUM),
+    ca.OP_SUB: ("-", _SUM),
+    ca.OP_MUL: ("*", _PRODUCT),
+    ca.OP_DIV: ("/", _PRODUCT),
+    ca.OP_LT: ("<", _COMPARE),
+    ca.OP_LE: ("<=", _COMPARE),
+    ca.OP_EQ: ("==", _COMPARE),
+    ca.OP_NE: ("!=", _COMPARE),
 }
 _CALL = {
-    ca.OP_SQRT: "sqrt", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan",
-    ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan", ca.OP_SINH: "sinh", ca.OP_COSH: "cosh",
-    ca.OP_TANH: "tanh", ca.OP_FABS: "fabs", ca.OP_SIGN: "sign", ca.OP_FLOOR: "floor", ca.OP_CEIL: "ceil",
-    ca.OP_NOT: "logic_not", ca.OP_ATAN2: "atan2", ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax", ca.OP_AND: "logic_and",
-    ca.OP_OR: "logic_or", ca.OP_FMOD: "fmod", ca.OP_COPYSIGN: "copysign", ca.OP_HYPOT: "hypot",
+    ca.OP_SQRT: "sqrt",
+    ca.OP_EXP: "exp",
+    ca.OP_LOG: "log",
+    ca.OP_SIN: "sin",
+    ca.OP_COS: "cos",
+    ca.OP_TAN: "tan",
+    ca.OP_ASIN: "asin",
+    ca.OP_ACOS: "acos",
+    ca.OP_ATAN: "atan",
+    ca.OP_SINH: "sinh",
+    ca.OP_COSH: "cosh",
+    ca.OP_TANH: "tanh",
+    ca.OP_FABS: "fabs",
+    ca.OP_SIGN: "sign",
+    ca.OP_FLOOR: "floor",
+    ca.OP_CEIL: "ceil",
+    ca.OP_NOT: "logic_not",
+    ca.OP_ATAN2: "atan2",
+    ca.OP_FMIN: "fmin",
+    ca.OP_FMAX: "fmax",
+    ca.OP_AND: "logic_and",
+    ca.OP_OR: "logic_or",
+    ca.OP_FMOD: "fmod",
+    ca.OP_COPYSIGN: "copysign",
+    ca.OP_HYPOT: "hypot",
 }
 
 

@@ -45,8 +45,10 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "q_i": [eq.names[c] for c in choice.independent],
         "q_d": [eq.names[c] for c in derived.dependent],
         "loop_unknowns": [eq.names[c] for c in choice.loop_columns],
-        "groups": [{"name": group.name, "coordinates": [eq.names[choice.independent[k]] for k in group.positions]}
-                   for group in derived.groups],
+        "groups": [
+            {"name": group.name, "coordinates": [eq.names[choice.independent[k]] for k in group.positions]}
+            for group in derived.groups
+        ],
         "constraints": [row.label for row in eq.constraints],
         "redundant": [eq.constraints[row].label for row in derived.redundant],
         "joints": eq.joints,
@@ -54,10 +56,14 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "outlines": [[outline.body, len(outline.points)] for outline in eq.outlines],
         "simulation": scene.simulation.model_dump(mode="json"),
         "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
-        "parameters": [{"name": entry.name, "unit": entry.unit, "description": entry.description, "kind": entry.kind}
-                       for entry in derived.parameters],
-        "functions": {name: {"meaning": meaning(name, bool(derived.redundant)), "operations": count}
-                      for name, count in operations.items()},
+        "parameters": [
+            {"name": entry.name, "unit": entry.unit, "description": entry.description, "kind": entry.kind}
+            for entry in derived.parameters
+        ],
+        "functions": {
+            name: {"meaning": meaning(name, bool(derived.redundant)), "operations": count}
+            for name, count in operations.items()
+        },
         "files": {name: sha256(text) for name, text in files.items()},
         "versions": {package: version(package) for package in ("casadi", "sympy", "symgen")},
     }
@@ -67,5 +73,3 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
 def sha256(text: str) -> str:
     """Hexadecimal SHA-256 of a text in UTF-8."""
     return hashlib.sha256(text.encode()).hexdigest()
-
-

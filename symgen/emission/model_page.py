@@ -22,9 +22,18 @@ JOINT_EQUATIONS = {
 def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
     """Markdown page of a derived model."""
     scene = derived.scene
-    parts = [f"# {scene.title or scene.name}", scene.description or "", _coordinates(derived), _bodies(derived),
-             _joints(derived), _redundant(derived), _loads(derived), _left_out(derived),
-             _functions(derived, operations), _parameters(derived)]
+    parts = [
+        f"# {scene.title or scene.name}",
+        scene.description or "",
+        _coordinates(derived),
+        _bodies(derived),
+        _joints(derived),
+        _redundant(derived),
+        _loads(derived),
+        _left_out(derived),
+        _functions(derived, operations),
+        _parameters(derived),
+    ]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -50,15 +59,23 @@ def _bodies(derived: Derived) -> str:
     if not bodies:
         n = len(derived.system.equations.names)
         return f"## Structure\n\nM x'' + D x' + K x = F(t) with {n} coordinates (Eqs. 3-14)."
-    lines = ["## Bodies", "",
-             "Every body: mass blocks and Q_v of Eq. (20) in the floating frame (R_o, theta, q_f).", "",
-             "| body | kind | what it has |", "|---|---|---|"]
+    lines = [
+        "## Bodies",
+        "",
+        "Every body: mass blocks and Q_v of Eq. (20) in the floating frame (R_o, theta, q_f).",
+        "",
+        "| body | kind | what it has |",
+        "|---|---|---|",
+    ]
     for body in bodies:
         if isinstance(body, RigidBody):
             lines.append(f"| {body.name} | rigid | mass {body.mass}, inertia {body.inertia} about the centre of mass |")
         elif isinstance(body, BeamBody):
-            sets = [f"{kind} modes {mode.ends} x {mode.modes}" for kind, mode in
-                    (("lateral", body.lateral), ("lateral z", body.lateral_z), ("axial", body.axial)) if mode]
+            sets = [
+                f"{kind} modes {mode.ends} x {mode.modes}"
+                for kind, mode in (("lateral", body.lateral), ("lateral z", body.lateral_z), ("axial", body.axial))
+                if mode
+            ]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
             lines.append(f"| {body.name} | beam, {body.elements} elements, lumped mass | {', '.join(sets)}; {extra} |")
         elif isinstance(body, ModalBody | FlexibleBody):
@@ -78,9 +95,19 @@ def _joints(derived: Derived) -> str:
 
 
 SPATIAL_ROWS = {
-    "x": "(r_b - r_a)_x", "y": "(r_b - r_a)_y", "z": "(r_b - r_a)_z", "parallel_x": "z_b.x_a", "parallel_y": "z_b.y_a",
-    "twist": "x_b.y_a", "cross": "x_b.z_a", "across_x": "x_a.(r_b - r_a)", "across_y": "y_a.(r_b - r_a)",
-    "normal": "z_a.(r_b - r_a)", "length": "|r_b - r_a| - length", "angle": "angle - f(t)", "travel": "travel - f(t)",
+    "x": "(r_b - r_a)_x",
+    "y": "(r_b - r_a)_y",
+    "z": "(r_b - r_a)_z",
+    "parallel_x": "z_b.x_a",
+    "parallel_y": "z_b.y_a",
+    "twist": "x_b.y_a",
+    "cross": "x_b.z_a",
+    "across_x": "x_a.(r_b - r_a)",
+    "across_y": "y_a.(r_b - r_a)",
+    "normal": "z_a.(r_b - r_a)",
+    "length": "|r_b - r_a| - length",
+    "angle": "angle - f(t)",
+    "travel": "travel - f(t)",
 }
 
 
@@ -101,9 +128,13 @@ def _redundant(derived: Derived) -> str:
     if not derived.redundant:
         return ""
     rows = derived.system.equations.constraints
-    lines = ["## Redundant constraints", "",
-             "The other rows imply these at every position. They are checked, but nothing is solved from them; "
-             "reactions are those of least norm.", ""]
+    lines = [
+        "## Redundant constraints",
+        "",
+        "The other rows imply these at every position. They are checked, but nothing is solved from them; "
+        "reactions are those of least norm.",
+        "",
+    ]
     return "\n".join([*lines, *(f"- `{rows[row].label}` (joint {rows[row].joint})" for row in derived.redundant)])
 
 

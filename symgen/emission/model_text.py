@@ -69,9 +69,11 @@ def model_text(derived: Derived) -> tuple[str, dict[str, int]]:
 def _header(derived: Derived) -> str:
     scene = derived.scene
     title = scene.title or scene.name
-    return (f'"""{title}: equations of motion, emitted by symgen from the scene `{scene.name}`.\n\n'
-            "Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.\n"
-            f'"""\n\nimport casadi as ca\n')
+    return (
+        f'"""{title}: equations of motion, emitted by symgen from the scene `{scene.name}`.\n\n'
+        "Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.\n"
+        f'"""\n\nimport casadi as ca\n'
+    )
 
 
 def _labels(derived: Derived) -> dict[str, list[str]]:

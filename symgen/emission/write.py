@@ -55,10 +55,18 @@ def compare_model(files: dict[str, str], folder: Path) -> str:
         if name == "manifest.json":
             present, text = _comparable_manifest(present), _comparable_manifest(text)
         if present != text:
-            report += difflib.unified_diff(present.splitlines(True), text.splitlines(True),
-                                           str(path), f"{path} (regenerated)")
-    surplus = sorted(path.name for path in folder.glob("*") if path.is_file() and path.name not in files
-                     and path.name != "__init__.py") if folder.is_dir() else []
+            report += difflib.unified_diff(
+                present.splitlines(True), text.splitlines(True), str(path), f"{path} (regenerated)"
+            )
+    surplus = (
+        sorted(
+            path.name
+            for path in folder.glob("*")
+            if path.is_file() and path.name not in files and path.name != "__init__.py"
+        )
+        if folder.is_dir()
+        else []
+    )
     report += [f"only in {folder}: {name}\n" for name in surplus]
     return "".join(report)
 

@@ -55,8 +55,9 @@ class FlexibleBody:
     check: RigidCheck
 
     @classmethod
-    def from_matrices(cls, K: MatrixSource, M: MatrixSource, nodes: TableSource, *,
-                      dofs: int | TableSource = 3, **choices: Any) -> FlexibleBody:
+    def from_matrices(
+        cls, K: MatrixSource, M: MatrixSource, nodes: TableSource, *, dofs: int | TableSource = 3, **choices: Any
+    ) -> FlexibleBody:
         """From stiffness [N/m] and mass [kg], as matrices or files, and the node table `id x y z` [m].
 
         dofs: 3 or 6 per node, or a dof map with rows `node component`.  choices: those of `from_structure`.
@@ -78,8 +79,16 @@ class FlexibleBody:
         return cls.from_structure(body, **choices)
 
     @classmethod
-    def from_nastran(cls, path: str | Path, nodes: TableSource, *, stiffness: str = "kaa", mass: str = "maa",
-                     dofs: int | TableSource = 6, **choices: Any) -> FlexibleBody:
+    def from_nastran(
+        cls,
+        path: str | Path,
+        nodes: TableSource,
+        *,
+        stiffness: str = "kaa",
+        mass: str = "maa",
+        dofs: int | TableSource = 6,
+        **choices: Any,
+    ) -> FlexibleBody:
         """From two matrices of an OP4 or OP2 file, and a node table or the bulk data file with the GRID cards.
 
         dofs and choices as in `from_matrices`. Raises FiniteElementError, also where pyYeti is not installed.
@@ -89,10 +98,18 @@ class FlexibleBody:
         return cls.from_matrices(K, M, nastran_nodes(str(nodes)) if bulk else nodes, dofs=dofs, **choices)
 
     @classmethod
-    def from_structure(cls, body: Structure, *, interface: Mapping[str, NodeSet], modes: int, mode_set: str = "free",
-                       fixed: Sequence[str] = (), mass: str = "consistent",
-                       origin: str | ArrayLike = (0.0, 0.0, 0.0),
-                       marker_positions: Mapping[str, ArrayLike] | None = None) -> FlexibleBody:
+    def from_structure(
+        cls,
+        body: Structure,
+        *,
+        interface: Mapping[str, NodeSet],
+        modes: int,
+        mode_set: str = "free",
+        fixed: Sequence[str] = (),
+        mass: str = "consistent",
+        origin: str | ArrayLike = (0.0, 0.0, 0.0),
+        marker_positions: Mapping[str, ArrayLike] | None = None,
+    ) -> FlexibleBody:
         """From a checked Structure.
 
         interface: named node sets (ids, or a function of all positions), each becomes a marker.
@@ -106,8 +123,11 @@ class FlexibleBody:
         _known("mode_set", mode_set, MODE_SETS)
         _known("mass", mass, MASSES)
         if fixed and mode_set != "mixed":
-            raise FiniteElementError("fixed", f"interfaces are held in a mixed set, not in '{mode_set}'",
-                                     "take mode_set='mixed', or leave fixed out")
+            raise FiniteElementError(
+                "fixed",
+                f"interfaces are held in a mixed set, not in '{mode_set}'",
+                "take mode_set='mixed', or leave fixed out",
+            )
         body = lumped(body) if mass == "lumped" else body
         parts = _interfaces(body, interface, marker_positions or {})
         for name in fixed:
@@ -122,8 +142,16 @@ class FlexibleBody:
         else:
             found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
         at = _origin(origin, parts)
-        return cls(body, parts, {name: _marker(part, found.shapes, at) for name, part in parts.items()}, mode_set, at,
-                   found, inertia_integrals(body, found.shapes, at), check)
+        return cls(
+            body,
+            parts,
+            {name: _marker(part, found.shapes, at) for name, part in parts.items()},
+            mode_set,
+            at,
+            found,
+            inertia_integrals(body, found.shapes, at),
+            check,
+        )
 
     @property
     def nf(self) -> int:
@@ -143,16 +171,26 @@ class FlexibleBody:
         """
         ratios = np.asarray(damping_ratio, dtype=np.float64)
         if ratios.shape not in ((), (self.nf,)) or not np.all(np.isfinite(ratios)) or np.any(ratios < 0.0):
-            raise FiniteElementError("damping_ratio", f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
-                                     f"give one number or {self.nf}")
+            raise FiniteElementError(
+                "damping_ratio",
+                f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
+                f"give one number or {self.nf}",
+            )
         these = self.integrals
         arrays = {
-            "first_moment": these.first_moment, "inertia_moments": these.moments, "M_ff": these.M_ff,
-            "K_ff": np.diag(self.modes.eigenvalues), "D_ff": np.diag(2.0 * ratios * np.sqrt(self.modes.eigenvalues)),
-            "phi_integral": these.phi_integral, "rho_phi": these.rho_phi, "phi_phi": these.phi_phi,
+            "first_moment": these.first_moment,
+            "inertia_moments": these.moments,
+            "M_ff": these.M_ff,
+            "K_ff": np.diag(self.modes.eigenvalues),
+            "D_ff": np.diag(2.0 * ratios * np.sqrt(self.modes.eigenvalues)),
+            "phi_integral": these.phi_integral,
+            "rho_phi": these.rho_phi,
+            "phi_phi": these.phi_phi,
         }
-        markers = {name: {"position": one.position.tolist(), "shape": one.shape.tolist(),
-                          "rotation": one.rotation.tolist()} for name, one in self.markers.items()}
+        markers = {
+            name: {"position": one.position.tolist(), "shape": one.shape.tolist(), "rotation": one.rotation.tolist()}
+            for name, one in self.markers.items()
+        }
         return {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
 
     def losses(self) -> list[FlexibilityLoss]:
@@ -171,8 +209,14 @@ class FlexibleBody:
         body, modes = self.structure, self.modes
         held = (np.sqrt(modes.held_eigenvalues) / (2.0 * np.pi), effective_masses(body, modes.held_shapes))
         title = f"{body.n_dof} degrees of freedom, {self.nf} modes ({self.mode_set}), {self.integrals.mass:.6g} kg"
-        return body_report(title, self.frequencies, effective_masses(body, modes.shapes),
-                           held if self.mode_set == "fixed_interface" else None, self.losses(), self.check)
+        return body_report(
+            title,
+            self.frequencies,
+            effective_masses(body, modes.shapes),
+            held if self.mode_set == "fixed_interface" else None,
+            self.losses(),
+            self.check,
+        )
 
 
 def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
@@ -185,8 +229,10 @@ def _interfaces(body: Structure, sets: Mapping[str, NodeSet], at: Mapping[str, A
         raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
     for name in at:
         _known("marker_positions", name, tuple(sets))
-    return {name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
-            for name, nodes in sets.items()}
+    return {
+        name: interface(body, name, nodes, _point(f"marker_positions['{name}']", at[name]) if name in at else None)
+        for name, nodes in sets.items()
+    }
 
 
 def _origin(origin: str | ArrayLike, parts: Mapping[str, Interface]) -> Array:
@@ -206,6 +252,8 @@ def _point(item: str, value: ArrayLike) -> Array:
 def _marker(part: Interface, shapes: Array, origin: Array) -> Marker:
     moved = part.average @ shapes
     position = part.position - origin
-    return Marker(fixed(dusted(position, float(np.linalg.norm(position)))),
-                  fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
-                  fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))))
+    return Marker(
+        fixed(dusted(position, float(np.linalg.norm(position)))),
+        fixed(dusted(moved[:AXES], float(np.max(np.abs(shapes), initial=0.0)))),
+        fixed(dusted(moved[AXES:], float(np.max(np.abs(moved[AXES:]), initial=0.0)))),
+    )

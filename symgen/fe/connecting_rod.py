@@ -35,10 +35,18 @@ def connecting_rod(modes: int = 6, mode_set: str = "free", material: Material = 
     `FlexibleBody.from_structure`. Raises FiniteElementError, also without scikit-fem.
     """
     return FlexibleBody.from_mesh(
-        connecting_rod_mesh(), material, order=2, modes=modes, mode_set=mode_set, origin="big_end",
+        connecting_rod_mesh(),
+        material,
+        order=2,
+        modes=modes,
+        mode_set=mode_set,
+        origin="big_end",
         marker_positions={"big_end": (0.0, 0.0, 0.0), "small_end": (LENGTH, 0.0, 0.0)},
-        interface={"big_end": lambda places: _in_eye(places, 0.0, BIG_EYE[0]),
-                   "small_end": lambda places: _in_eye(places, LENGTH, SMALL_EYE[0])})
+        interface={
+            "big_end": lambda places: _in_eye(places, 0.0, BIG_EYE[0]),
+            "small_end": lambda places: _in_eye(places, LENGTH, SMALL_EYE[0]),
+        },
+    )
 
 
 def connecting_rod_mesh() -> skfem.MeshHex:

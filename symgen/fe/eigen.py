@@ -31,8 +31,9 @@ def lowest_modes(solve: Solve, M: sp.csr_matrix, count: int) -> tuple[Array, Arr
     else:
         operator = spla.LinearOperator((n, n), matvec=solve, dtype=np.float64)
         # K itself is not applied in this mode of the iteration; it stands for the size only.
-        value, shapes = spla.eigsh(M, k=count, M=M, sigma=0.0, OPinv=operator,
-                                   v0=solve(M @ np.random.default_rng(SEED).standard_normal(n)))
+        value, shapes = spla.eigsh(
+            M, k=count, M=M, sigma=0.0, OPinv=operator, v0=solve(M @ np.random.default_rng(SEED).standard_normal(n))
+        )
         mu = 1.0 / value
     order = np.argsort(-mu, kind="stable")
     return mu[order], shapes[:, order]
@@ -43,8 +44,11 @@ def _dense(solve: Solve, M: sp.csr_matrix, count: int) -> tuple[Array, Array]:
     value, vector = la.eigh(M.toarray())
     kept = value > 1e-12 * value[-1]
     if count > int(kept.sum()):
-        raise FiniteElementError("modes", f"{count} modes asked for, {int(kept.sum())} rows carry mass",
-                                 "ask for fewer modes or refine the mesh")
+        raise FiniteElementError(
+            "modes",
+            f"{count} modes asked for, {int(kept.sum())} rows carry mass",
+            "ask for fewer modes or refine the mesh",
+        )
     root = vector[:, kept] * np.sqrt(value[kept])
     flexible = solve(root)
     dynamic = root.T @ flexible

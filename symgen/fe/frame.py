@@ -59,14 +59,16 @@ def frame_structure(mesh: LineMesh, material: Material) -> Structure:
         raise FiniteElementError("mesh.lines", "not pairs of places in the table of nodes", "count nodes from 0")
     sections = [mesh.section] * len(lines) if isinstance(mesh.section, Section) else list(mesh.section)
     if len(sections) != len(lines):
-        raise FiniteElementError("mesh.section", f"{len(sections)} sections for {len(lines)} lines",
-                                 "give one for all or one for each")
+        raise FiniteElementError(
+            "mesh.section", f"{len(sections)} sections for {len(lines)} lines", "give one for all or one for each"
+        )
     blocks = [_element(positions[line], section, material) for line, section in zip(lines, sections, strict=True)]
     dofs = (RIGID_MOTIONS * lines[:, :, None] + np.arange(RIGID_MOTIONS)).reshape(len(lines), 12)
     n = len(positions)
     K, M = (_assembled(dofs, np.array([block[k] for block in blocks]), RIGID_MOTIONS * n) for k in range(2))
-    return structure(K, M, np.arange(n), positions, np.repeat(np.arange(n), RIGID_MOTIONS),
-                     np.tile(np.arange(RIGID_MOTIONS), n))
+    return structure(
+        K, M, np.arange(n), positions, np.repeat(np.arange(n), RIGID_MOTIONS), np.tile(np.arange(RIGID_MOTIONS), n)
+    )
 
 
 def _assembled(dofs: Integers, blocks: Array, size: int) -> sp.csr_matrix:
@@ -87,8 +89,10 @@ def _element(ends: Array, section: Section, material: Material) -> tuple[Array, 
     K, M = np.zeros((12, 12)), np.zeros((12, 12))
     line_mass = material.rho * section.area
     polar = material.rho * (section.I_y + section.I_z)
-    for first, last, stiff, heavy in ((0, 6, material.E * section.area, line_mass),
-                                      (3, 9, material.G * section.torsion, polar)):
+    for first, last, stiff, heavy in (
+        (0, 6, material.E * section.area, line_mass),
+        (3, 9, material.G * section.torsion, polar),
+    ):
         place = np.ix_([first, last], [first, last])
         K[place] += stiff / length * np.array([[1.0, -1.0], [-1.0, 1.0]])
         M[place] += heavy * length / 6.0 * np.array([[2.0, 1.0], [1.0, 2.0]])
@@ -105,10 +109,25 @@ def _element(ends: Array, section: Section, material: Material) -> tuple[Array, 
 def _bending(length: float) -> tuple[Array, Array]:
     """Stiffness for EI = 1 and consistent mass for rho A = 1 of a cubic element, dofs (w_0, w_0', w_1, w_1')."""
     h = length
-    stiffness = np.array([[12.0, 6.0 * h, -12.0, 6.0 * h], [6.0 * h, 4.0 * h * h, -6.0 * h, 2.0 * h * h],
-                          [-12.0, -6.0 * h, 12.0, -6.0 * h], [6.0 * h, 2.0 * h * h, -6.0 * h, 4.0 * h * h]]) / h**3
-    mass = np.array([[156.0, 22.0 * h, 54.0, -13.0 * h], [22.0 * h, 4.0 * h * h, 13.0 * h, -3.0 * h * h],
-                     [54.0, 13.0 * h, 156.0, -22.0 * h], [-13.0 * h, -3.0 * h * h, -22.0 * h, 4.0 * h * h]])
+    stiffness = (
+        np.array(
+            [
+                [12.0, 6.0 * h, -12.0, 6.0 * h],
+                [6.0 * h, 4.0 * h * h, -6.0 * h, 2.0 * h * h],
+                [-12.0, -6.0 * h, 12.0, -6.0 * h],
+                [6.0 * h, 2.0 * h * h, -6.0 * h, 4.0 * h * h],
+            ]
+        )
+        / h**3
+    )
+    mass = np.array(
+        [
+            [156.0, 22.0 * h, 54.0, -13.0 * h],
+            [22.0 * h, 4.0 * h * h, 13.0 * h, -3.0 * h * h],
+            [54.0, 13.0 * h, 156.0, -22.0 * h],
+            [-13.0 * h, -3.0 * h * h, -22.0 * h, 4.0 * h * h],
+        ]
+    )
     return stiffness, mass * (h / 420.0)
 
 

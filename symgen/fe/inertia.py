@@ -121,10 +121,16 @@ def _nodal_products(body: Structure, shapes: Array, origin: Array) -> tuple[Arra
     spread_tilt = np.einsum("kln,kjna->klja", spread, tilt)
     shifted = np.einsum("kina,kn->kia", tilt, first)
     impulse = mass[:, None, None] * phi + shifted  # int (phi + turn x s) dm of a node
-    rho_phi = (np.einsum("ki,kja->aij", arms, impulse) + np.einsum("ki,kja->aij", first, phi)
-               + np.einsum("kija->aij", spread_tilt))
-    phi_phi = (np.einsum("kia,kjb->abij", phi, impulse) + np.einsum("kia,kjb->abij", shifted, phi)
-               + np.einsum("kila,kljb->abij", tilt, spread_tilt))
+    rho_phi = (
+        np.einsum("ki,kja->aij", arms, impulse)
+        + np.einsum("ki,kja->aij", first, phi)
+        + np.einsum("kija->aij", spread_tilt)
+    )
+    phi_phi = (
+        np.einsum("kia,kjb->abij", phi, impulse)
+        + np.einsum("kia,kjb->abij", shifted, phi)
+        + np.einsum("kila,kljb->abij", tilt, spread_tilt)
+    )
     scale = _scaling(np.einsum("abii->ab", phi_phi))
     rho_phi = np.einsum("aij,ac->cij", rho_phi, scale)
     return rho_phi, np.einsum("abij,ac,bd->cdij", phi_phi, scale, scale)
@@ -135,8 +141,11 @@ def _scaling(trace: Array) -> Array:
     value, vector = la.eigh(symmetric(trace)) if trace.size else (np.zeros(0), trace)
     worst = float(np.max(np.abs(value - 1.0), initial=0.0))
     if worst > COARSEST:
-        raise FiniteElementError("mass", f"masses lumped at the nodes differ by {100 * worst:.0f} % from those of the "
-                                 f"{len(value)} modes", "refine the mesh, ask for fewer modes, or take mass='lumped'")
+        raise FiniteElementError(
+            "mass",
+            f"masses lumped at the nodes differ by {100 * worst:.0f} % from those of the {len(value)} modes",
+            "refine the mesh, ask for fewer modes, or take mass='lumped'",
+        )
     return (vector / np.sqrt(value)) @ vector.T
 
 

@@ -66,8 +66,11 @@ def interface(body: Structure, name: str, nodes: NodeSet, position: Array | None
         for axis in range(AXES, RIGID_MOTIONS):
             average[axis, rows[:, axis]] = 1.0 / len(places)
     else:
-        raise FiniteElementError(item, "its nodes lie on one line and have no rotations, so that they tell none",
-                                 "take three or more nodes that are not on a line")
+        raise FiniteElementError(
+            item,
+            "its nodes lie on one line and have no rotations, so that they tell none",
+            "take three or more nodes that are not on a line",
+        )
     if position is None:
         return Interface(name, places, middle, sp.csr_matrix(average))
     average[:AXES] -= _cross(position - middle) @ average[AXES:]  # omega x offset = -offset x omega
@@ -86,8 +89,11 @@ def check_apart(body: Structure, interfaces: list[Interface]) -> None:
         for place in one.places:
             other = owner.setdefault(int(place), one.name)
             if other != one.name:
-                raise FiniteElementError(f"interface '{one.name}'", f"node {body.ids[place]} is also of '{other}'",
-                                         "interfaces that are held must not share nodes")
+                raise FiniteElementError(
+                    f"interface '{one.name}'",
+                    f"node {body.ids[place]} is also of '{other}'",
+                    "interfaces that are held must not share nodes",
+                )
 
 
 def _cross(arm: Array) -> Array:

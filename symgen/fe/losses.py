@@ -29,8 +29,9 @@ class FlexibilityLoss:
     loss: Array
 
 
-def flexibility_losses(body: Structure, modes: ModeSet, interfaces: Sequence[Interface],
-                       clamp: Interface | None) -> list[FlexibilityLoss]:
+def flexibility_losses(
+    body: Structure, modes: ModeSet, interfaces: Sequence[Interface], clamp: Interface | None
+) -> list[FlexibilityLoss]:
     """Per interface: the static elastic displacement at the load, in the full model and in the modes.
 
     The loads are spread over the nodes as the marker averages them. Without a `clamp` the body accelerates

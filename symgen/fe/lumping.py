@@ -25,8 +25,9 @@ def lumped(body: Structure) -> Structure:
     if scalar is not None and mass.min() <= 0.0:
         mass = scalar.diagonal() * scalar.sum() / scalar.diagonal().sum()
     if mass.min() < 0.0:
-        raise FiniteElementError("mass", f"lumping gives node {body.ids[mass.argmin()]} a negative mass",
-                                 "take mass='consistent'")
+        raise FiniteElementError(
+            "mass", f"lumping gives node {body.ids[mass.argmin()]} a negative mass", "take mass='consistent'"
+        )
     diagonal = np.where(body.component < AXES, mass[body.node], 0.0)
     blocks = sp.lil_matrix(sp.diags(diagonal))
     turning = body.rows[:, AXES:]

@@ -49,8 +49,11 @@ def mixed_modes(body: Structure, fixed: Sequence[Interface], count: int) -> Mode
     Raises FiniteElementError if none is held.
     """
     if not fixed:
-        raise FiniteElementError("fixed", "a mixed mode set needs an interface that is held",
-                                 "name it, fixed=['pin'], or take mode_set='free'")
+        raise FiniteElementError(
+            "fixed",
+            "a mixed mode set needs an interface that is held",
+            "name it, fixed=['pin'], or take mode_set='free'",
+        )
     held = held_rows(body, fixed)
     _enough(body, count, len(held))
     return _modes(body, held_solve(body.K, held), count, len(held))
@@ -64,8 +67,9 @@ def fixed_interface_modes(body: Structure, rigid: Array, interfaces: Sequence[In
     Raises FiniteElementError without interfaces, for shared nodes, and if not six rigid modes are found.
     """
     if not interfaces:
-        raise FiniteElementError("interface", "fixed-interface modes need at least one interface",
-                                 "name one, or take mode_set='free'")
+        raise FiniteElementError(
+            "interface", "fixed-interface modes need at least one interface", "name one, or take mode_set='free'"
+        )
     check_apart(body, list(interfaces))
     held = held_rows(body, interfaces)
     _enough(body, count, len(held))
@@ -73,8 +77,9 @@ def fixed_interface_modes(body: Structure, rigid: Array, interfaces: Sequence[In
     normal = _modes(body, solve, count, len(held))
     basis = np.hstack([_constraint_modes(body, one, solve) for one in interfaces] + [normal.shapes])
     value, shapes = _without_rigid(body, rigid, basis)
-    return ModeSet(signed(body, shapes), value, inertia_relief(body.K, body.M, rigid),
-                   normal.shapes, normal.eigenvalues)
+    return ModeSet(
+        signed(body, shapes), value, inertia_relief(body.K, body.M, rigid), normal.shapes, normal.eigenvalues
+    )
 
 
 def _constraint_modes(body: Structure, at: Interface, solve: Solve) -> Array:
@@ -88,13 +93,19 @@ def _without_rigid(body: Structure, rigid: Array, basis: Array) -> tuple[Array, 
     """Elastic modes of the reduced body: eigenvalues and shapes, the six rigid ones taken out."""
     value, shapes = rayleigh_ritz(body.K, body.M, basis / np.sqrt(np.sum(basis * (body.M @ basis), axis=0)))
     if len(value) <= RIGID_MOTIONS:
-        raise FiniteElementError("modes", "one interface and no normal modes give rigid motions only",
-                                 "ask for modes, or name a second interface")
+        raise FiniteElementError(
+            "modes",
+            "one interface and no normal modes give rigid motions only",
+            "ask for modes, or name a second interface",
+        )
     found = int(np.sum(value <= RIGID_RATIO**2 * value[RIGID_MOTIONS]))
     if found != RIGID_MOTIONS:
-        raise FiniteElementError("modes", f"{found} rigid modes among the reduced ones, a free body has "
-                                 f"{RIGID_MOTIONS}; frequencies {_hertz(value[:RIGID_MOTIONS + 2])} Hz",
-                                 "check the interfaces and the supports in the matrices")
+        raise FiniteElementError(
+            "modes",
+            f"{found} rigid modes among the reduced ones, a free body has "
+            f"{RIGID_MOTIONS}; frequencies {_hertz(value[: RIGID_MOTIONS + 2])} Hz",
+            "check the interfaces and the supports in the matrices",
+        )
     kept = shapes[:, RIGID_MOTIONS:]
     massed = body.M @ rigid
     kept = kept - rigid @ np.linalg.solve(rigid.T @ massed, massed.T @ kept)
@@ -112,8 +123,11 @@ def _modes(body: Structure, solve: Solve, count: int, lost: int) -> ModeSet:
     value, shapes = rayleigh_ritz(body.K, body.M, solve(body.M @ found))
     shapes, value = signed(body, shapes[:, :count]), value[:count]
     if np.max(np.abs(shapes.T @ (body.M @ shapes) - np.eye(count))) > ORTHONORMAL or value[0] <= 0.0:
-        raise FiniteElementError("modes", "the modes found are not mass-orthonormal with positive frequencies",
-                                 "check that the matrices are those of one connected structure")
+        raise FiniteElementError(
+            "modes",
+            "the modes found are not mass-orthonormal with positive frequencies",
+            "check that the matrices are those of one connected structure",
+        )
     return ModeSet(shapes, value, solve, nothing, np.zeros(0))
 
 
@@ -125,8 +139,11 @@ def _massive(body: Structure) -> int:
 def _enough(body: Structure, count: int, lost: int) -> None:
     available = _massive(body) - lost
     if count < 0 or count > available:
-        raise FiniteElementError("modes", f"{count} modes asked for, the model has {max(available, 0)}",
-                                 "ask for fewer modes or refine the mesh")
+        raise FiniteElementError(
+            "modes",
+            f"{count} modes asked for, the model has {max(available, 0)}",
+            "ask for fewer modes or refine the mesh",
+        )
 
 
 def _hertz(values: Array) -> list[float]:

@@ -30,8 +30,9 @@ def nastran_matrices(path: str | Path, stiffness: str, mass: str) -> tuple[sp.cs
         else:
             found = nastran.op4.load(str(file), into="dct", justmatrix=True)
     except Exception as error:  # a damaged file ends in any of many ways there
-        raise FiniteElementError("nastran", f"{file.name} cannot be read ({error})",
-                                 "write it with OUTPUT4 or OUTPUT2 in double precision") from error
+        raise FiniteElementError(
+            "nastran", f"{file.name} cannot be read ({error})", "write it with OUTPUT4 or OUTPUT2 in double precision"
+        ) from error
     missing = [name for name in (stiffness, mass) if name.lower() not in found]
     if missing:
         raise FiniteElementError("nastran", f"{file.name} has no matrix {missing}", f"it has {sorted(found)}")
@@ -48,8 +49,11 @@ def nastran_nodes(path: str | Path) -> Array:
     if grids is None:
         raise FiniteElementError("nodes", f"{file.name} has no GRID cards", "give the bulk data file of the model")
     if grids[:, [1, 5]].any():
-        raise FiniteElementError("nodes", "a GRID card has a coordinate system of its own",
-                                 "give the node table in basic coordinates, as rows of id x y z")
+        raise FiniteElementError(
+            "nodes",
+            "a GRID card has a coordinate system of its own",
+            "give the node table in basic coordinates, as rows of id x y z",
+        )
     return grids[:, [0, *range(2, 2 + AXES)]]
 
 

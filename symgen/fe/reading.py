@@ -36,8 +36,11 @@ def read_matrix(item: str, source: MatrixSource) -> sp.csr_matrix:
     except (OSError, ValueError) as error:
         if isinstance(error, FiniteElementError):
             raise
-        raise FiniteElementError(item, f"{path.name} cannot be read as a matrix ({error})",
-                                 "give a Matrix Market file, or rows of 'row column value'") from error
+        raise FiniteElementError(
+            item,
+            f"{path.name} cannot be read as a matrix ({error})",
+            "give a Matrix Market file, or rows of 'row column value'",
+        ) from error
 
 
 def read_nodes(source: TableSource) -> tuple[Integers, Array]:
@@ -82,8 +85,11 @@ def read_dofs(source: int | TableSource, ids: Integers) -> tuple[Integers, Integ
 def _triplets(item: str, path: Path) -> sp.csr_matrix:
     rows = _table(item, path)
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise FiniteElementError(item, f"{path.name} is not Matrix Market and not rows of 'row column value'",
-                                 "export the matrix in one of these forms")
+        raise FiniteElementError(
+            item,
+            f"{path.name} is not Matrix Market and not rows of 'row column value'",
+            "export the matrix in one of these forms",
+        )
     i, j = _whole(item, rows[:, 0]) - 1, _whole(item, rows[:, 1]) - 1
     size = int(max(i.max(), j.max())) + 1
     if min(i.min(), j.min()) < 0:
@@ -107,8 +113,11 @@ def _table(item: str, source: TableSource) -> Array:
         numbers = [[float(word) for word in words] for words in lines if words and not words[0].startswith(COMMENTS)]
         return np.array(numbers, dtype=np.float64)
     except (OSError, ValueError) as error:
-        raise FiniteElementError(item, f"{path.name} cannot be read as a table of numbers ({error})",
-                                 "give rows of equal length, with blanks or commas between the numbers") from error
+        raise FiniteElementError(
+            item,
+            f"{path.name} cannot be read as a table of numbers ({error})",
+            "give rows of equal length, with blanks or commas between the numbers",
+        ) from error
 
 
 def _whole(item: str, values: Sequence[float] | Array) -> Integers:

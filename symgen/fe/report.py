@@ -16,15 +16,23 @@ DIRECTIONS = ("x", "y", "z")
 LOADS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 
-def body_report(title: str, hertz: Array, shares: Array, held: tuple[Array, Array] | None,
-                losses: Sequence[FlexibilityLoss], check: RigidCheck) -> str:
+def body_report(
+    title: str,
+    hertz: Array,
+    shares: Array,
+    held: tuple[Array, Array] | None,
+    losses: Sequence[FlexibilityLoss],
+    check: RigidCheck,
+) -> str:
     """Markdown.
 
     hertz (nf,); shares (nf, 3): effective modal masses over total mass; held: the same two of the normal modes
     with held interfaces (Craig-Bampton), or None.
     """
-    rigid = (f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, lowest elastic "
-             f"{check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness forces.")
+    rigid = (
+        f"Rigid-body check: {check.zero_modes} zero modes (up to {check.highest_zero:.2g} Hz, lowest elastic "
+        f"{check.lowest_elastic:.5g} Hz); rigid motions leave {check.residual:.1g} of the stiffness forces."
+    )
     parts = [f"# {title}", "", rigid, "", "## Modes", "", *_mode_table(hertz, shares)]
     if np.max(shares, initial=0.0) < NO_MASS:
         parts += ["", "The modes are free of rigid motion: the frame carries all the mass, the modes none."]
@@ -32,8 +40,13 @@ def body_report(title: str, hertz: Array, shares: Array, held: tuple[Array, Arra
         parts += ["", f"Modes {a + 1} and {a + 2} have nearly the same frequency: their shapes depend on round-off."]
     if held is not None and len(held[0]):
         parts += ["", "## Normal modes with held interfaces", "", *_mode_table(*held)]
-    parts += ["", "## Static flexibility at the interfaces: share lost", "",
-              _row("interface", *LOADS), _row(*["---"] * (1 + len(LOADS)))]
+    parts += [
+        "",
+        "## Static flexibility at the interfaces: share lost",
+        "",
+        _row("interface", *LOADS),
+        _row(*["---"] * (1 + len(LOADS))),
+    ]
     parts += [_row(loss.name, *(_percent(value) for value in loss.loss)) for loss in losses]
     return "\n".join(parts) + "\n"
 
@@ -44,8 +57,11 @@ def _mode_table(hertz: Array, shares: Array) -> list[str]:
     total = np.sum(shares, axis=0)
     if np.max(total, initial=0.0) < NO_MASS:
         return lines
-    return [*lines, _row("sum", "", *(_percent(share) for share in total)),
-            _row("not represented", "", *(_percent(1.0 - share) for share in total))]
+    return [
+        *lines,
+        _row("sum", "", *(_percent(share) for share in total)),
+        _row("not represented", "", *(_percent(1.0 - share) for share in total)),
+    ]
 
 
 def _percent(value: float) -> str:

@@ -45,15 +45,20 @@ def check_free_body(body: Structure, rigid: Array) -> RigidCheck:
     looked_at = len(value)
     if found != RIGID_MOTIONS:
         raise FiniteElementError(
-            "stiffness", f"{'at least ' if found == looked_at else ''}{found} motions without strain were found "
+            "stiffness",
+            f"{'at least ' if found == looked_at else ''}{found} motions without strain were found "
             f"among the lowest {looked_at} modes, a free body has {RIGID_MOTIONS}",
-            "export the matrices without supports" if found < RIGID_MOTIONS else
-            "there is a mechanism, or parts are not connected; look near node "
-            f"{_loose_node(body, rigid, shapes[:, zero])}")
+            "export the matrices without supports"
+            if found < RIGID_MOTIONS
+            else "there is a mechanism, or parts are not connected; look near node "
+            f"{_loose_node(body, rigid, shapes[:, zero])}",
+        )
     if residual > RIGID_RESIDUAL:
         raise FiniteElementError(
-            "nodes", f"rigid motions built from the node table leave {residual:.2g} of the stiffness forces",
-            "the dof map or the coordinates do not belong to these matrices (order of rows, units, local axes)")
+            "nodes",
+            f"rigid motions built from the node table leave {residual:.2g} of the stiffness forces",
+            "the dof map or the coordinates do not belong to these matrices (order of rows, units, local axes)",
+        )
     hertz = np.sqrt(np.abs(value)) / (2.0 * np.pi)
     return RigidCheck(found, residual, float(hertz[zero].max()), float(hertz[~zero].min(initial=np.inf)))
 
@@ -63,8 +68,11 @@ def _check_mass(body: Structure, rigid: Array) -> None:
     inertia = rigid.T @ (body.M @ rigid)
     scale = np.sqrt(np.maximum(np.diag(inertia), np.finfo(np.float64).tiny))
     if size == 0.0 or np.linalg.eigvalsh(inertia / np.outer(scale, scale))[0] < 1e-12:
-        raise FiniteElementError("mass", "the mass of the rigid body is singular (no mass, or all mass on one line)",
-                                 "give every part a density; a straight beam needs the inertia of its section")
+        raise FiniteElementError(
+            "mass",
+            "the mass of the rigid body is singular (no mass, or all mass on one line)",
+            "give every part a density; a straight beam needs the inertia of its section",
+        )
     massive = np.flatnonzero(body.M.diagonal() > 0.0)
     part = body.M[massive][:, massive] + sp.diags(1e-12 * body.M.diagonal()[massive])
     factorised(part, "mass", "inertia is never negative or lost: check the export of the mass matrix")
@@ -74,8 +82,11 @@ def _lowest_shifted(body: Structure) -> tuple[Array, Array]:
     """The lowest modes of a free structure by a small negative shift: lambda ascending, shapes."""
     massive = body.M.diagonal() > 0.0
     shift = SHIFT * float(np.median(body.K.diagonal()[massive] / body.M.diagonal()[massive]))
-    solve = factorised(body.K + shift * body.M, "stiffness",
-                       "a part without mass moves freely, or the stiffness is not one of a stable structure")
+    solve = factorised(
+        body.K + shift * body.M,
+        "stiffness",
+        "a part without mass moves freely, or the stiffness is not one of a stable structure",
+    )
     mu, shapes = lowest_modes(solve, body.M, min(RIGID_MOTIONS + EXTRA, int(massive.sum())))
     return 1.0 / mu - shift, shapes
 

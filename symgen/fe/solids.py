@@ -26,20 +26,30 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> Structure:
         import skfem
     except ImportError as error:
         raise FiniteElementError("scikit-fem", "it is not installed", "pip install 'symgen[fe]'") from error
-    kinds = {(skfem.MeshTet, 1): ("P1", skfem.ElementTetP1), (skfem.MeshTet, 2): ("P2", skfem.ElementTetP2),
-             (skfem.MeshHex, 1): ("Q1", skfem.ElementHex1), (skfem.MeshHex, 2): ("Q2", skfem.ElementHex2)}
+    kinds = {
+        (skfem.MeshTet, 1): ("P1", skfem.ElementTetP1),
+        (skfem.MeshTet, 2): ("P2", skfem.ElementTetP2),
+        (skfem.MeshHex, 1): ("Q1", skfem.ElementHex1),
+        (skfem.MeshHex, 2): ("Q2", skfem.ElementHex2),
+    }
     found = [kind for (shape, degree), kind in kinds.items() if isinstance(mesh, shape) and degree == order]
     if not found:
-        raise FiniteElementError("mesh", f"a {type(mesh).__name__} with elements of order {order}",
-                                 "give a scikit-fem MeshTet or MeshHex and order 1 or 2, or a LineMesh")
+        raise FiniteElementError(
+            "mesh",
+            f"a {type(mesh).__name__} with elements of order {order}",
+            "give a scikit-fem MeshTet or MeshHex and order 1 or 2, or a LineMesh",
+        )
     name, element = found[0]
     with np.errstate(divide="ignore", invalid="ignore"):  # flat cells are refused below
         scalar = skfem.Basis(mesh, element(), intorder=DEGREE[name])
     volume = np.asarray(scalar.mapping.detDF(scalar.X))
     bad = np.flatnonzero(volume.min(axis=-1) * volume.max(axis=-1) <= 0.0)
     if bad.size:
-        raise FiniteElementError("mesh", f"{bad.size} cells have no volume or are turned inside out, the first is "
-                                 f"{bad[0]}", "repair the mesh")
+        raise FiniteElementError(
+            "mesh",
+            f"{bad.size} cells have no volume or are turned inside out, the first is {bad[0]}",
+            "repair the mesh",
+        )
     gradients = _gradient_products(skfem, scalar)
     mass = material.rho * skfem.BilinearForm(lambda u, v, _: u * v).assemble(scalar)
     K = _elastic(gradients, material)
@@ -48,8 +58,14 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> Structure:
     order_rows = np.arange(AXES * n).reshape(AXES, n).T.ravel()
     K = sp.csr_matrix(K)[order_rows][:, order_rows]
     M = sp.kron(mass, sp.eye(AXES), format="csr")
-    return structure(K, M, np.arange(n), np.array(scalar.doflocs.T, dtype=np.float64),
-                     np.repeat(np.arange(n), AXES), np.tile(np.arange(AXES), n))
+    return structure(
+        K,
+        M,
+        np.arange(n),
+        np.array(scalar.doflocs.T, dtype=np.float64),
+        np.repeat(np.arange(n), AXES),
+        np.tile(np.arange(AXES), n),
+    )
 
 
 def _gradient_products(skfem: Any, basis: Any) -> list[list[sp.csr_matrix]]:

@@ -20,22 +20,28 @@ def factorised(matrix: sp.spmatrix, item: str, remedy: str) -> Solve:
     """Solver of a symmetric positive definite sparse system. Raises FiniteElementError if it is singular."""
     try:
         # Diagonal pivots only: keeps the symmetric ordering, which is right for a positive definite matrix.
-        factor = spla.splu(sp.csc_matrix(matrix), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
-                           options={"SymmetricMode": True})
+        factor = spla.splu(
+            sp.csc_matrix(matrix), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        )
     except RuntimeError as error:
         raise FiniteElementError(item, "the matrix is singular", remedy) from error
     pivots = factor.U.diagonal()
     if not np.all(pivots > 0.0):
-        raise FiniteElementError(item, f"the matrix is not positive definite ({int(np.sum(pivots <= 0.0))} pivots "
-                                 "are not positive)", remedy)
+        raise FiniteElementError(
+            item, f"the matrix is not positive definite ({int(np.sum(pivots <= 0.0))} pivots are not positive)", remedy
+        )
     return lambda force: factor.solve(np.ascontiguousarray(force))
 
 
 def held_solve(K: sp.csr_matrix, held: Integers) -> Solve:
     """Displacements of the structure with the rows `held` fixed at zero, for forces on all rows."""
     free = np.setdiff1d(np.arange(K.shape[0]), held)
-    solve = factorised(K[free][:, free], "stiffness", "with its supports the structure still moves freely: "
-                       "hold it at more interfaces, or look for parts that are not connected")
+    solve = factorised(
+        K[free][:, free],
+        "stiffness",
+        "with its supports the structure still moves freely: "
+        "hold it at more interfaces, or look for parts that are not connected",
+    )
 
     def displacements(force: Array) -> Array:
         result = np.zeros_like(force, dtype=np.float64)

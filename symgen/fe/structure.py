@@ -74,16 +74,21 @@ class Structure:
         place = {int(name): k for k, name in enumerate(self.ids)}
         unknown = [int(name) for name in wanted if int(name) not in place]
         if unknown:
-            raise FiniteElementError(item, f"nodes {unknown[:5]} are not in the node table",
-                                     f"the table has ids from {min(place)} to {max(place)}")
+            raise FiniteElementError(
+                item,
+                f"nodes {unknown[:5]} are not in the node table",
+                f"the table has ids from {min(place)} to {max(place)}",
+            )
         if len(wanted) == 0 or len(np.unique(wanted)) < len(wanted):
-            raise FiniteElementError(item, "the list of nodes is empty or names a node twice",
-                                     "name each node of the interface once")
+            raise FiniteElementError(
+                item, "the list of nodes is empty or names a node twice", "name each node of the interface once"
+            )
         return np.array([place[int(name)] for name in wanted], dtype=np.int64)
 
 
-def structure(K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array,
-              node: Integers, component: Integers) -> Structure:
+def structure(
+    K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array, node: Integers, component: Integers
+) -> Structure:
     """A checked Structure; arguments as its fields.
 
     Raises FiniteElementError for wrong sizes, NaN, unsymmetric matrices, doubled rows of the dof map,
@@ -91,8 +96,11 @@ def structure(K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array,
     """
     n = len(node)
     if np.shape(positions) != (len(ids), AXES) or not np.all(np.isfinite(positions)):
-        raise FiniteElementError("nodes", f"the table has shape {np.shape(positions)} or entries that are not finite",
-                                 "give x, y, z of every node")
+        raise FiniteElementError(
+            "nodes",
+            f"the table has shape {np.shape(positions)} or entries that are not finite",
+            "give x, y, z of every node",
+        )
     if len(np.unique(ids)) < len(ids):
         raise FiniteElementError("nodes", "an id stands twice in the table", "give each node one row")
     if len(np.unique(np.stack([node, component]), axis=1).T) < n:
@@ -102,18 +110,30 @@ def structure(K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array,
     if empty.size:
         row = int(empty[0])
         raise FiniteElementError(
-            "stiffness", f"{empty.size} rows have neither stiffness nor mass, the first is component "
-            f"{component[row] + 1} of node {ids[node[row]]}", "leave these rows out of the matrices and of the dof map")
-    return Structure(stiffness, mass, np.asarray(ids, dtype=np.int64), np.asarray(positions, dtype=np.float64),
-                     np.asarray(node, dtype=np.int64), np.asarray(component, dtype=np.int64))
+            "stiffness",
+            f"{empty.size} rows have neither stiffness nor mass, the first is component "
+            f"{component[row] + 1} of node {ids[node[row]]}",
+            "leave these rows out of the matrices and of the dof map",
+        )
+    return Structure(
+        stiffness,
+        mass,
+        np.asarray(ids, dtype=np.int64),
+        np.asarray(positions, dtype=np.float64),
+        np.asarray(node, dtype=np.int64),
+        np.asarray(component, dtype=np.int64),
+    )
 
 
 def _checked(item: str, matrix: sp.spmatrix, n: int) -> sp.csr_matrix:
     """The matrix as csr, exactly symmetric, or FiniteElementError."""
     if matrix.shape != (n, n):
-        raise FiniteElementError(item, f"the matrix is {matrix.shape[0]} x {matrix.shape[1]}, the nodes have {n} dofs",
-                                 "check the number of dofs per node, or give a dof map with one row (node, component) "
-                                 "for each row of the matrix")
+        raise FiniteElementError(
+            item,
+            f"the matrix is {matrix.shape[0]} x {matrix.shape[1]}, the nodes have {n} dofs",
+            "check the number of dofs per node, or give a dof map with one row (node, component) "
+            "for each row of the matrix",
+        )
     values = sp.csr_matrix(matrix, dtype=np.float64)
     values.sum_duplicates()
     if not np.all(np.isfinite(values.data)):
@@ -121,9 +141,15 @@ def _checked(item: str, matrix: sp.spmatrix, n: int) -> sp.csr_matrix:
     size = float(np.max(np.abs(values.data), initial=0.0))
     lacking = float(np.max(np.abs((values - values.T).data), initial=0.0))
     if lacking > SYMMETRY_TOLERANCE * size:
-        raise FiniteElementError(item, f"the matrix is not symmetric (by {lacking:.3g}, largest entry {size:.3g})",
-                                 "a file with one triangle must say 'symmetric' in its header")
+        raise FiniteElementError(
+            item,
+            f"the matrix is not symmetric (by {lacking:.3g}, largest entry {size:.3g})",
+            "a file with one triangle must say 'symmetric' in its header",
+        )
     if values.diagonal().min(initial=0.0) < 0.0:
-        raise FiniteElementError(item, f"row {int(values.diagonal().argmin()) + 1} has a negative diagonal",
-                                 "check the units and the export; a matrix of inertia or stiffness has none")
+        raise FiniteElementError(
+            item,
+            f"row {int(values.diagonal().argmin()) + 1} has a negative diagonal",
+            "check the units and the export; a matrix of inertia or stiffness has none",
+        )
     return sp.csr_matrix(0.5 * (values + values.T))

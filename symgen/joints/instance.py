@@ -40,8 +40,9 @@ class Slot:
     bias: ca.SX
 
 
-def template_rows(name: str, joint: JointType, values: Mapping[sp.Symbol, ca.SX], slots: Sequence[Slot],
-                  on_b: Sequence[str]) -> list[ConstraintRow]:
+def template_rows(
+    name: str, joint: JointType, values: Mapping[sp.Symbol, ca.SX], slots: Sequence[Slot], on_b: Sequence[str]
+) -> list[ConstraintRow]:
     """Rows of the joint `name`; on_b names the slots that displace and turn marker b."""
     output = joint.template.evaluate(values)
     rows = []
@@ -53,6 +54,7 @@ def template_rows(name: str, joint: JointType, values: Mapping[sp.Symbol, ca.SX]
             add_scaled(C_q, factor, slot.row)
             gamma = sub(gamma, mul(factor, slot.bias))
         acting = tuple(output[f"C_{k}_{slot}"] for slot in on_b)
-        rows.append(ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma,
-                                  acting))
+        rows.append(
+            ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma, acting)
+        )
     return rows

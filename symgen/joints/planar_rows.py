@@ -39,17 +39,27 @@ def planar_rows(name: str, kind: str, a: MarkerMotion, b: MarkerMotion, motion: 
 def _slots(a: MarkerMotion, b: MarkerMotion) -> list[Slot]:
     zero = ca.SX(0)
     return [
-        Slot("r_a_x", a.r_columns[0], a.bias[0]), Slot("r_a_y", a.r_columns[1], a.bias[1]),
-        Slot("r_b_x", b.r_columns[0], b.bias[0]), Slot("r_b_y", b.r_columns[1], b.bias[1]),
-        Slot("phi_a", a.phi_row, zero), Slot("phi_b", b.phi_row, zero),
+        Slot("r_a_x", a.r_columns[0], a.bias[0]),
+        Slot("r_a_y", a.r_columns[1], a.bias[1]),
+        Slot("r_b_x", b.r_columns[0], b.bias[0]),
+        Slot("r_b_y", b.r_columns[1], b.bias[1]),
+        Slot("phi_a", a.phi_row, zero),
+        Slot("phi_b", b.phi_row, zero),
     ]
 
 
 def _values(a: MarkerMotion, b: MarkerMotion, motion: list[ca.SX]) -> dict:
     return {
-        **dict(zip(s.r_a, a.r, strict=True)), **dict(zip(s.r_b, b.r, strict=True)),
-        **dict(zip(s.r_a_dot, a.r_dot, strict=True)), **dict(zip(s.r_b_dot, b.r_dot, strict=True)),
+        **dict(zip(s.r_a, a.r, strict=True)),
+        **dict(zip(s.r_b, b.r, strict=True)),
+        **dict(zip(s.r_a_dot, a.r_dot, strict=True)),
+        **dict(zip(s.r_b_dot, b.r_dot, strict=True)),
         **dict(zip(s.t_a, a.direction, strict=True)),
-        s.phi_a: a.phi, s.phi_b: b.phi, s.phi_a_dot: a.phi_dot, s.phi_b_dot: b.phi_dot,
-        f: motion[0], f_t: motion[1], f_tt: motion[2],
+        s.phi_a: a.phi,
+        s.phi_b: b.phi,
+        s.phi_a_dot: a.phi_dot,
+        s.phi_b_dot: b.phi_dot,
+        f: motion[0],
+        f_t: motion[1],
+        f_tt: motion[2],
     }

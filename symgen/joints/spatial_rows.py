@@ -46,11 +46,18 @@ TYPES: dict[str, Callable[[], JointType]] = {
 }
 ON_B = tuple(f"{part}_{axis}" for part in ("r_b", "turn_b") for axis in "xyz")
 TURNS: dict[str, tuple[tuple[int, str], ...]] = {  # (axis, coordinate) of the rotations of a placing joint, in order
-    "revolute": ((2, "angle"),), "cylindrical": ((2, "angle"),), "screw": ((2, "angle"),), "planar": ((2, "angle"),),
-    "universal": ((2, "angle1"), (0, "angle2")), "prismatic": (), "weld": (),
+    "revolute": ((2, "angle"),),
+    "cylindrical": ((2, "angle"),),
+    "screw": ((2, "angle"),),
+    "planar": ((2, "angle"),),
+    "universal": ((2, "angle1"), (0, "angle2")),
+    "prismatic": (),
+    "weld": (),
 }
 TRAVELS: dict[str, dict[int, str]] = {
-    "prismatic": {2: "travel"}, "cylindrical": {2: "travel"}, "planar": {0: "x", 1: "y"},
+    "prismatic": {2: "travel"},
+    "cylindrical": {2: "travel"},
+    "planar": {0: "x", 1: "y"},
 }
 
 
@@ -77,8 +84,17 @@ def spatial_rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, motio
     return _rows(name, kind, a, b, motion, Travel())
 
 
-def placing_rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, coordinates: Mapping[str, JointCoordinate],
-                 child: SpatialBody, parent: SpatialBody, forward: bool, lead: ca.SX) -> list[ConstraintRow]:
+def placing_rows(
+    name: str,
+    kind: str,
+    a: SpatialMarker,
+    b: SpatialMarker,
+    coordinates: Mapping[str, JointCoordinate],
+    child: SpatialBody,
+    parent: SpatialBody,
+    forward: bool,
+    lead: ca.SX,
+) -> list[ConstraintRow]:
     """Rows that place the body `child`: its position linear in R_o, its Euler parameters in closed form.
 
     forward: the child is the body of marker b. lead: travel of a turn of a screw, over 2 pi.
@@ -109,31 +125,48 @@ def _without_own_axes(row: ConstraintRow, slides: list[Vector], turns: list[Vect
     return replace(row, on_b=(*force, *moment))
 
 
-def coordinate_row(name: str, label: str, found: JointCoordinate, motion: list[ca.SX],
-                   a: SpatialMarker) -> ConstraintRow:
+def coordinate_row(
+    name: str, label: str, found: JointCoordinate, motion: list[ca.SX], a: SpatialMarker
+) -> ConstraintRow:
     """A prescribed motion of a joint's own coordinate about (angle) or along (travel) marker a's z-axis."""
     acting = (*zeros(), *a.axes[2]) if label == "angle" else (*a.axes[2], *zeros())
-    return ConstraintRow(f"{name}.{label}", name, found.value - motion[0], {found.column: ONE}, neg(motion[1]),
-                         motion[2], tuple(acting))
+    return ConstraintRow(
+        f"{name}.{label}", name, found.value - motion[0], {found.column: ONE}, neg(motion[1]), motion[2], tuple(acting)
+    )
 
 
 def unit_length(body: SpatialBody) -> ConstraintRow:
     """(e.e - 1) / 2 = 0 for a body whose Euler parameters no joint gives."""
     q = body.coordinates
     row = dict(zip(q.turning, q.theta, strict=True))
-    return ConstraintRow(f"{body.name}.norm", "", (dot(q.theta, q.theta) - 1) / 2, row, ZERO,
-                         neg(dot(q.theta_dot, q.theta_dot)), tuple(zeros(6)))
+    return ConstraintRow(
+        f"{body.name}.norm",
+        "",
+        (dot(q.theta, q.theta) - 1) / 2,
+        row,
+        ZERO,
+        neg(dot(q.theta_dot, q.theta_dot)),
+        tuple(zeros(6)),
+    )
 
 
-def _orientation(name: str, a: SpatialMarker, b: SpatialMarker, turns: list[tuple[int, JointCoordinate]],
-                 child: SpatialBody, parent: SpatialBody, forward: bool) -> list[ConstraintRow]:
+def _orientation(
+    name: str,
+    a: SpatialMarker,
+    b: SpatialMarker,
+    turns: list[tuple[int, JointCoordinate]],
+    child: SpatialBody,
+    parent: SpatialBody,
+    forward: bool,
+) -> list[ConstraintRow]:
     """e_child - e_parent K = 0 with K = (marker of the parent) (turns) (marker of the child)^-1."""
     turned = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
     for axis, found in turns:
         turned = turned.times(turn_about(axis, found.value, found.rate, found.column))
     near, far = (a, b) if forward else (b, a)
     between = near.local_quaternion.times(turned if forward else turned.conjugate()).times(
-        far.local_quaternion.conjugate())
+        far.local_quaternion.conjugate()
+    )
     base, own = parent.quaternion(), child.quaternion()
     assert base is not None and own is not None
     given = base.times(between)
@@ -142,8 +175,17 @@ def _orientation(name: str, a: SpatialMarker, b: SpatialMarker, turns: list[tupl
     for k in range(4):
         acting = [_turned_by(axis, own.value)[k] for axis in range(3)]
         signed = acting if forward else [neg(value) for value in acting]
-        rows.append(ConstraintRow(f"{name}.e{k}", name, C[k], minus_rows(own.rows[k], given.rows[k]), ZERO,
-                                  given.bias[k], (*zeros(), *signed)))
+        rows.append(
+            ConstraintRow(
+                f"{name}.e{k}",
+                name,
+                C[k],
+                minus_rows(own.rows[k], given.rows[k]),
+                ZERO,
+                given.bias[k],
+                (*zeros(), *signed),
+            )
+        )
     return rows
 
 
@@ -154,16 +196,31 @@ def _turned_by(axis: int, value: Vector) -> Vector:
     return quaternion_product(unit, value)
 
 
-def _rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, motion: list[ca.SX],
-          travel: Travel) -> list[ConstraintRow]:
-    slots = [Slot(f"{point}_{axis}", marker.r_columns[i], marker.bias[i])
-             for point, marker in (("r_a", a), ("r_b", b)) for i, axis in enumerate("xyz")]
-    slots += [Slot(f"{turn}_{axis}", marker.turn_rows[i], marker.turn_bias[i])
-              for turn, marker in (("turn_a", a), ("turn_b", b)) for i, axis in enumerate("xyz")]
+def _rows(
+    name: str, kind: str, a: SpatialMarker, b: SpatialMarker, motion: list[ca.SX], travel: Travel
+) -> list[ConstraintRow]:
+    slots = [
+        Slot(f"{point}_{axis}", marker.r_columns[i], marker.bias[i])
+        for point, marker in (("r_a", a), ("r_b", b))
+        for i, axis in enumerate("xyz")
+    ]
+    slots += [
+        Slot(f"{turn}_{axis}", marker.turn_rows[i], marker.turn_bias[i])
+        for turn, marker in (("turn_a", a), ("turn_b", b))
+        for i, axis in enumerate("xyz")
+    ]
     slots += [Slot(f"travel_{axis}", travel.rows[i], ZERO) for i, axis in enumerate("xyz")]
     values = dict(zip((f, f_t, f_tt), motion, strict=True))
-    pairs = [(s.r_a, a.r), (s.r_b, b.r), (s.r_a_dot, a.r_dot), (s.r_b_dot, b.r_dot), (s.omega_a, a.omega),
-             (s.omega_b, b.omega), (s.travel, travel.value), (s.travel_dot, travel.rate)]
+    pairs = [
+        (s.r_a, a.r),
+        (s.r_b, b.r),
+        (s.r_a_dot, a.r_dot),
+        (s.r_b_dot, b.r_dot),
+        (s.omega_a, a.omega),
+        (s.omega_b, b.omega),
+        (s.travel, travel.value),
+        (s.travel_dot, travel.rate),
+    ]
     for label, marker in (("a", a), ("b", b)):
         for axis, vector in zip("xyz", marker.axes, strict=True):
             key = f"{axis}_{label}"
@@ -171,5 +228,3 @@ def _rows(name: str, kind: str, a: SpatialMarker, b: SpatialMarker, motion: list
     for symbols, vector in pairs:
         values |= dict(zip(symbols, vector, strict=True))
     return template_rows(name, TYPES[kind](), values, slots, ON_B)
-
-

@@ -81,8 +81,9 @@ def spatial_joint_type(rows: Sequence[tuple[str, sp.Expr]]) -> JointType:
 
 def placed() -> list[tuple[str, sp.Expr]]:
     """r_b - r_a - travel along the axes of marker a: nothing for a hinge, the joint's own coordinates for a slide."""
-    return [(label, d[i] - travel[0] * x_a[i] - travel[1] * y_a[i] - travel[2] * z_a[i])
-            for i, label in enumerate("xyz")]
+    return [
+        (label, d[i] - travel[0] * x_a[i] - travel[1] * y_a[i] - travel[2] * z_a[i]) for i, label in enumerate("xyz")
+    ]
 
 
 def parallel() -> list[tuple[str, sp.Expr]]:

@@ -17,10 +17,13 @@ def constraints(system: Condensed) -> Kernel:
     """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    outputs = {"C": ca.vertcat(*(row.C for row in eq.constraints)), "C_q": constraint_jacobian(eq),
-               "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
-               "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
-               "gamma": ca.vertcat(*(row.gamma for row in eq.constraints))}
+    outputs = {
+        "C": ca.vertcat(*(row.C for row in eq.constraints)),
+        "C_q": constraint_jacobian(eq),
+        "C_t": ca.vertcat(*(row.C_t for row in eq.constraints)),
+        "nu": ca.vertcat(*(-row.C_t for row in eq.constraints)),
+        "gamma": ca.vertcat(*(row.gamma for row in eq.constraints)),
+    }
     return Kernel(inputs, outputs)
 
 
@@ -31,8 +34,13 @@ def augmented(system: Condensed) -> Kernel:
     """
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    outputs = {"M": to_matrix(eq.M), "K": to_matrix(eq.K), "Q_v": ca.vertcat(*eq.Q_v), "Q_F": ca.vertcat(*eq.Q_F),
-               "Q_star": ca.vertcat(*eq.Q_star)}
+    outputs = {
+        "M": to_matrix(eq.M),
+        "K": to_matrix(eq.K),
+        "Q_v": ca.vertcat(*eq.Q_v),
+        "Q_F": ca.vertcat(*eq.Q_F),
+        "Q_star": ca.vertcat(*eq.Q_star),
+    }
     if eq.constraints:
         outputs["C_q"] = constraint_jacobian(eq)
         outputs["gamma_b"] = ca.vertcat(*(_stabilised(eq, row) for row in eq.constraints))
@@ -77,8 +85,9 @@ def reactions(system: Condensed) -> Kernel:
         for axis, factor in enumerate(constraint.on_b):
             column = eq.joints.index(constraint.joint)
             forces[axis, column] = forces[axis, column] - factor * lam[row]
-    return Kernel(inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))),
-                           "joint_forces": forces})
+    return Kernel(
+        inputs, {"lam": ca.vertcat(*(lam[row] for row in range(len(eq.constraints)))), "joint_forces": forces}
+    )
 
 
 def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
@@ -97,8 +106,16 @@ def energy(system: Condensed) -> Kernel:
     """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
-    return Kernel(inputs, {"kinetic": eq.kinetic(), "elastic": eq.elastic, "potential": eq.potential,
-                           "power_dissipated": eq.dissipated, "power_applied": eq.applied})
+    return Kernel(
+        inputs,
+        {
+            "kinetic": eq.kinetic(),
+            "elastic": eq.elastic,
+            "potential": eq.potential,
+            "power_dissipated": eq.dissipated,
+            "power_applied": eq.applied,
+        },
+    )
 
 
 def measures(system: Condensed) -> Kernel:

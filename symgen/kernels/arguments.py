@@ -35,5 +35,12 @@ def arguments_of(system: Condensed) -> Arguments:
     def stack(source: list[ca.SX], columns: list[int]) -> ca.SX:
         return ca.vertcat(*(source[c] for c in columns)) if columns else ca.SX(0, 1)
 
-    return Arguments(stack(eq.q, independent), stack(eq.q, dependent), stack(eq.q_dot, independent),
-                     stack(eq.q_dot, dependent), ca.SX.sym("q_i_ddot", len(independent)), eq.t, dependent)
+    return Arguments(
+        stack(eq.q, independent),
+        stack(eq.q, dependent),
+        stack(eq.q_dot, independent),
+        stack(eq.q_dot, dependent),
+        ca.SX.sym("q_i_ddot", len(independent)),
+        eq.t,
+        dependent,
+    )

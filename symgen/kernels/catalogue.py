@@ -52,8 +52,9 @@ def build_kernels(
         builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
     chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
     kernels = {name: build() for name, build in chosen.items()}
-    return {name: kernel for name, kernel in kernels.items()
-            if any(output.numel() for output in kernel.outputs.values())}
+    return {
+        name: kernel for name, kernel in kernels.items() if any(output.numel() for output in kernel.outputs.values())
+    }
 
 
 def _column(arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:
@@ -86,8 +87,11 @@ def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:
     """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39); long names get an underscore."""
     M_hat, Q_hat = system.M_hat(), system.generalised_force({})
     between = "" if all(len(group.name) == 1 for group in groups) else "_"
-    outputs = {f"M_hat_{row.name}{between}{column.name}": M_hat[row.positions, column.positions]
-               for row in groups for column in groups}
+    outputs = {
+        f"M_hat_{row.name}{between}{column.name}": M_hat[row.positions, column.positions]
+        for row in groups
+        for column in groups
+    }
     outputs |= {f"Q_hat_{group.name}": Q_hat[group.positions] for group in groups}
     return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), outputs)
 
@@ -114,8 +118,12 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
     if choice.loop_rows:
         guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
         old, new = _replacement(system, guess)
-        places = [(row, column) for row in choice.loop_rows for column in choice.loop_columns
-                  if column in system.loops.rows[row].entries]
+        places = [
+            (row, column)
+            for row in choice.loop_rows
+            for column in choice.loop_columns
+            if column in system.loops.rows[row].entries
+        ]
         values = [system.loops.rows[row].entries[column] for row, column in places]
         residual = ca.vertcat(*(eq.constraints[row].C for row in choice.loop_rows))
         flat = ca.substitute([residual, *values], [old], [new])
@@ -126,8 +134,11 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
         step, determinants = solve_forward(system.loops.blocks, U, dict(zip(choice.loop_rows, C, strict=True)))
         x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
-        outputs = {"q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)), "C_loop": ca.vertcat(*C),
-                   "det_loop": ca.vertcat(*determinants)}
+        outputs = {
+            "q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)),
+            "C_loop": ca.vertcat(*C),
+            "det_loop": ca.vertcat(*determinants),
+        }
     return Kernel(a.select("q_i", "q_d"), outputs)
 
 

@@ -21,13 +21,16 @@ def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], 
     return {
         "dQ_hat_dq_i": lambda: Kernel(
             a.select("q_i", "q_d", "q_i_dot", "q_d_dot"),
-            {"dQ_hat_dq_i": ca.densify(_by_position(system, a, system.generalised_force({})))}),
+            {"dQ_hat_dq_i": ca.densify(_by_position(system, a, system.generalised_force({})))},
+        ),
         "dQ_hat_dq_i_dot": lambda: Kernel(
             a.select("q_i", "q_d", "q_i_dot", "q_d_dot"),
-            {"dQ_hat_dq_i_dot": ca.densify(_by_velocity(system, a, system.generalised_force({})))}),
+            {"dQ_hat_dq_i_dot": ca.densify(_by_velocity(system, a, system.generalised_force({})))},
+        ),
         "dMa_dq_i": lambda: Kernel(
             a.select("q_i", "q_d", q_i_ddot=a.q_i_ddot),
-            {"dMa_dq_i": ca.densify(_by_position(system, a, _inertia_force(system, a)))}),
+            {"dMa_dq_i": ca.densify(_by_position(system, a, _inertia_force(system, a)))},
+        ),
     }
 
 

@@ -35,8 +35,10 @@ def torque(marker: MarkerMotion, value: ca.SX, reaction: MarkerMotion | None) ->
 
 def spring_damper(a: MarkerMotion, b: MarkerMotion, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> LoadEffect:
     """Translational spring-damper between the points a and b."""
-    d, d_dot = ([first - second for first, second in zip(of_b, of_a, strict=True)]
-                for of_b, of_a in ((b.r, a.r), (b.r_dot, a.r_dot)))
+    d, d_dot = (
+        [first - second for first, second in zip(of_b, of_a, strict=True)]
+        for of_b, of_a in ((b.r, a.r), (b.r_dot, a.r_dot))
+    )
     out = spring_template.evaluate(d, d_dot, stiffness, damping, free_length)
     row: Row = {}
     for axis in range(2):

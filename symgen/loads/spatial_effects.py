@@ -55,8 +55,9 @@ def torque(marker: SpatialMarker, value: ca.SX, reaction: SpatialMarker | None) 
     return LoadEffect(row, applied=value * rate)
 
 
-def spring_damper(a: SpatialMarker, b: SpatialMarker, stiffness: ca.SX, damping: ca.SX,
-                  free_length: ca.SX) -> LoadEffect:
+def spring_damper(
+    a: SpatialMarker, b: SpatialMarker, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX
+) -> LoadEffect:
     """Translational spring-damper between the points a and b."""
     out = spring_template.evaluate(minus(b.r, a.r), minus(b.r_dot, a.r_dot), stiffness, damping, free_length)
     row: Row = {}
@@ -101,8 +102,9 @@ def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, motion: M
     return LoadEffect(row, dissipated=damping * rate**2)
 
 
-def bushing(a: SpatialMarker, b: SpatialMarker, stiffness: Sequence[Vector], damping: Sequence[Vector],
-            motion: Motion) -> LoadEffect:
+def bushing(
+    a: SpatialMarker, b: SpatialMarker, stiffness: Sequence[Vector], damping: Sequence[Vector], motion: Motion
+) -> LoadEffect:
     """Springs and dampers along and about marker a's axes: (translation, rotation) constants, three each.
 
     The rotation is the axial vector of the relative rotation matrix, sin(angle) times its axis; force and moment are

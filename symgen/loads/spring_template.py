@@ -15,8 +15,10 @@ k, c, l_0, length = sp.symbols("k c l_0 length")
 
 
 def _vectors(dimension: int) -> tuple[list[sp.Symbol], list[sp.Symbol]]:
-    return ([sp.Symbol(f"d_{axis}") for axis in "xyz"[:dimension]],
-            [sp.Symbol(f"d_dot_{axis}") for axis in "xyz"[:dimension]])
+    return (
+        [sp.Symbol(f"d_{axis}") for axis in "xyz"[:dimension]],
+        [sp.Symbol(f"d_dot_{axis}") for axis in "xyz"[:dimension]],
+    )
 
 
 @cache
@@ -49,13 +51,19 @@ class SpringForce:
     dissipated: ca.SX
 
 
-def evaluate(d: Sequence[ca.SX], d_dot: Sequence[ca.SX], stiffness: ca.SX, damping: ca.SX,
-             free_length: ca.SX) -> SpringForce:
+def evaluate(
+    d: Sequence[ca.SX], d_dot: Sequence[ca.SX], stiffness: ca.SX, damping: ca.SX, free_length: ca.SX
+) -> SpringForce:
     """The spring between points a distance vector d apart (2 or 3 components)."""
     form, (names, rates) = template(len(d)), _vectors(len(d))
-    values = {**dict(zip(names, d, strict=True)), **dict(zip(rates, d_dot, strict=True)), k: stiffness, c: damping,
-              l_0: free_length}
+    values = {
+        **dict(zip(names, d, strict=True)),
+        **dict(zip(rates, d_dot, strict=True)),
+        k: stiffness,
+        c: damping,
+        l_0: free_length,
+    }
     values[length] = form.evaluate(values, ["length"])["length"]
-    forces = [f"force_{axis}" for axis in "xyz"[:len(d)]]
+    forces = [f"force_{axis}" for axis in "xyz"[: len(d)]]
     out = form.evaluate(values, [*forces, "potential", "dissipated"])
     return SpringForce([out[name] for name in forces], out["potential"], out["dissipated"])

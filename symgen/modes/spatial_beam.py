@@ -76,10 +76,14 @@ def spatial_beam(sets: tuple[tuple[int, LateralModes | AxialModes], ...]) -> Spa
         first += modes.modes
     size = float(np.abs(eta).max(initial=0.0))
     return SpatialBeam(
-        axes, float(mu @ xi**2), fixed(clean(np.einsum("k,kia->ia", mu, nodal), 1.0)),
+        axes,
+        float(mu @ xi**2),
+        fixed(clean(np.einsum("k,kia->ia", mu, nodal), 1.0)),
         fixed(clean(np.einsum("k,kia->ai", mu * xi, nodal), 1.0)),
         fixed(clean(np.einsum("k,kia,kjb->abij", mu, nodal, nodal), 1.0)),
         fixed(np.concatenate([np.diag(modes.mass) for _, modes in sets])),
         fixed(np.concatenate([np.diag(modes.kappa) for _, modes in sets])),
-        fixed(clean(np.einsum("k,kab->ab", mu, eta), size)), fixed(clean(np.einsum("k,kab->ab", mu * xi, eta), size)),
-        sets)
+        fixed(clean(np.einsum("k,kab->ab", mu, eta), size)),
+        fixed(clean(np.einsum("k,kab->ab", mu * xi, eta), size)),
+        sets,
+    )

@@ -14,8 +14,9 @@ Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
 Direction = tuple[Number, Number, Number]
-Orientation = Literal["euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx",
-                      "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"]
+Orientation = Literal[
+    "euler_parameters", "xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"
+]
 
 
 class MarkerDirections(Model):
@@ -65,9 +66,7 @@ class RigidBody(Model):
     type: Literal["rigid"] = "rigid"
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
-    inertia: Annotated[
-        Inertia, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)
-    ]
+    inertia: Annotated[Inertia, Meaning("moment of inertia about the centre of mass", "kg m^2", Bound.NON_NEGATIVE)]
     products: Products = (0.0, 0.0, 0.0)
     center_of_mass: Position = (0.0, 0.0)
     orientation: Orientation = "euler_parameters"
@@ -123,8 +122,9 @@ class BeamBody(Model):
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
     elements: Annotated[int, Strict(), Field(ge=2, le=500)] = 20
     lateral: LateralModes | None = None
-    second_moment_z: Annotated[Quantity, Meaning("second moment of area for the xz-plane", "m^4",
-                                                 Bound.NON_NEGATIVE)] = 0.0
+    second_moment_z: Annotated[
+        Quantity, Meaning("second moment of area for the xz-plane", "m^4", Bound.NON_NEGATIVE)
+    ] = 0.0
     lateral_z: LateralModes | None = None
     axial: AxialModes | None = None
     stiffening: Flag = False

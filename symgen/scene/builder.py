@@ -26,9 +26,7 @@ class SceneBuilder:
         parameters = self._data.setdefault("parameters", {})
         if name in parameters:
             raise SceneError(f"parameters.{name}", "is declared twice", "remove one of them")
-        parameters[name] = _plain(
-            {"default": default, "unit": unit, "description": description}, "parameters"
-        )
+        parameters[name] = _plain({"default": default, "unit": unit, "description": description}, "parameters")
         return self
 
     def gravity(self, *components: float | str) -> Self:
@@ -99,21 +97,15 @@ class SceneBuilder:
         """A `DistanceJoint`."""
         return self._pair("joints", "distance", name, marker_a, marker_b, {"length": length})
 
-    def prescribed_angle(
-        self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
-    ) -> Self:
+    def prescribed_angle(self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any) -> Self:
         """A `PrescribedAngle`."""
-        return self._pair(
-            "joints", "prescribed_angle", name, marker_a, marker_b, {"motion": motion, **fields}
-        )
+        return self._pair("joints", "prescribed_angle", name, marker_a, marker_b, {"motion": motion, **fields})
 
     def prescribed_displacement(
         self, name: str, marker_a: str, marker_b: str, motion: float | str, **fields: Any
     ) -> Self:
         """A `PrescribedDisplacement`."""
-        return self._pair(
-            "joints", "prescribed_displacement", name, marker_a, marker_b, {"motion": motion, **fields}
-        )
+        return self._pair("joints", "prescribed_displacement", name, marker_a, marker_b, {"motion": motion, **fields})
 
     def force(self, name: str, marker: str, *components: float | str, **fields: Any) -> Self:
         """A `Force` with components x, y (and z) [N]."""

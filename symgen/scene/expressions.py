@@ -54,9 +54,7 @@ class Expression:
         """The expression in CasADi symbols; raises SceneError when ``env`` lacks a name it uses."""
         missing = sorted(self.names - env.keys())
         if missing:
-            raise SceneError(
-                self.item, f"no symbol was given for '{missing[0]}'", "declare it as a parameter"
-            )
+            raise SceneError(self.item, f"no symbol was given for '{missing[0]}'", "declare it as a parameter")
         return ca.SX(casadi_value(self.node, env))
 
     def evaluate(self, env: Mapping[str, float]) -> float:
@@ -75,9 +73,7 @@ class Expression:
 
     def _not_finite(self, reason: str) -> SceneError:
         problem = f"'{_short(self.text)}' has no finite value ({reason})"
-        return SceneError(
-            self.item, problem, "check the expression and the defaults of its parameters (t = 0)"
-        )
+        return SceneError(self.item, problem, "check the expression and the defaults of its parameters (t = 0)")
 
 
 def parse_expression(text: str | float, names: frozenset[str], item: str) -> Expression:
@@ -140,14 +136,14 @@ class _Reader:
             case ast.Call(func=ast.Name(id=function), args=arguments, keywords=keywords):
                 return self._call(function, arguments, bool(keywords), depth)
             case ast.Attribute(value=ast.Name(id=item), attr=name):
-                raise self._error(f"'{_short(f'{item}.{name}')}' cannot be read in an expression",
-                                  "declare a measure of it, and use the measure's name and its rate <measure>_dot")
+                raise self._error(
+                    f"'{_short(f'{item}.{name}')}' cannot be read in an expression",
+                    "declare a measure of it, and use the measure's name and its rate <measure>_dot",
+                )
             case ast.Compare():
                 raise self._error("a comparison stands outside of where()", "write where(condition, a, b)")
         kind = type(tree.value if isinstance(tree, ast.Constant) else tree).__name__
-        raise self._error(
-            f"{kind} is not part of the language", "use arithmetic, declared names and functions"
-        )
+        raise self._error(f"{kind} is not part of the language", "use arithmetic, declared names and functions")
 
     def _symbol(self, name: str) -> Node:
         if name == "pi":
@@ -159,9 +155,7 @@ class _Reader:
         if name in ARITY:
             raise self._error(f"the function '{name}' is used without arguments", f"write {name}(...)")
         known = sorted(self.names | {"pi"}) + sorted(ARITY)
-        raise self._error(
-            f"unknown name '{_short(name)}'", f"{did_you_mean(name, known)} Otherwise declare it"
-        )
+        raise self._error(f"unknown name '{_short(name)}'", f"{did_you_mean(name, known)} Otherwise declare it")
 
     def _call(self, function: str, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
         if function not in ARITY:

@@ -26,9 +26,7 @@ MAX_TEXT = 10_000
 
 def refuse(problem: str, remedy: str, key: str = "") -> PydanticCustomError:
     """An error that `translate.scene_errors` turns into a `SceneError` without changing its words."""
-    return PydanticCustomError(
-        "scene", "{problem}; {remedy}", {"problem": problem, "remedy": remedy, "key": key}
-    )
+    return PydanticCustomError("scene", "{problem}; {remedy}", {"problem": problem, "remedy": remedy, "key": key})
 
 
 class Model(BaseModel):
@@ -121,8 +119,9 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
     if not isinstance(value, list | tuple):
         return _quantity(value)
     if len(value) != 3:
-        raise refuse(f"{show(value)} has {len(value)} entries",
-                     "give one moment of inertia (planar) or three (spatial)")
+        raise refuse(
+            f"{show(value)} has {len(value)} entries", "give one moment of inertia (planar) or three (spatial)"
+        )
     if any(isinstance(entry, list | tuple) for entry in value):
         raise refuse("is a matrix", "give inertia = [xx, yy, zz] and products = [xy, xz, yz]")
     return tuple(_quantity(entry) for entry in value)
@@ -130,9 +129,7 @@ def _inertia(value: object) -> float | str | tuple[float | str, ...]:
 
 def _text(value: str) -> str:
     if len(value) > MAX_TEXT:
-        raise refuse(
-            f"the text is {len(value)} characters long", f"shorten it to at most {MAX_TEXT} characters"
-        )
+        raise refuse(f"the text is {len(value)} characters long", f"shorten it to at most {MAX_TEXT} characters")
     try:
         value.encode("utf-8")
     except UnicodeEncodeError:
@@ -143,23 +140,17 @@ def _text(value: str) -> str:
 def _marker_reference(value: object) -> str:
     parts = value.split(".") if isinstance(value, str) else []
     if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
-        raise refuse(
-            f"{show(value)} does not name a marker", 'write "body.marker", for instance "crank.origin"'
-        )
+        raise refuse(f"{show(value)} does not name a marker", 'write "body.marker", for instance "crank.origin"')
     return str(value)
 
 
 def _coordinate(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_.*?]{1,140}", value):
-        raise refuse(
-            f"{show(value)} is not a coordinate", 'write "body.coordinate", for instance "crank.theta"'
-        )
+        raise refuse(f"{show(value)} is not a coordinate", 'write "body.coordinate", for instance "crank.theta"')
     return value
 
 
-Name = Annotated[
-    str, PlainValidator(_name, json_schema_input_type=Annotated[str, Field(pattern=NAME_PATTERN)])
-]
+Name = Annotated[str, PlainValidator(_name, json_schema_input_type=Annotated[str, Field(pattern=NAME_PATTERN)])]
 Number = Annotated[float, PlainValidator(_number, json_schema_input_type=float)]
 Quantity = Annotated[float | str, PlainValidator(_quantity, json_schema_input_type=float | str)]
 Inertia = Annotated[

@@ -66,4 +66,3 @@ class FlexibleBody(Model):
     def implicit_markers(self) -> dict[str, Any]:
         """The frame's origin, which the deformation does not move."""
         return {"origin": FlexibleMarker()}
-

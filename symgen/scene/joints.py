@@ -102,7 +102,17 @@ class PlanarJoint(_Joint):
 
 
 Joint = Annotated[
-    RevoluteJoint | PrismaticJoint | WeldJoint | PointOnLineJoint | PrescribedAngle | PrescribedDisplacement
-    | DistanceJoint | SphericalJoint | UniversalJoint | CylindricalJoint | ScrewJoint | PlanarJoint,
+    RevoluteJoint
+    | PrismaticJoint
+    | WeldJoint
+    | PointOnLineJoint
+    | PrescribedAngle
+    | PrescribedDisplacement
+    | DistanceJoint
+    | SphericalJoint
+    | UniversalJoint
+    | CylindricalJoint
+    | ScrewJoint
+    | PlanarJoint,
     Field(discriminator="type"),
 ]

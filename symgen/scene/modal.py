@@ -61,20 +61,14 @@ class ModalBody(Model):
     name: Name
     mass: Annotated[Quantity, Meaning("mass", "kg", Bound.POSITIVE)]
     first_moment: Annotated[tuple[Quantity, Quantity], Meaning("int rho0 dm", "kg m")] = (0.0, 0.0)
-    inertia: Annotated[
-        Quantity, Meaning("int |rho0|^2 dm about the frame origin", "kg m^2", Bound.NON_NEGATIVE)
-    ]
+    inertia: Annotated[Quantity, Meaning("int |rho0|^2 dm about the frame origin", "kg m^2", Bound.NON_NEGATIVE)]
     M_ff: Annotated[Matrix, Meaning("modal mass matrix", "kg m^2 per unit of q_f^2")]
     K_ff: Annotated[Matrix, Meaning("modal stiffness matrix", "N m per unit of q_f^2")]
     D_ff: Annotated[Matrix | None, Meaning("modal damping matrix", "N m s per unit of q_f^2")] = None
     phi_integral: Annotated[Matrix, Meaning("int Phi dm, 2 x nf", "kg m per unit of q_f")] = _zeros(2)
     rho_dot_phi: Annotated[Vector, Meaning("int rho0.Phi dm", "kg m^2 per unit of q_f")] = _zeros(0)
-    rho_cross_phi: Annotated[Vector, Meaning("int (x Phi_y - y Phi_x) dm", "kg m^2 per unit of q_f")] = (
-        _zeros(0)
-    )
-    phi_cross_phi: Annotated[Matrix, Meaning("int (Phi_x Phi_y - Phi_y Phi_x) dm, skew", "kg m^2")] = _zeros(
-        -1
-    )
+    rho_cross_phi: Annotated[Vector, Meaning("int (x Phi_y - y Phi_x) dm", "kg m^2 per unit of q_f")] = _zeros(0)
+    phi_cross_phi: Annotated[Matrix, Meaning("int (Phi_x Phi_y - Phi_y Phi_x) dm, skew", "kg m^2")] = _zeros(-1)
     foreshortening: Foreshortening | None = None
     free: Flag = False
     markers: dict[Name, ModalMarker] = Field(default_factory=dict)

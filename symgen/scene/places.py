@@ -89,4 +89,3 @@ def _placing_from(joints: Sequence[Joint], angles: set[str], body: str) -> Itera
         ends = (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
         if joint.type in PLACING and body in ends and angles.isdisjoint(ends):
             yield joint, ends[1] if ends[0] == body else ends[0], ends[0] == body
-

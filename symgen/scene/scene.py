@@ -33,9 +33,7 @@ class Scene(SceneParts):
     def from_dict(cls, data: Any) -> Scene:
         """The scene described by a dictionary of plain values; raises SceneError."""
         if not isinstance(data, dict):
-            raise SceneError(
-                "scene", f"{show(data)} is not a table of entries", "give a dictionary or a TOML file"
-            )
+            raise SceneError("scene", f"{show(data)} is not a table of entries", "give a dictionary or a TOML file")
         wrong = [key for key in data if not isinstance(key, str)]
         if wrong:
             raise SceneError("scene", f"the key {show(wrong[0])} is not text", "use the names of the schema")

@@ -36,9 +36,7 @@ def _as_initial_value(value: Any) -> Any:
     return value if isinstance(value, dict | InitialValue) else {"value": value}
 
 
-InitialEntry = Annotated[
-    InitialValue, BeforeValidator(_as_initial_value, json_schema_input_type=float | InitialValue)
-]
+InitialEntry = Annotated[InitialValue, BeforeValidator(_as_initial_value, json_schema_input_type=float | InitialValue)]
 
 
 class Initial(Model):

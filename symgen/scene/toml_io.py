@@ -126,7 +126,6 @@ def _key(key: str) -> str:
 
 def _string(text: str) -> str:
     escaped = (
-        _ESCAPES.get(char) or (f"\\u{ord(char):04x}" if ord(char) < 32 or ord(char) == 127 else char)
-        for char in text
+        _ESCAPES.get(char) or (f"\\u{ord(char):04x}" if ord(char) < 32 or ord(char) == 127 else char) for char in text
     )
     return '"' + "".join(escaped) + '"'

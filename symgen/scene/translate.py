@@ -61,9 +61,7 @@ def _translate(detail: ErrorDetails, data: Any) -> SceneError:
     if kind == "union_tag_not_found":
         return SceneError(_join(path, "type"), "is missing", _EXAMPLES[str(detail["loc"][0])])
     if kind == "union_tag_invalid":
-        return SceneError(
-            _join(path, "type"), f"unknown type {show(context['tag'])}", _tags(context, context["tag"])
-        )
+        return SceneError(_join(path, "type"), f"unknown type {show(context['tag'])}", _tags(context, context["tag"]))
     if kind == "literal_error":
         choices = re.findall(r"'([^']*)'", context["expected"])
         return SceneError(path, f"{show(value)} is not a possible value", did_you_mean(value, choices))

@@ -16,9 +16,13 @@ def bricard() -> Scene:
     for k in range(5):
         start, end = POINTS[k], POINTS[k + 1]
         span = [b - a for a, b in zip(start, end, strict=True)]
-        builder.rigid(f"bar{k + 1}", mass=MASS, inertia=[along if d else across for d in span],
-                      center_of_mass=[d / 2 for d in span],
-                      markers={"start": {"axis": AXES[k]}, "end": {"position": span, "axis": AXES[k + 1]}})
+        builder.rigid(
+            f"bar{k + 1}",
+            mass=MASS,
+            inertia=[along if d else across for d in span],
+            center_of_mass=[d / 2 for d in span],
+            markers={"start": {"axis": AXES[k]}, "end": {"position": span, "axis": AXES[k + 1]}},
+        )
         coordinates |= {f"bar{k + 1}.{axis}": float(value) for axis, value in zip("xyz", start, strict=True)}
         builder.joint("revolute", f"hinge{k}", f"bar{k}.end" if k else "ground.P0", f"bar{k + 1}.start")
     builder.joint("revolute", "hinge5", "bar5.end", "ground.P5")

@@ -11,12 +11,25 @@ def chain(links: int = 10, modes: int = 0) -> Scene:
     for k in range(1, links + 1):
         name = f"link{k}"
         if modes:
-            builder.beam(name, length="link_length", density=7800.0, area=2e-5, second_moment=1e-11,
-                         youngs_modulus=2e11, elements=10, lateral={"ends": "clamped-free", "modes": modes})
+            builder.beam(
+                name,
+                length="link_length",
+                density=7800.0,
+                area=2e-5,
+                second_moment=1e-11,
+                youngs_modulus=2e11,
+                elements=10,
+                lateral={"ends": "clamped-free", "modes": modes},
+            )
             start, end = f"{name}.start", f"{name}.end"
         else:
-            builder.rigid(name, mass=0.078, inertia="0.078 * link_length**2 / 12",
-                          center_of_mass=("link_length / 2", 0), markers={"end": {"position": ("link_length", 0)}})
+            builder.rigid(
+                name,
+                mass=0.078,
+                inertia="0.078 * link_length**2 / 12",
+                center_of_mass=("link_length / 2", 0),
+                markers={"end": {"position": ("link_length", 0)}},
+            )
             start, end = f"{name}.origin", f"{name}.end"
         builder.revolute(f"hinge{k}", previous, start)
         previous = end

@@ -6,8 +6,11 @@ from symgen.scene import Scene, SceneBuilder
 def elastic_pendulum() -> Scene:
     """A body hung on a stiff spring: a slow swing and a fast stretch without joints."""
     return (
-        SceneBuilder("elastic_pendulum", title="Elastic pendulum",
-                     description="A body on a spring: slow swinging, fast stretching, no joint at all.")
+        SceneBuilder(
+            "elastic_pendulum",
+            title="Elastic pendulum",
+            description="A body on a spring: slow swinging, fast stretching, no joint at all.",
+        )
         .gravity(0, -9.81)
         .rigid("bob", mass=1.0, inertia=0.01, free=True)
         .spring_damper("spring", "ground.origin", "bob.origin", stiffness=1000.0, damping=0.5, free_length=1.0)

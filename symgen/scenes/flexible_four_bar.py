@@ -15,9 +15,17 @@ def flexible_four_bar() -> Scene:
     builder.ground(markers={"right": {"position": (BASE, 0)}})
     builder.rigid("crank", mass=0.8, inertia=4e-3, center_of_mass=(0.0, 0), markers={"tip": {"position": (CRANK, 0)}})
     for name, length in (("coupler", COUPLER), ("rocker", ROCKER)):
-        builder.beam(name, length=length, density=7850.0, area=WIDTH * DEPTH, second_moment=WIDTH * DEPTH**3 / 12,
-                     youngs_modulus=2.1e11, elements=20, lateral={"ends": "pinned-pinned", "modes": 2},
-                     stiffening=True)
+        builder.beam(
+            name,
+            length=length,
+            density=7850.0,
+            area=WIDTH * DEPTH,
+            second_moment=WIDTH * DEPTH**3 / 12,
+            youngs_modulus=2.1e11,
+            elements=20,
+            lateral={"ends": "pinned-pinned", "modes": 2},
+            stiffening=True,
+        )
     return (
         builder.revolute("A", "ground.origin", "crank.origin")
         .revolute("B", "crank.tip", "coupler.start")

@@ -16,8 +16,13 @@ def flexible_joint_arm() -> Scene:
     builder.parameter("elbow_torque", 6.0, "N m", "amplitude of the second motor")
     previous = "ground.origin"
     for k, mass in enumerate(MASSES, start=1):
-        builder.rigid(f"link{k}", mass=mass, inertia=mass * LENGTH**2 / 12, center_of_mass=(LENGTH / 2, 0),
-                      markers={"tip": {"position": (LENGTH, 0)}})
+        builder.rigid(
+            f"link{k}",
+            mass=mass,
+            inertia=mass * LENGTH**2 / 12,
+            center_of_mass=(LENGTH / 2, 0),
+            markers={"tip": {"position": (LENGTH, 0)}},
+        )
         builder.rigid(f"rotor{k}", mass=0.5, inertia=ROTOR)
         builder.revolute(f"joint{k}", previous, f"link{k}.origin").revolute(f"motor{k}", previous, f"rotor{k}.origin")
         builder.rotational_spring_damper(f"gear{k}", f"rotor{k}.origin", f"link{k}.origin", stiffness=STIFFNESS)

@@ -33,32 +33,55 @@ def rod_data(pi: float, axial_mass_factor: float, axial_stiffness_factor: float 
     cross[2, 0], cross[3, 0], cross[3, 1] = 16 / pi**3, -(8 / pi**3 - 1 / pi), -0.5 / pi
     cross = mass * (cross - cross.T)
     return {
-        "mass": M2, "first_moment": (M2 * L2 / 2, 0.0), "inertia": J2,
-        "M_ff": M_ff.tolist(), "K_ff": K_ff.tolist(),
+        "mass": M2,
+        "first_moment": (M2 * L2 / 2, 0.0),
+        "inertia": J2,
+        "M_ff": M_ff.tolist(),
+        "K_ff": K_ff.tolist(),
         "phi_integral": (mass * np.array([[0, 0, 2 / 3, 1 / 6], [2 / pi, 0, 0, 0]])).tolist(),
         "rho_dot_phi": (mass * L2 * np.array([0, 0, 1 / 3, 1 / 6])).tolist(),
         "rho_cross_phi": (mass * L2 * np.array([1 / pi, -0.5 / pi, 0, 0])).tolist(),
         "phi_cross_phi": cross.tolist(),
-        "markers": {**{f"at{n}": _point(n / 8) for n in range(1, 8)},
-                    "end": {"position": (L2, 0.0), "shape_x": [0.0, 0.0, 0.0, 1.0]}},
+        "markers": {
+            **{f"at{n}": _point(n / 8) for n in range(1, 8)},
+            "end": {"position": (L2, 0.0), "shape_x": [0.0, 0.0, 0.0, 1.0]},
+        },
     }
 
 
 def _point(s: float) -> dict:
     """Marker at the fraction s of the rod, where an animation draws it."""
-    return {"position": (L2 * s, 0.0), "shape_x": [0.0, 0.0, 4 * s * (1 - s), s * (2 * s - 1)],
-            "shape_y": [math.sin(math.pi * s), math.sin(2 * math.pi * s) if s != 0.5 else 0.0, 0.0, 0.0]}
+    return {
+        "position": (L2 * s, 0.0),
+        "shape_x": [0.0, 0.0, 4 * s * (1 - s), s * (2 * s - 1)],
+        "shape_y": [math.sin(math.pi * s), math.sin(2 * math.pi * s) if s != 0.5 else 0.0, 0.0, 0.0],
+    }
 
 
 def _mechanism(name: str, title: str, rod: dict | None) -> SceneBuilder:
     builder = SceneBuilder(name, title=title)
-    builder.rigid("crank", mass=M1, inertia=J1 - M1 * (L1 / 2) ** 2, center_of_mass=(L1 / 2, 0),
-                  markers={"tip": {"position": (L1, 0)}})
+    builder.rigid(
+        "crank",
+        mass=M1,
+        inertia=J1 - M1 * (L1 / 2) ** 2,
+        center_of_mass=(L1 / 2, 0),
+        markers={"tip": {"position": (L1, 0)}},
+    )
     if rod is not None:
         builder.modal("rod", **rod)
     else:
-        builder.beam("rod", length=L2, density=RHO, area=WIDTH**2, second_moment=WIDTH**4 / 12, youngs_modulus=E,
-                     elements=20, lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True, damping_ratio=0.02)
+        builder.beam(
+            "rod",
+            length=L2,
+            density=RHO,
+            area=WIDTH**2,
+            second_moment=WIDTH**4 / 12,
+            youngs_modulus=E,
+            elements=20,
+            lateral={"ends": "pinned-pinned", "modes": 2},
+            stiffening=True,
+            damping_ratio=0.02,
+        )
     start = "rod.origin" if rod is not None else "rod.start"
     builder.rigid("slider", mass=M3, inertia=1e-5)
     builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", start)
@@ -70,8 +93,9 @@ def flexible_slider_crank() -> Scene:
     """Case F1 as published: the crank turns at 150 rad/s, the rod has two lateral and two axial coordinates."""
     q = (0.0, 0.0, 0.103339863e-4, 0.169327969e-4)
     q_dot = (0.444896112581599, 0.00463433931923867, -1.78591076000055e-6, -2.68938671997904e-6)
-    builder = _mechanism("flexible_slider_crank", "Flexible slider-crank, crank angle prescribed (F1)",
-                         rod_data(PUBLISHED_PI, 1.0))
+    builder = _mechanism(
+        "flexible_slider_crank", "Flexible slider-crank, crank angle prescribed (F1)", rod_data(PUBLISHED_PI, 1.0)
+    )
     builder.parameter("omega", 150.0, "rad/s", "speed of the crank")
     builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion="omega * t")
     builder.groups(L=["rod.q1", "rod.q2"], S=["rod.q3", "rod.q4"])
@@ -79,17 +103,26 @@ def flexible_slider_crank() -> Scene:
     rates = {"crank.theta": 150.0, "rod.theta": -74.99576703969453, "slider.x": -2.68938671997904e-6}
     for k in range(4):
         coordinates[f"rod.q{k + 1}"], rates[f"rod.q{k + 1}"] = q[k], q_dot[k]
-    return builder.initial(coordinates).rates(rates).simulation(
-        t_end=0.1, dt=4e-5, m=[2], scheme="printed", save_every=10).build()
+    return (
+        builder.initial(coordinates)
+        .rates(rates)
+        .simulation(t_end=0.1, dt=4e-5, m=[2], scheme="printed", save_every=10)
+        .build()
+    )
 
 
 def flexible_slider_crank_free() -> Scene:
     """Freely running twin with the physical axial mass: the crank angle is the slow coordinate, nothing damps."""
-    builder = _mechanism("flexible_slider_crank_free", "Flexible slider-crank, running freely",
-                         rod_data(math.pi, 1 / 15))
-    return builder.independent("crank.theta", "rod.q1", "rod.q2", "rod.q3", "rod.q4").initial(
-        {"crank.theta": 0.0, "rod.theta": 0.0}).rates({"crank.theta": 150.0}).simulation(
-        t_end=0.05, dt=2e-5, m=[1], scheme="single_rate", save_every=25).build()
+    builder = _mechanism(
+        "flexible_slider_crank_free", "Flexible slider-crank, running freely", rod_data(math.pi, 1 / 15)
+    )
+    return (
+        builder.independent("crank.theta", "rod.q1", "rod.q2", "rod.q3", "rod.q4")
+        .initial({"crank.theta": 0.0, "rod.theta": 0.0})
+        .rates({"crank.theta": 150.0})
+        .simulation(t_end=0.05, dt=2e-5, m=[1], scheme="single_rate", save_every=25)
+        .build()
+    )
 
 
 def flexible_slider_crank_torque() -> Scene:
@@ -98,27 +131,44 @@ def flexible_slider_crank_torque() -> Scene:
     builder.gravity(0, -9.81)
     builder.parameter("motor_torque", 8.0, "N m", "torque of the motor while it runs up")
     builder.torque("motor", "crank.origin", "where(t < 0.15, motor_torque, 0)")
-    return builder.independent("crank.theta", "rod.q1", "rod.q2").initial(
-        {"crank.theta": 0.0, "rod.theta": 0.0}).simulation(
-        t_end=0.4, dt=1e-4, m=[5], scheme="printed", save_every=10).build()
+    return (
+        builder.independent("crank.theta", "rod.q1", "rod.q2")
+        .initial({"crank.theta": 0.0, "rod.theta": 0.0})
+        .simulation(t_end=0.4, dt=1e-4, m=[5], scheme="printed", save_every=10)
+        .build()
+    )
 
 
 def physical_slider_crank() -> Scene:
     """Case F1 with the physical axial mass, started in elastic equilibrium: axial modes nearly 3 times as fast."""
-    builder = _mechanism("physical_slider_crank", "Flexible slider-crank, crank prescribed, physical axial mass",
-                         rod_data(math.pi, 1 / 15))
+    builder = _mechanism(
+        "physical_slider_crank",
+        "Flexible slider-crank, crank prescribed, physical axial mass",
+        rod_data(math.pi, 1 / 15),
+    )
     builder.parameter("omega", 150.0, "rad/s", "speed of the crank")
     builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion="omega * t")
     builder.groups(L=["rod.q1", "rod.q2"], S=["rod.q3", "rod.q4"])
-    return builder.initial({"crank.theta": 0.0, "rod.theta": 0.0}).rates({"crank.theta": 150.0}).simulation(
-        t_end=0.1, dt=1e-5, m=[1], scheme="single_rate", save_every=50, start="quasi_static").build()
+    return (
+        builder.initial({"crank.theta": 0.0, "rod.theta": 0.0})
+        .rates({"crank.theta": 150.0})
+        .simulation(t_end=0.1, dt=1e-5, m=[1], scheme="single_rate", save_every=50, start="quasi_static")
+        .build()
+    )
 
 
 def stiff_slider_crank(ratio: float = 200.0) -> Scene:
     """The freely running twin, stiffer along the rod: fastest frequency `ratio` times the fastest lateral one."""
     factor = (ratio * LATERAL / AXIAL) ** 2
-    builder = _mechanism("stiff_slider_crank", "Flexible slider-crank, running freely, stiff along the rod",
-                         rod_data(math.pi, 1 / 15, factor))
+    builder = _mechanism(
+        "stiff_slider_crank",
+        "Flexible slider-crank, running freely, stiff along the rod",
+        rod_data(math.pi, 1 / 15, factor),
+    )
     builder.independent("crank.theta", "rod.q1", "rod.q2", "rod.q3", "rod.q4")
-    return builder.initial({"crank.theta": 0.0, "rod.theta": 0.0}).rates({"crank.theta": 150.0}).simulation(
-        t_end=0.05, dt=1e-6, m=[1], scheme="single_rate", save_every=500, start="quasi_static").build()
+    return (
+        builder.initial({"crank.theta": 0.0, "rod.theta": 0.0})
+        .rates({"crank.theta": 150.0})
+        .simulation(t_end=0.05, dt=1e-6, m=[1], scheme="single_rate", save_every=500, start="quasi_static")
+        .build()
+    )

@@ -8,8 +8,13 @@ def four_bar() -> Scene:
     builder = SceneBuilder("four_bar", title="Four-bar linkage").gravity(0, -9.81)
     builder.ground(markers={"right": {"position": (0.30, 0)}})
     for name, length, mass in (("crank", 0.10, 0.5), ("coupler", 0.30, 1.0), ("rocker", 0.25, 0.8)):
-        builder.rigid(name, mass=mass, inertia=mass * length**2 / 12, center_of_mass=(length / 2, 0),
-                      markers={"tip": {"position": (length, 0)}})
+        builder.rigid(
+            name,
+            mass=mass,
+            inertia=mass * length**2 / 12,
+            center_of_mass=(length / 2, 0),
+            markers={"tip": {"position": (length, 0)}},
+        )
     return (
         builder.revolute("A", "ground.origin", "crank.origin")
         .revolute("B", "crank.tip", "coupler.origin")

@@ -10,8 +10,13 @@ def heavy_top(orientation: str = "euler_parameters") -> Scene:
     meets its singular angle when the top points straight down at 0.3725 s.
     """
     builder = SceneBuilder("heavy_top", space="spatial", title="Heavy top").gravity(0.0, 0.0, -9.81)
-    builder.rigid("top", mass=15.0, inertia=[0.234375, 0.46875, 0.234375], orientation=orientation,
-                  markers={"foot": {"position": [0, -1, 0]}})
+    builder.rigid(
+        "top",
+        mass=15.0,
+        inertia=[0.234375, 0.46875, 0.234375],
+        orientation=orientation,
+        markers={"foot": {"position": [0, -1, 0]}},
+    )
     builder.joint("spherical", "foot", "ground.origin", "top.foot")
     about = (0.0, 150.0, -4.61538)
     parameters = orientation == "euler_parameters"

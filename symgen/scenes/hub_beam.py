@@ -9,8 +9,17 @@ def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> Scene:
         SceneBuilder("hub_beam", title="Hub with a flexible beam (F2)")
         .parameter("torque", 10.0, "N m", "amplitude of the torque")
         .rigid("hub", mass=1.0, inertia=hub_inertia)
-        .beam("beam", length=8.0, density=2766.7, area=7.2968e-5, second_moment=8.2189e-9, youngs_modulus=6.8952e10,
-              elements=100, lateral={"ends": "clamped-free", "modes": modes}, stiffening=True)
+        .beam(
+            "beam",
+            length=8.0,
+            density=2766.7,
+            area=7.2968e-5,
+            second_moment=8.2189e-9,
+            youngs_modulus=6.8952e10,
+            elements=100,
+            lateral={"ends": "clamped-free", "modes": modes},
+            stiffening=True,
+        )
         .revolute("pivot", "ground.origin", "hub.origin")
         .weld("clamp", "hub.origin", "beam.start")
         .torque("motor", "hub.origin", "where(t < 2, torque * sin(pi * t), 0)")

@@ -15,11 +15,22 @@ def near_singular_slider_crank() -> Scene:
     return (
         SceneBuilder("near_singular_slider_crank", title="Flexible slider-crank close to a change point")
         .rigid("crank", mass=0.7, inertia=0.02, center_of_mass=(0.0, 0), markers={"tip": {"position": (CRANK, 0)}})
-        .beam("rod", length=ROD, density=7870.0, area=DEPTH**2, second_moment=DEPTH**4 / 12, youngs_modulus=2e11,
-              elements=20, lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True)
+        .beam(
+            "rod",
+            length=ROD,
+            density=7870.0,
+            area=DEPTH**2,
+            second_moment=DEPTH**4 / 12,
+            youngs_modulus=2e11,
+            elements=20,
+            lateral={"ends": "pinned-pinned", "modes": 2},
+            stiffening=True,
+        )
         .rigid("slider", mass=0.075, inertia=1e-5)
-        .revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.start")
-        .prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.end", "slider.origin")
+        .revolute("A", "ground.origin", "crank.origin")
+        .revolute("B", "crank.tip", "rod.start")
+        .prismatic("slide", "ground.origin", "slider.origin")
+        .revolute("C", "rod.end", "slider.origin")
         .independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 50.0})

@@ -14,8 +14,9 @@ def overdamped_joint() -> Scene:
     return (
         SceneBuilder("overdamped_joint", title="Pendulum with an overdamped joint")
         .gravity(0, -9.81)
-        .rigid("rod", mass=0.5, inertia=0.5 * 0.4**2 / 12, center_of_mass=(0.2, 0),
-               markers={"tip": {"position": (0.4, 0)}})
+        .rigid(
+            "rod", mass=0.5, inertia=0.5 * 0.4**2 / 12, center_of_mass=(0.2, 0), markers={"tip": {"position": (0.4, 0)}}
+        )
         .rigid("finger", mass=finger["mass"], inertia=inertia / 4, center_of_mass=(finger["length"] / 2, 0))
         .revolute("hinge", "ground.origin", "rod.origin")
         .revolute("knuckle", "rod.tip", "finger.origin")

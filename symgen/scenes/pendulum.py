@@ -6,8 +6,11 @@ from symgen.scene import Scene, SceneBuilder
 def pendulum() -> Scene:
     """A point mass on a massless rod, released horizontally (case P1)."""
     return (
-        SceneBuilder("pendulum", title="Simple pendulum",
-                     description="1 kg at 1 m on a massless rod, released at rest. Period 2.36784194757624 s.")
+        SceneBuilder(
+            "pendulum",
+            title="Simple pendulum",
+            description="1 kg at 1 m on a massless rod, released at rest. Period 2.36784194757624 s.",
+        )
         .parameter("length", 1.0, "m", "length of the rod")
         .gravity(0, -9.81)
         .rigid("rod", mass=1.0, inertia=0.0, center_of_mass=("length", 0), markers={"tip": {"position": ("length", 0)}})

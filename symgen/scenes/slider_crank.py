@@ -9,8 +9,13 @@ def slider_crank() -> Scene:
         SceneBuilder("slider_crank", title="Rigid slider-crank")
         .gravity(0, -9.81)
         .rigid("crank", mass=0.36, inertia=7.02e-4, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})
-        .rigid("rod", mass=0.151104, inertia=1.1340854e-3, center_of_mass=(0.15, 0),
-               markers={"tip": {"position": (0.30, 0)}})
+        .rigid(
+            "rod",
+            mass=0.151104,
+            inertia=1.1340854e-3,
+            center_of_mass=(0.15, 0),
+            markers={"tip": {"position": (0.30, 0)}},
+        )
         .rigid("slider", mass=0.075552, inertia=1e-5)
         .revolute("A", "ground.origin", "crank.origin")
         .revolute("B", "crank.tip", "rod.origin")

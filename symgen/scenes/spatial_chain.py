@@ -16,14 +16,27 @@ def spatial_chain(links: int = 3, modes: int = 0, orientation: str = "zyx") -> S
     for k in range(links):
         link = f"link{k + 1}"
         if modes:
-            builder.beam(link, length=LENGTH, density=2700.0, area=SIDE**2, second_moment=SIDE**4 / 12,
-                         second_moment_z=SIDE**4 / 12, youngs_modulus=7e10, orientation=orientation,
-                         lateral={"ends": "clamped-free", "modes": modes - modes // 2},
-                         lateral_z={"ends": "clamped-free", "modes": modes // 2} if modes > 1 else None)
+            builder.beam(
+                link,
+                length=LENGTH,
+                density=2700.0,
+                area=SIDE**2,
+                second_moment=SIDE**4 / 12,
+                second_moment_z=SIDE**4 / 12,
+                youngs_modulus=7e10,
+                orientation=orientation,
+                lateral={"ends": "clamped-free", "modes": modes - modes // 2},
+                lateral_z={"ends": "clamped-free", "modes": modes // 2} if modes > 1 else None,
+            )
         else:
-            builder.rigid(link, mass=mass, inertia=[mass * 2 * across, mass * slender, mass * slender],
-                          center_of_mass=[LENGTH / 2, 0, 0], orientation=orientation,
-                          markers={"start": {}, "end": {"position": [LENGTH, 0, 0]}})
+            builder.rigid(
+                link,
+                mass=mass,
+                inertia=[mass * 2 * across, mass * slender, mass * slender],
+                center_of_mass=[LENGTH / 2, 0, 0],
+                orientation=orientation,
+                markers={"start": {}, "end": {"position": [LENGTH, 0, 0]}},
+            )
         builder.joint("spherical", f"joint{k + 1}", f"link{k}.end" if k else "ground.origin", f"{link}.start")
     builder.rates({"link1.theta1": 1.0} if orientation == "zyx" else {})
     return builder.simulation(t_end=1.0, dt=1e-4, scheme="single_rate").build()

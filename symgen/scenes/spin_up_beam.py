@@ -11,11 +11,21 @@ def spin_up_beam(stiffening: bool = True, modes: int = 5) -> Scene:
         SceneBuilder("spin_up_beam", title="Spin-up of a rotating beam (F3)")
         .parameter("omega", 6.0, "rad/s", "final speed")
         .parameter("ramp", 15.0, "s", "duration of the spin-up")
-        .beam("beam", length=10.0, density=1200.0, area=1e-3, second_moment=5e-7, youngs_modulus=2.8e10, elements=200,
-              lateral={"ends": "clamped-free", "modes": modes}, stiffening=stiffening)
+        .beam(
+            "beam",
+            length=10.0,
+            density=1200.0,
+            area=1e-3,
+            second_moment=5e-7,
+            youngs_modulus=2.8e10,
+            elements=200,
+            lateral={"ends": "clamped-free", "modes": modes},
+            stiffening=stiffening,
+        )
         .revolute("pivot", "ground.origin", "beam.start")
-        .prescribed_angle("spin", "ground.origin", "beam.start",
-                          motion=f"where(t < ramp, {RAMP}, omega * (t - ramp / 2))")
+        .prescribed_angle(
+            "spin", "ground.origin", "beam.start", motion=f"where(t < ramp, {RAMP}, omega * (t - ramp / 2))"
+        )
         .measure("tip_x", "x", marker_b="beam.end")
         .measure("tip_y", "y", marker_b="beam.end")
         .simulation(t_end=20.0, dt=1e-3, scheme="single_rate", save_every=20)

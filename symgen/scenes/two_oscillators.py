@@ -10,8 +10,15 @@ def two_oscillators() -> Scene:
     builder.parameter("k_L", 1.0, "1/s^2", "stiffness of the slow oscillator")
     builder.parameter("w", 20.0, "rad/s", "frequency of the fast oscillator alone")
     builder.parameter("zeta", 0.02, "1", "damping ratio of the fast oscillator")
-    builder.structure(coordinates=["x_L", "x_S"], mass=[[1.0, "c"], ["c", 1.0]],
-                      stiffness=[["k_L", 0.0], [0.0, "w**2"]], damping=[[0.0, 0.0], [0.0, "2 * zeta * w"]])
+    builder.structure(
+        coordinates=["x_L", "x_S"],
+        mass=[[1.0, "c"], ["c", 1.0]],
+        stiffness=[["k_L", 0.0], [0.0, "w**2"]],
+        damping=[[0.0, 0.0], [0.0, "2 * zeta * w"]],
+    )
     builder.groups(L=["x_L"], S=["x_S"])
-    return builder.initial({"x_L": 1.0, "x_S": 0.1}).simulation(
-        t_end=20.0, dt=0.01, m=[4], scheme="printed", save_every=10).build()
+    return (
+        builder.initial({"x_L": 1.0, "x_S": 0.1})
+        .simulation(t_end=20.0, dt=0.01, m=[4], scheme="printed", save_every=10)
+        .build()
+    )

@@ -57,8 +57,10 @@ class Equations:
     def Q_star(self) -> list[ca.SX]:
         """Q_v - K q + Q_F, per coordinate."""
         springs = matrix_times(self.K, dict(enumerate(self.q)))
-        return [add(sub(Q_v, springs.get(row, ZERO)), Q_F)
-                for row, (Q_v, Q_F) in enumerate(zip(self.Q_v, self.Q_F, strict=True))]
+        return [
+            add(sub(Q_v, springs.get(row, ZERO)), Q_F)
+            for row, (Q_v, Q_F) in enumerate(zip(self.Q_v, self.Q_F, strict=True))
+        ]
 
     @property
     def joints(self) -> list[str]:
@@ -87,4 +89,3 @@ def matrix_times(rows: list[Row], vector: Mapping[int, ca.SX]) -> Row:
             if column in vector:
                 add_to(result, row, mul(value, vector[column]))
     return result
-

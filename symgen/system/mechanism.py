@@ -84,9 +84,11 @@ class Mechanism(Generic[Marker]):
 
     def __init__(self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations) -> None:
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
-        gravity = [*scene.gravity, 0.0][:len(space.axes)]
-        self.gravity = [table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
-                        for g, axis in zip(gravity, space.axes, strict=True)]
+        gravity = [*scene.gravity, 0.0][: len(space.axes)]
+        self.gravity = [
+            table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
+            for g, axis in zip(gravity, space.axes, strict=True)
+        ]
         self._add_bodies()
         for joint in scene.joints:
             self._add_joint(joint)
@@ -99,7 +101,8 @@ class Mechanism(Generic[Marker]):
         if scene.baumgarte is not None:
             equations.baumgarte = (
                 table.quantity(scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors"),
-                table.quantity(scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors"))
+                table.quantity(scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors"),
+            )
 
     def _add_bodies(self) -> None:
         eq, first = self.equations, 0
@@ -109,7 +112,7 @@ class Mechanism(Generic[Marker]):
             body, size = self.space.add_body(description.name, columns, eq.q[first:], eq.q_dot[first:])
             columns, first = columns[:size], first + size
             eq.body_columns[description.name] = columns
-            elastic.update(columns[size - description.nf:])
+            elastic.update(columns[size - description.nf :])
             self._add_inertia(body)
         eq.elastic_columns = frozenset(elastic)
         for place in self.scene.places():
@@ -163,8 +166,11 @@ class Mechanism(Generic[Marker]):
     def _add_measures(self) -> None:
         eq = self.equations
         for measure in self.scene.measures:
-            value = (eq.q[eq.names.index(measure.coordinate)] if measure.type == "coordinate" else
-                     self.space.measure(measure.type, measure.marker_a, measure.marker_b))
+            value = (
+                eq.q[eq.names.index(measure.coordinate)]
+                if measure.type == "coordinate"
+                else self.space.measure(measure.type, measure.marker_a, measure.marker_b)
+            )
             rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
             eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
         self.environment = {**self.environment, **eq.measures}
@@ -181,8 +187,10 @@ def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:
     turning = load.type == "rotational_spring_damper"
     units = ("N m/rad", "N m s/rad", "rad") if turning else ("N/m", "N s/m", "m")
     fields = ("stiffness", "damping", "free_angle" if turning else "free_length")
-    return [table.quantity(getattr(load, field), f"{load.name}.{field}", unit)
-            for field, unit in zip(fields, units, strict=True)]
+    return [
+        table.quantity(getattr(load, field), f"{load.name}.{field}", unit)
+        for field, unit in zip(fields, units, strict=True)
+    ]
 
 
 def friction(joint: Joint, key: str, table: ParameterTable) -> ca.SX | None:
@@ -193,7 +201,6 @@ def friction(joint: Joint, key: str, table: ParameterTable) -> ca.SX | None:
 
 def components(texts: Sequence[float | str], item: str, axes: str, value: Any) -> list[ca.SX]:
     """Components of a force; a z left out is zero."""
-    return [value(text, f"{item}.components.{axis}")
-            for axis, text in zip(axes, [*texts, 0.0][:len(axes)], strict=True)]
-
-
+    return [
+        value(text, f"{item}.components.{axis}") for axis, text in zip(axes, [*texts, 0.0][: len(axes)], strict=True)
+    ]

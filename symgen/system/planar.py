@@ -36,8 +36,9 @@ class PlanarSpace:
         """x, y, theta, q_f."""
         integrals = body_integrals(self.scene, name, self.table)
         size = 3 + integrals.nf
-        body = PlanarBody(name, BodyCoordinates(columns[:size], q[:2], q[2], q[3:size], q_dot[:2], q_dot[2],
-                                                q_dot[3:size]), integrals)
+        body = PlanarBody(
+            name, BodyCoordinates(columns[:size], q[:2], q[2], q[3:size], q_dot[:2], q_dot[2], q_dot[3:size]), integrals
+        )
         self.bodies[name] = body
         return body, size
 
@@ -62,8 +63,11 @@ class PlanarSpace:
         if damping is None:
             return []
         a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-        return [effects.slide_friction(a, b, damping) if joint.type == "prismatic"
-                else effects.rotational_spring_damper(a, b, zero, damping, zero)]
+        return [
+            effects.slide_friction(a, b, damping)
+            if joint.type == "prismatic"
+            else effects.rotational_spring_damper(a, b, zero, damping, zero)
+        ]
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle, x, y or distance."""
@@ -75,8 +79,9 @@ class PlanarSpace:
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Force, torque or spring-damper."""
         if load.type == "force":
-            return effects.point_force(self.marker(load.marker), components(load.components, load.name, "xy", value),
-                                       load.frame)
+            return effects.point_force(
+                self.marker(load.marker), components(load.components, load.name, "xy", value), load.frame
+            )
         if load.type == "torque":
             reaction = self.marker(load.reaction) if load.reaction else None
             return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
@@ -86,5 +91,7 @@ class PlanarSpace:
 
     def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
         """Points of beams and markers."""
-        return [(body, [self.bodies[body].marker(shape).r for shape in shapes])
-                for body, shapes in outline_references(self.scene, self.table)]
+        return [
+            (body, [self.bodies[body].marker(shape).r for shape in shapes])
+            for body, shapes in outline_references(self.scene, self.table)
+        ]

@@ -49,8 +49,9 @@ class SpatialSpace:
         description, integrals = self.scene.body(name), spatial_integrals(self.scene, name, self.table)
         turning = len(self.scene.frame_coordinates(description))
         size = turning + integrals.nf
-        coordinates = SpatialCoordinates(columns[:size], q[:3], q[3:turning], q[turning:size], q_dot[:3],
-                                         q_dot[3:turning], q_dot[turning:size])
+        coordinates = SpatialCoordinates(
+            columns[:size], q[:3], q[3:turning], q[turning:size], q_dot[:3], q_dot[3:turning], q_dot[turning:size]
+        )
         kind = getattr(description, "orientation", "euler_parameters")
         body = SpatialBody(name, coordinates, orientation(kind, coordinates.theta, coordinates.theta_dot), integrals)
         self.bodies[name] = body
@@ -70,8 +71,17 @@ class SpatialSpace:
         if place is not None:
             own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
             lead = self.table.quantity(getattr(joint, "lead", 0), f"{joint.name}.lead", "m", "travel of a turn")
-            return placing_rows(joint.name, joint.type, a, b, own, self.bodies[place.child], self.bodies[place.parent],
-                                place.forward, lead / (2 * math.pi))
+            return placing_rows(
+                joint.name,
+                joint.type,
+                a,
+                b,
+                own,
+                self.bodies[place.child],
+                self.bodies[place.parent],
+                place.forward,
+                lead / (2 * math.pi),
+            )
         label = {"prescribed_angle": "angle", "prescribed_displacement": "travel"}.get(joint.type)
         prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
         if label is not None and prescribed is not None:
@@ -95,8 +105,11 @@ class SpatialSpace:
     def body_rows(self) -> list[ConstraintRow]:
         """Unit length of Euler parameters that no joint gives."""
         placed = {place.child for place in self._places.values()}
-        return [unit_length(body) for name, body in self.bodies.items()
-                if name not in placed and len(body.coordinates.theta) == 4]
+        return [
+            unit_length(body)
+            for name, body in self.bodies.items()
+            if name not in placed and len(body.coordinates.theta) == 4
+        ]
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:
         """Of turning and of sliding."""
@@ -107,13 +120,19 @@ class SpatialSpace:
         if turning is not None:
             own = self._coordinates.get(f"{joint.name}.angle")
             a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-            found.append(effects.hinge_friction(a, b, turning) if own is None else
-                         effects.turning_spring_damper(_angle(own), ZERO, turning, ZERO))
+            found.append(
+                effects.hinge_friction(a, b, turning)
+                if own is None
+                else effects.turning_spring_damper(_angle(own), ZERO, turning, ZERO)
+            )
         if sliding is not None:
             own = self._coordinates.get(f"{joint.name}.travel")
             a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-            found.append(effects.slide_friction(a, b, sliding, self.motion) if own is None else
-                         effects.turning_spring_damper(_angle(own), ZERO, sliding, ZERO))
+            found.append(
+                effects.slide_friction(a, b, sliding, self.motion)
+                if own is None
+                else effects.turning_spring_damper(_angle(own), ZERO, sliding, ZERO)
+            )
         return found
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
@@ -128,17 +147,21 @@ class SpatialSpace:
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Force, torque, spring-damper or bushing."""
         if load.type == "force":
-            return effects.point_force(self.marker(load.marker), components(load.components, load.name, "xyz", value),
-                                       load.frame)
+            return effects.point_force(
+                self.marker(load.marker), components(load.components, load.name, "xyz", value), load.frame
+            )
         if load.type == "torque":
             reaction = self.marker(load.reaction) if load.reaction else None
             return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
         a, b = self.marker(load.marker_a), self.marker(load.marker_b)
         if load.type == "bushing":
-            return effects.bushing(a, b, (self._triple(load, "stiffness", "N/m"),
-                                          self._triple(load, "rotational_stiffness", "N m/rad")),
-                                   (self._triple(load, "damping", "N s/m"),
-                                    self._triple(load, "rotational_damping", "N m s/rad")), self.motion)
+            return effects.bushing(
+                a,
+                b,
+                (self._triple(load, "stiffness", "N/m"), self._triple(load, "rotational_stiffness", "N m/rad")),
+                (self._triple(load, "damping", "N s/m"), self._triple(load, "rotational_damping", "N m s/rad")),
+                self.motion,
+            )
         values = spring_values(load, self.table)
         if load.type == "spring_damper":
             return effects.spring_damper(a, b, *values)

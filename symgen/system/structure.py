@@ -21,9 +21,16 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
     env = {**table.environment(), "t": eq.t}
 
     def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
-        return [{} if rows is None else {
-            column: table.quantity(value, f"{label}[{row},{column}]", unit)
-            for column, value in enumerate(rows[row]) if value != 0} for row in range(len(eq.names))]
+        return [
+            {}
+            if rows is None
+            else {
+                column: table.quantity(value, f"{label}[{row},{column}]", unit)
+                for column, value in enumerate(rows[row])
+                if value != 0
+            }
+            for row in range(len(eq.names))
+        ]
 
     eq.M = matrix(structure.mass, "M", "kg")
     eq.K = matrix(structure.stiffness, "K", "N/m")

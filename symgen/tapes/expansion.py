@@ -76,8 +76,9 @@ class Expansion:
                     return self._merged({**left, factors: coefficient} if coefficient else left)
         return terms
 
-    def _rule(self, u: tuple[int, ...], v: tuple[int, ...], a: Coefficient,
-              b: Coefficient) -> tuple[tuple[int, ...], Coefficient] | None:
+    def _rule(
+        self, u: tuple[int, ...], v: tuple[int, ...], a: Coefficient, b: Coefficient
+    ) -> tuple[tuple[int, ...], Coefficient] | None:
         only_u, only_v = _difference(u, v), _difference(v, u)
         if len(only_u) != 2 or len(only_v) != 2:
             return None

@@ -29,8 +29,10 @@ def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
     for kernel in graphed.values():
         for node in kernel.hoisted():
             position.setdefault(node, len(position))
-    return {"constants": _constants(graph, position, p.numel()),
-            **{name: kernel.rebuilt(position) for name, kernel in graphed.items()}}
+    return {
+        "constants": _constants(graph, position, p.numel()),
+        **{name: kernel.rebuilt(position) for name, kernel in graphed.items()},
+    }
 
 
 def _constants(graph: Graph, position: Mapping[int, int], p_size: int) -> Tape:
@@ -57,8 +59,9 @@ class _Graphed:
         self.graph = graph
         self.tape = Kernel({**kernel.inputs, "p": p}, kernel.outputs).tape()
         first = graph.new_arguments(len(self.tape.input_names))
-        self.arguments = {position: 0 if name == "p" else first + position
-                          for position, name in enumerate(self.tape.input_names)}
+        self.arguments = {
+            position: 0 if name == "p" else first + position for position, name in enumerate(self.tape.input_names)
+        }
         numbers: list[int] = []
         for node, count in zip(self.tape.nodes, uses(self.tape), strict=True):
             numbers.append(self._place(node, numbers))
@@ -71,9 +74,12 @@ class _Graphed:
     def _place(self, node: Node, numbers: list[int]) -> int:
         if node.op == ca.OP_CONST:
             if not isfinite(node.value):
-                raise SceneError("expressions", "a motion, load or quantity contains a division by zero or a logarithm "
-                                 "of a number that is not positive", "correct the expression, also in the branches of "
-                                 "where() that are not taken")
+                raise SceneError(
+                    "expressions",
+                    "a motion, load or quantity contains a division by zero or a logarithm "
+                    "of a number that is not positive",
+                    "correct the expression, also in the branches of where() that are not taken",
+                )
             return self.graph.constant(node.value)
         if node.op == ca.OP_INPUT:
             argument = self.arguments[node.a]
@@ -93,8 +99,12 @@ class _Graphed:
         names, sizes = [tape.input_names[k] for k in kept], [tape.input_sizes[k] for k in kept]
         number = {node: k for k, node in enumerate(self.live)}
         c_entries = set(self.hoisted())
-        nodes = [Node(ca.OP_INPUT, len(kept), position[k], 0.0) if k in c_entries
-                 else _renumbered(graph.nodes[k], number, arguments) for k in self.live]
+        nodes = [
+            Node(ca.OP_INPUT, len(kept), position[k], 0.0)
+            if k in c_entries
+            else _renumbered(graph.nodes[k], number, arguments)
+            for k in self.live
+        ]
         if c_entries:
             names, sizes = [*names, "c"], [*sizes, len(position)]
         outputs = [[number[entry] for entry in entries] for entries in self.outputs]

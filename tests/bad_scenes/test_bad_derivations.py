@@ -39,8 +39,12 @@ def parallelogram(middle: float = 1.0, tilt: float = 0.0) -> SceneBuilder:
     builder = SceneBuilder("bars").ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
     for name, length in (("left", 1.0), ("middle", middle), ("right", 1.0)):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (length, 0)}})
-    builder.rigid("top", mass=1.0, inertia=0.1, markers={"a": {"position": (0, 0)}, "b": {"position": (1, 0)},
-                                                        "c": {"position": (2, 0)}})
+    builder.rigid(
+        "top",
+        mass=1.0,
+        inertia=0.1,
+        markers={"a": {"position": (0, 0)}, "b": {"position": (1, 0)}, "c": {"position": (2, 0)}},
+    )
     for name, ground, mark in (("left", "origin", "a"), ("middle", "m", "b"), ("right", "r", "c")):
         builder.revolute(f"{name}_low", f"ground.{ground}", f"{name}.origin")
         builder.revolute(f"{name}_up", f"{name}.tip", f"top.{mark}")
@@ -80,8 +84,12 @@ def too_short() -> SceneBuilder:
     builder = SceneBuilder("short").ground(markers={"far": {"position": (5, 0)}})
     for name in ("one", "two"):
         builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1, 0)}})
-    return builder.revolute("A", "ground.origin", "one.origin").revolute("B", "one.tip", "two.origin").point_on_line(
-        "slot", "ground.far", "two.tip").revolute("C", "two.tip", "ground.far")
+    return (
+        builder.revolute("A", "ground.origin", "one.origin")
+        .revolute("B", "one.tip", "two.origin")
+        .point_on_line("slot", "ground.far", "two.tip")
+        .revolute("C", "two.tip", "ground.far")
+    )
 
 
 def fixed_apart() -> SceneBuilder:
@@ -97,14 +105,26 @@ def dependent_chosen() -> SceneBuilder:
 
 
 def too_few_chosen() -> SceneBuilder:
-    return SceneBuilder("two").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1).revolute(
-        "p", "ground.origin", "a.origin").revolute("q", "a.origin", "b.origin").independent("a.theta")
+    return (
+        SceneBuilder("two")
+        .rigid("a", mass=1.0, inertia=0.1)
+        .rigid("b", mass=1.0, inertia=0.1)
+        .revolute("p", "ground.origin", "a.origin")
+        .revolute("q", "a.origin", "b.origin")
+        .independent("a.theta")
+    )
 
 
 def uncovered_group() -> SceneBuilder:
-    return SceneBuilder("two").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1).revolute(
-        "p", "ground.origin", "a.origin").revolute("q", "a.origin", "b.origin").groups(L=["a.theta"]).simulation(
-        t_end=1.0, dt=0.1)
+    return (
+        SceneBuilder("two")
+        .rigid("a", mass=1.0, inertia=0.1)
+        .rigid("b", mass=1.0, inertia=0.1)
+        .revolute("p", "ground.origin", "a.origin")
+        .revolute("q", "a.origin", "b.origin")
+        .groups(L=["a.theta"])
+        .simulation(t_end=1.0, dt=0.1)
+    )
 
 
 def dependent_group() -> SceneBuilder:
@@ -173,35 +193,38 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
     return load_model(generate(pendulum().build(), tmp_path_factory.mktemp("swing")))
 
 
-@pytest.mark.parametrize(("arguments", "error", "phrase"), [
-    ({"dt": 0.0}, SchemeError, "dt must be a positive number"),
-    ({"dt": -1e-3}, SchemeError, "dt must be a positive number"),
-    ({"dt": float("nan")}, SchemeError, "dt must be a positive number"),
-    ({"t_end": 0.0}, SchemeError, "t_end must be a time after"),
-    ({"t_end": float("inf")}, SchemeError, "t_end must be a time after"),
-    ({"save_every": 0}, SchemeError, "save_every"),
-    ({"save_every": 1.5}, SchemeError, "save_every"),
-    ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
-    ({"scheme": "printed", "m": [2]}, SchemeError, "m needs 0 ratio"),
-    ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
-    ({"engine": "fast"}, ValueError, "engine must be"),
-    ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
-    ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be a finite number"),
-    ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
-    ({"parameters": {"rod.mass": -1.0}}, ModelError, "must be positive"),
-    ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
-    ({"m": 3}, SchemeError, "m must be a list"),
-    ({"t0": float("nan")}, SchemeError, "t0 must be a time"),
-    ({"t0": "a"}, SchemeError, "t0 must be a time"),
-    ({"t_end": 1e300, "dt": 1e-300}, SchemeError, "raise dt"),
-    ({"options": {"eps": "a"}}, SchemeError, "eps"),
-    ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
-    ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be a finite number"),
-    ({"initial": {"rod.x": 1.0}}, InitialStateError, "cannot all be satisfied"),
-    ({"options": {"eps": (0.0,)}}, SchemeError, "eps"),
-    ({"options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
-    ({"options": {"tolerance": 1.0}}, SchemeError, "no option 'tolerance'"),
-])
+@pytest.mark.parametrize(
+    ("arguments", "error", "phrase"),
+    [
+        ({"dt": 0.0}, SchemeError, "dt must be a positive number"),
+        ({"dt": -1e-3}, SchemeError, "dt must be a positive number"),
+        ({"dt": float("nan")}, SchemeError, "dt must be a positive number"),
+        ({"t_end": 0.0}, SchemeError, "t_end must be a time after"),
+        ({"t_end": float("inf")}, SchemeError, "t_end must be a time after"),
+        ({"save_every": 0}, SchemeError, "save_every"),
+        ({"save_every": 1.5}, SchemeError, "save_every"),
+        ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
+        ({"scheme": "printed", "m": [2]}, SchemeError, "m needs 0 ratio"),
+        ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
+        ({"engine": "fast"}, ValueError, "engine must be"),
+        ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),
+        ({"parameters": {"rod.mass": float("nan")}}, ModelError, "must be a finite number"),
+        ({"parameters": {"rod.mass": "x"}}, ModelError, "must be a finite number"),
+        ({"parameters": {"rod.mass": -1.0}}, ModelError, "must be positive"),
+        ({"parameters": {"rod.inertia": -1.0}}, ModelError, "at least zero"),
+        ({"m": 3}, SchemeError, "m must be a list"),
+        ({"t0": float("nan")}, SchemeError, "t0 must be a time"),
+        ({"t0": "a"}, SchemeError, "t0 must be a time"),
+        ({"t_end": 1e300, "dt": 1e-300}, SchemeError, "raise dt"),
+        ({"options": {"eps": "a"}}, SchemeError, "eps"),
+        ({"initial": {"rod.phi": 1.0}}, InitialStateError, "no coordinate 'rod.phi'"),
+        ({"initial": {"rod.theta": float("inf")}}, InitialStateError, "must be a finite number"),
+        ({"initial": {"rod.x": 1.0}}, InitialStateError, "cannot all be satisfied"),
+        ({"options": {"eps": (0.0,)}}, SchemeError, "eps"),
+        ({"options": {"guess": "magic"}}, SchemeError, "guess must be one of"),
+        ({"options": {"tolerance": 1.0}}, SchemeError, "no option 'tolerance'"),
+    ],
+)
 def test_bad_arguments_of_a_run(swing: Model, arguments: dict[str, Any], error: type[Exception], phrase: str) -> None:
     with pytest.raises(error, match=phrase.replace("(", r"\(")):
         simulate(swing, **arguments)
@@ -209,8 +232,9 @@ def test_bad_arguments_of_a_run(swing: Model, arguments: dict[str, Any], error: 
 
 @pytest.mark.parametrize("ratio", [0, -1, 2.5, True, 10**9])
 def test_ratios_must_be_whole_numbers(ratio: Any, tmp_path: Path) -> None:
-    scene = SceneBuilder("pair").structure(coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]],
-                                           stiffness=[[1.0, 0.0], [0.0, 100.0]])
+    scene = SceneBuilder("pair").structure(
+        coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 100.0]]
+    )
     scene.groups(L=["a"], S=["b"]).simulation(t_end=1.0, dt=0.01, m=[2])
     model = load_model(generate(scene.build(), tmp_path / "pair"))
     with pytest.raises(SchemeError, match="whole numbers"):
@@ -233,8 +257,9 @@ def test_step_too_long_ends_with_status_time_coordinate_and_advice(tmp_path: Pat
 
 
 def test_growing_sub_cycling_ends_with_its_cause(tmp_path: Path) -> None:
-    pair = SceneBuilder("pair").structure(coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]],
-                                          stiffness=[[1.0, 0.0], [0.0, 400.0]])
+    pair = SceneBuilder("pair").structure(
+        coordinates=["a", "b"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 400.0]]
+    )
     pair.groups(L=["a"], S=["b"]).initial({"a": 1.0, "b": 0.1}).simulation(t_end=20.0, dt=0.01, m=[4])
     solution = simulate(load_model(generate(pair.build(), tmp_path / "pair")), scheme="printed")
     assert solution.status.name == "diverged"

@@ -79,8 +79,9 @@ BAD: list[tuple[str, str, str, Any, str, str]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("base", "path", "value", "item", "phrase"), [case[1:] for case in BAD],
-                         ids=[case[0] for case in BAD])
+@pytest.mark.parametrize(
+    ("base", "path", "value", "item", "phrase"), [case[1:] for case in BAD], ids=[case[0] for case in BAD]
+)
 def test_bad_scene(base: str, path: str, value: Any, item: str, phrase: str) -> None:
     with pytest.raises(SceneError) as caught:
         Scene.from_dict(edited(base, path, value))

@@ -31,8 +31,11 @@ def f1_reference() -> Solution:
 def test_p1_pendulum_positions() -> None:
     """IFToMM A01: exact tip positions at 1, 5 and 10 s."""
     solution = simulate(model("pendulum"), t_end=10.0, dt=2e-5, save_every=50_000)
-    exact = {1: (0.986291751131875, -0.165010853125541), 5: (-0.942305435043757, -0.334754338414001),
-             10: (-0.275087462576117, -0.961419205099125)}
+    exact = {
+        1: (0.986291751131875, -0.165010853125541),
+        5: (-0.942305435043757, -0.334754338414001),
+        10: (-0.275087462576117, -0.961419205099125),
+    }
     for second, (x, y) in exact.items():
         k = int(np.argmin(np.abs(solution.t - second)))
         assert abs(solution["tip_x"][k] - x) < 1e-8

@@ -14,8 +14,11 @@ from symgen.scene import Scene
 from symgen.scenes.tumbling_body import tumbling_body
 
 Load = Callable[[str], Model]
-WINDOWS = {1.0: (-0.19502030194944, -0.98079920566217), 2.0: (0.057815795768011, 0.99832726786346),
-           10.0: (0.32845811154082, 0.9445185381786)}
+WINDOWS = {
+    1.0: (-0.19502030194944, -0.98079920566217),
+    2.0: (0.057815795768011, 0.99832726786346),
+    10.0: (0.32845811154082, 0.9445185381786),
+}
 TOP = {0.2: (0.60555056138, 0.59895768179, -0.52398302743), 1.0: (0.17334396410, 0.64008859207, -0.74849079113)}
 INERTIA = np.array([1.0, 2.0, 3.0])
 
@@ -30,13 +33,15 @@ def at(solution: Solution, time: float, name: str) -> float:
 def window_error(solution: Solution) -> float:
     """Largest error of the tip B0 at the published times."""
     angle = {time: at(solution, time, "upright0.theta") for time in WINDOWS}
-    return max(float(np.abs([np.cos(angle[time]) - x, np.sin(angle[time]) - y]).max())
-               for time, (x, y) in WINDOWS.items())
+    return max(
+        float(np.abs([np.cos(angle[time]) - x, np.sin(angle[time]) - y]).max()) for time, (x, y) in WINDOWS.items()
+    )
 
 
 @pytest.mark.parametrize("scheme, dt, error, energy", [("dop853", 1e-2, 1e-6, 1e-4), ("single_rate", 1e-2, 1e-3, 0.1)])
-def test_windows_pass_ten_singular_positions(built_in: Load, scheme: str, dt: float, error: float,
-                                             energy: float) -> None:
+def test_windows_pass_ten_singular_positions(
+    built_in: Load, scheme: str, dt: float, error: float, energy: float
+) -> None:
     """P2, N = 2: the branch is kept, energy too; each passage is reported."""
     solution = simulate(built_in("n_four_bar"), scheme=scheme, dt=dt, t_end=10.0, save_every=1)
     assert solution.status.ok

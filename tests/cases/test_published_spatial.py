@@ -14,8 +14,10 @@ from symgen.scenes import generated_folder
 from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.spin_up_beam import spin_up_beam
 
-P3 = {0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),
-      1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866)}
+P3 = {
+    0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),
+    1.0: (0.5105014611872206, -1.649167599394806, 0.1401231145532866),
+}
 P4 = {0.1: 0.52383647556958, 0.5: 0.74324942478637, 1.0: 0.50142092237955, 10.0: 0.61962291706135}
 P5 = {0.2: (0.60555056138, 0.59895768179, -0.52398302743), 1.0: (0.17334396410, 0.64008859207, -0.74849079113)}
 
@@ -36,8 +38,16 @@ def test_p3_bricard_mechanism() -> None:
 
 def test_p4_flyball_governor() -> None:
     """IFToMM A05: travel of the slider; the strong damper needs an implicit method."""
-    solution = scipy_solution(model("flyball_governor"), "Radau", t_end=10.0, times=np.array(list(P4)), rtol=1e-9,
-                              atol=1e-11, compiled=False, closure_iterations=3)
+    solution = scipy_solution(
+        model("flyball_governor"),
+        "Radau",
+        t_end=10.0,
+        times=np.array(list(P4)),
+        rtol=1e-9,
+        atol=1e-11,
+        compiled=False,
+        closure_iterations=3,
+    )
     np.testing.assert_allclose(solution["height.travel"], list(P4.values()), rtol=0, atol=1e-8)
 
 

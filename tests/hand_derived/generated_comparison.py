@@ -36,8 +36,10 @@ def compare_at(model: Model, twin: ModuleType, params: Any, q_i: Any, q_i_dot: A
         "Q_hat": (_get(model, "condensed", "Q_hat", values), twin.Q_hat(params, q_i, q_i_dot, t)),
         "C_q": (_get(model, "constraints", "C_q", values), twin.C_q(params, q, t)),
         "dQ_hat_dq_i": (_get(model, "dQ_hat_dq_i", "dQ_hat_dq_i", values), twin.dQ_hat_dq_i(params, q_i, q_i_dot, t)),
-        "dQ_hat_dq_i_dot": (_get(model, "dQ_hat_dq_i_dot", "dQ_hat_dq_i_dot", values),
-                            twin.dQ_hat_dq_i_dot(params, q_i, q_i_dot, t)),
+        "dQ_hat_dq_i_dot": (
+            _get(model, "dQ_hat_dq_i_dot", "dQ_hat_dq_i_dot", values),
+            twin.dQ_hat_dq_i_dot(params, q_i, q_i_dot, t),
+        ),
         "dMa_dq_i": (_get(model, "dMa_dq_i", "dMa_dq_i", {**values, "q_i_ddot": a}), twin.dMa_dq_i(params, q_i, a, t)),
     }
     for name, (generated, derived) in pairs.items():

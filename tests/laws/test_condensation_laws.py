@@ -62,11 +62,20 @@ def test_accelerations_satisfy_the_constraints(built_in: Load, name: str) -> Non
         coasting = np.zeros(len(model.coordinates))
         if model.q_d:
             zero = np.zeros(len(model.q_i))
-            coasting[model.dependent_columns] = evaluate(model, "accelerations", **state.values(),
-                                                         q_i_ddot=zero)["q_d_ddot"]
+            coasting[model.dependent_columns] = evaluate(model, "accelerations", **state.values(), q_i_ddot=zero)[
+                "q_d_ddot"
+            ]
         h = 1e-4 / max(1.0, np.max(np.abs(state.q_dot)))
-        along = [evaluate(model, "constraints", q=state.q + s * state.q_dot + s**2 / 2 * coasting, q_dot=state.q_dot,
-                          t=state.t + s)["C"] for s in (-h, 0.0, h)]
+        along = [
+            evaluate(
+                model,
+                "constraints",
+                q=state.q + s * state.q_dot + s**2 / 2 * coasting,
+                q_dot=state.q_dot,
+                t=state.t + s,
+            )["C"]
+            for s in (-h, 0.0, h)
+        ]
         second = (along[0] - 2 * along[1] + along[2]) / h**2  # C_q q_ddot - gamma
         assert np.max(np.abs(second)) < 1e-4 * max(1.0, np.max(np.abs(result["gamma"])))
 
@@ -165,8 +174,9 @@ def test_jacobians_equal_central_differences(built_in: Load, name: str) -> None:
             behind = force_at(model, state, state.q_i - step[0], state.q_i_dot - step[1])
             noise = 1e-15 * np.max(np.abs(ahead)) / h
             difference = (ahead - behind) / (2 * h)
-            np.testing.assert_allclose(emitted[:, j], difference, rtol=1e-5,
-                                       atol=1e-6 * np.max(np.abs(emitted[:, j])) + 100 * noise)
+            np.testing.assert_allclose(
+                emitted[:, j], difference, rtol=1e-5, atol=1e-6 * np.max(np.abs(emitted[:, j])) + 100 * noise
+            )
 
 
 @pytest.mark.parametrize("name", ["double_pendulum", "hub_beam", "chain"])
@@ -190,8 +200,9 @@ def test_blocks_of_the_partition(built_in: Callable[[str], Model], name: str) ->
         condensed, blocks = evaluate(model, "condensed", **state.values()), evaluate(model, "blocks", **state.values())
         M_hat = condensed["M_hat"].reshape(n, n)
         for row in model.groups:
-            np.testing.assert_allclose(blocks[f"Q_hat_{row.name}"].ravel(), condensed["Q_hat"].ravel()[row.positions],
-                                       rtol=1e-12, atol=1e-12)
+            np.testing.assert_allclose(
+                blocks[f"Q_hat_{row.name}"].ravel(), condensed["Q_hat"].ravel()[row.positions], rtol=1e-12, atol=1e-12
+            )
             for column in model.groups:
                 block = blocks[f"M_hat_{row.name}{column.name}"].reshape(len(row.positions), len(column.positions))
                 expected = M_hat[np.ix_(row.positions, column.positions)]

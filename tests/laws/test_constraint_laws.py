@@ -29,8 +29,13 @@ def test_constraints_hold_at_both_levels(built_in: Load, name: str, scheme: str)
 
 
 def test_observation_closes_what_a_step_leaves_open(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
-    settings = {"scheme": "single_rate", "dt": 2e-2, "t_end": 2.0, "save_every": 1,
-                "options": {"closure_iterations": 1}}
+    settings = {
+        "scheme": "single_rate",
+        "dt": 2e-2,
+        "t_end": 2.0,
+        "save_every": 1,
+        "options": {"closure_iterations": 1},
+    }
     model = built_in("four_bar")
     assert simulate(model, **settings).constraint_error.max() < 1e-11  # type: ignore[arg-type]
     monkeypatch.setattr(observe, "MOST_CLOSURES", 0)
@@ -50,6 +55,7 @@ def test_the_rate_error_is_the_time_derivative_of_the_constraints(built_in: Load
         values = {"q": q + (time - t) * v, "q_dot": v, "t": time, "c": c}
         return np.asarray(kernel(**{name: ca.DM(values[name]) for name in kernel.name_in()})["C"]).ravel()
 
-    found = assemble_solution(model, np.array([t]), q[None], v[None], 0 * v[None], p, c, "", 0.0, [], {},
-                              simulate(model, t_end=1e-4).status)
+    found = assemble_solution(
+        model, np.array([t]), q[None], v[None], 0 * v[None], p, c, "", 0.0, [], {}, simulate(model, t_end=1e-4).status
+    )
     assert found.constraint_rate_error[0] == pytest.approx(np.abs(C(t + h) - C(t - h)).max() / (2 * h), rel=1e-7)

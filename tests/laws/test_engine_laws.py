@@ -25,8 +25,10 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
 def test_engines_agree_bit_for_bit(built_in: Load, name: str, scheme: str) -> None:
     model = built_in(name)
     ratios = [3] * (len(model.groups) - 1) if scheme == "printed" else None
-    results = [simulate(model, t_end=20 * float(model.simulation["dt"]), scheme=scheme, m=ratios, save_every=1,
-                        engine=engine) for engine in ("compiled", "interpreted")]
+    results = [
+        simulate(model, t_end=20 * float(model.simulation["dt"]), scheme=scheme, m=ratios, save_every=1, engine=engine)
+        for engine in ("compiled", "interpreted")
+    ]
     assert [result.stats["engine"] for result in results] == ["compiled", "interpreted"]
     for field in ("t", "q", "q_dot", "q_ddot", "lam"):
         np.testing.assert_array_equal(getattr(results[0], field), getattr(results[1], field), err_msg=field)

@@ -19,8 +19,13 @@ from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 
 Load = Callable[[str], Model]
-CASES = [("flexible_slider_crank_free", 1e-5), ("hub_beam", 2e-3), ("flexible_slider_crank_torque", 5e-5),
-         ("two_oscillators", 1e-2), ("overdamped_joint", 4e-5)]
+CASES = [
+    ("flexible_slider_crank_free", 1e-5),
+    ("hub_beam", 2e-3),
+    ("flexible_slider_crank_torque", 5e-5),
+    ("two_oscillators", 1e-2),
+    ("overdamped_joint", 4e-5),
+]
 
 
 def started(model: Model, scheme: str, m: list[int], dt: float) -> tuple[Any, Any, Any]:
@@ -41,13 +46,12 @@ def test_hoisting_changes_no_bit(built_in: Load, name: str, dt: float, scheme: s
     InterpretedProgram(scheme_on.program(), len(z), len(c)).run(plain, c, 30)
     InterpretedProgram(program, size, len(c)).run(hoisted, c, 30)
     assert np.max(np.abs(plain - z)) > 0
-    np.testing.assert_array_equal(hoisted[:len(z)], plain)
+    np.testing.assert_array_equal(hoisted[: len(z)], plain)
 
 
 @pytest.mark.parametrize("scheme, m", [("coupled", [7]), ("decoupled", [4])])
 @pytest.mark.parametrize("name, dt", CASES)
-def test_prepared_programs_agree_to_rounding(built_in: Load, name: str, dt: float, scheme: str,
-                                             m: list[int]) -> None:
+def test_prepared_programs_agree_to_rounding(built_in: Load, name: str, dt: float, scheme: str, m: list[int]) -> None:
     """Law: `prepare` changes no more than rounding (a division by a constant becomes a product)."""
     scheme_on, z, c = started(built_in(name), scheme, m, dt)
     prepared = prepare(scheme_on.program(), len(z), len(c))
@@ -76,8 +80,10 @@ def arithmetic(program: Program) -> tuple[int, int]:
 
 
 # fewer sines and cosines: those of q_L; the load of hub_beam depends on time, which sub-steps follow
-@pytest.mark.parametrize("name, trigonometry", [("hub_beam", 0), ("overdamped_joint", 1),
-                                                ("flexible_slider_crank_free", 2), ("flexible_four_bar", 2)])
+@pytest.mark.parametrize(
+    "name, trigonometry",
+    [("hub_beam", 0), ("overdamped_joint", 1), ("flexible_slider_crank_free", 2), ("flexible_four_bar", 2)],
+)
 def test_sub_steps_get_cheaper(built_in: Load, name: str, trigonometry: int) -> None:
     """Law: what q_L alone decides is not computed in the sub-steps, its sines and cosines least of all."""
     scheme, z, _ = started(built_in(name), "coupled", [4], 1e-5)

@@ -45,11 +45,11 @@ def exact(matrices: tuple[Array, Array, Array], y: Array, G: Array, tau: float, 
     M, J_q, J_v = matrices
     n = len(M)
     A = np.zeros((2 * n + 3, 2 * n + 3))
-    A[:n, n:2 * n] = np.eye(n)
-    A[n:2 * n, :n], A[n:2 * n, n:2 * n] = np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
-    A[n:2 * n, 2 * n:] = np.linalg.solve(M, G.T)  # G0 + G1 s1 + G2 s2, s1 = tau, s2 = tau^2 / 2
+    A[:n, n : 2 * n] = np.eye(n)
+    A[n : 2 * n, :n], A[n : 2 * n, n : 2 * n] = np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
+    A[n : 2 * n, 2 * n :] = np.linalg.solve(M, G.T)  # G0 + G1 s1 + G2 s2, s1 = tau, s2 = tau^2 / 2
     A[2 * n + 1, 2 * n], A[2 * n + 2, 2 * n + 1] = 1.0, 1.0
-    return np.asarray(scipy.linalg.expm(A * h) @ np.concatenate([y, [1.0, tau, tau**2 / 2]]))[:2 * n]
+    return np.asarray(scipy.linalg.expm(A * h) @ np.concatenate([y, [1.0, tau, tau**2 / 2]]))[: 2 * n]
 
 
 @pytest.mark.parametrize("n", [1, 2, 4])

@@ -34,10 +34,16 @@ def coupled_loops() -> Scene:
     builder = SceneBuilder("coupled").gravity(0, -9.81)
     builder.ground(markers={"b": {"position": (1.1, 0.1)}, "e": {"position": (2.0, -0.2)}})
     for name, length in (("a", 0.6), ("b", 0.8), ("d", 1.5), ("e", 0.5)):
-        builder.rigid(name, mass=1.0, inertia=0.05, center_of_mass=(length / 2, 0.02),
-                      markers={"tip": {"position": (length, 0)}})
-    builder.rigid("c", mass=2.0, inertia=0.2, center_of_mass=(0.5, 0.2),
-                  markers={"p": {"position": (1.0, 0)}, "r": {"position": (0.6, 0.5)}})
+        builder.rigid(
+            name, mass=1.0, inertia=0.05, center_of_mass=(length / 2, 0.02), markers={"tip": {"position": (length, 0)}}
+        )
+    builder.rigid(
+        "c",
+        mass=2.0,
+        inertia=0.2,
+        center_of_mass=(0.5, 0.2),
+        markers={"p": {"position": (1.0, 0)}, "r": {"position": (0.6, 0.5)}},
+    )
     builder.revolute("A", "ground.origin", "a.origin").revolute("AC", "a.tip", "c.origin")
     builder.revolute("B", "ground.b", "b.origin").revolute("BC", "b.tip", "c.p")
     builder.revolute("E", "ground.e", "e.origin").revolute("DE", "e.tip", "d.origin").revolute("DC", "d.tip", "c.r")
@@ -56,11 +62,20 @@ def model(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 def test_the_order_is_the_finest_block_triangular_one() -> None:
     """Rows 0-4, columns 10-14: row 3 has column 13 alone, rows 0 and 4 need each other, row 1 needs both."""
     one = ca.SX(1)
-    entries = {0: {10: one, 12: one, 13: one}, 1: {11: one, 10: one}, 2: {14: one, 11: one}, 3: {13: one},
-               4: {10: one, 12: one}}
+    entries = {
+        0: {10: one, 12: one, 13: one},
+        1: {11: one, 10: one},
+        2: {14: one, 11: one},
+        3: {13: one},
+        4: {10: one, 12: one},
+    }
     blocks = order_blocks([0, 1, 2, 3, 4], [10, 11, 12, 13, 14], entries)
     assert [(block.rows, block.columns) for block in blocks] == [
-        ([3], [13]), ([0, 4], [10, 12]), ([1], [11]), ([2], [14])]
+        ([3], [13]),
+        ([0, 4], [10, 12]),
+        ([1], [11]),
+        ([2], [14]),
+    ]
 
 
 def test_each_window_is_a_block_of_its_own() -> None:

@@ -89,8 +89,9 @@ def test_dissipation_is_an_option(built_in: Load) -> None:
     model = built_in("elastic_pendulum")
     lost = {}
     for rho in (1.0, 0.5):
-        energy = run(model, "generalized_alpha", 5e-3, 10.0, options={"rho_inf": rho},
-                     parameters={"spring.damping": 0.0}).total_energy
+        energy = run(
+            model, "generalized_alpha", 5e-3, 10.0, options={"rho_inf": rho}, parameters={"spring.damping": 0.0}
+        ).total_energy
         lost[rho] = np.max(np.abs(energy - energy[0]))
     assert lost[1.0] < 0.2 * lost[0.5], lost
 
@@ -112,15 +113,22 @@ def test_constraints_need_dissipation(built_in: Load) -> None:
 def test_hht_and_generalized_alpha_meet(built_in: Load) -> None:
     """alpha_m = 0 is both rho_inf = 1/2 and alpha = 1/3."""
     model = built_in("double_pendulum")
-    both = [run(model, scheme, 5e-3, 1.0, options=options).q for scheme, options in
-            (("generalized_alpha", {"rho_inf": 0.5}), ("hht", {"alpha": 1 / 3}))]
+    both = [
+        run(model, scheme, 5e-3, 1.0, options=options).q
+        for scheme, options in (("generalized_alpha", {"rho_inf": 0.5}), ("hht", {"alpha": 1 / 3}))
+    ]
     np.testing.assert_allclose(both[0], both[1], rtol=0, atol=1e-12)
 
 
 def test_options_of_opponents_are_checked(built_in: Load) -> None:
     model = built_in("double_pendulum")
-    for scheme, options in (("generalized_alpha", {"rho_inf": 1.1}), ("hht", {"alpha": 0.5}), ("hht", {"alpha": "a"}),
-                            ("radau", {"rho_inf": 0.5}), ("generalized_alpha", {"alpha": 0.1})):
+    for scheme, options in (
+        ("generalized_alpha", {"rho_inf": 1.1}),
+        ("hht", {"alpha": 0.5}),
+        ("hht", {"alpha": "a"}),
+        ("radau", {"rho_inf": 0.5}),
+        ("generalized_alpha", {"alpha": 0.1}),
+    ):
         with pytest.raises(SchemeError):
             simulate(model, scheme=scheme, t_end=0.1, dt=0.01, options=options)
     solution = simulate(model, scheme="radau", t_end=1.0, dt=0.05, options={"max_iterations": 1})

@@ -38,8 +38,13 @@ def slider_crank(crank: float, rod: float, independent: str, theta: float = 0.5,
     """Crank, rod and slider under gravity."""
     scene = SceneBuilder("slider_loop").gravity(0, -9.81)
     for name, length in (("crank", crank), ("rod", rod)):
-        scene.rigid(name, mass=1.0, inertia=length**2 / 12, center_of_mass=(length / 2, 0),
-                    markers={"tip": {"position": (length, 0)}})
+        scene.rigid(
+            name,
+            mass=1.0,
+            inertia=length**2 / 12,
+            center_of_mass=(length / 2, 0),
+            markers={"tip": {"position": (length, 0)}},
+        )
     scene.rigid("slider", mass=0.5, inertia=0.01)
     scene.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
     scene.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
@@ -146,13 +151,17 @@ def test_exchanged_coordinate_keeps_its_group(built_in: Load, scheme: str, m: li
 
 
 CASES: list[tuple[Any, tuple[Any, ...], str]] = [
-    (slider_crank, (0.3, 1.0), "slider.x"), (slider_on_an_arm, (), "slider.x"), (slider_on_an_arm, (), "slider.y")]
+    (slider_crank, (0.3, 1.0), "slider.x"),
+    (slider_on_an_arm, (), "slider.x"),
+    (slider_on_an_arm, (), "slider.y"),
+]
 
 
 @pytest.mark.parametrize("make, sizes, lost", CASES)
 @pytest.mark.parametrize("scheme, error", [("dop853", 1e-8), ("rk4", 3e-4), ("single_rate", 3e-2)])
-def test_a_run_finds_the_q_i_that_it_needs(model_of: Build, make: Any, sizes: tuple[Any, ...], lost: str, scheme: str,
-                                           error: float) -> None:
+def test_a_run_finds_the_q_i_that_it_needs(
+    model_of: Build, make: Any, sizes: tuple[Any, ...], lost: str, scheme: str, error: float
+) -> None:
     """Through dead centres, where the first choice determines nothing: the motion is that of the good choice."""
     angle = "crank.theta" if make is slider_crank else "arm.theta"
     run = simulate(model_of(make(*sizes, lost)), scheme=scheme, save_every=10)
@@ -166,8 +175,9 @@ def test_a_run_finds_the_q_i_that_it_needs(model_of: Build, make: Any, sizes: tu
     assert run.constraint_error.max() < 1e-10 and run.constraint_rate_error.max() < 1e-10
 
 
-def test_without_a_generator_the_run_says_what_to_do(model_of: Build, monkeypatch: pytest.MonkeyPatch,
-                                                     tmp_path: Path) -> None:
+def test_without_a_generator_the_run_says_what_to_do(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     use_generator(None)
     monkeypatch.setattr(variants, "entry_points", lambda group: [])
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))

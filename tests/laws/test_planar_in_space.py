@@ -32,8 +32,18 @@ def beam_pendulum() -> Scene:
     builder = SceneBuilder("beam_pendulum").gravity(0, -9.81)
     builder.ground(markers={"rail": {"position": (0.1, 0.2), "angle": 0.6}})
     builder.rigid("cart", mass=2.0, inertia=0.3, center_of_mass=(0.1, 0.05), markers={"pin": {"position": (0.2, 0.1)}})
-    builder.beam("beam", length=1.0, density=8000.0, area=1e-3, second_moment=1e-20, youngs_modulus=1e22, elements=10,
-                 lateral={"ends": "clamped-free", "modes": 2}, stiffening=True, damping_ratio=0.01)
+    builder.beam(
+        "beam",
+        length=1.0,
+        density=8000.0,
+        area=1e-3,
+        second_moment=1e-20,
+        youngs_modulus=1e22,
+        elements=10,
+        lateral={"ends": "clamped-free", "modes": 2},
+        stiffening=True,
+        damping_ratio=0.01,
+    )
     builder.rigid("tip", mass=0.5, inertia=0.02, center_of_mass=(0.05, 0.0))
     builder.prismatic("slide", "ground.rail", "cart.origin", damping=0.5)
     builder.revolute("hinge", "cart.pin", "beam.start", damping=0.2).revolute("end", "beam.end", "tip.origin")
@@ -43,8 +53,9 @@ def beam_pendulum() -> Scene:
     return builder.initial({"beam.theta": -0.5}).build()
 
 
-@pytest.mark.parametrize("scene", [beam_pendulum(), slider_crank(), four_bar(), chain(3)],
-                         ids=["beam", "slider-crank", "four-bar", "chain"])
+@pytest.mark.parametrize(
+    "scene", [beam_pendulum(), slider_crank(), four_bar(), chain(3)], ids=["beam", "slider-crank", "four-bar", "chain"]
+)
 def test_planar_scene_in_space(build: Build, scene: Scene) -> None:
     """Accelerations and joint forces; the loops of the linkages have redundant rows across the plane."""
     planar = build(scene, KERNELS)
@@ -74,9 +85,16 @@ def test_planar_scene_in_space(build: Build, scene: Scene) -> None:
 def spinning(axis: str, space: str, speed: float, stiffening: bool = True) -> Scene:
     """A beam along x that turns about z or y at a constant speed."""
     builder = SceneBuilder("spinning", space=space)
-    section: dict[str, Any] = {"length": 10.0, "density": 1200.0, "area": 1e-3, "second_moment": 5e-7, "elements": 40,
-                               "youngs_modulus": 2.8e10, "lateral": {"ends": "clamped-free", "modes": 3},
-                               "stiffening": stiffening}
+    section: dict[str, Any] = {
+        "length": 10.0,
+        "density": 1200.0,
+        "area": 1e-3,
+        "second_moment": 5e-7,
+        "elements": 40,
+        "youngs_modulus": 2.8e10,
+        "lateral": {"ends": "clamped-free", "modes": 3},
+        "stiffening": stiffening,
+    }
     marker = {"start": "start"}
     if space == "spatial":
         section |= {"second_moment_z": 5e-7, "lateral_z": {"ends": "clamped-free", "modes": 3}}
@@ -94,8 +112,15 @@ def squared_frequencies(model: Model, wanted: tuple[str, ...]) -> Array:
     """Of the modes named, from M_hat and -dQ_hat/dq_i at rest in the spinning frame."""
     n = len(model.q_i)
     zero = np.zeros(n)
-    state = State(zero, model.initial_q[model.dependent_columns], zero, model.initial_q_dot[model.dependent_columns],
-                  model.initial_q, model.initial_q_dot, 0.0)
+    state = State(
+        zero,
+        model.initial_q[model.dependent_columns],
+        zero,
+        model.initial_q_dot[model.dependent_columns],
+        model.initial_q,
+        model.initial_q_dot,
+        0.0,
+    )
     M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
     K = -evaluate(model, "dQ_hat_dq_i", **state.values())["dQ_hat_dq_i"].reshape(n, n)
     at = [model.q_i.index(f"beam.{name}") for name in wanted]

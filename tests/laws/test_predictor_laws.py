@@ -16,8 +16,17 @@ from symgen.scenes.chain import chain
 
 def errors(model: Model, steps: np.ndarray, t_end: float, **options: object) -> np.ndarray:
     exact = reference_solution(model, t_end=t_end, rtol=1e-12, atol=1e-13).q_i[-1]
-    return np.array([np.abs(simulate(model, t_end=t_end, dt=float(dt), scheme="single_rate", save_every=10**6,
-                                     options=options).q_i[-1] - exact).max() for dt in steps])
+    return np.array(
+        [
+            np.abs(
+                simulate(model, t_end=t_end, dt=float(dt), scheme="single_rate", save_every=10**6, options=options).q_i[
+                    -1
+                ]
+                - exact
+            ).max()
+            for dt in steps
+        ]
+    )
 
 
 @pytest.mark.parametrize(("choice", "cap"), [("newton", 3e-7), ("predictor", 2e-6)])

@@ -21,8 +21,13 @@ from symgen.scenes import SCENES
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
 # steps and dt of runs of the two-group scenes; hub_beam needs 130 sweeps a step (strong inertia coupling)
-RUNS = {"flexible_slider_crank": (100, 2e-5), "flexible_slider_crank_free": (100, 2e-5),
-        "flexible_slider_crank_torque": (100, 1e-4), "hub_beam": (50, 1e-3), "two_oscillators": (100, 1e-2)}
+RUNS = {
+    "flexible_slider_crank": (100, 2e-5),
+    "flexible_slider_crank_free": (100, 2e-5),
+    "flexible_slider_crank_torque": (100, 1e-4),
+    "hub_beam": (50, 1e-3),
+    "two_oscillators": (100, 1e-2),
+}
 
 
 # tolerances of the sweep just above the rounding of h^2 q_ddot in each scene: h^2 q_ddot is about 1e-2 on L1
@@ -55,8 +60,10 @@ def test_one_sub_step_is_single_rate(built_in: Load, name: str) -> None:
 @pytest.mark.parametrize("m", [1, 3])
 def test_starting_guesses_lead_to_the_same_step(built_in: Load, name: str, m: int) -> None:
     model, (steps, dt) = built_in(name), RUNS[name]
-    taylor, previous = (trajectory(model, steps, dt, scheme="printed", m=[m], options={**tight(name), "guess": guess})
-                        for guess in ("taylor", "previous"))
+    taylor, previous = (
+        trajectory(model, steps, dt, scheme="printed", m=[m], options={**tight(name), "guess": guess})
+        for guess in ("taylor", "previous")
+    )
     np.testing.assert_allclose(previous, taylor, rtol=0, atol=1e-10 * np.max(np.abs(taylor)))
 
 
@@ -65,8 +72,9 @@ def test_the_sweep_solves_the_coupled_equations(built_in: Load, name: str) -> No
     """The fixed point of (52)-(53) is the direct solution of (39), also with sub-steps."""
     model, (steps, dt) = built_in(name), RUNS[name]
     sweep = trajectory(model, steps, dt, scheme="printed", m=[2], options=tight(name))
-    direct = trajectory(model, steps, dt, scheme="printed", m=[2],
-                        options={"common_update": "direct", "newton_iterations": 3})
+    direct = trajectory(
+        model, steps, dt, scheme="printed", m=[2], options={"common_update": "direct", "newton_iterations": 3}
+    )
     np.testing.assert_allclose(sweep, direct, rtol=0, atol=1e-10 * np.max(np.abs(direct)))
 
 
@@ -92,9 +100,16 @@ def amplification(model: Model, params: Params, dt_S: float, m: int, **options: 
 @pytest.mark.parametrize("m", [1, 2, 3, 10])
 def test_amplification_matrix_of_L1(built_in: Load, m: int, zeta: float, common_update: str) -> None:
     params = Params(c=0.5, w=3.0, k_L=0.7, zeta=zeta)
-    matrix = amplification(built_in("two_oscillators"), params, 0.01, m, common_update=common_update, eps=(1e-16,),
-                           stopping="absolute",
-                           sub_step_velocity="newton")
+    matrix = amplification(
+        built_in("two_oscillators"),
+        params,
+        0.01,
+        m,
+        common_update=common_update,
+        eps=(1e-16,),
+        stopping="absolute",
+        sub_step_velocity="newton",
+    )
     np.testing.assert_allclose(matrix, printed_subcycling_matrix(params, 0.01, m), rtol=0, atol=1e-12)
 
 
@@ -115,9 +130,17 @@ def test_predicted_velocity_differs_from_the_twin_by_its_order(built_in: Load) -
 def test_growth_of_L1_follows_the_law(built_in: Load, c: float, m: int) -> None:
     """A frozen q_L_ddot feeds energy in: sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L, measured over a long run."""
     w, dt = 3.0, 0.01
-    s = simulate(built_in("two_oscillators"), t_end=100.0, dt=dt, m=[m], scheme="printed", save_every=20,
-                 engine="compiled" if find_compiler() else "interpreted",
-                 parameters={"c": c, "w": w, "k_L": 0.0, "zeta": 0.0}, initial={"x_L": 0.0, "x_S": 0.1})
+    s = simulate(
+        built_in("two_oscillators"),
+        t_end=100.0,
+        dt=dt,
+        m=[m],
+        scheme="printed",
+        save_every=20,
+        engine="compiled" if find_compiler() else "interpreted",
+        parameters={"c": c, "w": w, "k_L": 0.0, "zeta": 0.0},
+        initial={"x_L": 0.0, "x_S": 0.1},
+    )
     coupled = w / math.sqrt(1 - c * c)
     amplitude = 0.5 * np.log(s["x_S"] ** 2 + (s.rate("x_S") / coupled) ** 2)
     assert np.polyfit(s.t, amplitude, 1)[0] == pytest.approx(growth_rate_law(c, w, m, dt), rel=0.05)
@@ -127,9 +150,11 @@ def three_oscillators(c: float, damping: float) -> Scene:
     """Slow, middle and fast, coupled by springs and (c > 0) by inertia."""
     k = 5.0
     builder = SceneBuilder("three_oscillators").structure(
-        coordinates=["a", "b", "c"], mass=[[1, c, c / 2], [c, 1, c], [c / 2, c, 1]],
+        coordinates=["a", "b", "c"],
+        mass=[[1, c, c / 2], [c, 1, c], [c / 2, c, 1]],
         stiffness=[[1 + k, -k, 0], [-k, k + 60, -k], [0, -k, 900 + k]],
-        damping=np.diag([damping, 2 * damping, 4 * damping]))
+        damping=np.diag([damping, 2 * damping, 4 * damping]),
+    )
     builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0, "b": 0.3, "c": 0.05})
     return builder.simulation(t_end=1.0, dt=0.01, m=[1, 1], scheme="printed").build()
 
@@ -146,9 +171,11 @@ def test_three_groups_of_one_sub_step_are_single_rate(model_of: Build, damping: 
 def test_three_groups_on_a_mechanism(model_of: Build, name: str, m: list[int]) -> None:
     """Crank, lateral and axial modes as three groups: m = 1 is single-rate, m = 2, 2 stays near it for a while."""
     data = SCENES[name]().model_dump()
-    data["partition"]["groups"] = [{"name": "crank", "coordinates": ["crank.theta"]},
-                                   {"name": "lateral", "coordinates": ["rod.q1", "rod.q2"]},
-                                   {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]}]
+    data["partition"]["groups"] = [
+        {"name": "crank", "coordinates": ["crank.theta"]},
+        {"name": "lateral", "coordinates": ["rod.q1", "rod.q2"]},
+        {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]},
+    ]
     data["simulation"]["m"] = [1, 1]
     model = model_of(Scene.from_dict(data))
     assert [group.positions for group in model.groups] == [[0], [1, 2], [3, 4]]
@@ -162,8 +189,15 @@ def three_group_slope(model: Model, **options: Any) -> tuple[float, float]:
     """(slope, error at the finest step) at t = 1 for m = (2, 3)."""
     reference = simulate(model, t_end=1.0, dt=1e-4, scheme="single_rate", save_every=10**9).q[-1]
     steps = np.array([0.01, 0.005, 0.0025])
-    errors = [np.max(np.abs(simulate(model, t_end=1.0, dt=dt, m=[2, 3], scheme="printed", save_every=10**9,
-                                     options=options).q[-1] - reference)) for dt in steps]
+    errors = [
+        np.max(
+            np.abs(
+                simulate(model, t_end=1.0, dt=dt, m=[2, 3], scheme="printed", save_every=10**9, options=options).q[-1]
+                - reference
+            )
+        )
+        for dt in steps
+    ]
     return float(np.polyfit(np.log(steps), np.log(errors), 1)[0]), float(errors[-1])
 
 

@@ -14,8 +14,14 @@ from runtime.contract.model import Model
 from runtime.start.start_state import start_state
 
 Load = Callable[[str], Model]
-FLEXIBLE = ("flexible_slider_crank", "flexible_slider_crank_free", "flexible_slider_crank_torque",
-            "physical_slider_crank", "stiff_slider_crank", "flexible_four_bar")
+FLEXIBLE = (
+    "flexible_slider_crank",
+    "flexible_slider_crank_free",
+    "flexible_slider_crank_torque",
+    "physical_slider_crank",
+    "stiff_slider_crank",
+    "flexible_four_bar",
+)
 
 
 def elastic_accelerations(model: Model, start: str) -> tuple[Array, Array]:
@@ -48,8 +54,9 @@ def vibration(model: Model, start: str, t_end: float, dt: float) -> Array:
     return np.asarray(np.sqrt(np.mean(samples[:, elastic] ** 2, axis=0)))
 
 
-@pytest.mark.parametrize("name, t_end, dt", [("flexible_slider_crank_free", 0.01, 1e-5),
-                                              ("flexible_four_bar", 0.05, 1e-4)])
+@pytest.mark.parametrize(
+    "name, t_end, dt", [("flexible_slider_crank_free", 0.01, 1e-5), ("flexible_four_bar", 0.05, 1e-4)]
+)
 def test_little_vibration_is_left(built_in: Load, name: str, t_end: float, dt: float) -> None:
     """Law: elastic accelerations over a run are far below those after an undeformed start.
 
@@ -98,8 +105,9 @@ def test_elastic_rates_follow_the_equilibrium(built_in: Load) -> None:
     np.testing.assert_allclose(near[1].q_dot[elastic], slope, rtol=0, atol=allowed)
 
 
-@pytest.mark.parametrize("parameters, initial", [({"rod.K_ff[0,0]": 0.0}, {"crank.theta_dot": 0.0}),
-                                                 ({}, {"crank.theta_dot": 1e170})])
+@pytest.mark.parametrize(
+    "parameters, initial", [({"rod.K_ff[0,0]": 0.0}, {"crank.theta_dot": 0.0}), ({}, {"crank.theta_dot": 1e170})]
+)
 def test_no_equilibrium_is_an_error(built_in: Load, parameters: dict, initial: dict) -> None:
     """Law: a mode without stiffness at rest, or forces that overflow, have no equilibrium, and the error says so."""
     model = built_in("flexible_slider_crank_free")

@@ -16,8 +16,12 @@ from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 
-QUICK = settings(deadline=None, max_examples=12, derandomize=True,
-                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
+QUICK = settings(
+    deadline=None,
+    max_examples=12,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+)
 # (steps, radians of the fastest motion per step): a loop is followed for 0.1 rad, short of any singular position
 TREE_RUN, LOOP_RUN = (200, 0.05), (50, 0.002)
 
@@ -28,8 +32,11 @@ def fastest_rate(model: Model) -> float:
     state = make_state(model, model.initial_q[columns], model.initial_q_dot[columns])
     n = len(model.q_i)
     M = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
-    stiffness = -evaluate(model, "dQ_hat_dq_i", **state.values())["dQ_hat_dq_i"].reshape(n, n) \
-        if model.has("dQ_hat_dq_i") else np.zeros((n, n))
+    stiffness = (
+        -evaluate(model, "dQ_hat_dq_i", **state.values())["dQ_hat_dq_i"].reshape(n, n)
+        if model.has("dQ_hat_dq_i")
+        else np.zeros((n, n))
+    )
     frequency = float(np.sqrt(np.max(np.abs(eigvals(stiffness, M)))))
     return max(5.0, frequency, float(np.max(np.abs(state.q_dot))))
 

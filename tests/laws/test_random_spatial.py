@@ -15,10 +15,16 @@ from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 
-QUICK = settings(deadline=None, max_examples=4, derandomize=True, phases=(Phase.generate,),
-                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
-KERNELS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions",
-                     "energy"})
+QUICK = settings(
+    deadline=None,
+    max_examples=4,
+    derandomize=True,
+    phases=(Phase.generate,),
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+)
+KERNELS = frozenset(
+    {"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions", "energy"}
+)
 JACOBIANS = frozenset({"dQ_hat_dq_i", "dQ_hat_dq_i_dot"})
 WELL_POSED = 0.03  # smallest singular value of C_q on the dependent coordinates, over the largest
 
@@ -71,8 +77,10 @@ def check_jacobians(model: Model, state: State) -> None:
     along = rng.uniform(-1, 1, len(state.q_i))
     for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot"):
         turned = (along, 0 * along) if name == "dQ_hat_dq_i" else (0 * along, along)
-        moved = [make_state(model, state.q_i + s * turned[0], state.q_i_dot + s * turned[1], state.t, guess=state.q)
-                 for s in (-h, h)]
+        moved = [
+            make_state(model, state.q_i + s * turned[0], state.q_i_dot + s * turned[1], state.t, guess=state.q)
+            for s in (-h, h)
+        ]
         behind, ahead = (evaluate(model, "condensed", **at.values())["Q_hat"] for at in moved)
         found = 0 * along
         if model.has(name):

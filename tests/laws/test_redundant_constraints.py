@@ -34,8 +34,13 @@ def parallelogram(third: bool = True) -> SceneBuilder:
     builder.ground(markers={"m": {"position": (1, 0)}, "r": {"position": (2, 0)}})
     for name in BARS:
         builder.rigid(name, mass=1.0, inertia=0.1, center_of_mass=(0.5, 0), markers={"tip": {"position": (1, 0)}})
-    builder.rigid("top", mass=1.0, inertia=0.1, center_of_mass=(0.8, 0.1), markers={
-        "a": {"position": (0, 0)}, "b": {"position": (1, 0)}, "c": {"position": (2, 0)}})
+    builder.rigid(
+        "top",
+        mass=1.0,
+        inertia=0.1,
+        center_of_mass=(0.8, 0.1),
+        markers={"a": {"position": (0, 0)}, "b": {"position": (1, 0)}, "c": {"position": (2, 0)}},
+    )
     for name, foot, mark in zip(BARS, ("origin", "m", "r"), "abc", strict=True):
         if third or name != "middle":
             builder.revolute(f"{name}_low", f"ground.{foot}", f"{name}.origin")
@@ -65,8 +70,12 @@ def ring_of_welds() -> SceneBuilder:
 
 def driven_twice() -> SceneBuilder:
     """Two motors with the same motion of one angle, and an arm that swings on it."""
-    builder = SceneBuilder("twins").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, markers={
-        "tip": {"position": (0.4, 0)}}).rigid("arm", mass=1.0, inertia=0.1, center_of_mass=(0.2, 0))
+    builder = (
+        SceneBuilder("twins")
+        .gravity(0, -9.81)
+        .rigid("rod", mass=1.0, inertia=0.1, markers={"tip": {"position": (0.4, 0)}})
+        .rigid("arm", mass=1.0, inertia=0.1, center_of_mass=(0.2, 0))
+    )
     builder.revolute("hinge", "ground.origin", "rod.origin").revolute("elbow", "rod.tip", "arm.origin")
     for name in ("motor", "twin"):
         builder.prescribed_angle(name, "ground.origin", "rod.origin", motion="sin(3 * t)")
@@ -74,8 +83,11 @@ def driven_twice() -> SceneBuilder:
 
 
 CASES: dict[str, tuple[Callable[[], SceneBuilder], int]] = {
-    "parallelogram": (parallelogram, 1), "doubled hinge": (doubled_hinge, 2), "ring of welds": (ring_of_welds, 3),
-    "driven twice": (driven_twice, 1)}
+    "parallelogram": (parallelogram, 1),
+    "doubled hinge": (doubled_hinge, 2),
+    "ring of welds": (ring_of_welds, 3),
+    "driven twice": (driven_twice, 1),
+}
 
 
 @pytest.fixture(scope="module", params=list(CASES))

@@ -56,8 +56,9 @@ def leapfrog(model: Model, dt: float, t_end: float, centred: bool) -> Array:
         values = {"q_i": q, "q_i_dot": v, "p": model.parameter_vector()}
         closed = {"q_d": model.function("closure"), "q_d_dot": model.function("velocities")}
         for key, function in closed.items():
-            values[key] = function.call({name: values[name] for name in function.name_in()})[f"{key}_next"
-                                                                                             if key == "q_d" else key]
+            values[key] = function.call({name: values[name] for name in function.name_in()})[
+                f"{key}_next" if key == "q_d" else key
+            ]
         result = kernel.call({name: values[name] for name in kernel.name_in()})
         return ca.solve(result["M_hat"], result["Q_hat"])
 
@@ -110,8 +111,12 @@ def test_energy_stays_bounded(built_in: Load, name: str) -> None:
     assert np.max(solution.constraint_error) < 1e-10
 
 
-REVERSALS = {"pendulum": (2.0, 1e-2), "double_pendulum": (1.0, 1e-3), "slider_crank": (0.05, 2e-5),
-             "flexible_slider_crank_free": (0.005, 1e-5)}
+REVERSALS = {
+    "pendulum": (2.0, 1e-2),
+    "double_pendulum": (1.0, 1e-3),
+    "slider_crank": (0.05, 2e-5),
+    "flexible_slider_crank_free": (0.005, 1e-5),
+}
 
 
 @pytest.mark.parametrize("name", REVERSALS)
@@ -119,8 +124,13 @@ REVERSALS = {"pendulum": (2.0, 1e-2), "double_pendulum": (1.0, 1e-3), "slider_cr
 def test_time_reversal(built_in: Load, name: str, newton: int, tolerance: float) -> None:
     """Forward, velocities negated, back: exact with Newton converged, nearly so with the one iteration of default."""
     model, (t_end, dt) = built_in(name), REVERSALS[name]
-    given = {"t_end": t_end, "dt": dt, "scheme": "single_rate", "save_every": 10**9,
-             "options": {"newton_iterations": newton}}
+    given = {
+        "t_end": t_end,
+        "dt": dt,
+        "scheme": "single_rate",
+        "save_every": 10**9,
+        "options": {"newton_iterations": newton},
+    }
     there = simulate(model, **given)  # type: ignore[arg-type]
     end = {model.coordinates[k]: there.q[-1, k] for k in model.independent_columns}
     end |= {f"{model.coordinates[k]}_dot": -there.q_dot[-1, k] for k in model.independent_columns}
@@ -134,9 +144,13 @@ def test_time_reversal(built_in: Load, name: str, newton: int, tolerance: float)
 
 def test_angular_momentum_of_a_central_force(built_in: Load) -> None:
     """Constant mass matrix, central force: kept to rounding."""
-    s = simulate(built_in("elastic_pendulum"), t_end=20.0, dt=1e-3,
-                 parameters={"gravity.y": 0.0, "spring.damping": 0.0},
-                 initial={"bob.x_dot": 1.0, "bob.y_dot": 0.5, "bob.theta_dot": 2.0})
+    s = simulate(
+        built_in("elastic_pendulum"),
+        t_end=20.0,
+        dt=1e-3,
+        parameters={"gravity.y": 0.0, "spring.damping": 0.0},
+        initial={"bob.x_dot": 1.0, "bob.y_dot": 0.5, "bob.theta_dot": 2.0},
+    )
     momentum = s["bob.x"] * s.rate("bob.y") - s["bob.y"] * s.rate("bob.x")
     assert momentum[0] == pytest.approx(1.1, rel=1e-12)
     np.testing.assert_allclose(momentum, momentum[0], rtol=1e-12)
@@ -171,8 +185,17 @@ def flying_beam_errors(model: Model, dt: float) -> Array:
 def test_momenta_of_a_flying_beam(model_of: Build) -> None:
     """A deforming body in free flight: momenta are kept to the scheme's second order (P = 0.27, L = 0.2)."""
     builder = SceneBuilder("flying_beam").beam(
-        "beam", length=1.0, density=2700.0, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, elements=12, free=True,
-        lateral={"ends": "free-free", "modes": 2}, axial={"ends": "free-free", "modes": 1})
+        "beam",
+        length=1.0,
+        density=2700.0,
+        area=1e-4,
+        second_moment=1e-9,
+        youngs_modulus=7e10,
+        elements=12,
+        free=True,
+        lateral={"ends": "free-free", "modes": 2},
+        axial={"ends": "free-free", "modes": 1},
+    )
     builder.initial({"beam.q1": 0.01, "beam.q2": 0.002, "beam.q3": 1e-5})
     builder.rates({"beam.theta": 3.0, "beam.x": 1.0, "beam.y": -0.5})
     model = model_of(builder.build())

@@ -46,6 +46,7 @@ def near_start(model: Model, seed: int) -> State:
 
 def test_joints_hold_what_they_say(build: Build) -> None:
     """Relative position and rotation of the markers of every joint type, and its coordinates at a large deformation."""
+
     def turn(axis: str, angle: float) -> Array:
         return Rotation.from_euler(axis, angle).as_matrix()
 
@@ -61,11 +62,15 @@ def test_joints_hold_what_they_say(build: Build) -> None:
             own = {name.partition(".")[2]: value for name, value in at.items() if name.startswith(f"j_{kind}.")}
             angle, travel, zero = own.get("angle", 0.0), own.get("travel", 0.0), np.zeros(3)
             lead = MORE["screw"]["lead"]
-            expected = {"revolute": (zero, turn("z", angle)), "prismatic": (np.array([0, 0, travel]), np.eye(3)),
-                        "cylindrical": (np.array([0, 0, travel]), turn("z", angle)), "weld": (zero, np.eye(3)),
-                        "screw": (np.array([0, 0, lead * angle / (2 * np.pi)]), turn("z", angle)),
-                        "universal": (zero, turn("z", own.get("angle1", 0.0)) @ turn("x", own.get("angle2", 0.0))),
-                        "planar": (np.array([own.get("x", 0.0), own.get("y", 0.0), 0]), turn("z", angle))}
+            expected = {
+                "revolute": (zero, turn("z", angle)),
+                "prismatic": (np.array([0, 0, travel]), np.eye(3)),
+                "cylindrical": (np.array([0, 0, travel]), turn("z", angle)),
+                "weld": (zero, np.eye(3)),
+                "screw": (np.array([0, 0, lead * angle / (2 * np.pi)]), turn("z", angle)),
+                "universal": (zero, turn("z", own.get("angle1", 0.0)) @ turn("x", own.get("angle2", 0.0))),
+                "planar": (np.array([own.get("x", 0.0), own.get("y", 0.0), 0]), turn("z", angle)),
+            }
             if kind in expected:
                 assert np.max(np.abs(d - expected[kind][0])) < 1e-11, kind
                 assert np.max(np.abs(A - expected[kind][1])) < 1e-11, kind
@@ -83,8 +88,12 @@ def test_joints_hold_what_they_say(build: Build) -> None:
 def test_prescribed_angle_over_many_turns(build: Build, kind: str) -> None:
     """Eight turns of a driven hinge, as the joint's own coordinate and as an equation between the bodies."""
     builder = SceneBuilder("driven", space="spatial").gravity(0, 0, -9.81)
-    builder.rigid("arm", **rigid(scattered(5, 0, seed=2)), orientation=kind, markers={"tip": {"position": [1, 0, 0],
-                                                                                          "axis": [0, 1, 0]}})
+    builder.rigid(
+        "arm",
+        **rigid(scattered(5, 0, seed=2)),
+        orientation=kind,
+        markers={"tip": {"position": [1, 0, 0], "axis": [0, 1, 0]}},
+    )
     builder.rigid("rod", **rigid(scattered(5, 0, seed=3)), orientation=kind, markers={"top": {"axis": [0, 1, 0]}})
     builder.revolute("hinge", "ground.origin", "arm.origin").revolute("swing", "arm.tip", "rod.top")
     builder.prescribed_angle("drive", "ground.origin", "arm.origin", motion="50*t")

@@ -43,8 +43,9 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
 def states(model: Model, count: int) -> list[State]:
     """Assembled states around the start."""
     rng, n = np.random.default_rng(7), len(model.coordinates)
-    return [assembled(model, model.initial_q + rng.uniform(-0.4, 0.4, n), rng.uniform(-2, 2, n), T)
-            for _ in range(count)]
+    return [
+        assembled(model, model.initial_q + rng.uniform(-0.4, 0.4, n), rng.uniform(-2, 2, n), T) for _ in range(count)
+    ]
 
 
 def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
@@ -61,9 +62,16 @@ def path(scene: Scene, model: Model) -> tuple[Array, Array, Array]:
     return q, v, a
 
 
-@pytest.mark.parametrize("variant", [
-    Variant(), Variant(exchanged=True), Variant(base_last=True), Variant(parameters=False),
-], ids=["parameters", "exchanged", "base last", "angles"])
+@pytest.mark.parametrize(
+    "variant",
+    [
+        Variant(),
+        Variant(exchanged=True),
+        Variant(base_last=True),
+        Variant(parameters=False),
+    ],
+    ids=["parameters", "exchanged", "base last", "angles"],
+)
 @pytest.mark.parametrize("types", [PLACING, OTHERS], ids=["placing", "others"])
 def test_rows_are_derivatives_of_C(build: Build, types: tuple[str, ...], variant: Variant) -> None:
     """C_q q_dot + C_t is the rate of C, and C_q q_ddot - gamma its second rate, far from any assembled position."""

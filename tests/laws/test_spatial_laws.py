@@ -47,16 +47,25 @@ def loaded(kind: str) -> Scene:
     builder.rotational_spring_damper("coil", "base.m0", "one.m0", stiffness=5.0, damping=0.1, free_angle=0.2)
     builder.rotational_spring_damper("twist", "base.m5", "four.m1", stiffness=2.0, damping=0.2)
     builder.spring_damper("spring", "one.m1", "four.m1", stiffness=30.0, damping=2.0, free_length=0.4)
-    builder.bushing("rubber", "base.m3", "three.m1", stiffness=[40, 50, 60], damping=[1, 2, 3],
-                    rotational_stiffness=[4, 5, 6], rotational_damping=[0.3, 0.2, 0.1])
+    builder.bushing(
+        "rubber",
+        "base.m3",
+        "three.m1",
+        stiffness=[40, 50, 60],
+        damping=[1, 2, 3],
+        rotational_stiffness=[4, 5, 6],
+        rotational_damping=[0.3, 0.2, 0.1],
+    )
     builder.torque("motor", "two.m0", "2*sin(t)", reaction="base.m4")
     builder.prescribed_displacement("push", "base.m1", "two.m0", motion="0.2*sin(3*t)")
     return builder.build()
 
 
 def nodes_of(scene: Scene) -> dict[str, Nodes]:
-    return {body.name: scattered(8, 2, seed=1) if body.name == "base" else scattered(5, 0, seed=2)
-            for body in scene.moving_bodies}
+    return {
+        body.name: scattered(8, 2, seed=1) if body.name == "base" else scattered(5, 0, seed=2)
+        for body in scene.moving_bodies
+    }
 
 
 def random_state(model: Model, seed: int, reach: float = 0.3, t: float = 0.4) -> State:
@@ -88,9 +97,20 @@ def test_momentum_and_energy_of_a_free_tree_in_motion(build: Build) -> None:
     base, tip = spatial_scenes.flexible(scattered(8, 2, seed=1)), rigid(scattered(5, 0, seed=2))
     base["D_ff"] = None
     builder = SceneBuilder("drifting", space="spatial")
-    builder.flexible("base", **base, free=True, orientation="zyx",
-                     markers={"m0": {"position": [0.4, 0.1, 0.0], "axis": [1, 2, 0], "shape": 0.2 * np.ones((3, 2)),
-                                     "rotation": [[0.5, 0.1], [0.0, 0.4], [0.2, 0.0]]}})
+    builder.flexible(
+        "base",
+        **base,
+        free=True,
+        orientation="zyx",
+        markers={
+            "m0": {
+                "position": [0.4, 0.1, 0.0],
+                "axis": [1, 2, 0],
+                "shape": 0.2 * np.ones((3, 2)),
+                "rotation": [[0.5, 0.1], [0.0, 0.4], [0.2, 0.0]],
+            }
+        },
+    )
     ends = {"m0": {"position": [0, 0.5, 0]}, "m1": {"position": [1, 0, 0]}}
     builder.rigid("one", **tip, orientation="zxy", markers=ends)
     builder.joint("spherical", "ball", "base.m0", "one.m0")
@@ -137,11 +157,15 @@ def in_a_turned_world(scene: Scene) -> Scene:
     return Scene.from_dict(data)
 
 
-@pytest.mark.parametrize("scene", [
-    spatial_scenes.governor(twin_governor.Params()),
-    spatial_scenes.double_pendulum(twin_spatial_double_pendulum.Params()),
-    spatial_scenes.slider_crank(twin_spatial_slider_crank.Params()),
-], ids=["governor", "double pendulum", "slider-crank"])
+@pytest.mark.parametrize(
+    "scene",
+    [
+        spatial_scenes.governor(twin_governor.Params()),
+        spatial_scenes.double_pendulum(twin_spatial_double_pendulum.Params()),
+        spatial_scenes.slider_crank(twin_spatial_slider_crank.Params()),
+    ],
+    ids=["governor", "double pendulum", "slider-crank"],
+)
 def test_a_turned_world_changes_nothing(build: Build, scene: Scene) -> None:
     """M_hat and Q_hat in the joints' coordinates, at the same values of them."""
     here, there = build(scene, CONDENSED), build(in_a_turned_world(scene), CONDENSED)

@@ -27,10 +27,20 @@ def skew_pendulum() -> Scene:
     """A beam that bends in two planes, on a hinge that is oblique to it and to gravity; bent at the start."""
     builder = SceneBuilder("skew_pendulum", space="spatial").gravity(0.0, 0.0, -9.81)
     builder.ground(markers={"hinge": {"axis": [0.3, 1.0, 0.2]}})
-    builder.beam("beam", length=1.0, density=2700.0, area=4e-4, second_moment=3e-9, second_moment_z=9e-9,
-                 youngs_modulus=7e10, elements=8, lateral={"ends": "clamped-free", "modes": 1},
-                 lateral_z={"ends": "clamped-free", "modes": 1}, stiffening=True,
-                 markers={"hinge": {"at": 0.0, "axis": [0.2, 1.0, 0.6]}})
+    builder.beam(
+        "beam",
+        length=1.0,
+        density=2700.0,
+        area=4e-4,
+        second_moment=3e-9,
+        second_moment_z=9e-9,
+        youngs_modulus=7e10,
+        elements=8,
+        lateral={"ends": "clamped-free", "modes": 1},
+        lateral_z={"ends": "clamped-free", "modes": 1},
+        stiffening=True,
+        markers={"hinge": {"at": 0.0, "axis": [0.2, 1.0, 0.6]}},
+    )
     builder.joint("revolute", "hinge", "ground.hinge", "beam.hinge")
     builder.initial({"beam.q1": 0.01, "beam.q2": -0.02}).rates({"hinge.angle": 3.0})
     return builder.simulation(t_end=1.0, dt=1e-3, m=[4], scheme="coupled").build()
@@ -71,8 +81,9 @@ def test_one_sub_step_is_single_rate(model: Model, scheme: str) -> None:
 
 
 @pytest.mark.parametrize("scheme, m, reach", [("single_rate", None, 1.0), ("coupled", [4], 4.0), ("rk4", None, 2**0.5)])
-def test_predicted_limits_are_real(model: Model, monkeypatch: pytest.MonkeyPatch, scheme: str, m: list[int] | None,
-                                   reach: float) -> None:
+def test_predicted_limits_are_real(
+    model: Model, monkeypatch: pytest.MonkeyPatch, scheme: str, m: list[int] | None, reach: float
+) -> None:
     """Law: 2 % below the predicted limit a run stays in bounds, 2 % above it blows up. From elastic equilibrium:
 
     the fastest mode is distorted fivefold at 0.98 of the limit, and from the bent start that is out of bounds.
@@ -81,8 +92,11 @@ def test_predicted_limits_are_real(model: Model, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(limits, "BISECTIONS", 4)  # of 8 %: to 0.25 %
     states, exact = states_along(model, t_end=t_end, count=6, start=START), ExactMotion(model, c)
     edge = 2 * reach / max(exact.modes(state).frequencies[-1] for state in states)
-    limit = StabilityStudy(model, scheme, m, {}, c, states, t_end, exact).curve(
-        np.geomspace(0.96 * edge, 1.04 * edge, 2)).limit
+    limit = (
+        StabilityStudy(model, scheme, m, {}, c, states, t_end, exact)
+        .curve(np.geomspace(0.96 * edge, 1.04 * edge, 2))
+        .limit
+    )
     assert limit is not None and 0.96 * edge < limit < 1.04 * edge
     fine = simulate(model, t_end=t_end, dt=1e-4, scheme="single_rate", save_every=50, engine=ENGINE, start=START)
     largest = np.abs(fine.q_i).max(axis=0)

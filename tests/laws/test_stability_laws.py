@@ -29,16 +29,26 @@ DIRECT = {"common_update": "direct"}
 # 1.002, where a run needs some growth before it shows. The fastest frequency of the slider-crank changes by 6 % with
 # the angle: 3 states miss its largest value, and the limit is 3.5 % too high
 LIMITS: dict[str, tuple[dict[str, Any], float, int]] = {
-    "flexible_slider_crank_free": ({"start": "quasi_static"}, 0.05, 8), "hub_beam": ({}, 4.0, 3),
+    "flexible_slider_crank_free": ({"start": "quasi_static"}, 0.05, 8),
+    "hub_beam": ({}, 4.0, 3),
     "flexible_four_bar": ({}, 0.05, 3),
     "two_oscillators": ({"parameters": {"zeta": 0.0, "k_L": 0.0}}, 20.0, 1),
 }
 SCHEMES: dict[str, tuple[str, list[int] | None, float]] = {  # reach: times 2 / (fastest frequency)
-    "single_rate": ("single_rate", None, 1.0), "coupled 4": ("coupled", [4], 4.0),
-    "coupled 10": ("coupled", [10], 10.0), "rk4": ("rk4", None, 2**0.5)}
-PAIRS = [(scene, scheme) for scene in LIMITS for scheme in SCHEMES
-         if scheme in {"flexible_slider_crank_free": ("single_rate", "coupled 4", "rk4"),
-                       "flexible_four_bar": ("coupled 10",)}.get(scene, tuple(SCHEMES))]
+    "single_rate": ("single_rate", None, 1.0),
+    "coupled 4": ("coupled", [4], 4.0),
+    "coupled 10": ("coupled", [10], 10.0),
+    "rk4": ("rk4", None, 2**0.5),
+}
+PAIRS = [
+    (scene, scheme)
+    for scene in LIMITS
+    for scheme in SCHEMES
+    if scheme
+    in {"flexible_slider_crank_free": ("single_rate", "coupled 4", "rk4"), "flexible_four_bar": ("coupled 10",)}.get(
+        scene, tuple(SCHEMES)
+    )
+]
 
 
 class Ground:
@@ -50,8 +60,9 @@ class Ground:
         self.states = states_along(model, t_end=t_end, count=count, **given)
         self.exact = ExactMotion(model, self.c)
         self.edge = 2 / max(self.exact.modes(state).frequencies[-1] for state in self.states)
-        fine = simulate(model, t_end=t_end, dt=0.1 * self.edge, scheme="single_rate", save_every=50, engine=ENGINE,
-                        **given)
+        fine = simulate(
+            model, t_end=t_end, dt=0.1 * self.edge, scheme="single_rate", save_every=50, engine=ENGINE, **given
+        )
         self.largest = np.abs(fine.q_i).max(axis=0)
 
 
@@ -61,8 +72,9 @@ def grounds(built_in: Load) -> dict[str, Ground]:
 
 
 @pytest.mark.parametrize("scene, scheme", PAIRS)
-def test_predicted_limits_are_real(built_in: Load, grounds: dict[str, Ground], monkeypatch: pytest.MonkeyPatch,
-                                   scene: str, scheme: str) -> None:
+def test_predicted_limits_are_real(
+    built_in: Load, grounds: dict[str, Ground], monkeypatch: pytest.MonkeyPatch, scene: str, scheme: str
+) -> None:
     """Law: 2 % below the predicted limit a run stays in bounds, 2 % above it blows up."""
     model, ground, (name, m, reach) = built_in(scene), grounds[scene], SCHEMES[scheme]
     given, t_end, _ = LIMITS[scene]
@@ -73,8 +85,17 @@ def test_predicted_limits_are_real(built_in: Load, grounds: dict[str, Ground], m
     assert limit is not None and 0.96 * edge < limit < 1.04 * edge
 
     def in_bounds(dt: float) -> bool:
-        run = simulate(model, t_end=t_end, dt=dt, m=m, scheme=name, save_every=max(1, int(t_end / dt / 100)),
-                       force=True, engine=ENGINE, **given)
+        run = simulate(
+            model,
+            t_end=t_end,
+            dt=dt,
+            m=m,
+            scheme=name,
+            save_every=max(1, int(t_end / dt / 100)),
+            force=True,
+            engine=ENGINE,
+            **given,
+        )
         return run.status.ok and bool((np.abs(run.q_i).max(axis=0) < 10 * ground.largest).all())
 
     assert in_bounds(0.98 * limit)
@@ -88,8 +109,19 @@ def test_growth_of_the_printed_scheme_on_two_oscillators(built_in: Load, c: floa
     values = {"c": c, "w": w, "k_L": 0.0, "zeta": 0.0}
     printed = scheme_kind("printed").build("printed", model, 1.0, [m], DIRECT)
     predicted = StepSpectrum(model, printed, model.constants(model.parameter_vector(values)))(REST, dt).growth
-    run = simulate(model, t_end=40.0, dt=dt, m=[m], scheme="printed", options=DIRECT, save_every=10, engine=ENGINE,
-                   parameters=values, initial={"x_L": 0.0, "x_S": 0.1}, force=True)
+    run = simulate(
+        model,
+        t_end=40.0,
+        dt=dt,
+        m=[m],
+        scheme="printed",
+        options=DIRECT,
+        save_every=10,
+        engine=ENGINE,
+        parameters=values,
+        initial={"x_L": 0.0, "x_S": 0.1},
+        force=True,
+    )
     amplitude = 0.5 * np.log(run["x_S"] ** 2 + (run.rate("x_S") * np.sqrt(1 - c * c) / w) ** 2)
     assert np.polyfit(run.t, amplitude, 1)[0] == pytest.approx(predicted[1], rel=5e-3)
     assert abs(predicted[0]) < 1e-6 * predicted[1]
@@ -111,8 +143,8 @@ def growth_of(run: Solution, modes: ModeSolver, pieces: int = 16) -> float:
     """Rate of the root mean square in pieces of the run."""
     values = fastest_mode(run, modes)
     size = len(values) // pieces
-    square = (values[:size * pieces].reshape(pieces, size) ** 2).mean(axis=1)
-    times = run.t[:size * pieces].reshape(pieces, size).mean(axis=1)
+    square = (values[: size * pieces].reshape(pieces, size) ** 2).mean(axis=1)
+    times = run.t[: size * pieces].reshape(pieces, size).mean(axis=1)
     return float(np.polyfit(times, 0.5 * np.log(square), 1)[0])
 
 
@@ -134,18 +166,22 @@ def test_growth_of_the_printed_scheme_on_a_mechanism(built_in: Load, m: int, dt:
 
 def energy_trend(model: Model, scheme: str, m: list[int] | None, dt: float) -> tuple[float, float, float]:
     """(slope [1/s], scatter about it, largest error) of the energy over 39 revolutions, relative to kinetic energy."""
-    run = simulate(model, t_end=2.0, dt=dt, m=m, scheme=scheme, save_every=round(2 / dt / 500), engine=ENGINE,
-                   start="quasi_static")
+    run = simulate(
+        model, t_end=2.0, dt=dt, m=m, scheme=scheme, save_every=round(2 / dt / 500), engine=ENGINE, start="quasi_static"
+    )
     assert run.status.ok and run["crank.theta"][-1] > 38 * 2 * np.pi
     error = (run.total_energy - run.total_energy[0]) / np.max(run.energy["kinetic"])
     line = np.polyfit(run.t, error, 1)
     return float(line[0]), float(np.std(error - np.polyval(line, run.t))), float(np.max(np.abs(error)))
 
 
-@pytest.mark.parametrize("scheme, m, dt, cap, sign, order", [("coupled", [4], 8e-5, 1.6e-4, 1, 3.0),
-                                                             ("exponential", [4], 1e-4, 3.1e-5, -1, 4.4)])
-def test_energy_over_many_revolutions(built_in: Load, scheme: str, m: list[int], dt: float, cap: float, sign: int,
-                                      order: float) -> None:
+@pytest.mark.parametrize(
+    "scheme, m, dt, cap, sign, order",
+    [("coupled", [4], 8e-5, 1.6e-4, 1, 3.0), ("exponential", [4], 1e-4, 3.1e-5, -1, 4.4)],
+)
+def test_energy_over_many_revolutions(
+    built_in: Load, scheme: str, m: list[int], dt: float, cap: float, sign: int, order: float
+) -> None:
     """Law: energy drifts, upwards with dt^3 (coupled), downwards with more than dt^4 (exponential), and stays small."""
     model = built_in("flexible_slider_crank_free")
     coarse, fine = energy_trend(model, scheme, m, dt), energy_trend(model, scheme, m, dt / 2)
@@ -163,8 +199,17 @@ def test_single_rate_energy_does_not_drift(built_in: Load) -> None:
 
 def test_corrected_linearised_steps_keep_energy(built_in: Load) -> None:
     """Symmetric in time: over 10 s, 240 revolutions and 2e5 sub-steps, no trend beyond the scatter."""
-    run = simulate(built_in("flexible_slider_crank_free"), t_end=10.0, dt=1.95e-4, m=[2], scheme="linearised",
-                   options={"corrections": 1}, start="quasi_static", save_every=100, engine=ENGINE)
+    run = simulate(
+        built_in("flexible_slider_crank_free"),
+        t_end=10.0,
+        dt=1.95e-4,
+        m=[2],
+        scheme="linearised",
+        options={"corrections": 1},
+        start="quasi_static",
+        save_every=100,
+        engine=ENGINE,
+    )
     assert run.status.ok
     error = (run.total_energy - run.total_energy[0]) / run.energy["kinetic"].max()
     halves = [float(part.mean()) for part in np.array_split(error, 2)]

@@ -18,8 +18,13 @@ from runtime.schemes.step_limit import central_difference_limit, limit_between_t
 Load = Callable[[str], Model]
 CLOSE = 0.03  # of a limit
 EXPLICIT: list[tuple[str, dict[str, Any], list[int] | None]] = [
-    ("rk4", {}, None), ("dop853", {}, None), ("single_rate", {"common_velocity": "predictor"}, None),
-    ("coupled", {}, [1]), ("coupled", {}, [4]), ("decoupled", {}, [4])]
+    ("rk4", {}, None),
+    ("dop853", {}, None),
+    ("single_rate", {"common_velocity": "predictor"}, None),
+    ("coupled", {}, [1]),
+    ("coupled", {}, [4]),
+    ("decoupled", {}, [4]),
+]
 
 
 def amplification(method: type[ExplicitRungeKutta], z: np.ndarray) -> np.ndarray:

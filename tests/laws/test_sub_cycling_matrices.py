@@ -32,16 +32,29 @@ UNDAMPED, DAMPED = Params(c=0.5, w=20.0, k_L=1.7, zeta=0.0), Params(c=-0.6, w=15
 # scheme, m, options, fields of its memory that act, the twin's matrix of (parameters, dt)
 HELD, ONE_STEP = ("x", "v", "a", "x_last", "v_last"), ("x", "v")
 CASES: dict[str, tuple[str, list[int] | None, dict[str, Any], tuple[str, ...], Callable[[Params, float], Array]]] = {
-    **{f"coupled {m}": ("coupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m))
-       for m in range(1, 51)},
-    **{f"decoupled {m}": ("decoupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m, decoupled=True))
-       for m in (1, 2, 3, 7, 20)},
-    **{f"linearised {m}": ("linearised", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
-       for m in (2, 4, 10)},
-    **{f"linearised central {m}": ("linearised", [m], {"propagation": "central_difference"}, ONE_STEP,
-                                   lambda p, dt, m=m: linearised_central_matrix(p, dt, m)) for m in (2, 4, 10)},
-    **{f"exponential {m}": ("exponential", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
-       for m in (1, 2, 5)},
+    **{f"coupled {m}": ("coupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m)) for m in range(1, 51)},
+    **{
+        f"decoupled {m}": ("decoupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m, decoupled=True))
+        for m in (1, 2, 3, 7, 20)
+    },
+    **{
+        f"linearised {m}": ("linearised", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
+        for m in (2, 4, 10)
+    },
+    **{
+        f"linearised central {m}": (
+            "linearised",
+            [m],
+            {"propagation": "central_difference"},
+            ONE_STEP,
+            lambda p, dt, m=m: linearised_central_matrix(p, dt, m),
+        )
+        for m in (2, 4, 10)
+    },
+    **{
+        f"exponential {m}": ("exponential", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
+        for m in (1, 2, 5)
+    },
     "rk4": ("rk4", None, {}, ONE_STEP, runge_kutta_matrix),
 }
 

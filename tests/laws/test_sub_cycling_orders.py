@@ -20,8 +20,11 @@ Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
 CENTRAL = {"propagation": "central_difference"}
 SCHEMES: dict[str, tuple[str, dict[str, Any]]] = {
-    "coupled": ("coupled", {}), "decoupled": ("decoupled", {}), "linearised": ("linearised", {}),
-    "linearised central": ("linearised", CENTRAL), "exponential": ("exponential", {}),
+    "coupled": ("coupled", {}),
+    "decoupled": ("decoupled", {}),
+    "linearised": ("linearised", {}),
+    "linearised central": ("linearised", CENTRAL),
+    "exponential": ("exponential", {}),
     "exponential central": ("exponential", CENTRAL),
 }
 
@@ -42,27 +45,64 @@ class Case:
 
 CASES = {
     "flexible_slider_crank": Case(
-        0.004, 8e-6, {"coupled": 3.5e-10, "decoupled": 6.3e-10, "linearised": 3e-10,
-                      "exponential": 7e-13}, {"exponential": (0.004, 2e-4)}),
+        0.004,
+        8e-6,
+        {"coupled": 3.5e-10, "decoupled": 6.3e-10, "linearised": 3e-10, "exponential": 7e-13},
+        {"exponential": (0.004, 2e-4)},
+    ),
     "hub_beam": Case(  # undamped, a load that depends on time, gyroscopic forces
-        0.8, 8e-3, {"coupled": 1.9e-7, "decoupled": 2.7e-6, "linearised": 3.1e-6, "linearised central": 3.3e-6,
-                    "exponential": 3.7e-12, "exponential central": 1.9e-7}),
+        0.8,
+        8e-3,
+        {
+            "coupled": 1.9e-7,
+            "decoupled": 2.7e-6,
+            "linearised": 3.1e-6,
+            "linearised central": 3.3e-6,
+            "exponential": 3.7e-12,
+            "exponential central": 1.9e-7,
+        },
+    ),
     "flexible_slider_crank_free": Case(
-        0.004, 8e-6, {"coupled": 1e-8, "decoupled": 1.3e-8, "linearised": 3.6e-9, "linearised central": 3.2e-9,
-                      "exponential": 3e-10, "exponential central": 8e-10}, {"exponential": (0.008, 1e-4)},
-        start="quasi_static"),
+        0.004,
+        8e-6,
+        {
+            "coupled": 1e-8,
+            "decoupled": 1.3e-8,
+            "linearised": 3.6e-9,
+            "linearised central": 3.2e-9,
+            "exponential": 3e-10,
+            "exponential central": 8e-10,
+        },
+        {"exponential": (0.008, 1e-4)},
+        start="quasi_static",
+    ),
     "flexible_slider_crank_torque": Case(  # modal damping, gravity
-        0.02, 1e-4, {"coupled": 1.2e-7, "decoupled": 5e-8, "linearised": 2.8e-8,
-                     "exponential": 1.5e-13}, {"exponential": (0.02, 1.25e-4)}),
+        0.02,
+        1e-4,
+        {"coupled": 1.2e-7, "decoupled": 5e-8, "linearised": 2.8e-8, "exponential": 1.5e-13},
+        {"exponential": (0.02, 1.25e-4)},
+    ),
     "spin_up_beam": Case(  # prescribed, centrifugal stiffening, no second group
-        2.0, 1e-2, {"linearised": 9e-9, "exponential": 4.2e-10}, {"exponential": (4.0, 0.2)}),
+        2.0, 1e-2, {"linearised": 9e-9, "exponential": 4.2e-10}, {"exponential": (4.0, 0.2)}
+    ),
     "double_pendulum": Case(  # centrifugal forces
-        1.0, 4e-3, {"linearised": 1.5e-6, "linearised central": 3.2e-6, "exponential": 1.3e-10,
-                    "exponential central": 1.6e-6}),
+        1.0,
+        4e-3,
+        {"linearised": 1.5e-6, "linearised central": 3.2e-6, "exponential": 1.3e-10, "exponential central": 1.6e-6},
+    ),
     "overdamped_joint": Case(  # a damper 30 times the critical one: rational sub-steps take 100 times the step
-        0.01, 4e-5, {"coupled": 1.5e-10, "decoupled": 3.8e-9, "linearised": 2e-6, "linearised central": 1.9e-10,
-                     "exponential": 1.7e-10, "exponential central": 1.9e-10},
-        {"linearised": (0.2, 1e-2), "exponential": (0.2, 1e-2)}),
+        0.01,
+        4e-5,
+        {
+            "coupled": 1.5e-10,
+            "decoupled": 3.8e-9,
+            "linearised": 2e-6,
+            "linearised central": 1.9e-10,
+            "exponential": 1.7e-10,
+            "exponential central": 1.9e-10,
+        },
+        {"linearised": (0.2, 1e-2), "exponential": (0.2, 1e-2)},
+    ),
 }
 ORDERS = [(scene, scheme) for scene, case in CASES.items() for scheme in case.caps]
 
@@ -101,13 +141,19 @@ def test_order(built_in: Load, scene: str, scheme: str) -> None:
         assert slope == pytest.approx(4.0, abs=0.3), errors
 
 
-@pytest.mark.parametrize("name, t_end, dt, start", [("flexible_slider_crank_free", 0.01, 1e-5, "quasi_static"),
-                                                    ("flexible_slider_crank_free", 0.01, 1e-5, "given"),
-                                                    ("hub_beam", 1.0, 5e-3, "given"),
-                                                    ("two_oscillators", 2.0, 1e-2, "given")])
+@pytest.mark.parametrize(
+    "name, t_end, dt, start",
+    [
+        ("flexible_slider_crank_free", 0.01, 1e-5, "quasi_static"),
+        ("flexible_slider_crank_free", 0.01, 1e-5, "given"),
+        ("hub_beam", 1.0, 5e-3, "given"),
+        ("two_oscillators", 2.0, 1e-2, "given"),
+    ],
+)
 @pytest.mark.parametrize("scheme", ["coupled", "decoupled"])
-def test_one_sub_step_is_single_rate(built_in: Load, scheme: str, name: str, t_end: float, dt: float,
-                                     start: str) -> None:
+def test_one_sub_step_is_single_rate(
+    built_in: Load, scheme: str, name: str, t_end: float, dt: float, start: str
+) -> None:
     """Law: with m = 1 nothing is held, and the step is central difference with a predicted velocity, to rounding."""
     model = built_in(name)
     given: dict[str, Any] = {"t_end": t_end, "dt": dt, "start": start, "save_every": 10, "engine": "interpreted"}
@@ -124,9 +170,11 @@ def test_one_sub_step_is_single_rate(built_in: Load, scheme: str, name: str, t_e
 def test_three_groups_are_second_order(model_of: Build, m: list[int]) -> None:
     """Law: nested held groups keep the order, with crank, lateral and axial modes as groups of their own."""
     data = SCENES["flexible_slider_crank_free"]().model_dump()
-    data["partition"]["groups"] = [{"name": "crank", "coordinates": ["crank.theta"]},
-                                   {"name": "lateral", "coordinates": ["rod.q1", "rod.q2"]},
-                                   {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]}]
+    data["partition"]["groups"] = [
+        {"name": "crank", "coordinates": ["crank.theta"]},
+        {"name": "lateral", "coordinates": ["rod.q1", "rod.q2"]},
+        {"name": "axial", "coordinates": ["rod.q3", "rod.q4"]},
+    ]
     data["simulation"]["m"] = [1, 1]
     model, t_end, steps = model_of(Scene.from_dict(data)), 0.004, [1e-5, 5e-6, 2.5e-6]
     exact = PreparedRuns(model, "dop853", start="quasi_static").end(t_end, 1e-6)

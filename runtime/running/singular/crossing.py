@@ -43,7 +43,6 @@ class Crossing:
     y: np.ndarray
     energy_change: float
 
-
     t_near: float
     y_near: np.ndarray
 
@@ -91,12 +90,15 @@ class Pilot:
 
     def seen(self, t: np.ndarray, y: np.ndarray) -> Solution:
         """Closed states with energies at times t (N,), y (N, size)."""
-        found = [[np.asarray(part).ravel() for part in self._observe(one, state, self.c)]
-                 for one, state in zip(t, y, strict=True)]
+        found = [
+            [np.asarray(part).ravel() for part in self._observe(one, state, self.c)]
+            for one, state in zip(t, y, strict=True)
+        ]
         parts = {name: np.array([row[k] for row in found]).reshape(len(t), -1) for k, name in enumerate(OBSERVED)}
         q, v, a = (join(self.model, parts[f"q_i{end}"], parts[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
-        return assemble_solution(self.model, t, q, v, a, self.p, self.c, "pilot", 0.0, [], {},
-                                 Status("completed", float(t[-1])))
+        return assemble_solution(
+            self.model, t, q, v, a, self.p, self.c, "pilot", 0.0, [], {}, Status("completed", float(t[-1]))
+        )
 
     def determinants(self, t: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Of the loop blocks, and their rates."""
@@ -112,8 +114,9 @@ class Pilot:
             raise BranchLost("the equations cannot be integrated near the singular position")
         return float(found.t[-1]), found.y[:, -1].copy()
 
-    def descend(self, t: float, y: np.ndarray, t_end: float, block: int,
-                height: float) -> tuple[float, np.ndarray] | None:
+    def descend(
+        self, t: float, y: np.ndarray, t_end: float, block: int, height: float
+    ) -> tuple[float, np.ndarray] | None:
         """(t, y) where the determinant of a block has come down to `height`; None if that is not before t_end."""
         sign = float(np.sign(self.determinants(t, y)[0][block]))
 
@@ -122,8 +125,16 @@ class Pilot:
 
         above.terminal, above.direction = True, -1  # type: ignore[attr-defined]
         try:
-            found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL, events=above,
-                              max_step=(t_end - t) / LOOKS)
+            found = solve_ivp(
+                self.slope,
+                (t, t_end),
+                y,
+                method="DOP853",
+                rtol=RTOL,
+                atol=ATOL,
+                events=above,
+                max_step=(t_end - t) / LOOKS,
+            )
         except ValueError:  # not finite
             return None
         return (float(found.t[-1]), found.y[:, -1].copy()) if found.status == 1 else None
@@ -197,8 +208,10 @@ def _step(pilot: Pilot, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, 
     K.append(pilot.slope(t + H, end))
     if not np.isfinite(end).all() or not np.isfinite(K[-1]).all():
         raise BranchLost("the equations are not finite beside it")
-    fifth, third = (H * sum((w * k for w, k in zip(E, K, strict=True)), np.zeros_like(y)) / (1.0 + np.abs(y))
-                    for E in (DOP853.E5, DOP853.E3))
+    fifth, third = (
+        H * sum((w * k for w, k in zip(E, K, strict=True)), np.zeros_like(y)) / (1.0 + np.abs(y))
+        for E in (DOP853.E5, DOP853.E3)
+    )
     size = np.linalg.norm(fifth)  # SciPy's combination of the two estimates
     return end, float(size**2 / np.hypot(size, 0.1 * np.linalg.norm(third))) if size > 0 else 0.0
 
@@ -211,12 +224,12 @@ def _time_to_zero(pilot: Pilot, t: float, y: np.ndarray, block: int) -> float:
     return left / slope if 0.2 < slope < 2 else left
 
 
-def _zero_between(pilot: Pilot, before: tuple[float, np.ndarray], after: tuple[float, np.ndarray],
-                  block: int) -> float:
+def _zero_between(pilot: Pilot, before: tuple[float, np.ndarray], after: tuple[float, np.ndarray], block: int) -> float:
     """Time from `before` to the zero of the determinant; of a cubic where it changes sign, else of det / det'."""
     H = after[0] - before[0]
-    (f0, g0), (f1, g1) = ((value[block], rate[block] * H) for value, rate in
-                          (pilot.determinants(t, y) for t, y in (before, after)))
+    (f0, g0), (f1, g1) = (
+        (value[block], rate[block] * H) for value, rate in (pilot.determinants(t, y) for t, y in (before, after))
+    )
     if f0 * f1 < 0:
         roots = np.roots([2 * (f0 - f1) + g0 + g1, 3 * (f1 - f0) - 2 * g0 - g1, g0, f0])
         inside = [root.real for root in roots if abs(root.imag) < 1e-9 and 0 <= root.real <= 1]

@@ -20,6 +20,8 @@ def singular_angles(scene_toml: str, coordinates: Mapping[str, float]) -> str | 
         if len(axes) != 3 or middle is None:
             continue
         if abs(math.cos(middle) if len(set(axes)) == 3 else math.sin(middle)) < NEAR:
-            return (f"The Euler angles {axes} of {body['name']} are near their singular orientation (theta2 = "
-                    f'{middle:.3g} rad): use orientation = "euler_parameters", or a sequence that keeps away from it.')
+            return (
+                f"The Euler angles {axes} of {body['name']} are near their singular orientation (theta2 = "
+                f'{middle:.3g} rad): use orientation = "euler_parameters", or a sequence that keeps away from it.'
+            )
     return None

@@ -41,8 +41,9 @@ class Outcome:
     status: Status | None = None
 
 
-def locate(leg: Leg, guard: Guard, earlier: np.ndarray | None, before: np.ndarray,
-           steps: int) -> tuple[np.ndarray, np.ndarray | None, bool]:
+def locate(
+    leg: Leg, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
+) -> tuple[np.ndarray, np.ndarray | None, bool]:
     """(z before the first step that raises the alarm, z one step earlier if there is one, was there an alarm at all?).
 
     The guard accepts the steps that lead there. Without an alarm z is where the search ended: go on from there.
@@ -110,9 +111,12 @@ class Passage:
             crossing = cross(pilot, t, y, block, largest)
             return self._behind(z, pilot, (t, y), crossing, block, largest)
         except BranchLost as error:
-            return self._lost("branch_lost", z, f"a singular position lies ahead, and the branch of the motion cannot "
-                              f"be told behind it: {error}", "Start elsewhere, change a length a little, or stop the "
-                              "run before it.")
+            return self._lost(
+                "branch_lost",
+                z,
+                f"a singular position lies ahead, and the branch of the motion cannot be told behind it: {error}",
+                "Start elsewhere, change a length a little, or stop the run before it.",
+            )
 
     # ---- another q_i ----------------------------------------------------------------------------------------
 
@@ -123,12 +127,20 @@ class Passage:
         except (NoVariant, SchemeError) as error:
             if self.guard.threshold > LAST:
                 return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
-            return self._lost("partition_lost", z, f"{exchange.out} no longer determines the mechanism, "
-                              f"{exchange.into} would", str(error))
+            return self._lost(
+                "partition_lost",
+                z,
+                f"{exchange.out} no longer determines the mechanism, {exchange.into} would",
+                str(error),
+            )
         new = carried(self.leg, z, leg, seen)
         leg.watch.resume(leg.stepper.state(new), self.leg.watch.memory())
-        event = Event(float(seen.t[0]), "repartition", f"{exchange.into} took the place of {exchange.out} in q_i, "
-                      f"which makes the closure {exchange.gain:.3g} times better determined")
+        event = Event(
+            float(seen.t[0]),
+            "repartition",
+            f"{exchange.into} took the place of {exchange.out} in q_i, "
+            f"which makes the closure {exchange.gain:.3g} times better determined",
+        )
         return Outcome(leg, new, [], leg.step_of(new) + 1, event)
 
     def _leg_with(self, names: list[str], q: np.ndarray) -> Leg:
@@ -141,8 +153,15 @@ class Passage:
 
     # ---- over the position ----------------------------------------------------------------------------------
 
-    def _behind(self, z: np.ndarray, pilot: Pilot, before: tuple[float, np.ndarray], crossing: Crossing, block: int,
-                largest: float) -> Outcome:
+    def _behind(
+        self,
+        z: np.ndarray,
+        pilot: Pilot,
+        before: tuple[float, np.ndarray],
+        crossing: Crossing,
+        block: int,
+        largest: float,
+    ) -> Outcome:
         """Samples up to the first step whose determinant is good again, where the scheme starts anew."""
         plan, first = self.leg.plan, self.leg.step_of(z)
         samples: list[np.ndarray] = []
@@ -161,9 +180,12 @@ class Passage:
             height = abs(float(self.place.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
             if t > crossing.t_s and height > 1.2 * NEAR * largest:
                 break
-        event = Event(crossing.t_s, "singular_position",
-                      f"passed a singular position at t = {crossing.t_s:.9g}; branch kept by continuity, energy to "
-                      f"{abs(crossing.energy_change):.2g} J")
+        event = Event(
+            crossing.t_s,
+            "singular_position",
+            f"passed a singular position at t = {crossing.t_s:.9g}; branch kept by continuity, energy to "
+            f"{abs(crossing.energy_change):.2g} J",
+        )
         self.guard.passed()
         return Outcome(self.leg, samples[-1].copy(), samples, first + 1, event)
 

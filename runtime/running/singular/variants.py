@@ -49,10 +49,15 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
         _generate(model, q_i, groups, q, folder)
         found = load_model(folder)
     same = ("coordinates", "constraints", "elastic", "measures", "joints")
-    if any(getattr(found, name) != getattr(model, name) for name in same) or list(found.q_i) != list(q_i) or \
-            [entry.name for entry in found.parameters] != [entry.name for entry in model.parameters]:
-        raise NoVariant(f"the variant of {model.name} with q_i = {', '.join(q_i)} does not match the model; "
-                        "regenerate the model with the installed version")
+    if (
+        any(getattr(found, name) != getattr(model, name) for name in same)
+        or list(found.q_i) != list(q_i)
+        or [entry.name for entry in found.parameters] != [entry.name for entry in model.parameters]
+    ):
+        raise NoVariant(
+            f"the variant of {model.name} with q_i = {', '.join(q_i)} does not match the model; "
+            "regenerate the model with the installed version"
+        )
     return found
 
 
@@ -63,18 +68,22 @@ def _loaded(folder: Path) -> Model | None:
         return None
 
 
-def _generate(model: Model, q_i: Sequence[str], groups: Sequence[tuple[str, Sequence[str]]], q: np.ndarray,
-              folder: Path) -> None:
+def _generate(
+    model: Model, q_i: Sequence[str], groups: Sequence[tuple[str, Sequence[str]]], q: np.ndarray, folder: Path
+) -> None:
     generate = _generator()
     if generate is None or not model.scene_toml:
-        raise NoVariant(f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
-                        "or install symgen beside the runtime, and run again")
+        raise NoVariant(
+            f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
+            "or install symgen beside the runtime, and run again"
+        )
     state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder.parent) as work:
-            made = generate(model.scene_toml, list(q_i), groups, Path(work) / "model", state=state,
-                            redundant=list(model.redundant))
+            made = generate(
+                model.scene_toml, list(q_i), groups, Path(work) / "model", state=state, redundant=list(model.redundant)
+            )
             folder.mkdir(exist_ok=True)
             files = sorted(Path(made).iterdir(), key=lambda path: path.name == "manifest.json")  # the manifest last
             for path in files:

@@ -79,9 +79,13 @@ class GeneralizedAlpha(Scheme):
         """Guess the last accelerations and multipliers, iterate, move."""
         iteration = self.stage("alpha_iterate", self._iterate)
         flag = self.layout.slice("unconverged").start
-        return Sequence((self.stage("alpha_begin", self._begin),
-                         Until(iteration, flag, self.options.max_iterations, USUAL_ITERATIONS),
-                         self.stage("alpha_finish", self._finish)))
+        return Sequence(
+            (
+                self.stage("alpha_begin", self._begin),
+                Until(iteration, flag, self.options.max_iterations, USUAL_ITERATIONS),
+                self.stage("alpha_finish", self._finish),
+            )
+        )
 
     def evaluations(self) -> tuple[int, int]:
         """Of the usual number of iterations; a run counts its own."""
@@ -117,13 +121,23 @@ class GeneralizedAlpha(Scheme):
         w = z["w"] + delta
         allowed = self.options.eps[0] * ca.norm_inf(w)
         allowed = allowed + ROUNDING * (ca.norm_inf(z["q"]) / h + ca.norm_inf(z["v"])) / h
-        return {"w": w, "lam": z["lam"] + lam, "unconverged": ca.norm_inf(delta) - allowed,
-                "iterations": z["iterations"] + 1}
+        return {
+            "w": w,
+            "lam": z["lam"] + lam,
+            "unconverged": ca.norm_inf(delta) - allowed,
+            "iterations": z["iterations"] + 1,
+        }
 
     def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         q, v, a = self._moved(z, z["w"], kernels.h[0])
-        return {"q": q, "v": v, "a": a, "x": q[self._independent], "n": z["n"] + 1,
-                "failures": z["failures"] + (z["unconverged"] > 0)}
+        return {
+            "q": q,
+            "v": v,
+            "a": a,
+            "x": q[self._independent],
+            "n": z["n"] + 1,
+            "failures": z["failures"] + (z["unconverged"] > 0),
+        }
 
     @property
     def _independent(self) -> list[int]:
@@ -131,8 +145,9 @@ class GeneralizedAlpha(Scheme):
 
     # ---- the equations --------------------------------------------------------------------------------------
 
-    def _equations(self, kernels: StepKernels, q: ca.SX, v: ca.SX, t: ca.SX, w: ca.SX,
-                   lam: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
+    def _equations(
+        self, kernels: StepKernels, q: ca.SX, v: ca.SX, t: ca.SX, w: ca.SX, lam: ca.SX
+    ) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
         """(M, C_q, M w + C_q^T lam - Q*, C)."""
         found = kernels.call("augmented", q=q, q_dot=v, t=t)
         residual = ca.mtimes(found["M"], w) - found["Q_star"]
@@ -198,8 +213,12 @@ class HilberHughesTaylor(GeneralizedAlpha):
 def _singular_mass(model: Model) -> bool:
     """Is M of the augmented form singular at the model's own start?"""
     kernel = model.kernel("augmented")
-    values: dict[str, Any] = {"q": model.initial_q, "q_dot": model.initial_q_dot, "t": 0.0,
-                              "c": model.constants(model.parameter_vector())}
+    values: dict[str, Any] = {
+        "q": model.initial_q,
+        "q_dot": model.initial_q_dot,
+        "t": 0.0,
+        "c": model.constants(model.parameter_vector()),
+    }
     M = np.asarray(kernel(**{name: values[name] for name in kernel.name_in()})["M"])
     scale = 1 / np.sqrt(np.maximum(np.diag(M), 1e-300))
     return bool(np.diag(M).min() <= 0 or np.linalg.eigvalsh(M * np.outer(scale, scale))[0] < SINGULAR)

@@ -34,9 +34,13 @@ from runtime.schemes.stored_system import StoredSystem
 
 S = np.sqrt(6.0)
 NODES = np.array([(4 - S) / 10, (4 + S) / 10, 1.0])
-A = np.array([[(88 - 7 * S) / 360, (296 - 169 * S) / 1800, (-2 + 3 * S) / 225],
-              [(296 + 169 * S) / 1800, (88 + 7 * S) / 360, (-2 - 3 * S) / 225],
-              [(16 - S) / 36, (16 + S) / 36, 1 / 9]])
+A = np.array(
+    [
+        [(88 - 7 * S) / 360, (296 - 169 * S) / 1800, (-2 + 3 * S) / 225],
+        [(296 + 169 * S) / 1800, (88 + 7 * S) / 360, (-2 - 3 * S) / 225],
+        [(16 - S) / 36, (16 + S) / 36, 1 / 9],
+    ]
+)
 STAGES = 3
 USUAL_ITERATIONS = 3
 ROUNDING = 4e-16
@@ -46,8 +50,15 @@ TINY = 1e-300
 
 def lagrange(nodes: np.ndarray, at: np.ndarray) -> np.ndarray:
     """Weights (len(at), len(nodes)) that take values at nodes to those of their polynomial elsewhere."""
-    return np.array([[np.prod([(x - other) / (node - other) for j, other in enumerate(nodes) if j != k])
-                      for k, node in enumerate(nodes)] for x in at])
+    return np.array(
+        [
+            [
+                np.prod([(x - other) / (node - other) for j, other in enumerate(nodes) if j != k])
+                for k, node in enumerate(nodes)
+            ]
+            for x in at
+        ]
+    )
 
 
 def split() -> tuple[tuple[complex, ...], np.ndarray, np.ndarray]:
@@ -76,17 +87,27 @@ class Radau(OneStep):
     def work_fields(self) -> dict[str, int]:
         """See above, and the factors."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        return {"K": STAGES * n, "loops": STAGES * loops, "loop_last": loops, "unconverged": 1, "stage_error": 1,
-                "eta": 1, "correction": 1,
-                **self.stored.fields()}
+        return {
+            "K": STAGES * n,
+            "loops": STAGES * loops,
+            "loop_last": loops,
+            "unconverged": 1,
+            "stage_error": 1,
+            "eta": 1,
+            "correction": 1,
+            **self.stored.fields(),
+        }
 
     def program(self) -> Program:
         """Linearise and extrapolate, iterate, finish."""
         iteration = self.stage("radau_iterate", self._iterate)
-        return Sequence((self.stage("radau_begin", self._begin),
-                         Until(iteration, self.layout.slice("unconverged").start, self.options.max_iterations,
-                               USUAL_ITERATIONS),
-                         self.stage("radau_finish", self._finish)))
+        return Sequence(
+            (
+                self.stage("radau_begin", self._begin),
+                Until(iteration, self.layout.slice("unconverged").start, self.options.max_iterations, USUAL_ITERATIONS),
+                self.stage("radau_finish", self._finish),
+            )
+        )
 
     def evaluations(self) -> tuple[int, int]:
         """Of the usual number of iterations; a run counts its own."""
@@ -98,18 +119,29 @@ class Radau(OneStep):
         motion = kernels.close(q_i, fields["loop"], t0, 1)
         a, rate = kernels.accelerations(motion, q_i_dot), kernels.loop_part(kernels.rates(motion, q_i_dot))
         at = [fields["loop"] + (float(node) - 1) * kernels.h[0] * rate for node in NODES]
-        return {**fields, "eta": ca.SX(1), "K": ca.repmat(a, STAGES, 1), "loops": ca.vertcat(*at),
-                "loop_last": fields["loop"] - kernels.h[0] * rate}
+        return {
+            **fields,
+            "eta": ca.SX(1),
+            "K": ca.repmat(a, STAGES, 1),
+            "loops": ca.vertcat(*at),
+            "loop_last": fields["loop"] - kernels.h[0] * rate,
+        }
 
     def _begin(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         h, K, loops = kernels.h[0], self._columns(z["K"]), self._columns(z["loops"])
         motion = kernels.close(z["x"], z["loop"], self.now(z, kernels), 1)
         found = kernels.linearised(motion, z["v"])
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
-        return {**self.stored.pack(system), **self.stored.pack_factors(factors_of(system, h, SHIFTS)),
-                "K": _stacked(AHEAD, K), "loops": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
-                "loop_last": kernels.loop_part(motion.q_d), "unconverged": ca.SX(1), "correction": ca.SX(0),
-                "iterations": z["iterations"] + 1}
+        return {
+            **self.stored.pack(system),
+            **self.stored.pack_factors(factors_of(system, h, SHIFTS)),
+            "K": _stacked(AHEAD, K),
+            "loops": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
+            "loop_last": kernels.loop_part(motion.q_d),
+            "unconverged": ca.SX(1),
+            "correction": ca.SX(0),
+            "iterations": z["iterations"] + 1,
+        }
 
     def _columns(self, stacked: ca.SX) -> list[ca.SX]:
         return ca.vertsplit(stacked, stacked.numel() // STAGES) if stacked.numel() else [stacked] * STAGES
@@ -128,8 +160,15 @@ class Radau(OneStep):
         loops = [kernels.loop_part(motion.q_d) for motion in motions]
         account = self.closed(z, *motions)  # the error counts when the iteration has converged
         stage_error = ca.fmax(ca.fmax(motions[0].C_loop, motions[1].C_loop), motions[2].C_loop)
-        return {**account, "closure_error": z["closure_error"], "K": ca.vertcat(*new), "loops": ca.vertcat(*loops),
-                "stage_error": stage_error, **self._progress(z, new, change, h), "iterations": z["iterations"] + STAGES}
+        return {
+            **account,
+            "closure_error": z["closure_error"],
+            "K": ca.vertcat(*new),
+            "loops": ca.vertcat(*loops),
+            "stage_error": stage_error,
+            **self._progress(z, new, change, h),
+            "iterations": z["iterations"] + STAGES,
+        }
 
     def _positions(self, z: Fields, K: list[ca.SX], h: ca.SX) -> list[ca.SX]:
         return [z["x"] + h * (float(c) * z["v"] + h * _combined(row, K)) for c, row in zip(NODES, A @ A, strict=True)]
@@ -160,10 +199,14 @@ class Radau(OneStep):
 
     def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
         K, h = self._columns(z["K"]), kernels.h[0]
-        return {"x": self._positions(z, K, h)[-1], "v": self._velocities(z, K, h)[-1],
-                "loop": self._columns(z["loops"])[-1], "n": z["n"] + 1,
-                "failures": z["failures"] + (z["unconverged"] > 0),
-                "closure_error": ca.fmax(z["closure_error"], z["stage_error"])}
+        return {
+            "x": self._positions(z, K, h)[-1],
+            "v": self._velocities(z, K, h)[-1],
+            "loop": self._columns(z["loops"])[-1],
+            "n": z["n"] + 1,
+            "failures": z["failures"] + (z["unconverged"] > 0),
+            "closure_error": ca.fmax(z["closure_error"], z["stage_error"]),
+        }
 
 
 def _combined(weights: np.ndarray, values: list[ca.SX]) -> ca.SX:

@@ -36,14 +36,14 @@ class ExplicitRungeKutta(OneStep):
         motions: list[Motion] = []
         for k, row in enumerate(self.A):
             at = y + h * _combined(row[:k], slopes)
-            motion = kernels.close(at[:n], at[2 * n:], t + float(self.nodes[k]) * h, self.options.closure_iterations)
+            motion = kernels.close(at[:n], at[2 * n :], t + float(self.nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
-                y = ca.vertcat(y[:2 * n], kernels.loop_part(motion.q_d))
-            a, v = kernels.accelerations(motion, at[n:2 * n]), at[n:2 * n]
+                y = ca.vertcat(y[: 2 * n], kernels.loop_part(motion.q_d))
+            a, v = kernels.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
             slopes.append(ca.vertcat(v, a, kernels.loop_part(kernels.rates(motion, v))))
             motions.append(motion)
         y = y + h * _combined(self.b, slopes)
-        return {"x": y[:n], "v": y[n:2 * n], "loop": y[2 * n:], "n": z["n"] + 1, **self.closed(z, *motions)}
+        return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **self.closed(z, *motions)}
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):

@@ -74,8 +74,12 @@ def candidates(model: Model) -> list[Spec]:
         found.append(Spec("exponential", (1,)))
         jacobians = sum(model.operations.get(name, 0) for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"))
         if jacobians < LONG_JACOBIANS:
-            found += [Spec("exponential", (2,)), Spec("exponential", (4,)), Spec("linearised", (2,)),
-                      Spec("linearised", (2,), {"corrections": 1})]
+            found += [
+                Spec("exponential", (2,)),
+                Spec("exponential", (4,)),
+                Spec("linearised", (2,)),
+                Spec("linearised", (2,), {"corrections": 1}),
+            ]
         found.append(Spec("radau", None, {"eps": (1e-6,)}))
     found += [Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"), Spec("dop853")]
     if len(model.groups) > 1:
@@ -86,9 +90,17 @@ def candidates(model: Model) -> list[Spec]:
     return found
 
 
-def advise(model: Model, *, tolerance: float = 1e-3, graded: list[str] | None = None, t_end: float | None = None,
-           parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
-           start: str | None = None, note: Note = lambda text: None) -> Advice:
+def advise(
+    model: Model,
+    *,
+    tolerance: float = 1e-3,
+    graded: list[str] | None = None,
+    t_end: float | None = None,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    note: Note = lambda text: None,
+) -> Advice:
     """Advice for a motion of t_end [s].
 
     tolerance: on the RMS error over the motion of every graded coordinate, relative to its amplitude. graded: names
@@ -103,8 +115,10 @@ def advise(model: Model, *, tolerance: float = 1e-3, graded: list[str] | None = 
     searches = _searched(problem, SAFETY * allowed, note)
     done = sorted((one for one in searches if one.best), key=lambda one: one.seconds)
     if not done:
-        raise NoAdvice(f"none of {', '.join(one.label for one in searches)} reached {tolerance:g} on {model.name}; "
-                       "loosen the tolerance or grade fewer coordinates")
+        raise NoAdvice(
+            f"none of {', '.join(one.label for one in searches)} reached {tolerance:g} on {model.name}; "
+            "loosen the tolerance or grade fewer coordinates"
+        )
     solver = ModeSolver(model, setting.c) if model.has("dQ_hat_dq_i") else None
     states = _states(problem) if solver else []
     note("computing frequencies and stability")
@@ -143,8 +157,9 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
             return one, None
         if problem.t_end < FEW_STEPS * one.best.dt:
             return one, None
-        study = StabilityStudy(problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c,
-                               states, problem.t_end)
+        study = StabilityStudy(
+            problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c, states, problem.t_end
+        )
         curve = study.curve(np.geomspace(one.best.dt / 4, 4 * one.best.dt, 9))
         if curve.limit is None:
             continue
@@ -159,20 +174,39 @@ def _spec_of(model: Model, label: str) -> Spec:
     return next(spec for spec in candidates(model) if spec.label == label)
 
 
-def _advice(setting: Setting, problem: Problem, tolerance: float, searches: list[Search], best: Search,
-            limit: float | None, solver: ModeSolver | None, states: list[State]) -> Advice:
+def _advice(
+    setting: Setting,
+    problem: Problem,
+    tolerance: float,
+    searches: list[Search],
+    best: Search,
+    limit: float | None,
+    solver: ModeSolver | None,
+    states: list[State],
+) -> Advice:
     model, trial = setting.model, best.best
     assert trial is not None
-    single = min((one.seconds for one in searches if not SCHEMES[_spec_of(model, one.label).scheme].multirate),
-                 default=np.inf)
+    single = min(
+        (one.seconds for one in searches if not SCHEMES[_spec_of(model, one.label).scheme].multirate), default=np.inf
+    )
     gain = single / best.seconds
     spec = _spec_of(model, best.label)
     return Advice(
-        model, tolerance, [model.q_i[k] for k in setting.graded], problem.t_end, setting.t_end,
+        model,
+        tolerance,
+        [model.q_i[k] for k in setting.graded],
+        problem.t_end,
+        setting.t_end,
         mode_ranges(model, solver, states) if solver else [],
         propose_groups(model, solver, states) if solver else None,
-        sorted(searches, key=lambda one: one.seconds), spec, trial.dt, trial, limit, gain,
-        _reason(spec, trial, limit, gain, best.seconds <= min(one.seconds for one in searches)))
+        sorted(searches, key=lambda one: one.seconds),
+        spec,
+        trial.dt,
+        trial,
+        limit,
+        gain,
+        _reason(spec, trial, limit, gain, best.seconds <= min(one.seconds for one in searches)),
+    )
 
 
 def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest: bool) -> str:
@@ -183,5 +217,6 @@ def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest:
         return f"use one step for all coordinates: {spec.label} is {which} ({step}{bound})"
     if not np.isfinite(gain):
         return f"{spec.label}: {step}{bound}; no method with one step for all coordinates got there in useful time"
-    return (f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates "
-            f"({step}{bound})")
+    return (
+        f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates ({step}{bound})"
+    )

@@ -17,8 +17,14 @@ AUTO = "auto"
 TOLERANCE = 1e-3
 
 
-def simulate(model: Model, *, scheme: str | None = None, tolerance: float | None = None,
-             graded: list[str] | None = None, **settings: Unpack[RunArguments]) -> Solution:
+def simulate(
+    model: Model,
+    *,
+    scheme: str | None = None,
+    tolerance: float | None = None,
+    graded: list[str] | None = None,
+    **settings: Unpack[RunArguments],
+) -> Solution:
     """Simulate a model from t0 until t_end (None: the scene's own settings).
 
     scheme: a name of runtime.SCHEMES, or `auto`: the fastest one that keeps `tolerance` (1e-3) in the `graded`
@@ -35,8 +41,17 @@ def simulate(model: Model, *, scheme: str | None = None, tolerance: float | None
         return run(model, scheme=scheme, **settings)
     if settings.get("dt") is not None or settings.get("m") is not None or settings.get("options"):
         raise SchemeError("auto chooses dt, m and options itself; leave them out and give a tolerance")
-    found = choose(model, settings.get("t_end"), settings.get("parameters"), settings.get("initial"),
-                   settings.get("start"), tolerance, graded, settings.get("save_every"), settings.get("t0", 0.0))
+    found = choose(
+        model,
+        settings.get("t_end"),
+        settings.get("parameters"),
+        settings.get("initial"),
+        settings.get("start"),
+        tolerance,
+        graded,
+        settings.get("save_every"),
+        settings.get("t0", 0.0),
+    )
     solution = run(model, **{**settings, **found.arguments})
     solution.stats["advice"] = found.reason
     return solution
@@ -50,19 +65,39 @@ class Choice:
     reason: str
 
 
-def choose(model: Model, t_end: float | None, parameters: Mapping[str, float] | None,
-           initial: Mapping[str, float] | None, start: str | None, tolerance: float | None, graded: list[str] | None,
-           save_every: int | None, t0: float) -> Choice:
+def choose(
+    model: Model,
+    t_end: float | None,
+    parameters: Mapping[str, float] | None,
+    initial: Mapping[str, float] | None,
+    start: str | None,
+    tolerance: float | None,
+    graded: list[str] | None,
+    save_every: int | None,
+    t0: float,
+) -> Choice:
     """What to step with. States are saved about as often as the scene says. Raises what `advise` raises."""
     from runtime.studies.advice.advise import advise  # brings SciPy, which only this scheme needs
 
     if t0 != 0:
         raise SchemeError("auto looks at the motion from t = 0; name a scheme for a start at another time")
-    advice = advise(model, tolerance=TOLERANCE if tolerance is None else tolerance, graded=graded, t_end=t_end,
-                    parameters=parameters, initial=initial, start=start)
+    advice = advise(
+        model,
+        tolerance=TOLERANCE if tolerance is None else tolerance,
+        graded=graded,
+        t_end=t_end,
+        parameters=parameters,
+        initial=initial,
+        start=start,
+    )
     dt = advice.t_end / ceil(advice.t_end / advice.dt * (1 - 1e-12))
     usual = float(model.simulation["dt"]) * int(model.simulation["save_every"])
     every = max(1, round(usual / dt)) if save_every is None else save_every
-    arguments = {"scheme": advice.spec.scheme, "dt": dt, "m": list(advice.spec.m) if advice.spec.m else None,
-                 "options": dict(advice.spec.options), "save_every": every}
+    arguments = {
+        "scheme": advice.spec.scheme,
+        "dt": dt,
+        "m": list(advice.spec.m) if advice.spec.m else None,
+        "options": dict(advice.spec.options),
+        "save_every": every,
+    }
     return Choice(arguments, advice.reason)

@@ -39,10 +39,16 @@ def mode_ranges(model: Model, solver: ModeSolver, states: list[State]) -> list[M
     frequency = np.array([modes.frequencies for modes in found])
     damping = np.array([modes.damping for modes in found])
     share = np.mean([modes.participation for modes in found], axis=0)
-    return [ModeRange(float(frequency[:, k].min()), float(frequency[:, k].max()), float(damping[:, k].min()),
-                      float(damping[:, k].max()), [model.q_i[j] for place, j in enumerate(np.argsort(-share[k]))
-                                                   if share[k, j] >= TAKES_PART or place == 0])
-            for k in range(len(model.q_i))]
+    return [
+        ModeRange(
+            float(frequency[:, k].min()),
+            float(frequency[:, k].max()),
+            float(damping[:, k].min()),
+            float(damping[:, k].max()),
+            [model.q_i[j] for place, j in enumerate(np.argsort(-share[k])) if share[k, j] >= TAKES_PART or place == 0],
+        )
+        for k in range(len(model.q_i))
+    ]
 
 
 def propose_groups(model: Model, solver: ModeSolver, states: list[State]) -> Groups | None:
@@ -59,7 +65,7 @@ def propose_groups(model: Model, solver: ModeSolver, states: list[State]) -> Gro
     if ratios[place] < WIDE_GAP:
         return None
     names = [model.q_i[k] for k in order]
-    return Groups(names[:place + 1], names[place + 1:], float(ratios[place]))
+    return Groups(names[: place + 1], names[place + 1 :], float(ratios[place]))
 
 
 def _own_frequencies(modes: Modes) -> np.ndarray:

@@ -13,16 +13,39 @@ def advice_data(advice: Advice) -> dict[str, Any]:
     """Plain values, SI units."""
     spec, groups = advice.spec, advice.groups
     return {
-        "model": advice.model.name, "tolerance": advice.tolerance, "graded": advice.graded, "pilot": advice.pilot,
-        "t_end": advice.t_end, "scheme": spec.scheme, "m": list(spec.m or ()), "options": dict(spec.options),
-        "dt": advice.dt, "error": advice.trial.error, "seconds": advice.seconds, "stability_limit": advice.limit,
-        "gain": advice.gain if np.isfinite(advice.gain) else None, "reason": advice.reason,
-        "modes": [{"lowest": mode.lowest, "highest": mode.highest, "least_damping": mode.least_damping,
-                   "coordinates": mode.coordinates} for mode in advice.modes],
+        "model": advice.model.name,
+        "tolerance": advice.tolerance,
+        "graded": advice.graded,
+        "pilot": advice.pilot,
+        "t_end": advice.t_end,
+        "scheme": spec.scheme,
+        "m": list(spec.m or ()),
+        "options": dict(spec.options),
+        "dt": advice.dt,
+        "error": advice.trial.error,
+        "seconds": advice.seconds,
+        "stability_limit": advice.limit,
+        "gain": advice.gain if np.isfinite(advice.gain) else None,
+        "reason": advice.reason,
+        "modes": [
+            {
+                "lowest": mode.lowest,
+                "highest": mode.highest,
+                "least_damping": mode.least_damping,
+                "coordinates": mode.coordinates,
+            }
+            for mode in advice.modes
+        ],
         "groups": None if groups is None else {"slow": groups.slow, "fast": groups.fast, "gap": groups.gap},
-        "candidates": [{"method": one.label, "dt": one.best.dt if one.best else None,
-                        "seconds": one.best.seconds if one.best else None,
-                        "error": one.best.error if one.best else None} for one in advice.searches],
+        "candidates": [
+            {
+                "method": one.label,
+                "dt": one.best.dt if one.best else None,
+                "seconds": one.best.seconds if one.best else None,
+                "error": one.best.error if one.best else None,
+            }
+            for one in advice.searches
+        ],
     }
 
 
@@ -33,15 +56,19 @@ def advice_lines(advice: Advice) -> list[str]:
         damped = f", damping {mode.least_damping:.2g}" if mode.least_damping > 1e-3 else ""
         lines.append(f"  {mode.lowest:10.5g} to {mode.highest:<10.5g} {', '.join(mode.coordinates)}{damped}")
     if advice.groups is not None:
-        lines.append(f"widest gap {advice.groups.gap:.3g}: slow {', '.join(advice.groups.slow)}; "
-                     f"fast {', '.join(advice.groups.fast)}")
+        lines.append(
+            f"widest gap {advice.groups.gap:.3g}: slow {', '.join(advice.groups.slow)}; "
+            f"fast {', '.join(advice.groups.fast)}"
+        )
     lines.append(f"to reach {advice.tolerance:g} in {', '.join(advice.graded)}:")
     for one in advice.searches:
         if one.best is None:
             lines.append(f"  {one.label:34} not reached in useful time")
         else:
-            lines.append(f"  {one.label:34} dt = {one.best.dt:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
-                         f"error {one.best.error:.2g}")
+            lines.append(
+                f"  {one.label:34} dt = {one.best.dt:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
+                f"error {one.best.error:.2g}"
+            )
     return [*lines, advice.reason, f"run it with: {command(advice)}"]
 
 

@@ -37,10 +37,17 @@ class StabilityChart:
 
     def table(self) -> list[dict[str, Any]]:
         """One row for each m: the largest stable steps [s], and the windows of instability below stable steps."""
-        return [{"m": curve.m, "dt_limit": curve.limit,
-                 "dt_S_limit": None if curve.limit is None else curve.limit / prod(curve.m),
-                 "no_limit_found": curve.beyond, "windows": curve.windows,
-                 "largest_growth_below_limit": _growth_below(curve)} for curve in self.curves]
+        return [
+            {
+                "m": curve.m,
+                "dt_limit": curve.limit,
+                "dt_S_limit": None if curve.limit is None else curve.limit / prod(curve.m),
+                "no_limit_found": curve.beyond,
+                "windows": curve.windows,
+                "largest_growth_below_limit": _growth_below(curve),
+            }
+            for curve in self.curves
+        ]
 
     def write_csv(self, path: str | Path) -> None:
         """Every point: m, dt, dt_S [s], spectral radius, growth rate [1/s], stable. Raises OutputError."""
@@ -49,9 +56,16 @@ class StabilityChart:
         writer.writerow(["m", "dt", "dt_S", "spectral_radius", "growth_rate", "stable"])
         for curve in self.curves:
             for dt, radius, growth, stable in zip(curve.dt, curve.radius, curve.growth, curve.stable, strict=True):
-                writer.writerow([" ".join(map(str, curve.m)) or "1", repr(float(dt)),
-                                 repr(float(dt) / prod(curve.m)), repr(float(radius)), repr(float(growth)),
-                                 int(stable)])
+                writer.writerow(
+                    [
+                        " ".join(map(str, curve.m)) or "1",
+                        repr(float(dt)),
+                        repr(float(dt) / prod(curve.m)),
+                        repr(float(radius)),
+                        repr(float(growth)),
+                        int(stable),
+                    ]
+                )
         write_text(path, text.getvalue())
 
 
@@ -61,11 +75,19 @@ def _growth_below(curve: Curve) -> float:
 
 
 def stability_chart(
-    model: Model, scheme: str | None = None, *, m: list[list[int]] | None = None,
-    dt_range: tuple[float, float] | None = None, points: int = POINTS, states: int = STATES,
-    options: Mapping[str, Any] | None = None, t_end: float | None = None,
-    parameters: Mapping[str, float] | None = None, initial: Mapping[str, float] | None = None,
-    start: str | None = None, progress: Progress | None = None,
+    model: Model,
+    scheme: str | None = None,
+    *,
+    m: list[list[int]] | None = None,
+    dt_range: tuple[float, float] | None = None,
+    points: int = POINTS,
+    states: int = STATES,
+    options: Mapping[str, Any] | None = None,
+    t_end: float | None = None,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    progress: Progress | None = None,
 ) -> StabilityChart:
     """Chart of a scheme (the scene's own by default) at `states` states of a motion of t_end [s].
 

@@ -41,8 +41,17 @@ class Curve:
 class StabilityStudy:
     """Stability of one scheme with one m at several states of a motion that lasts t_end [s]."""
 
-    def __init__(self, model: Model, name: str, m: list[int] | None, options: Mapping[str, Any], c: np.ndarray,
-                 states: list[State], t_end: float, exact: ExactMotion | None = None) -> None:
+    def __init__(
+        self,
+        model: Model,
+        name: str,
+        m: list[int] | None,
+        options: Mapping[str, Any],
+        c: np.ndarray,
+        states: list[State],
+        t_end: float,
+        exact: ExactMotion | None = None,
+    ) -> None:
         scheme = scheme_kind(name).build(name, model, 1.0, m, options)
         self.m, self.states, self.t_end = list(scheme.grid.m), states, t_end
         self._spectrum = StepSpectrum(model, scheme, c, exact)
@@ -84,8 +93,9 @@ class StabilityStudy:
         return (low * high) ** 0.5
 
 
-def usual_steps(model: Model, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int,
-                count: int) -> np.ndarray:
+def usual_steps(
+    model: Model, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int, count: int
+) -> np.ndarray:
     """Major steps to look at: around what the fastest mode allows an explicit sub-step, and no more than t_end / 4."""
     fastest = max(float(exact.modes(state).frequencies[-1]) for state in states)
     edge = 2.0 / fastest if fastest > 0 else t_end / 100

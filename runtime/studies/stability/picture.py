@@ -39,8 +39,9 @@ def stability_picture(chart: StabilityChart, path: str | Path | None = None) -> 
     ax.set_yticks(range(len(chart.curves)), [",".join(map(str, curve.m)) or "-" for curve in chart.curves])
     ax.set_ylabel("m")
     ax.set_xlabel("step of the fastest group dt_S [s]")
-    ax.set_title(f"{chart.model.title or chart.model.name}: {chart.scheme}, "
-                 f"{len(chart.states)} states of {chart.t_end:g} s")
+    ax.set_title(
+        f"{chart.model.title or chart.model.name}: {chart.scheme}, {len(chart.states)} states of {chart.t_end:g} s"
+    )
     if mesh is not None:
         bar = figure.colorbar(mesh, ax=ax, ticks=np.arange(1, len(COLOURS)))
         bar.ax.set_yticklabels([f"{level:g}" for level in LEVELS[1:-1]])

@@ -75,7 +75,7 @@ class ExactMotion:
         if key not in self._found:
             matrix = self._step(state, dt / FINER, FINER)
             values = np.linalg.eigvals(matrix) if np.isfinite(matrix).all() else np.ones(len(matrix))
-            values = values[np.argsort(-np.abs(values))][:2 * self.modes.n]  # memory beyond the motion vanishes
+            values = values[np.argsort(-np.abs(values))][: 2 * self.modes.n]  # memory beyond the motion vanishes
             frozen = self.modes(state).eigenvalues
             frozen = frozen[np.argsort(np.abs(frozen), kind="stable")]
             self._found[key] = values[_matched(np.exp(frozen * dt), values)]

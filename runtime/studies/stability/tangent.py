@@ -35,8 +35,9 @@ class TangentStep:
         z, tangent = self._advance(self.program, z, tangent, c)
         return z, tangent[self.columns]
 
-    def _advance(self, node: Program, z: np.ndarray, tangent: np.ndarray,
-                 c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _advance(
+        self, node: Program, z: np.ndarray, tangent: np.ndarray, c: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         if isinstance(node, Call):
             result, jacobian = self._stages[node.stage.name()](z, c)
             return np.asarray(result).ravel(), jacobian.sparse() @ tangent

@@ -64,8 +64,13 @@ class Comparison:
 
     def gain(self) -> float:
         """Time of the best method with one step for all coordinates over that of the best one with sub-steps."""
-        best = {multirate: min((curve.seconds_to(self.tolerance) for curve in self.curves
-                                if curve.method.multirate == multirate), default=np.inf) for multirate in (True, False)}
+        best = {
+            multirate: min(
+                (curve.seconds_to(self.tolerance) for curve in self.curves if curve.method.multirate == multirate),
+                default=np.inf,
+            )
+            for multirate in (True, False)
+        }
         return float(best[False] / max(best[True], 1e-300)) if np.isfinite(best[True]) else 0.0
 
     def recommendation(self) -> str:
@@ -80,12 +85,19 @@ class Comparison:
             return f"{first.method.label}, one step for all coordinates: {time}{loss}"
         if not np.isfinite(gain):
             return f"{first.method.label}: {time}; no method with one step for all coordinates reached it"
-        return (f"{first.method.label}: {time}, {gain:.2g} times as fast as the best method with one step for all "
-                "coordinates")
+        return (
+            f"{first.method.label}: {time}, {gain:.2g} times as fast as the best method with one step for all "
+            "coordinates"
+        )
 
 
-def compare(setting: Setting, methods: list[Method], tolerance: float = 1e-3, longest: float = LONGEST,
-            note: Note = lambda text: None) -> Comparison:
+def compare(
+    setting: Setting,
+    methods: list[Method],
+    tolerance: float = 1e-3,
+    longest: float = LONGEST,
+    note: Note = lambda text: None,
+) -> Comparison:
     """Run all methods on a setting, judged by an independent reference. Raises NoReference."""
     note("computing the reference")
     problem = setting.judged()

@@ -17,37 +17,64 @@ from runtime.results.as_json import as_json
 from runtime.studies.work_precision.comparison import Comparison, Curve
 from runtime.studies.work_precision.comparison_pictures import picture_evaluations, picture_times
 
-STYLE = ("body{font:15px/1.5 system-ui,sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#1f2937}"
-         "table{border-collapse:collapse;margin:1em 0;font-size:13px}td,th{border:1px solid #d1d5db;padding:.25em .6em;"
-         "text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}"
-         "tr.failed td{color:#9ca3af}code{background:#f3f4f6;padding:0 .2em}")
-HEADER = ["method", "time to tolerance [ms]", "evaluations to tolerance", "order", "finest error", "energy error",
-          "energy trend", "remark"]
+STYLE = (
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#1f2937}"
+    "table{border-collapse:collapse;margin:1em 0;font-size:13px}td,th{border:1px solid #d1d5db;padding:.25em .6em;"
+    "text-align:right}td:first-child,th:first-child{text-align:left}img{max-width:100%}"
+    "tr.failed td{color:#9ca3af}code{background:#f3f4f6;padding:0 .2em}"
+)
+HEADER = [
+    "method",
+    "time to tolerance [ms]",
+    "evaluations to tolerance",
+    "order",
+    "finest error",
+    "energy error",
+    "energy trend",
+    "remark",
+]
 
 
 def comparison_data(comparison: Comparison) -> dict[str, Any]:
     """Plain values, SI units; errors are relative to each coordinate's amplitude."""
     problem = comparison.problem
     return {
-        "model": problem.model.name, "title": problem.model.title, "t_end": problem.t_end,
-        "tolerance": comparison.tolerance, "reference_error": problem.reference_error,
-        "graded": {problem.model.q_i[k]: float(size) for k, size in zip(problem.graded, problem.amplitudes,
-                                                                        strict=True)},
-        "recommendation": comparison.recommendation(), "gain": _finite(comparison.gain()),
+        "model": problem.model.name,
+        "title": problem.model.title,
+        "t_end": problem.t_end,
+        "tolerance": comparison.tolerance,
+        "reference_error": problem.reference_error,
+        "graded": {
+            problem.model.q_i[k]: float(size) for k, size in zip(problem.graded, problem.amplitudes, strict=True)
+        },
+        "recommendation": comparison.recommendation(),
+        "gain": _finite(comparison.gain()),
         "methods": [_curve_data(curve, comparison.tolerance) for curve in comparison.ranked()],
     }
 
 
 def _curve_data(curve: Curve, tolerance: float) -> dict[str, Any]:
     return {
-        "method": curve.method.label, "sub_steps": curve.method.multirate,
+        "method": curve.method.label,
+        "sub_steps": curve.method.multirate,
         "seconds_to_tolerance": _finite(curve.seconds_to(tolerance)),
-        "evaluations_to_tolerance": _finite(curve.evaluations_to(tolerance)), "order": _finite(curve.order),
+        "evaluations_to_tolerance": _finite(curve.evaluations_to(tolerance)),
+        "order": _finite(curve.order),
         "energy_error": curve.energy.largest if curve.energy else None,
-        "energy_trend": curve.energy.trend if curve.energy else None, "failure": curve.failure,
-        "trials": [{"dt": trial.dt, "steps": trial.steps, "seconds": trial.seconds, "evaluations": trial.evaluations,
-                    "error": _finite(trial.error), "end_error": _finite(trial.end_error), "failure": trial.failure}
-                   for trial in curve.trials],
+        "energy_trend": curve.energy.trend if curve.energy else None,
+        "failure": curve.failure,
+        "trials": [
+            {
+                "dt": trial.dt,
+                "steps": trial.steps,
+                "seconds": trial.seconds,
+                "evaluations": trial.evaluations,
+                "error": _finite(trial.error),
+                "end_error": _finite(trial.end_error),
+                "failure": trial.failure,
+            }
+            for trial in curve.trials
+        ],
     }
 
 
@@ -65,21 +92,38 @@ def write_comparison(comparison: Comparison, folder: str | Path) -> dict[str, st
     write_text(place / "comparison.md", markdown(data))
     pictures = [place / "error_time.png", place / "error_evaluations.png"]
     write_text(place / "comparison.html", page(data, pictures))
-    names = ("comparison.json", "comparison.csv", "comparison.md", "comparison.html", "error_time.png",
-             "error_evaluations.png")
+    names = (
+        "comparison.json",
+        "comparison.csv",
+        "comparison.md",
+        "comparison.html",
+        "error_time.png",
+        "error_evaluations.png",
+    )
     return {name: str(place / name) for name in names}
 
 
 def _csv(comparison: Comparison) -> str:
     text, names = io.StringIO(), [comparison.problem.model.q_i[k] for k in comparison.problem.graded]
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["method", "dt_or_rtol", "steps", "cpu_seconds", "evaluations", "error", "end_error", "failure",
-                     *names])
+    writer.writerow(
+        ["method", "dt_or_rtol", "steps", "cpu_seconds", "evaluations", "error", "end_error", "failure", *names]
+    )
     for curve in comparison.curves:
         for trial in curve.trials:
-            writer.writerow([trial.label, repr(trial.dt), trial.steps, repr(trial.seconds), trial.evaluations,
-                             repr(trial.error), repr(trial.end_error), trial.failure,
-                             *(repr(float(error)) for error in trial.errors)])
+            writer.writerow(
+                [
+                    trial.label,
+                    repr(trial.dt),
+                    trial.steps,
+                    repr(trial.seconds),
+                    trial.evaluations,
+                    repr(trial.error),
+                    repr(trial.end_error),
+                    trial.failure,
+                    *(repr(float(error)) for error in trial.errors),
+                ]
+            )
     return text.getvalue()
 
 
@@ -88,10 +132,18 @@ def summary_rows(data: Mapping[str, Any]) -> list[list[str]]:
     rows = []
     for entry in data["methods"]:
         errors = [trial["error"] for trial in entry["trials"] if trial["error"] is not None]
-        rows.append([entry["method"], _text(entry["seconds_to_tolerance"], 1e3),
-                     _text(entry["evaluations_to_tolerance"]), _text(entry["order"]),
-                     _text(min(errors) if errors else None), _text(entry["energy_error"]),
-                     _text(entry["energy_trend"]), entry["failure"] or _remark(entry)])
+        rows.append(
+            [
+                entry["method"],
+                _text(entry["seconds_to_tolerance"], 1e3),
+                _text(entry["evaluations_to_tolerance"]),
+                _text(entry["order"]),
+                _text(min(errors) if errors else None),
+                _text(entry["energy_error"]),
+                _text(entry["energy_trend"]),
+                entry["failure"] or _remark(entry),
+            ]
+        )
     return rows
 
 
@@ -110,13 +162,18 @@ def _introduction(data: Mapping[str, Any]) -> list[str]:
         "Error: RMS over the motion of the worst graded coordinate. Time: CPU, compiled, one thread, first call "
         "excluded, best of several runs. Reference: DOP853 at rtol 1e-11, itself off by "
         f"{data['reference_error']:.1e} at most. Evaluations count M_hat and Q_hat and sub-steps alike.",
-        f"Recommended: {data['recommendation']}."]
+        f"Recommended: {data['recommendation']}.",
+    ]
 
 
 def markdown(data: Mapping[str, Any]) -> str:
     """The summary as a page with the pictures beside it."""
-    lines = [f"# {data['title'] or data['model']}: error against time", *_introduction(data),
-             "![error against CPU time](error_time.png)", "![error against evaluations](error_evaluations.png)"]
+    lines = [
+        f"# {data['title'] or data['model']}: error against time",
+        *_introduction(data),
+        "![error against CPU time](error_time.png)",
+        "![error against evaluations](error_evaluations.png)",
+    ]
     table = [HEADER, ["---"] * len(HEADER), *summary_rows(data)]
     lines.append("\n".join(f"| {' | '.join(cell.replace('|', '/') for cell in row)} |" for row in table))
     return "\n\n".join(lines) + "\n"
@@ -126,10 +183,17 @@ def page(data: Mapping[str, Any], pictures: list[Path]) -> str:
     """One HTML page with everything in it."""
     title = html.escape(f"{data['title'] or data['model']}: error against time")
     head = "".join(f"<th>{html.escape(cell)}</th>" for cell in HEADER)
-    rows = "".join(f"<tr{' class=failed' if row[-1] else ''}>"
-                   + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in summary_rows(data))
-    images = "".join(f'<p><img alt="{html.escape(path.stem)}" src="data:image/png;base64,'
-                     f'{base64.b64encode(path.read_bytes()).decode()}"></p>' for path in pictures)
+    rows = "".join(
+        f"<tr{' class=failed' if row[-1] else ''}>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>"
+        for row in summary_rows(data)
+    )
+    images = "".join(
+        f'<p><img alt="{html.escape(path.stem)}" src="data:image/png;base64,'
+        f'{base64.b64encode(path.read_bytes()).decode()}"></p>'
+        for path in pictures
+    )
     text = "".join(f"<p>{html.escape(line)}</p>" for line in _introduction(data))
-    return (f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style>'
-            f"</head><body><h1>{title}</h1>{text}{images}<table><tr>{head}</tr>{rows}</table></body></html>\n")
+    return (
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style>'
+        f"</head><body><h1>{title}</h1>{text}{images}<table><tr>{head}</tr>{rows}</table></body></html>\n"
+    )

@@ -25,8 +25,9 @@ def picture_times(comparison: Comparison, path: str | Path | None = None) -> Fig
 
 def picture_evaluations(comparison: Comparison, path: str | Path | None = None) -> Figure:
     """Error against evaluations."""
-    return _picture(comparison, lambda trial: trial.evaluations, "evaluations of M_hat and Q_hat, sub-steps included",
-                    path)
+    return _picture(
+        comparison, lambda trial: trial.evaluations, "evaluations of M_hat and Q_hat, sub-steps included", path
+    )
 
 
 def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str, path: str | Path | None) -> Figure:
@@ -38,9 +39,16 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
     for k, curve in enumerate(shown):
         good = [trial for trial in curve.trials if not trial.failure]
         style = "-" if curve.method.multirate else ("--" if curve.method.spec is not None else ":")
-        ax.plot([max(price(trial), 1e-9) for trial in good], [max(trial.error, 1e-16) for trial in good], style,
-                marker=MARKERS[k % len(MARKERS)], markersize=4.5, linewidth=1.4, color=palette[k],
-                label=curve.method.label)
+        ax.plot(
+            [max(price(trial), 1e-9) for trial in good],
+            [max(trial.error, 1e-16) for trial in good],
+            style,
+            marker=MARKERS[k % len(MARKERS)],
+            markersize=4.5,
+            linewidth=1.4,
+            color=palette[k],
+            label=curve.method.label,
+        )
         bad = [price(trial) for trial in curve.trials if trial.failure and price(trial) > 0]
         ax.plot(bad, [TOP] * len(bad), "x", color=palette[k], markersize=5)
     ax.axhline(comparison.tolerance, color="#6b7280", linewidth=0.8)
@@ -50,8 +58,11 @@ def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str
     ax.set_xlabel(label)
     ax.set_ylabel("RMS error / amplitude, worst graded coordinate")
     problem = comparison.problem
-    ax.set_title(f"{problem.model.title or problem.model.name}, {problem.t_end:g} s (solid: with sub-steps; dashed: "
-                 "one step; dotted: adaptive; crosses: failed)", fontsize=10)
+    ax.set_title(
+        f"{problem.model.title or problem.model.name}, {problem.t_end:g} s (solid: with sub-steps; dashed: "
+        "one step; dotted: adaptive; crosses: failed)",
+        fontsize=10,
+    )
     ax.grid(True, which="major", color="#e5e7eb")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
     if path is not None:

@@ -20,7 +20,7 @@ from runtime.studies.work_precision.problem import Problem
 
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)
 SAMPLES = 101
-FEWEST, FACTOR = 10, 2 ** 0.5  # steps: the first trial, and the ratio of one trial to the next
+FEWEST, FACTOR = 10, 2**0.5  # steps: the first trial, and the ratio of one trial to the next
 FINEST = 3e-8  # relative error at which a curve has gone far enough
 LARGE = 20  # independent coordinates beyond which methods with dense factors cost more than they give
 ADAPTIVE: dict[str, Callable[..., Solution]] = {
@@ -48,8 +48,13 @@ class Method:
 
 def usual_methods(model: Model) -> list[Method]:
     """Every scheme with a usual m, and the adaptive integrators; dense ones are left out for large models."""
-    specs = [Spec("exponential", (1,)), Spec("exponential", (2,)), Spec("exponential", (4,)), Spec("linearised", (2,)),
-             Spec("linearised", (8,), {"propagation": "central_difference"})]
+    specs = [
+        Spec("exponential", (1,)),
+        Spec("exponential", (2,)),
+        Spec("exponential", (4,)),
+        Spec("linearised", (2,)),
+        Spec("linearised", (8,), {"propagation": "central_difference"}),
+    ]
     if len(model.q_i) > LARGE or not model.has("dQ_hat_dq_i"):
         specs = []
     if len(model.groups) > 1:
@@ -57,8 +62,12 @@ def usual_methods(model: Model) -> list[Method]:
         specs += [Spec("coupled", (*inner, 4)), Spec("printed", (*inner, 4), {"common_update": "direct"})]
         if len(model.groups) == 2:
             specs += [Spec("decoupled", (4,))]
-    specs += [Spec("single_rate"), Spec("single_rate", None, {"common_velocity": "predictor"}), Spec("rk4"),
-              Spec("dop853")]
+    specs += [
+        Spec("single_rate"),
+        Spec("single_rate", None, {"common_velocity": "predictor"}),
+        Spec("rk4"),
+        Spec("dop853"),
+    ]
     if len(model.q_i) <= LARGE and model.has("dQ_hat_dq_i"):
         specs += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
     adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name in FOR_LARGE]

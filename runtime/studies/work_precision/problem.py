@@ -104,13 +104,18 @@ class Setting:
             return self._problem(t_end, path, allowed / MARGIN), allowed
 
     def _problem(self, t_end: float, path: Path, error: float) -> Problem:
-        return Problem(self.model, self.p, self.c, self.state, t_end, self.graded, path, error,
-                       self.arguments)
+        return Problem(self.model, self.p, self.c, self.state, t_end, self.graded, path, error, self.arguments)
 
 
-def make_setting(model: Model, *, t_end: float | None = None, parameters: Mapping[str, float] | None = None,
-                 initial: Mapping[str, float] | None = None, start: str | None = None,
-                 graded: list[str] | None = None) -> Setting:
+def make_setting(
+    model: Model,
+    *,
+    t_end: float | None = None,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    start: str | None = None,
+    graded: list[str] | None = None,
+) -> Setting:
     """A setting from the same arguments as `simulate`; graded: names (all of q_i by default).
 
     Raises ModelError or InitialStateError.
@@ -120,9 +125,17 @@ def make_setting(model: Model, *, t_end: float | None = None, parameters: Mappin
     names = list(model.q_i) if not graded else list(graded)
     for name in names:
         if name not in model.q_i:
-            raise ModelError(f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
-                             f"are {', '.join(model.q_i)}")
+            raise ModelError(
+                f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
+                f"are {', '.join(model.q_i)}"
+            )
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
-    return Setting(model, p, c, start_state(model, p, c, 0.0, initial, start), end,
-                   [model.q_i.index(name) for name in names],
-                   {"parameters": parameters, "initial": initial, "start": start})
+    return Setting(
+        model,
+        p,
+        c,
+        start_state(model, p, c, 0.0, initial, start),
+        end,
+        [model.q_i.index(name) for name in names],
+        {"parameters": parameters, "initial": initial, "start": start},
+    )

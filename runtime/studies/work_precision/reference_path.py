@@ -18,16 +18,18 @@ class NoReference(NoResult):
     """The reference could not be computed."""
 
 
-def reference_path(model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float,
-                   atol: float) -> Callable[[np.ndarray], np.ndarray]:
+def reference_path(
+    model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float, atol: float
+) -> Callable[[np.ndarray], np.ndarray]:
     """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference."""
     columns, n = model.independent_columns, len(model.q_i)
     loop = state.q[model.loop_columns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
     slope = buffered(native(CondensedOde(model, 1).right_hand_side()), c)
     with np.errstate(all="ignore"):  # a motion that leaves the range of numbers is told by the result
-        result = solve_ivp(lambda t, y: slope(t, y).copy(), (0.0, t_end), y0, method="DOP853", dense_output=True,
-                           rtol=rtol, atol=atol)
+        result = solve_ivp(
+            lambda t, y: slope(t, y).copy(), (0.0, t_end), y0, method="DOP853", dense_output=True, rtol=rtol, atol=atol
+        )
     if not result.success or not np.isfinite(result.y[:, -1]).all():
         raise NoReference(f"the reference stopped at t = {result.t[-1]:.6g} s: {result.message}")
     return lambda times: result.sol(np.clip(times, 0.0, t_end)).T[:, :n]

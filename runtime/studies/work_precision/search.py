@@ -28,8 +28,9 @@ class Search:
         return self.best.seconds if self.best else np.inf
 
 
-def search_steps(contender: Contender, tolerance: float, fewest: int = FEWEST, most: int = 10**8,
-                 seconds_to_beat: float = np.inf) -> Search:
+def search_steps(
+    contender: Contender, tolerance: float, fewest: int = FEWEST, most: int = 10**8, seconds_to_beat: float = np.inf
+) -> Search:
     """Double the steps until the error is below the tolerance, then close in on the fewest that are enough.
 
     Given up where a run takes far longer than `seconds_to_beat`.

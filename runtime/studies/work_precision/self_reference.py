@@ -54,8 +54,9 @@ class OneStepPath:
         return np.array(rows)
 
 
-def self_reference(model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float,
-                   seconds: float) -> Callable[[np.ndarray], np.ndarray]:
+def self_reference(
+    model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float, seconds: float
+) -> Callable[[np.ndarray], np.ndarray]:
     """A path that does not change by more than tolerance / MARGIN when its step is halved.
 
     Raises TooLong if that takes longer than `seconds`, NoReference if no method gets there.

@@ -16,8 +16,16 @@ from runtime.studies.advice.advise import Advice
 from runtime.studies.work_precision.comparison import Comparison
 from runtime.studies.work_precision.comparison_files import STYLE
 
-HEADER = ["case", "best method", "time [ms]", "best with one step", "time [ms]", "gain of sub-steps", "advised",
-          "advised over best"]
+HEADER = [
+    "case",
+    "best method",
+    "time [ms]",
+    "best with one step",
+    "time [ms]",
+    "gain of sub-steps",
+    "advised",
+    "advised over best",
+]
 
 
 @dataclass(frozen=True)
@@ -42,10 +50,16 @@ class SuiteResult:
             return [self.name, self.failure, *["-"] * (len(HEADER) - 2)]
         tolerance, ranked = self.comparison.tolerance, self.comparison.ranked()
         single = next((curve for curve in ranked if not curve.method.multirate), None)
-        return [self.name, ranked[0].method.label, _milliseconds(ranked[0].seconds_to(tolerance)),
-                single.method.label if single else "-",
-                _milliseconds(single.seconds_to(tolerance)) if single else "-", _ratio(self.comparison.gain()),
-                self.advice.spec.label if self.advice else "none", _ratio(self.advised_over_best())]
+        return [
+            self.name,
+            ranked[0].method.label,
+            _milliseconds(ranked[0].seconds_to(tolerance)),
+            single.method.label if single else "-",
+            _milliseconds(single.seconds_to(tolerance)) if single else "-",
+            _ratio(self.comparison.gain()),
+            self.advice.spec.label if self.advice else "none",
+            _ratio(self.advised_over_best()),
+        ]
 
 
 def _milliseconds(seconds: float) -> str:
@@ -60,10 +74,11 @@ def suite_markdown(results: Sequence[SuiteResult]) -> str:
     """The table of all cases."""
     rows = [HEADER, ["---"] * len(HEADER), *(result.row() for result in results)]
     table = "\n".join(f"| {' | '.join(cell.replace('|', '/') for cell in row)} |" for row in rows)
-    return ("# Hard suite: time to a tolerance\n\nTimes are CPU, compiled, one thread, one run to the tolerance. "
-            "`gain of sub-steps` is the time of the best method with one step for all coordinates over that of the "
-            "best one with sub-steps; below 1 sub-steps do not pay. Each case has a folder of its own.\n\n"
-            + table + "\n")
+    return (
+        "# Hard suite: time to a tolerance\n\nTimes are CPU, compiled, one thread, one run to the tolerance. "
+        "`gain of sub-steps` is the time of the best method with one step for all coordinates over that of the "
+        "best one with sub-steps; below 1 sub-steps do not pay. Each case has a folder of its own.\n\n" + table + "\n"
+    )
 
 
 def write_suite(results: Sequence[SuiteResult], folder: str | Path) -> dict[str, str]:
@@ -78,9 +93,11 @@ def write_suite(results: Sequence[SuiteResult], folder: str | Path) -> dict[str,
         cells = [html.escape(cell) for cell in result.row()]
         link = f'<a href="{cells[0]}/comparison.html">{cells[0]}</a>' if result.comparison else cells[0]
         body += "<tr>" + "".join(f"<td>{cell}</td>" for cell in [link, *cells[1:]]) + "</tr>"
-    page = ('<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Hard suite</title>'
-            f"<style>{STYLE}</style></head><body><h1>Hard suite</h1>"
-            f"<table><tr>{head}</tr>{body}</table></body></html>\n")
+    page = (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Hard suite</title>'
+        f"<style>{STYLE}</style></head><body><h1>Hard suite</h1>"
+        f"<table><tr>{head}</tr>{body}</table></body></html>\n"
+    )
     write_text(place / "suite.html", page)
     return {name: str(place / name) for name in ("suite.md", "suite.json", "suite.html")}
 

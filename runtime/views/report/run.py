@@ -23,8 +23,12 @@ def run_report(solution: Solution) -> dict[str, Any]:
 def _model(solution: Solution) -> dict[str, Any]:
     model = solution.model
     return {
-        "name": model.name, "title": model.title, "coordinates": len(model.coordinates),
-        "independent": list(model.q_i), "elastic": len(model.elastic), "constraints": len(model.constraints),
+        "name": model.name,
+        "title": model.title,
+        "coordinates": len(model.coordinates),
+        "independent": list(model.q_i),
+        "elastic": len(model.elastic),
+        "constraints": len(model.constraints),
         "loop_unknowns": list(model.loop_unknowns),
         "groups": {group.name: [model.q_i[k] for k in group.positions] for group in model.groups},
     }
@@ -34,14 +38,24 @@ def _scheme(solution: Solution) -> dict[str, Any]:
     steps = [float(solution.dt)]
     for ratio in solution.m:
         steps.append(steps[-1] / ratio)
-    return {"name": solution.scheme, "dt": float(solution.dt), "m": [int(ratio) for ratio in solution.m],
-            "step_of_each_group": steps}
+    return {
+        "name": solution.scheme,
+        "dt": float(solution.dt),
+        "m": [int(ratio) for ratio in solution.m],
+        "step_of_each_group": steps,
+    }
 
 
 def _status(solution: Solution) -> dict[str, Any]:
     status = solution.status
-    return {"ok": status.ok, "name": status.name, "time": float(status.time), "coordinate": status.coordinate,
-            "cause": status.cause, "advice": status.advice}
+    return {
+        "ok": status.ok,
+        "name": status.name,
+        "time": float(status.time),
+        "coordinate": status.coordinate,
+        "cause": status.cause,
+        "advice": status.advice,
+    }
 
 
 def _time(solution: Solution) -> dict[str, Any]:
@@ -51,13 +65,20 @@ def _time(solution: Solution) -> dict[str, Any]:
 def _energy(solution: Solution) -> dict[str, Any]:
     """Energies [J] at both ends; the balance also relative to the largest energy or work that occurred."""
     total, work, balance = solution.total_energy, solution.work(), solution.energy_balance()
-    size = max(float(np.ptp(total)), float(np.abs(work).max()),
-               *(float(np.abs(solution.energy[key]).max()) for key in ("kinetic", "elastic", "potential")))
+    size = max(
+        float(np.ptp(total)),
+        float(np.abs(work).max()),
+        *(float(np.abs(solution.energy[key]).max()) for key in ("kinetic", "elastic", "potential")),
+    )
     largest = float(np.abs(balance).max())
-    return {"initial": float(total[0]), "final": float(total[-1]),
-            **{f"final_{key}": float(solution.energy[key][-1]) for key in ("kinetic", "elastic", "potential")},
-            "work_done_on_the_system": float(work[-1]), "largest_balance_error": largest,
-            "largest_balance_error_relative": largest / size if size else 0.0}
+    return {
+        "initial": float(total[0]),
+        "final": float(total[-1]),
+        **{f"final_{key}": float(solution.energy[key][-1]) for key in ("kinetic", "elastic", "potential")},
+        "work_done_on_the_system": float(work[-1]),
+        "largest_balance_error": largest,
+        "largest_balance_error_relative": largest / size if size else 0.0,
+    }
 
 
 def _constraints(solution: Solution) -> dict[str, Any]:
@@ -71,28 +92,40 @@ def _statistics(solution: Solution) -> dict[str, Any]:
 
 def _final_state(solution: Solution) -> dict[str, Any]:
     model, q, q_dot = solution.model, solution.q[-1], solution.q_dot[-1]
-    return {name: {"value": float(q[k]), "rate": float(q_dot[k]), "unit": unit(name)}
-            for k, name in enumerate(model.coordinates)}
+    return {
+        name: {"value": float(q[k]), "rate": float(q_dot[k]), "unit": unit(name)}
+        for k, name in enumerate(model.coordinates)
+    }
 
 
 def _measures(solution: Solution) -> dict[str, Any]:
     """Last, smallest and largest value of each measure."""
     columns = solution.measures
-    return {name: {"final": float(columns[-1, k]), "smallest": float(columns[:, k].min()),
-                   "largest": float(columns[:, k].max())} for k, name in enumerate(solution.model.measures)}
+    return {
+        name: {
+            "final": float(columns[-1, k]),
+            "smallest": float(columns[:, k].min()),
+            "largest": float(columns[:, k].max()),
+        }
+        for k, name in enumerate(solution.model.measures)
+    }
 
 
 def _extremes(solution: Solution) -> dict[str, Any]:
     """Smallest and largest value of each elastic coordinate."""
-    return {name: {"smallest": float(solution[name].min()), "largest": float(solution[name].max()),
-                   "unit": unit(name)} for name in solution.model.elastic}
+    return {
+        name: {"smallest": float(solution[name].min()), "largest": float(solution[name].max()), "unit": unit(name)}
+        for name in solution.model.elastic
+    }
 
 
 def _parameters(solution: Solution) -> dict[str, Any]:
     """What a person declared or wrote in the scene; precomputed data (mode integrals) stay out."""
-    return {entry.name: {"value": float(value), "default": float(entry.default), "unit": entry.unit}
-            for entry, value in zip(solution.model.parameters, solution.parameters, strict=True)
-            if entry.kind != "data"}
+    return {
+        entry.name: {"value": float(value), "default": float(entry.default), "unit": entry.unit}
+        for entry, value in zip(solution.model.parameters, solution.parameters, strict=True)
+        if entry.kind != "data"
+    }
 
 
 def _operations(solution: Solution) -> dict[str, Any]:
@@ -100,7 +133,16 @@ def _operations(solution: Solution) -> dict[str, Any]:
 
 
 SECTIONS: dict[str, Section] = {
-    "model": _model, "scheme": _scheme, "time": _time, "status": _status, "energy": _energy,
-    "constraints": _constraints, "statistics": _statistics, "final_state": _final_state, "measures": _measures,
-    "elastic_extremes": _extremes, "parameters": _parameters, "operations": _operations,
+    "model": _model,
+    "scheme": _scheme,
+    "time": _time,
+    "status": _status,
+    "energy": _energy,
+    "constraints": _constraints,
+    "statistics": _statistics,
+    "final_state": _final_state,
+    "measures": _measures,
+    "elastic_extremes": _extremes,
+    "parameters": _parameters,
+    "operations": _operations,
 }

@@ -10,8 +10,10 @@ from runtime.contract.files import write_text
 from runtime.results.as_json import as_json
 
 UNITS = {
-    "time": "SI units (s)", "scheme": "Steps in s; m is the ratio of each next group's step.",
-    "energy": "Energies and work in J.", "constraints": "max |C| in m and rad.",
+    "time": "SI units (s)",
+    "scheme": "Steps in s; m is the ratio of each next group's step.",
+    "energy": "Energies and work in J.",
+    "constraints": "max |C| in m and rad.",
     "operations": "CasADi operations of the emitted functions.",
 }
 

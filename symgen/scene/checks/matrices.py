@@ -48,9 +48,7 @@ def _modal(scene: SceneParts, body: ModalBody, path: str) -> Iterator[SceneError
     yield from (bad := list(_modal_matrices(scene, body, path)))
     cross = _array(scene, body.phi_cross_phi)
     if _differs(cross, -cross.T):
-        yield SceneError(
-            f"{path}.phi_cross_phi", "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]"
-        )
+        yield SceneError(f"{path}.phi_cross_phi", "is not skew-symmetric", "entry [a][b] must be minus entry [b][a]")
     if not bad and not _is_definite(_body_mass_matrix(scene, body), -TOLERANCE):
         yield SceneError(
             path,
@@ -72,8 +70,10 @@ def _flexible(scene: SceneParts, body: FlexibleBody, path: str) -> Iterator[Scen
     yield from bad_moments
     if not bad and not bad_moments and not _is_definite(_spatial_mass_matrix(scene, body, moments), -TOLERANCE):
         yield SceneError(
-            path, "its mass matrix (mass, first_moment, inertia_moments, phi_integral, ...) is not positive definite",
-            "check the integrals: they must belong to one mass distribution, taken about the frame origin")
+            path,
+            "its mass matrix (mass, first_moment, inertia_moments, phi_integral, ...) is not positive definite",
+            "check the integrals: they must belong to one mass distribution, taken about the frame origin",
+        )
 
 
 def _spatial_mass_matrix(scene: SceneParts, body: FlexibleBody, moments: Array) -> Array:
@@ -99,9 +99,11 @@ def _inertia(scene: SceneParts, body: RigidBody, path: str) -> Iterator[SceneErr
     principal = np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]))
     slack = TOLERANCE * max(float(np.abs(principal).max()), 1e-300)
     if principal[0] < -slack or principal[2] > principal[0] + principal[1] + slack:
-        yield SceneError(f"{path}.inertia", "no body has these moments of inertia (principal ones "
-                         f"{', '.join(f'{value:.4g}' for value in principal)})",
-                         "check units and signs; each must be at most the sum of the other two")
+        yield SceneError(
+            f"{path}.inertia",
+            f"no body has these moments of inertia (principal ones {', '.join(f'{value:.4g}' for value in principal)})",
+            "check units and signs; each must be at most the sum of the other two",
+        )
 
 
 def _body_mass_matrix(scene: SceneParts, body: ModalBody) -> Array:
@@ -122,9 +124,7 @@ def _array(scene: SceneParts, given: Matrix | Vector) -> Array:
     def number(entry: object) -> object:
         if isinstance(entry, tuple):
             return [number(part) for part in entry]
-        return (
-            entry if isinstance(entry, float) else scene.expression(str(entry), "matrix").evaluate(defaults)
-        )
+        return entry if isinstance(entry, float) else scene.expression(str(entry), "matrix").evaluate(defaults)
 
     return np.array(number(given), dtype=float)
 
@@ -145,21 +145,13 @@ def _symmetric(path: str, value: Array) -> list[SceneError]:
 def _definite(path: str, value: Array) -> list[SceneError]:
     if _is_definite(value, TOLERANCE):
         return []
-    return [
-        SceneError(
-            path, "is not positive definite", "check signs and units; every mode needs a positive mass"
-        )
-    ]
+    return [SceneError(path, "is not positive definite", "check signs and units; every mode needs a positive mass")]
 
 
 def _semidefinite(path: str, value: Array) -> list[SceneError]:
     if _is_definite(value, -TOLERANCE):
         return []
-    return [
-        SceneError(
-            path, "has a negative eigenvalue", "check signs; the matrix must be positive semi-definite"
-        )
-    ]
+    return [SceneError(path, "has a negative eigenvalue", "check signs; the matrix must be positive semi-definite")]
 
 
 def _is_definite(value: Array, least: float) -> bool:

@@ -19,9 +19,7 @@ def name_errors(scene: SceneParts) -> Iterator[SceneError]:
     for index, body in enumerate(scene.bodies):
         path = item_path("bodies", index, body.name)
         if body.name == "ground" and not isinstance(body, GroundBody):
-            yield SceneError(
-                path, "only the ground may have this name", 'rename the body, or give it type = "ground"'
-            )
+            yield SceneError(path, "only the ground may have this name", 'rename the body, or give it type = "ground"')
         for marker in body.implicit_markers().keys() & body.markers.keys():
             yield SceneError(
                 f"{path}.markers.{marker}",
@@ -69,8 +67,6 @@ def _contents(scene: SceneParts) -> Iterator[SceneError]:
                 f"remove {section}",
             )
     if any(component != 0 for component in scene.gravity):
-        yield SceneError(
-            "gravity", "has no effect on a structure", "remove it; give forces in structure.force"
-        )
+        yield SceneError("gravity", "has no effect on a structure", "remove it; give forces in structure.force")
     if scene.baumgarte is not None:
         yield SceneError("baumgarte", "a structure has no constraints to stabilise", "remove it")

@@ -34,9 +34,7 @@ def partition_errors(scene: SceneParts) -> Iterator[SceneError]:
         elif independent and name in independent[:index]:
             yield SceneError(path, f"'{name}' is there twice", "remove one of them")
     if independent is not None and not independent:
-        yield SceneError(
-            "partition.independent", "is empty", "name coordinates, or leave it out to have them chosen"
-        )
+        yield SceneError("partition.independent", "is empty", "name coordinates, or leave it out to have them chosen")
     yield from _groups(scene, names)
     yield from _steps(scene)
 
@@ -47,9 +45,7 @@ def _groups(scene: SceneParts, names: list[str]) -> Iterator[SceneError]:
     for index, group in enumerate(scene.partition.groups or ()):
         path = item_path("partition.groups", index, group.name)
         if not group.coordinates:
-            yield SceneError(
-                f"{path}.coordinates", "is empty", "name at least one coordinate, or remove the group"
-            )
+            yield SceneError(f"{path}.coordinates", "is empty", "name at least one coordinate, or remove the group")
         for place, pattern in enumerate(group.coordinates):
             item = f"{path}.coordinates[{place}]"
             found = matching(pattern, names)
@@ -69,16 +65,12 @@ def _steps(scene: SceneParts) -> Iterator[SceneError]:
     simulation, groups = scene.simulation, scene.partition.groups
     for key in ("t_end", "dt"):
         if getattr(simulation, key) <= 0:
-            yield SceneError(
-                f"simulation.{key}", f"{getattr(simulation, key)!r} is not positive", "give a time in s"
-            )
+            yield SceneError(f"simulation.{key}", f"{getattr(simulation, key)!r} is not positive", "give a time in s")
     if simulation.t_end > 0 and simulation.dt > 0:
         if simulation.dt > simulation.t_end:
             yield SceneError("simulation.dt", "is longer than the simulation", "give a step below t_end")
         elif simulation.t_end / MAX_STEPS > simulation.dt:
-            yield SceneError(
-                "simulation.dt", f"needs more than {MAX_STEPS:.0e} steps", "raise dt or lower t_end"
-            )
+            yield SceneError("simulation.dt", f"needs more than {MAX_STEPS:.0e} steps", "raise dt or lower t_end")
     if groups is not None and not groups:
         yield SceneError("partition.groups", "is empty", "give groups, or leave it out")
     if groups is None:

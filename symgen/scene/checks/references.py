@@ -45,13 +45,9 @@ def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
         return
     if entry.type == "force" or (entry.type == "torque" and entry.reaction is None):
         if _body(entry.marker) == "ground":
-            yield SceneError(
-                f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body"
-            )
+            yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
         return
-    first, second = (
-        (entry.marker, entry.reaction) if entry.type == "torque" else (entry.marker_a, entry.marker_b)
-    )
+    first, second = (entry.marker, entry.reaction) if entry.type == "torque" else (entry.marker_a, entry.marker_b)
     if first == second:
         yield SceneError(path, f"both ends are the marker '{first}'", "name two different markers")
     elif _body(first) == _body(second) == "ground":

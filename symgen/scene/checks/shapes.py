@@ -42,13 +42,9 @@ def shape_errors(scene: SceneParts) -> Iterator[SceneError]:
 
 def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
     if beam.nf == 0:
-        yield SceneError(
-            path, "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body"
-        )
+        yield SceneError(path, "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body")
     if beam.stiffening and beam.lateral is None and beam.lateral_z is None:
-        yield SceneError(
-            f"{path}.stiffening", "only bending shortens a beam", "give lateral modes, or remove it"
-        )
+        yield SceneError(f"{path}.stiffening", "only bending shortens a beam", "give lateral modes, or remove it")
     for kind, chosen in (("lateral", beam.lateral), ("lateral_z", beam.lateral_z), ("axial", beam.axial)):
         if chosen is None:
             continue
@@ -71,9 +67,7 @@ def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
 def _modal(body: ModalBody, path: str) -> Iterator[SceneError]:
     nf = body.nf
     if nf == 0:
-        yield SceneError(
-            f"{path}.M_ff", "the body has no modes", "give M_ff and K_ff, or describe a rigid body"
-        )
+        yield SceneError(f"{path}.M_ff", "the body has no modes", "give M_ff and K_ff, or describe a rigid body")
     for key in ("M_ff", "K_ff", "D_ff", "phi_cross_phi"):
         yield from _size(f"{path}.{key}", getattr(body, key), nf, nf)
     yield from _size(f"{path}.phi_integral", body.phi_integral, 2, nf)
@@ -117,17 +111,13 @@ def _structure(structure: Structure) -> Iterator[SceneError]:
         yield SceneError("structure.coordinates", "is empty", "name at least one coordinate")
     for index, name in enumerate(names):
         if name in names[:index]:
-            yield SceneError(
-                f"structure.coordinates[{index}]", f"'{name}' is there twice", "rename one of them"
-            )
+            yield SceneError(f"structure.coordinates[{index}]", f"'{name}' is there twice", "rename one of them")
     for key in ("mass", "damping", "stiffness"):
         yield from _size(f"structure.{key}", getattr(structure, key), len(names), len(names))
     yield from _size("structure.force", structure.force, len(names))
 
 
-def _size(
-    path: str, value: tuple[Any, ...] | None, rows: int, columns: int | None = None
-) -> Iterator[SceneError]:
+def _size(path: str, value: tuple[Any, ...] | None, rows: int, columns: int | None = None) -> Iterator[SceneError]:
     """A vector of ``rows`` entries, or a matrix of ``rows`` x ``columns``; None is no matrix at all."""
     if value is None:
         return

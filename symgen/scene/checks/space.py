@@ -25,8 +25,11 @@ def space_errors(scene: SceneParts) -> Iterator[SceneError]:
             yield from _marker(marker, f"{path}.markers.{name}", scene)
     for index, joint in enumerate(scene.joints):
         if joint.type in SPATIAL_JOINTS and scene.space == "planar":
-            yield SceneError(f"{item_path('joints', index, joint.name)}.type",
-                             f"a {joint.type} joint needs three dimensions", _SPATIAL)
+            yield SceneError(
+                f"{item_path('joints', index, joint.name)}.type",
+                f"a {joint.type} joint needs three dimensions",
+                _SPATIAL,
+            )
     for index, load in enumerate(scene.loads):
         path = item_path("loads", index, load.name)
         if load.type == "force":
@@ -45,10 +48,12 @@ def screw_errors(scene: SceneParts) -> Iterator[SceneError]:
     for index, joint in enumerate(scene.joints):
         if joint.type == "screw" and scene.space == "spatial" and joint.name not in placing:
             yield SceneError(
-                item_path("joints", index, joint.name), "a screw joint needs an angle of its own, which it has neither "
+                item_path("joints", index, joint.name),
+                "a screw joint needs an angle of its own, which it has neither "
                 "between bodies with Euler angles nor where it closes a loop",
                 'use orientation = "euler_parameters", or name the screw before the joint that could close the loop in '
-                "its place")
+                "its place",
+            )
 
 
 _SPATIAL = 'set space = "spatial", or use what a planar scene has'
@@ -83,8 +88,11 @@ def _body(body: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
 def _rigid(body: RigidBody, path: str, scene: SceneParts) -> Iterator[SceneError]:
     three = isinstance(body.inertia, tuple)
     if three != (scene.space == "spatial"):
-        yield SceneError(f"{path}.inertia", f"a {scene.space} body has {'one moment' if three else 'three moments'} of "
-                         "inertia", "give one number" if three else "give the moments about x, y, z: [xx, yy, zz]")
+        yield SceneError(
+            f"{path}.inertia",
+            f"a {scene.space} body has {'one moment' if three else 'three moments'} of inertia",
+            "give one number" if three else "give the moments about x, y, z: [xx, yy, zz]",
+        )
     if len(body.products) != 3:
         yield SceneError(f"{path}.products", f"has {len(body.products)} entries", "give the entries xy, xz, yz")
     elif scene.space == "planar" and any(value != 0 for value in body.products):
@@ -100,8 +108,9 @@ def _marker(marker: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
         return
     turned = marker.axis != (0.0, 0.0, 1.0) or marker.x_axis is not None
     if scene.space == "planar" and turned:
-        yield SceneError(f"{path}.axis", "a planar marker is turned by its angle",
-                         'give angle, or set space = "spatial"')
+        yield SceneError(
+            f"{path}.axis", "a planar marker is turned by its angle", 'give angle, or set space = "spatial"'
+        )
     if scene.space == "spatial":
         if marker.angle != 0:
             yield SceneError(f"{path}.angle", "a spatial marker is turned by its axes", "give axis and x_axis")
@@ -121,8 +130,9 @@ def _directions(marker: MarkerDirections, path: str) -> Iterator[SceneError]:
 
 def _bushing(load: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
     if scene.space == "planar":
-        yield SceneError(f"{path}.type", "a bushing needs three dimensions",
-                         "use a spring_damper and a rotational_spring_damper")
+        yield SceneError(
+            f"{path}.type", "a bushing needs three dimensions", "use a spring_damper and a rotational_spring_damper"
+        )
     for key in ("stiffness", "damping", "rotational_stiffness", "rotational_damping"):
         if len(getattr(load, key)) != 3:
             yield SceneError(f"{path}.{key}", f"has {len(getattr(load, key))} entries", "give three, for x, y and z")
@@ -135,5 +145,8 @@ def _joint_names(scene: SceneParts) -> Iterator[SceneError]:
     bodies = {body.name for body in scene.bodies}
     for index, joint in enumerate(scene.joints):
         if joint.name in bodies:
-            yield SceneError(item_path("joints", index, joint.name), "has the name of a body", "rename one of them: "
-                             "joints of a spatial scene have coordinates too")
+            yield SceneError(
+                item_path("joints", index, joint.name),
+                "has the name of a body",
+                "rename one of them: joints of a spatial scene have coordinates too",
+            )

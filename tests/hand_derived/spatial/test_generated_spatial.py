@@ -35,11 +35,19 @@ CASES: dict[str, tuple[ModuleType, Any, Scene, Any]] = {
     "heavy_top": (twin_heavy_top, twin_heavy_top.Params(), scenes.heavy_top(twin_heavy_top.Params()), 1.0),
     "double_pendulum": (twin_spatial_double_pendulum, sprung, scenes.double_pendulum(sprung), 2.0),
     "governor": (twin_governor, twin_governor.Params(), scenes.governor(twin_governor.Params()), 0.4),
-    "hub_beam": (twin_spatial_hub_beam, twin_spatial_hub_beam.Params(),
-                 scenes.hub_beam(twin_spatial_hub_beam.Params()), 0.5),
+    "hub_beam": (
+        twin_spatial_hub_beam,
+        twin_spatial_hub_beam.Params(),
+        scenes.hub_beam(twin_spatial_hub_beam.Params()),
+        0.5,
+    ),
     "free_flexible": (twin_free_flexible, flexible_zyx, scenes.free_flexible(flexible_zyx, "zyx"), 0.7),
-    "slider_crank": (twin_spatial_slider_crank, twin_spatial_slider_crank.Params(),
-                     scenes.slider_crank(twin_spatial_slider_crank.Params()), 0.6),
+    "slider_crank": (
+        twin_spatial_slider_crank,
+        twin_spatial_slider_crank.Params(),
+        scenes.slider_crank(twin_spatial_slider_crank.Params()),
+        0.6,
+    ),
 }
 
 

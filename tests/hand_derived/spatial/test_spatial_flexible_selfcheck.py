@@ -23,8 +23,9 @@ def test_free_flexible_accelerations(sequence: str) -> None:
     params = twin_free_flexible.Params(sequence=sequence)
     rng = np.random.default_rng(8)
     q, v = rng.normal(size=9) * 0.5 + 0.4, rng.normal(size=9) * 2
-    acceleration = np.linalg.solve(twin_free_flexible.M_hat(params, q, 0.0),
-                                   twin_free_flexible.Q_hat(params, q, v, 0.0))
+    acceleration = np.linalg.solve(
+        twin_free_flexible.M_hat(params, q, 0.0), twin_free_flexible.Q_hat(params, q, v, 0.0)
+    )
     G, bias = spatial.euler_G(sequence, q[3:6]), spatial.euler_G_dot(sequence, q[3:6], v[3:6]) @ v[3:6]
     A = spatial.euler_A(sequence, q[3:6])
     R_ddot, omega_dot, q_f_ddot = twin_free_flexible.accelerations(params, A, G @ v[3:6], q[6:], v[6:])
@@ -38,8 +39,9 @@ def test_free_flexible_keeps_its_momenta() -> None:
     params = twin_free_flexible.Params(gravity=NONE, force=NONE)
     rng = np.random.default_rng(9)
     q, v = rng.normal(size=9) * 0.5 + 0.4, rng.normal(size=9) * 2
-    acceleration = np.linalg.solve(twin_free_flexible.M_hat(params, q, 0.0),
-                                   twin_free_flexible.Q_hat(params, q, v, 0.0))
+    acceleration = np.linalg.solve(
+        twin_free_flexible.M_hat(params, q, 0.0), twin_free_flexible.Q_hat(params, q, v, 0.0)
+    )
 
     def places(x: Array) -> Array:
         return np.array([place for _, place in twin_free_flexible.nodes(params, x, 0.0)])
@@ -82,8 +84,18 @@ def test_hub_beam_in_a_plane() -> None:
     positions = np.stack([1.5 * s, 0 * s, 0 * s], axis=1)
     beam = Nodes(masses, positions, shapes, np.array([[7.0]]), np.zeros((1, 1)))
     unit = np.eye(3)
-    params = replace(twin_spatial_hub_beam.Params(), beam=beam, A_a=unit, B_b=unit, B_c=unit, clamp=NONE,
-                     hub_centre=NONE, gravity=NONE, torque=0.0, damper=0.0)
+    params = replace(
+        twin_spatial_hub_beam.Params(),
+        beam=beam,
+        A_a=unit,
+        B_b=unit,
+        B_c=unit,
+        clamp=NONE,
+        hub_centre=NONE,
+        gravity=NONE,
+        torque=0.0,
+        damper=0.0,
+    )
     q, v = np.array([0.8, 0.3]), np.array([2.0, 0.7])
     m_ff, b = masses @ s**4, 1.5 * masses @ s**3
     M = [[0.19 + masses @ (1.5 * s) ** 2 + m_ff * 0.09, b], [b, m_ff]]
@@ -112,8 +124,9 @@ def test_slider_crank_derivatives() -> None:
     """x', alpha', beta' and the second ones of the twin, by complex step of the first."""
     params = twin_spatial_slider_crank.Params()
     for low, high in (("x", "x1"), ("x1", "x2"), ("alpha", "a1"), ("a1", "a2"), ("beta", "b1"), ("b1", "b2")):
-        slope = complex_step(lambda p, low=low: np.array([twin_spatial_slider_crank._motion(params, p[0])[low]]),
-                             np.array([0.7]))
+        slope = complex_step(
+            lambda p, low=low: np.array([twin_spatial_slider_crank._motion(params, p[0])[low]]), np.array([0.7])
+        )
         assert abs(slope[0, 0] - twin_spatial_slider_crank._motion(params, 0.7)[high]) < 1e-13
 
 

@@ -20,15 +20,13 @@ def bricard_rate(t: float, y: Array) -> Array:
 
 def test_bricard_at_the_start() -> None:
     points = np.array(twin_bricard.frames(np.zeros(5))[1])
-    np.testing.assert_array_equal(
-        points, [[0, 0, 0], [1, 0, 0], [1, -1, 0], [1, -1, 1], [0, -1, 1], [0, 0, 1]])
+    np.testing.assert_array_equal(points, [[0, 0, 0], [1, 0, 0], [1, -1, 0], [1, -1, 1], [0, -1, 1], [0, 0, 1]])
     values = np.linalg.svd(twin_bricard.closure_jacobian(np.zeros(5)), compute_uv=False)
     assert values[4] < 1e-14 and values[3] > 0.1  # one constraint too many, one degree of freedom
 
 
 def test_bricard_published_values() -> None:
-    solution = solve_ivp(bricard_rate, (0, 1), np.zeros(10), method="DOP853", rtol=1e-11, atol=1e-12,
-                         t_eval=[0.5, 1.0])
+    solution = solve_ivp(bricard_rate, (0, 1), np.zeros(10), method="DOP853", rtol=1e-11, atol=1e-12, t_eval=[0.5, 1.0])
     for y, expected in zip(solution.y.T, (P3_HALF, P3_ONE), strict=True):
         q = twin_bricard.project(y[:5])
         np.testing.assert_allclose(q, y[:5], atol=1e-9)  # integrated closure has not drifted
@@ -77,12 +75,15 @@ def test_bricard_condensed_form(k: int) -> None:
 
 
 def test_fast_top_computed_values() -> None:
-    solution = solve_ivp(twin_fast_top.rate, (0, 1), twin_fast_top.START, method="DOP853", rtol=1e-12, atol=1e-13,
-                         t_eval=[0.2, 1.0])
-    np.testing.assert_allclose(twin_fast_top.centre(solution.y[:, 0]), [0.60555056138, 0.59895768179, -0.52398302743],
-                               rtol=0, atol=1e-9)
-    np.testing.assert_allclose(twin_fast_top.centre(solution.y[:, 1]), [0.17334396410, 0.64008859207, -0.74849079113],
-                               rtol=0, atol=1e-9)
+    solution = solve_ivp(
+        twin_fast_top.rate, (0, 1), twin_fast_top.START, method="DOP853", rtol=1e-12, atol=1e-13, t_eval=[0.2, 1.0]
+    )
+    np.testing.assert_allclose(
+        twin_fast_top.centre(solution.y[:, 0]), [0.60555056138, 0.59895768179, -0.52398302743], rtol=0, atol=1e-9
+    )
+    np.testing.assert_allclose(
+        twin_fast_top.centre(solution.y[:, 1]), [0.17334396410, 0.64008859207, -0.74849079113], rtol=0, atol=1e-9
+    )
     np.testing.assert_allclose(solution.y[5], 150.0, rtol=1e-14)
     assert abs(twin_fast_top.energy(twin_fast_top.START) - 5435.6967908655) < 1e-9
     assert abs(twin_fast_top.energy(solution.y[:, 1]) - 5435.6967908655) < 1e-7
@@ -91,8 +92,11 @@ def test_fast_top_computed_values() -> None:
 def test_n_four_bar_exact_values() -> None:
     assert abs(four_bar.time_at(2, np.pi / 2) - 0.714355529293) < 1e-12
     assert abs(four_bar.time_at(2, 2 * np.pi) - 1.94251492261) < 1e-11
-    for t, place in ((1, [-0.19502030194944, -0.98079920566217]), (2, [0.057815795768011, 0.99832726786346]),
-                     (10, [0.32845811154082, 0.9445185381786])):
+    for t, place in (
+        (1, [-0.19502030194944, -0.98079920566217]),
+        (2, [0.057815795768011, 0.99832726786346]),
+        (10, [0.32845811154082, 0.9445185381786]),
+    ):
         np.testing.assert_allclose(four_bar.B0(2, t), place, rtol=0, atol=1e-12)
     assert len(four_bar.singular_times(2, 10.0)) == 10
 
@@ -101,8 +105,9 @@ def test_n_four_bar_exact_values() -> None:
 def test_n_four_bar_meets_its_equation(N: int) -> None:
     """phi'' = m_g/I sin phi integrated, against the quadrature; energy of the bars themselves."""
     pull = 9.81 * ((N + 1) * 0.5 + N) / ((N + 1) / 3 + N)
-    solution = solve_ivp(lambda t, y: [y[1], pull * np.sin(y[0])], (0, 3.3), [0.0, 1.0], method="DOP853",
-                         rtol=1e-12, atol=1e-13)
+    solution = solve_ivp(
+        lambda t, y: [y[1], pull * np.sin(y[0])], (0, 3.3), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=1e-13
+    )
     phi, rate = solution.y[:, -1]
     assert abs(four_bar.angle_at(N, 3.3) - phi) < 1e-9
     np.testing.assert_allclose(four_bar.B0_dot(N, 3.3), [rate * np.cos(phi), -rate * np.sin(phi)], atol=1e-8)

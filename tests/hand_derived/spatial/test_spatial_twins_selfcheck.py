@@ -28,10 +28,20 @@ CASES: dict[str, tuple[ModuleType, Any, Any, Any, Any]] = {
     "double_pendulum": (twin_spatial_double_pendulum, twin_spatial_double_pendulum.Params(k2=0.4), 0.0, 3.0, 4.0),
     "governor": (twin_governor, twin_governor.Params(k=800.0, c=40.0), [0, 0.5, 0.5, 0.6], [3, 0.2, 0.4, 0.4], 3.0),
     "hub_beam": (twin_spatial_hub_beam, twin_spatial_hub_beam.Params(), 0.0, [3, 0.2, 0.2, 0.2, 0.02], 4.0),
-    "free_flexible_zyx": (twin_free_flexible, twin_free_flexible.Params(), 0.0,
-                          [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3], 3.0),
-    "free_flexible_zxz": (twin_free_flexible, twin_free_flexible.Params(sequence="zxz"), [0] * 4 + [1.5] + [0] * 4,
-                          [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3], 3.0),
+    "free_flexible_zyx": (
+        twin_free_flexible,
+        twin_free_flexible.Params(),
+        0.0,
+        [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3],
+        3.0,
+    ),
+    "free_flexible_zxz": (
+        twin_free_flexible,
+        twin_free_flexible.Params(sequence="zxz"),
+        [0] * 4 + [1.5] + [0] * 4,
+        [2, 2, 2, 3, 1.2, 3, 0.3, 0.3, 0.3],
+        3.0,
+    ),
     "slider_crank": (twin_spatial_slider_crank, twin_spatial_slider_crank.Params(), 0.0, 3.0, 9.0),
 }
 
@@ -141,8 +151,9 @@ def test_free_body_keeps_its_momenta() -> None:
 
 def test_lagranges_top_precesses_steadily() -> None:
     """Symmetric top: p1, p3 constant; steady precession where I O^2 cos - p3 O + m g l = 0 (fixed-point moments)."""
-    params = twin_heavy_top.Params(inertia=np.diag([0.05, 0.05, 0.09]), centre=np.array([0, 0, 0.4]),
-                                   gravity=np.array([0, 0, -9.81]))
+    params = twin_heavy_top.Params(
+        inertia=np.diag([0.05, 0.05, 0.09]), centre=np.array([0, 0, 0.4]), gravity=np.array([0, 0, -9.81])
+    )
     I_1, I_3 = np.diag(twin_heavy_top.inertia_about_pivot(params))[[0, 2]]
     tilt, turn = 0.7, 1.3
     p_3 = (I_1 * turn**2 * np.cos(tilt) + params.mass * 9.81 * 0.4) / turn
@@ -183,8 +194,10 @@ def test_double_pendulum_reactions() -> None:
     hinges = params.pivot1, R_2 + A_2 @ params.u_2b
     torques = -(params.k1 * q[0] + params.c1 * v[0]), -(params.k2 * q[1] + params.c2 * v[1])
     N_1, N_2 = N_1 + axes[0] * torques[0], N_2 + axes[1] * torques[1]
-    loads = [(F_1 - F_2, N_1 - N_2 + np.cross(hinges[0], F_1) - np.cross(hinges[1], F_2)),
-             (F_2, N_2 + np.cross(hinges[1], F_2))]
+    loads = [
+        (F_1 - F_2, N_1 - N_2 + np.cross(hinges[0], F_1) - np.cross(hinges[1], F_2)),
+        (F_2, N_2 + np.cross(hinges[1], F_2)),
+    ]
 
     def momentum(s: float, k: int) -> Array:
         x, rate = q + s * v + s**2 / 2 * acceleration, v + s * acceleration
@@ -209,7 +222,7 @@ def test_potential_is_the_weight(sample: Any) -> None:
     params = replace(params, **{name: value for name, value in soft.items() if hasattr(params, name)})
     q_i = q_i.copy()
     if hasattr(twin, "nodes"):  # the rigid coordinates only
-        q_i[1 if twin is twin_spatial_hub_beam else 6:] = 0
+        q_i[1 if twin is twin_spatial_hub_beam else 6 :] = 0
     gravity = getattr(params, "gravity", np.array([0, 0, -9.81]))
     slope = complex_step(lambda x: np.array([twin.energy(params, x, 0 * q_i, 0.0)[1]]), q_i)
     expected = complex_step(lambda x: np.array([weight_potential(twin, params, gravity, x, 0.0)]), q_i)
@@ -245,7 +258,8 @@ def test_governor_published_values() -> None:
     def slope(t: float, y: Array) -> Array:
         return complex_step(lambda x: governor_rate(t, x), y)
 
-    solution = solve_ivp(governor_rate, (0, 1), start, method="Radau", jac=slope, rtol=1e-7, atol=1e-10,
-                         t_eval=[0.1, 0.5, 1.0])
+    solution = solve_ivp(
+        governor_rate, (0, 1), start, method="Radau", jac=slope, rtol=1e-7, atol=1e-10, t_eval=[0.1, 0.5, 1.0]
+    )
     expected = [0.52383647556958, 0.74324942478637, 0.50142092237955]
     np.testing.assert_allclose(solution.y[1], expected, rtol=0, atol=1e-7)

@@ -26,8 +26,9 @@ def rate(t: float, y: Array) -> Array:
     """Time derivative of y = (e, omega)."""
     e, omega = y[:4], y[4:]
     weight = np.cross(CENTRE, parameters_A(e).T @ np.array([0.0, 0.0, -MASS * G]))
-    return np.concatenate([parameters_dot(e, omega),
-                           np.linalg.solve(INERTIA_O, weight - np.cross(omega, INERTIA_O @ omega))])
+    return np.concatenate(
+        [parameters_dot(e, omega), np.linalg.solve(INERTIA_O, weight - np.cross(omega, INERTIA_O @ omega))]
+    )
 
 
 def centre(y: Array) -> Array:

@@ -38,10 +38,12 @@ def _jacobians(p: Params, q_i: Array) -> Array:
     """J (N, 3, 6 + nf)."""
     A, G = euler_A(p.sequence, q_i[3:6]), euler_G(p.sequence, q_i[3:6])
     unit = np.eye(3)
-    return np.array([
-        np.hstack([unit, -A @ tilde(u) @ G, A @ shape])
-        for u, shape in zip(p.body.places(q_i[6:]), p.body.shapes, strict=True)
-    ])
+    return np.array(
+        [
+            np.hstack([unit, -A @ tilde(u) @ G, A @ shape])
+            for u, shape in zip(p.body.places(q_i[6:]), p.body.shapes, strict=True)
+        ]
+    )
 
 
 def _bias(p: Params, q_i: Array, q_i_dot: Array) -> Array:

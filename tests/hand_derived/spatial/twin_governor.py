@@ -122,8 +122,10 @@ def poses(params: Params, q_i: Array, t: float) -> list[Pose]:
     upright = p.shaft_mass / 12 * np.diag([bar, bar, 2 * p.width**2])
     lying = p.rod_mass / 12 * np.diag([2 * p.width**2, bar, bar])
     cube = p.slider_mass * p.cube**2 / 6 * np.eye(3)
-    result = [Pose(p.shaft_mass, upright, np.array([0, 0, p.length / 2]), turn),
-              Pose(p.slider_mass, cube, np.array([0 * q_i[1], 0 * q_i[1], q_i[1]]), turn)]
+    result = [
+        Pose(p.shaft_mass, upright, np.array([0, 0, p.length / 2]), turn),
+        Pose(p.slider_mass, cube, np.array([0 * q_i[1], 0 * q_i[1], q_i[1]]), turn),
+    ]
     for mass, inertia, r in ((p.rod_mass, lying, p.length / 2), (p.ball_mass, np.zeros((3, 3)), p.length)):
         for side, beta in ((1, q_i[2]), (-1, q_i[3])):
             point = np.array([side * (p.a + r * np.cos(beta)), 0, p.height - r * np.sin(beta)])

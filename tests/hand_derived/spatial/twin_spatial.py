@@ -67,16 +67,20 @@ def euler_G_dot(sequence: str, theta: Array, theta_dot: Array) -> Array:
     s2, c2, s3, c3 = np.sin(theta[1]), np.cos(theta[1]), np.sin(theta[2]), np.cos(theta[2])
     d2, d3 = theta_dot[1], theta_dot[2]
     if sequence == "zyx":
-        return np.array([
-            [-c2 * d2, 0, 0],
-            [-s2 * s3 * d2 + c2 * c3 * d3, -s3 * d3, 0],
-            [-s2 * c3 * d2 - c2 * s3 * d3, -c3 * d3, 0],
-        ])
-    return np.array([
-        [c2 * s3 * d2 + s2 * c3 * d3, -s3 * d3, 0],
-        [c2 * c3 * d2 - s2 * s3 * d3, -c3 * d3, 0],
-        [-s2 * d2, 0, 0],
-    ])
+        return np.array(
+            [
+                [-c2 * d2, 0, 0],
+                [-s2 * s3 * d2 + c2 * c3 * d3, -s3 * d3, 0],
+                [-s2 * c3 * d2 - c2 * s3 * d3, -c3 * d3, 0],
+            ]
+        )
+    return np.array(
+        [
+            [c2 * s3 * d2 + s2 * c3 * d3, -s3 * d3, 0],
+            [c2 * c3 * d2 - s2 * s3 * d3, -c3 * d3, 0],
+            [-s2 * d2, 0, 0],
+        ]
+    )
 
 
 def parameters_A(e: Array) -> Array:

@@ -100,8 +100,10 @@ def _parts(p: Params, q_i: Array, q_i_dot: Array) -> list[Part]:
     J_v2 = np.stack([np.cross(z1, h + d2), np.cross(z2, d2)], axis=1)
     J_w1, J_w2 = np.stack([z1, none], axis=1), np.stack([z1, z2], axis=1)
     I_1, I_2 = A_1 @ p.inertia1 @ A_1.T, A_2 @ p.inertia2 @ A_2.T
-    return [Part(p.mass1, I_1, J_v1, J_w1, w1, bias1, none, p.mass1 * p.gravity, none),
-            Part(p.mass2, I_2, J_v2, J_w2, w2, bias2, turn, p.mass2 * p.gravity, none)]
+    return [
+        Part(p.mass1, I_1, J_v1, J_w1, w1, bias1, none, p.mass1 * p.gravity, none),
+        Part(p.mass2, I_2, J_v2, J_w2, w2, bias2, turn, p.mass2 * p.gravity, none),
+    ]
 
 
 def M_hat(params: Params, q_i: Array, t: float) -> Array:
@@ -120,8 +122,10 @@ def Q_hat(params: Params, q_i: Array, q_i_dot: Array, t: float) -> Array:
 
 def poses(params: Params, q_i: Array, t: float) -> list[Pose]:
     p, (A_1, A_2), (R_1, R_2) = params, orientations(params, q_i), origins(params, q_i)
-    return [Pose(p.mass1, p.inertia1, R_1 + A_1 @ p.centre1, A_1),
-            Pose(p.mass2, p.inertia2, R_2 + A_2 @ p.centre2, A_2)]
+    return [
+        Pose(p.mass1, p.inertia1, R_1 + A_1 @ p.centre1, A_1),
+        Pose(p.mass2, p.inertia2, R_2 + A_2 @ p.centre2, A_2),
+    ]
 
 
 def energy(params: Params, q_i: Array, q_i_dot: Array, t: float) -> tuple[complex, complex]:

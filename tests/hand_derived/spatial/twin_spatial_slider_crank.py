@@ -48,11 +48,13 @@ class Params:
     y0: float = 0.05
     crank_mass: float = 1.2
     crank_inertia: Array = field(
-        default_factory=lambda: _matrix([0.02, 0.001, 0.002], [0.001, 0.015, -0.001], [0.002, -0.001, 0.018]))
+        default_factory=lambda: _matrix([0.02, 0.001, 0.002], [0.001, 0.015, -0.001], [0.002, -0.001, 0.018])
+    )
     crank_centre: Array = field(default_factory=lambda: np.array([0.03, 0.08, -0.02]))
     rod_mass: float = 0.9
     rod_inertia: Array = field(
-        default_factory=lambda: _matrix([0.008, 0.001, -0.0015], [0.001, 0.04, 0.002], [-0.0015, 0.002, 0.038]))
+        default_factory=lambda: _matrix([0.008, 0.001, -0.0015], [0.001, 0.04, 0.002], [-0.0015, 0.002, 0.038])
+    )
     rod_centre: Array = field(default_factory=lambda: np.array([0.33, 0.02, -0.015]))
     slider_mass: float = 2.1
     gravity: Array = field(default_factory=lambda: np.array([0.3, -0.7, -9.81]))
@@ -108,25 +110,54 @@ def poses(params: Params, q_i: Array, t: float) -> list[Pose]:
     """Crank, rod, slider (the slider does not turn: no inertia)."""
     p, A_c, A_r = params, rot_x(q_i[0]), rod_A(params, q_i)
     crank, rod, slider = origins(p, q_i)
-    return [Pose(p.crank_mass, p.crank_inertia, crank + A_c @ p.crank_centre, A_c),
-            Pose(p.rod_mass, p.rod_inertia, rod + A_r @ p.rod_centre, A_r),
-            Pose(p.slider_mass, np.zeros((3, 3)), slider, np.eye(3))]
+    return [
+        Pose(p.crank_mass, p.crank_inertia, crank + A_c @ p.crank_centre, A_c),
+        Pose(p.rod_mass, p.rod_inertia, rod + A_r @ p.rod_centre, A_r),
+        Pose(p.slider_mass, np.zeros((3, 3)), slider, np.eye(3)),
+    ]
 
 
 def _parts(p: Params, q_i: Array, rate: complex) -> list[Part]:
     m, A_c, A_r, none = _motion(p, q_i[0]), rot_x(q_i[0]), rod_A(p, q_i), np.zeros(3)
     c = A_c @ p.crank_centre
-    crank = Part(p.crank_mass, A_c @ p.crank_inertia @ A_c.T, np.cross(E_X, c)[:, None], E_X[:, None], E_X * rate,
-                 np.cross(E_X, np.cross(E_X, c)) * rate**2, none, p.crank_mass * p.gravity, p.torque * E_X)
+    crank = Part(
+        p.crank_mass,
+        A_c @ p.crank_inertia @ A_c.T,
+        np.cross(E_X, c)[:, None],
+        E_X[:, None],
+        E_X * rate,
+        np.cross(E_X, np.cross(E_X, c)) * rate**2,
+        none,
+        p.crank_mass * p.gravity,
+        p.torque * E_X,
+    )
     b = E_Y * np.cos(m["alpha"]) - E_X * np.sin(m["alpha"])
     arm, w = A_r @ p.rod_centre, E_Z * m["a1"] + b * m["b1"]
     bias = E_Z * m["a2"] + b * m["b2"] + m["a1"] * m["b1"] * np.cross(E_Z, b)
     bias_v = E_X * m["x2"] + np.cross(bias, arm) + np.cross(w, np.cross(w, arm))
-    rod = Part(p.rod_mass, A_r @ p.rod_inertia @ A_r.T, (E_X * m["x1"] + np.cross(w, arm))[:, None], w[:, None],
-               w * rate, bias_v * rate**2, bias * rate**2, p.rod_mass * p.gravity, none)
+    rod = Part(
+        p.rod_mass,
+        A_r @ p.rod_inertia @ A_r.T,
+        (E_X * m["x1"] + np.cross(w, arm))[:, None],
+        w[:, None],
+        w * rate,
+        bias_v * rate**2,
+        bias * rate**2,
+        p.rod_mass * p.gravity,
+        none,
+    )
     on_slider = p.slider_mass * p.gravity + (p.force - p.c * m["x1"] * rate) * E_X
-    slider = Part(p.slider_mass, np.zeros((3, 3)), (E_X * m["x1"])[:, None], none[:, None], none,
-                  E_X * m["x2"] * rate**2, none, on_slider, none)
+    slider = Part(
+        p.slider_mass,
+        np.zeros((3, 3)),
+        (E_X * m["x1"])[:, None],
+        none[:, None],
+        none,
+        E_X * m["x2"] * rate**2,
+        none,
+        on_slider,
+        none,
+    )
     return [crank, rod, slider]
 
 
