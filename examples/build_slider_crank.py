@@ -1,6 +1,6 @@
 """A flexible slider-crank in Python: build the scene, generate its code, load it, simulate, look.
 
-python examples/build_slider_crank.py [FOLDER]      with FOLDER: keep the code and leave pictures there
+    python examples/build_slider_crank.py [FOLDER]      with FOLDER: keep the code and leave pictures there
 """
 
 import sys
@@ -19,17 +19,8 @@ def build():
         .gravity(0, -9.81)
         .parameter("torque", 5.0, "N m", "drive torque")
         .rigid("crank", mass=0.36, inertia=7e-4, center_of_mass=(0.075, 0), markers={"tip": {"position": (0.15, 0)}})
-        .beam(
-            "rod",
-            length=0.3,
-            density=7870.0,
-            area=6.4e-5,
-            second_moment=3.4e-10,
-            youngs_modulus=2e11,
-            lateral={"ends": "pinned-pinned", "modes": 2},
-            stiffening=True,
-            damping_ratio=0.01,
-        )
+        .beam("rod", length=0.3, density=7870.0, area=6.4e-5, second_moment=3.4e-10, youngs_modulus=2e11,
+              lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True, damping_ratio=0.01)
         .rigid("slider", mass=0.076, inertia=1e-5)
         .revolute("A", "ground.origin", "crank.origin")
         .revolute("B", "crank.tip", "rod.start")

@@ -13,17 +13,8 @@ from symgen.scenes import generated_folder
 PARAMETERS = {"c": 0.5, "k_L": 1.0, "w": 20.0, "zeta": 0.0}
 T_END = 1.0
 STEPS = (0.005, 0.0025, 0.00125)
-RUNS = {
-    "single_rate": None,
-    "printed m=2": [2],
-    "printed m=4": [4],
-    "printed m=8": [8],
-    "coupled m=4": [4],
-    "decoupled m=4": [4],
-    "linearised m=2": [2],
-    "exponential m=1": [1],
-    "rk4": None,
-}
+RUNS = {"single_rate": None, "printed m=2": [2], "printed m=4": [4], "printed m=8": [8],
+        "coupled m=4": [4], "decoupled m=4": [4], "linearised m=2": [2], "exponential m=1": [1], "rk4": None}
 
 
 def main() -> None:
@@ -42,9 +33,8 @@ def main() -> None:
     # without the slow spring the fast oscillation is alone: its amplitude grows as exp(sigma t)
     print("\ngrowth of the fast amplitude [1/s], dt_L = 0.005 s: measured, law 1/4 c^2 (1 - 1/m) w_c^2 dt_L")
     c, w_c, dt, m = 0.5, 20.0 / math.sqrt(1 - 0.5**2), 0.005, 4
-    run = simulate(
-        model, t_end=2.0, dt=dt, m=[m], scheme="printed", initial={"x_L": 0.0}, parameters={**PARAMETERS, "k_L": 0.0}
-    )
+    run = simulate(model, t_end=2.0, dt=dt, m=[m], scheme="printed", initial={"x_L": 0.0},
+                   parameters={**PARAMETERS, "k_L": 0.0})
     envelope = [math.hypot(x, v / w_c) for x, v in zip(run["x_S"], run.rate("x_S"), strict=True)]
     print(f"{math.log(envelope[-1] / envelope[0]) / run.t[-1]:.4f}, {c**2 / 4 * (1 - 1 / m) * w_c**2 * dt:.4f}")
     print(run.status)

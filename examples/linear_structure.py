@@ -23,13 +23,8 @@ def build():
     return (
         SceneBuilder("masses_in_a_row", title="Four masses in a row")
         .parameter("force", 2.0, "N", "amplitude of the force")
-        .structure(
-            coordinates=["x1", "x2", "x3", "x4"],
-            mass=np.diag([1.0, 1.0, 1.0, 0.2]),
-            stiffness=K,
-            damping=0.002 * K,
-            force=[0.0, "force * sin(3 * t)", 0.0, 0.0],
-        )
+        .structure(coordinates=["x1", "x2", "x3", "x4"], mass=np.diag([1.0, 1.0, 1.0, 0.2]), stiffness=K,
+                   damping=0.002 * K, force=[0.0, "force * sin(3 * t)", 0.0, 0.0])
         .groups(slow=["x1", "x2"], fast=["x3", "x4"])
         .initial({"x4": 0.01})
         .simulation(t_end=5.0, dt=0.004, m=[4], scheme="printed")

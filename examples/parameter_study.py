@@ -20,14 +20,8 @@ def main(t_end: float) -> None:
     print(f"{len(model.parameters)} parameters, among them {', '.join(names[:6])}, ...")
     print("E [GPa]    largest |q1| [mm]    status")
     for modulus in (70e9, 110e9, 150e9, 200e9, 400e9):
-        run = simulate(
-            model,
-            t_end=t_end,
-            dt=5e-5,
-            scheme="single_rate",
-            save_every=1,
-            parameters={"rod.youngs_modulus": modulus, "motor_torque": 2.0},
-        )
+        run = simulate(model, t_end=t_end, dt=5e-5, scheme="single_rate", save_every=1,
+                       parameters={"rod.youngs_modulus": modulus, "motor_torque": 2.0})
         print(f"{modulus / 1e9:7.0f}    {1e3 * np.abs(run['rod.q1']).max():17.4f}    {run.status.name}")
 
 

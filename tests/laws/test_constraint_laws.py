@@ -8,8 +8,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from runtime import observe, simulate
+from runtime import simulate
 from runtime.contract.model import Model
+from runtime.results import observe
 from runtime.results.observe import assemble_solution
 from runtime.schemes.catalogue import SCHEMES
 
