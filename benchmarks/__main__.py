@@ -7,10 +7,18 @@ import json
 import sys
 from pathlib import Path
 
-from benchmarks import exudyn_slider_crank, generation, iftomm, operations, rhs_chain, rhs_pinocchio, step_slider_crank
-from benchmarks.machine import describe_machine
-from benchmarks.page import as_json, as_markdown, with_sections
-from benchmarks.result import Benchmark, Skipped
+from benchmarks.cases import (
+    exudyn_slider_crank,
+    generation,
+    iftomm,
+    operations,
+    rhs_chain,
+    rhs_pinocchio,
+    step_slider_crank,
+)
+from benchmarks.harness.machine import describe_machine
+from benchmarks.harness.page import as_json, as_markdown, with_sections
+from benchmarks.harness.result import Benchmark, Skipped
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
@@ -21,11 +29,11 @@ BENCHMARKS: dict[str, Benchmark] = {
     "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run, print, and write results.json and results.md; --publish also writes docs/benchmarks.md, or its sections."""
+    """Run, print, and write results.json and results.md; --publish also writes the page or its sections."""
     options = _parser().parse_args(arguments)
     chosen = options.only or list(BENCHMARKS)
     machine, results, skipped = describe_machine(), [], []
@@ -66,7 +74,9 @@ def _parser() -> argparse.ArgumentParser:
         help="folder for results.json and results.md (default: %(default)s)",
     )
     parser.add_argument(
-        "--publish", action="store_true", help="also write docs/benchmarks.md; with --only, the other sections stay"
+        "--publish",
+        action="store_true",
+        help="also write docs/evidence/benchmarks.md; with --only, the other sections stay",
     )
     return parser
 

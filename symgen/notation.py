@@ -80,7 +80,7 @@ SYMBOLS: tuple[Symbol, ...] = (
 
 
 def table() -> str:
-    """The symbols as a Markdown table (docs/names.md holds it; a test compares)."""
+    """The symbols as a Markdown table (docs/theory/names.md holds it; a test compares)."""
     lines = ["| code | paper | Eq. | shape | unit | meaning |", "|---|---|---|---|---|---|"]
     for symbol in SYMBOLS:
         paper = f"`{symbol.paper}`" if symbol.paper else ""

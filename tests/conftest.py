@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
@@ -14,9 +12,6 @@ from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 from symgen.scenes import generated_folder
-
-for twins in ("hand_derived", "hand_derived/spatial"):  # for tests in other folders
-    sys.path.insert(0, str(Path(__file__).parent / twins))
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -16,7 +16,7 @@ class SchemeError(ValueError):
 
 @dataclass(frozen=True)
 class Options:
-    """Readings of the paper (docs/schemes.md lists them) and tolerances.
+    """Readings of the paper (docs/theory/schemes.md lists them) and tolerances.
 
     common_update: `fixed_point` is the sweep (52)-(55) with the test (56)-(57); `direct` solves (39) at once, with
         Newton on dQ_hat/dq_i_dot where forces depend on velocity.

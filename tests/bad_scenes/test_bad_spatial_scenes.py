@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from test_bad_scenes import DELETE, GOOD, edited, joint
 
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder, SceneError
+from tests.bad_scenes.test_bad_scenes import DELETE, GOOD, edited, joint
 
 A, S = "spatial", "slider_crank"
 ARM, ROD, PLATE = "bodies[1] 'arm'", "bodies[2] 'rod'", "bodies[3] 'plate'"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from planar_in_space import posed
 
 from runtime import Model, load_model, reference_solution, simulate
 from runtime.baselines.scipy_methods import scipy_solution
@@ -13,6 +12,7 @@ from symgen.generate import generate
 from symgen.scenes import generated_folder
 from symgen.scenes.heavy_top import heavy_top
 from symgen.scenes.spin_up_beam import spin_up_beam
+from tests.support.planar_in_space import posed
 
 P3 = {
     0.5: (0.9682836791067775, -1.2246251594363333, 0.7501466094377676),

@@ -6,9 +6,9 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from model_values import evaluate, make_state, relative_error
 
 from runtime.contract.model import Model
+from tests.support.model_values import evaluate, make_state, relative_error
 
 TOLERANCE = 1e-12  # of the largest entry
 

@@ -8,16 +8,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-import twin_driven_slider_crank
-import twin_flexible_slider_crank
-import twin_hub_beam
-import twin_rod_data as rod_data
-from generated_comparison import compare
-from twin_rod_tree import Params as RodParams
 
 from runtime.contract.model import Model
 from symgen.modes import lateral_modes
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived import twin_driven_slider_crank, twin_flexible_slider_crank, twin_hub_beam
+from tests.hand_derived import twin_rod_data as rod_data
+from tests.hand_derived.generated_comparison import compare
+from tests.hand_derived.twin_rod_tree import Params as RodParams
 
 Build = Callable[[Scene], Model]
 TIMES = (0.0, 0.2, 0.37, 0.9)

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-import twin_double_pendulum
-import twin_four_bar
-import twin_pendulum
-import twin_slider_crank
-from generated_comparison import compare
 
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived import twin_double_pendulum, twin_four_bar, twin_pendulum, twin_slider_crank
+from tests.hand_derived.generated_comparison import compare
 
 Build = Callable[[Scene], Model]
 TIMES = (0.0, 0.2, 0.5, 1.1)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from twin_oscillators import (
+
+from tests.hand_derived.twin_oscillators import (
     Params,
     central_difference_matrix,
     growth_rate,

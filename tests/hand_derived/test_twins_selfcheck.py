@@ -12,19 +12,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-import twin_double_pendulum
-import twin_driven_slider_crank
-import twin_flexible_slider_crank
-import twin_four_bar
-import twin_hub_beam
-import twin_pendulum
-import twin_rod_data as rod_data
-import twin_slider_crank
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
-from twin_common import STEP, Array, complex_step
-from twin_hub_beam_data import f2_params
-from twin_rod_tree import Params as RodParams
+
+from tests.hand_derived import (
+    twin_double_pendulum,
+    twin_driven_slider_crank,
+    twin_flexible_slider_crank,
+    twin_four_bar,
+    twin_hub_beam,
+    twin_pendulum,
+    twin_slider_crank,
+)
+from tests.hand_derived import twin_rod_data as rod_data
+from tests.hand_derived.twin_common import STEP, Array, complex_step
+from tests.hand_derived.twin_hub_beam_data import f2_params
+from tests.hand_derived.twin_rod_tree import Params as RodParams
 
 WEIGHT = np.array([0.0, -9.81])
 PINNED = RodParams(rod=rod_data.pinned_sine_rod(2, damping_ratio=0.02), gravity=WEIGHT, torque=0.4)

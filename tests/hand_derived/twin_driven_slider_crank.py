@@ -13,9 +13,10 @@ Joint order A, drive, B, slide, C, where drive = prescribed_angle ground.origin 
 from __future__ import annotations
 
 import numpy as np
-import twin_slider_crank_bodies as bodies
-from twin_common import Array, complex_step
-from twin_rod_tree import (
+
+from tests.hand_derived import twin_slider_crank_bodies as bodies
+from tests.hand_derived.twin_common import Array, complex_step
+from tests.hand_derived.twin_rod_tree import (
     Params,
     closure_bias,
     coordinates,

@@ -36,7 +36,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 
 @dataclass(frozen=True)

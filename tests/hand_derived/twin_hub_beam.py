@@ -33,7 +33,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 
 def _no_torque(t: float) -> float:

@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from twin_common import Array
-from twin_hub_beam import Params
+
+from tests.hand_derived.twin_common import Array
+from tests.hand_derived.twin_hub_beam import Params
 
 LENGTH, AREA, SECOND_MOMENT, MODULUS, DENSITY = 8.0, 7.2968e-5, 8.2189e-9, 6.8952e10, 2766.7
 

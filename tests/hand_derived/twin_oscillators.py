@@ -24,7 +24,7 @@ Printed sub-cycling, dt_L = m dt_S:
   q_L enters the S row through c q_L'' only: K and D are diagonal, so the interpolation of q_L (Eqs. 60, 63)
   plays no part here.
 
-Growth law (docs/schemes.md; k_L = zeta = 0, w_c dt_L small): a frozen q_L'' lags by (m - 1) dt_S / 2 on
+Growth law (docs/theory/schemes.md; k_L = zeta = 0, w_c dt_L small): a frozen q_L'' lags by (m - 1) dt_S / 2 on
 average, which is negative damping; the amplitude grows like exp(sigma t) with
 sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L.
 
@@ -36,7 +36,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def growth_rate(matrix: Array, step: float) -> float:
 
 
 def growth_rate_law(c: float, w: float, m: int, dt_L: float) -> float:
-    """sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L (docs/schemes.md), leading order in w_c dt_L."""
+    """sigma = 1/4 c^2 (1 - 1/m) w_c^2 dt_L (docs/theory/schemes.md), leading order in w_c dt_L."""
     return 0.25 * c**2 * (1 - 1 / m) * w**2 / (1 - c**2) * dt_L
 
 

@@ -18,8 +18,9 @@ the published code has pi = 3.1415927.
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
-from twin_rod_tree import Params, Rod
+
+from tests.hand_derived.twin_common import Array
+from tests.hand_derived.twin_rod_tree import Params, Rod
 
 F1_PI = 3.1415927
 # q_i and q_i' at t = 0 and published values at t = 0.1 (driven variant)

@@ -42,7 +42,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,8 +15,9 @@ The rod's kinetic energy in full coordinates, with R' its frame's velocity and S
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
-from twin_rod_tree import Params
+
+from tests.hand_derived.twin_common import Array
+from tests.hand_derived.twin_rod_tree import Params
 
 
 def constraints(params: Params, q: Array, t: float, driven: bool) -> Array:

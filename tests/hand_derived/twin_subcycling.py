@@ -27,8 +27,9 @@ Classical Runge-Kutta of order 4: 1 + z + z^2/2 + z^3/6 + z^4/24 at z = dt A.
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
-from twin_oscillators import Params
+
+from tests.hand_derived.twin_common import Array
+from tests.hand_derived.twin_oscillators import Params
 
 
 def matrices(p: Params) -> tuple[Array, Array, Array]:

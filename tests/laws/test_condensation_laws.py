@@ -11,7 +11,10 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 import pytest
-from model_values import (
+
+from runtime.contract.model import Model
+from symgen.scenes import SCENES
+from tests.support.model_values import (
     Array,
     State,
     augmented_solution,
@@ -23,9 +26,6 @@ from model_values import (
     reactions,
     relative_error,
 )
-
-from runtime.contract.model import Model
-from symgen.scenes import SCENES
 
 Load = Callable[[str], Model]
 STATES = 4

@@ -8,9 +8,9 @@ import casadi as ca
 import numpy as np
 import pytest
 import scipy.linalg
-from model_values import Array
 
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
+from tests.support.model_values import Array
 
 
 class SubStep:

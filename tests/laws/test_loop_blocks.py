@@ -7,15 +7,6 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
-from model_values import (
-    augmented_solution,
-    condensed_accelerations,
-    evaluate,
-    make_state,
-    random_states,
-    reactions,
-    relative_error,
-)
 
 from runtime import load_model
 from runtime.contract.model import Model
@@ -25,6 +16,15 @@ from symgen.generate import generate
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.n_four_bar import n_four_bar
+from tests.support.model_values import (
+    augmented_solution,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    random_states,
+    reactions,
+    relative_error,
+)
 
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "accelerations", "constraints", "augmented", "reactions"})
 

@@ -8,16 +8,24 @@ from typing import Any
 
 import numpy as np
 import pytest
-from model_values import Array, State, condensed_accelerations, evaluate, joint_forces, random_states, relative_error
-from planar_in_space import posed, posed_state
 from scipy.linalg import eigh
-from spatial_motion import frames
 
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.chain import chain
 from symgen.scenes.four_bar import four_bar
 from symgen.scenes.slider_crank import slider_crank
+from tests.support.model_values import (
+    Array,
+    State,
+    condensed_accelerations,
+    evaluate,
+    joint_forces,
+    random_states,
+    relative_error,
+)
+from tests.support.planar_in_space import posed, posed_state
+from tests.support.spatial_motion import frames
 
 Build = Callable[[Scene, frozenset[str]], Model]
 KERNELS = frozenset({"condensed", "constraints", "closure", "velocities", "accelerations", "reactions"})

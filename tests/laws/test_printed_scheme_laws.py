@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
 
 from runtime import simulate
 from runtime.contract.model import Model
@@ -17,6 +16,7 @@ from runtime.engine.interpreted import program_function
 from runtime.running.simulate import make_plan
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes import SCENES
+from tests.hand_derived.twin_oscillators import Params, growth_rate_law, printed_subcycling_matrix
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -217,7 +217,7 @@ def test_equation_13_as_printed_costs_an_order(model_of: Build) -> None:
 
 @pytest.mark.parametrize("reading", ["end_point_sum", "constant_acceleration", "chord", "chord_ahead"])
 def test_three_groups_with_inertia_coupling_are_first_order(model_of: Build, reading: str) -> None:
-    """The printed scheme freezes slow accelerations; no reading of the interpolation mends that (docs/schemes.md)."""
+    """The printed scheme freezes slow accelerations; no reading of the interpolation mends that (theory/schemes.md)."""
     slope, error = three_group_slope(model_of(three_oscillators(0.3, 0.0)), slow_interpolation=reading)
     assert slope == pytest.approx(1.0, abs=0.1)
     assert error < 1.2e-3

@@ -6,12 +6,12 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from model_values import Array, condensed_accelerations, evaluate, make_state
-from prepared_runs import PreparedRuns
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.model import Model
 from runtime.start.start_state import start_state
+from tests.support.model_values import Array, condensed_accelerations, evaluate, make_state
+from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
 FLEXIBLE = (

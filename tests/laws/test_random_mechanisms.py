@@ -7,14 +7,21 @@ import tempfile
 import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from model_values import augmented_solution, condensed_accelerations, evaluate, make_state, reactions, relative_error
-from random_mechanisms import four_bars, trees
 from scipy.linalg import eigvals
 
 from runtime import load_model, simulate
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
+from tests.support.model_values import (
+    augmented_solution,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    reactions,
+    relative_error,
+)
+from tests.support.random_mechanisms import four_bars, trees
 
 QUICK = settings(
     deadline=None,

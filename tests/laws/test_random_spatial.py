@@ -6,14 +6,22 @@ import tempfile
 
 import numpy as np
 from hypothesis import HealthCheck, Phase, assume, given, settings
-from model_values import State, condensed_accelerations, evaluate, make_state, power_gap, reactions, relative_error
-from random_spatial import spatial_loops, spatial_trees
 
 from runtime import load_model
 from runtime.baselines.augmented import augmented_accelerations
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
+from tests.support.model_values import (
+    State,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    power_gap,
+    reactions,
+    relative_error,
+)
+from tests.support.random_spatial import spatial_loops, spatial_trees
 
 QUICK = settings(
     deadline=None,

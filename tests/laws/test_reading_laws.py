@@ -18,7 +18,7 @@ def test_end_point_sum(j: int) -> None:
     q, v = INTERPOLATIONS["end_point_sum"](Q, V, A, j * h, h, H, Q_NEXT)
     assert q == pytest.approx(position, rel=1e-14)
     assert v == pytest.approx(V + j * h * A, rel=1e-14)
-    # the overshoot of the print, docs/schemes.md
+    # the overshoot of the print, docs/theory/schemes.md
     exact, _ = INTERPOLATIONS["constant_acceleration"](Q, V, A, j * h, h, H, Q_NEXT)
     assert q - exact == pytest.approx(j * h * h * A / 2, rel=1e-11)
 

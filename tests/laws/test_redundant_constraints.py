@@ -7,15 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from model_values import (
-    augmented_solution,
-    condensed_accelerations,
-    evaluate,
-    make_state,
-    random_states,
-    reactions,
-    relative_error,
-)
 from scipy.linalg import null_space
 
 from runtime import augmented_solution as integrate_augmented
@@ -24,6 +15,15 @@ from runtime.baselines.augmented import augmented_accelerations
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import SceneBuilder
+from tests.support.model_values import (
+    augmented_solution,
+    condensed_accelerations,
+    evaluate,
+    make_state,
+    random_states,
+    reactions,
+    relative_error,
+)
 
 BARS = ("left", "middle", "right")
 

@@ -7,11 +7,11 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 import pytest
-from model_values import Array, evaluate, make_state
 
 from runtime import simulate
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
+from tests.support.model_values import Array, evaluate, make_state
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]

@@ -6,15 +6,15 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from joint_comb import MORE, OTHERS, PLACING, comb, rigid
-from model_values import Array, State
 from scipy.spatial.transform import Rotation
-from spatial_motion import Frame, assembled, frames
-from twin_flexible_nodes import scattered
 
 from runtime import simulate
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived.spatial.twin_flexible_nodes import scattered
+from tests.support.joint_comb import MORE, OTHERS, PLACING, comb, rigid
+from tests.support.model_values import Array, State
+from tests.support.spatial_motion import Frame, assembled, frames
 
 Build = Callable[[Scene, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions"})

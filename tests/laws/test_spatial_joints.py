@@ -11,14 +11,14 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 import pytest
-from joint_comb import GRAVITY, ONE_WAY, OTHERS, PLACING, Variant, comb, exchanged_coordinates, lumps
-from model_values import Array, State, evaluate, make_state, relative_error
-from spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
 from runtime import load_model
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
+from tests.support.joint_comb import GRAVITY, ONE_WAY, OTHERS, PLACING, Variant, comb, exchanged_coordinates, lumps
+from tests.support.model_values import Array, State, evaluate, make_state, relative_error
+from tests.support.spatial_motion import Frame, assembled, frames, momentum_rate, place, solve
 
 Build = Callable[[tuple[str, ...], Variant], tuple[Scene, Model]]
 WITHOUT_SCREW = tuple(kind for kind in PLACING if kind != "screw")

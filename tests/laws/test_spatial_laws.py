@@ -7,20 +7,30 @@ from typing import Any
 
 import numpy as np
 import pytest
-import spatial_scenes
-import twin_free_flexible
-import twin_governor
-import twin_spatial_double_pendulum
-import twin_spatial_slider_crank
-from joint_comb import SEQUENCES, rigid
-from model_values import State, augmented_solution, evaluate, power_gap, random_states, reactions, relative_error
 from scipy.spatial.transform import Rotation
-from spatial_motion import Frame, assembled, frames, momentum, momentum_rate, place
-from twin_flexible_nodes import Nodes, scattered
 
 from runtime import reference_solution
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived.spatial import (
+    spatial_scenes,
+    twin_free_flexible,
+    twin_governor,
+    twin_spatial_double_pendulum,
+    twin_spatial_slider_crank,
+)
+from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, scattered
+from tests.support.joint_comb import SEQUENCES, rigid
+from tests.support.model_values import (
+    State,
+    augmented_solution,
+    evaluate,
+    power_gap,
+    random_states,
+    reactions,
+    relative_error,
+)
+from tests.support.spatial_motion import Frame, assembled, frames, momentum, momentum_rate, place
 
 Build = Callable[[Scene, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions", "energy"})

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from joint_comb import rigid
-from model_values import augmented_solution, relative_error
 from scipy.spatial.transform import Rotation
-from spatial_motion import Frame, frames, momentum_rate, place
-from twin_flexible_nodes import scattered
 
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived.spatial.twin_flexible_nodes import scattered
+from tests.support.joint_comb import rigid
+from tests.support.model_values import augmented_solution, relative_error
+from tests.support.spatial_motion import Frame, frames, momentum_rate, place
 
 Build = Callable[[Scene, frozenset[str] | None], Model]
 FULL = frozenset({"constraints", "augmented", "reactions"})

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from prepared_runs import PreparedRuns
 
 from runtime import simulate
 from runtime.contract.model import Model
@@ -17,6 +16,7 @@ from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion
 from symgen.scene import Scene, SceneBuilder
+from tests.support.prepared_runs import PreparedRuns
 
 Build = Callable[[Scene], Model]
 ENGINE = "compiled" if find_compiler() else "interpreted"

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.linalg
-from model_values import Array
 
 from runtime import simulate
 from runtime.contract.model import Model
@@ -20,6 +19,7 @@ from runtime.studies.stability import limits
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
+from tests.support.model_values import Array
 
 Load = Callable[[str], Model]
 ENGINE = "compiled" if find_compiler() else "interpreted"

@@ -7,16 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from model_values import Array
-from twin_oscillators import Params
-from twin_subcycling import (
-    held_slow_matrix,
-    linearised_central_matrix,
-    modes,
-    radius,
-    rational_matrix,
-    runge_kutta_matrix,
-)
 
 from runtime.contract.model import Model
 from runtime.modes.modes import State
@@ -24,6 +14,16 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.limits import SHARE_OF_FREQUENCY, StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion
 from runtime.studies.stability.tangent import TangentStep
+from tests.hand_derived.twin_oscillators import Params
+from tests.hand_derived.twin_subcycling import (
+    held_slow_matrix,
+    linearised_central_matrix,
+    modes,
+    radius,
+    rational_matrix,
+    runge_kutta_matrix,
+)
+from tests.support.model_values import Array
 
 Load = Callable[[str], Model]
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))

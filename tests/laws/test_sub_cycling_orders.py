@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from model_values import Array
-from prepared_runs import PreparedRuns
 
 from runtime import simulate
 from runtime.contract.model import Model
 from symgen.scene import Scene
 from symgen.scenes import SCENES
+from tests.support.model_values import Array
+from tests.support.prepared_runs import PreparedRuns
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]

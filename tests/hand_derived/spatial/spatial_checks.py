@@ -6,7 +6,8 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from twin_common import STEP, Array, complex_step
+
+from tests.hand_derived.twin_common import STEP, Array, complex_step
 
 
 def particles(twin: ModuleType, params: Any, q_i: Array, t: float) -> list[tuple[float, Array]]:

@@ -5,16 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import twin_free_body
-import twin_free_flexible
-import twin_governor
-import twin_heavy_top
-import twin_spatial_double_pendulum
-import twin_spatial_hub_beam
-import twin_spatial_slider_crank
-from twin_flexible_nodes import Nodes
 
 from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived.spatial import (
+    twin_free_body,
+    twin_free_flexible,
+    twin_governor,
+    twin_heavy_top,
+    twin_spatial_double_pendulum,
+    twin_spatial_hub_beam,
+    twin_spatial_slider_crank,
+)
+from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
 
 
 def inertia(tensor: Any) -> dict[str, list[float]]:

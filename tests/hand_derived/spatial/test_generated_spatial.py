@@ -9,19 +9,21 @@ from typing import Any
 
 import numpy as np
 import pytest
-import spatial_scenes as scenes
-import twin_free_body
-import twin_free_flexible
-import twin_governor
-import twin_heavy_top
-import twin_spatial_double_pendulum
-import twin_spatial_hub_beam
-import twin_spatial_slider_crank
-from model_values import State, evaluate, make_state, relative_error
-from twin_spatial import parameters_A, parameters_ddot, parameters_dot
 
 from runtime.contract.model import Model
 from symgen.scene import Scene
+from tests.hand_derived.spatial import spatial_scenes as scenes
+from tests.hand_derived.spatial import (
+    twin_free_body,
+    twin_free_flexible,
+    twin_governor,
+    twin_heavy_top,
+    twin_spatial_double_pendulum,
+    twin_spatial_hub_beam,
+    twin_spatial_slider_crank,
+)
+from tests.hand_derived.spatial.twin_spatial import parameters_A, parameters_ddot, parameters_dot
+from tests.support.model_values import State, evaluate, make_state, relative_error
 
 TOLERANCE = 1e-12
 Build = Callable[[Scene], Model]

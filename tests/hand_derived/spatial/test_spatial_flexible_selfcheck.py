@@ -6,13 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import twin_free_flexible
-import twin_spatial as spatial
-import twin_spatial_hub_beam
-import twin_spatial_slider_crank
-from spatial_checks import along_motion
-from twin_common import STEP, Array, complex_step
-from twin_flexible_nodes import Nodes
+
+from tests.hand_derived.spatial import twin_free_flexible, twin_spatial_hub_beam, twin_spatial_slider_crank
+from tests.hand_derived.spatial import twin_spatial as spatial
+from tests.hand_derived.spatial.spatial_checks import along_motion
+from tests.hand_derived.spatial.twin_flexible_nodes import Nodes
+from tests.hand_derived.twin_common import STEP, Array, complex_step
 
 NONE = np.zeros(3)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import twin_bricard
-import twin_fast_top
-import twin_n_four_bar as four_bar
 from scipy.integrate import solve_ivp
-from twin_common import STEP, Array, complex_step
+
+from tests.hand_derived.spatial import twin_bricard, twin_fast_top
+from tests.hand_derived.spatial import twin_n_four_bar as four_bar
+from tests.hand_derived.twin_common import STEP, Array, complex_step
 
 P3_HALF = [0.9682836791067775, -1.2246251594363333, 0.7501466094377676]
 P3_ONE = [0.5105014611872206, -1.649167599394806, 0.1401231145532866]

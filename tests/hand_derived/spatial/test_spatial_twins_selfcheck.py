@@ -8,17 +8,26 @@ from typing import Any
 
 import numpy as np
 import pytest
-import twin_free_body
-import twin_free_flexible
-import twin_governor
-import twin_heavy_top
-import twin_spatial as spatial
-import twin_spatial_double_pendulum
-import twin_spatial_hub_beam
-import twin_spatial_slider_crank
 from scipy.integrate import solve_ivp
-from spatial_checks import along_motion, body_jacobian, lagrange_force, mass_matrix, weight_potential
-from twin_common import STEP, Array, complex_step
+
+from tests.hand_derived.spatial import (
+    twin_free_body,
+    twin_free_flexible,
+    twin_governor,
+    twin_heavy_top,
+    twin_spatial_double_pendulum,
+    twin_spatial_hub_beam,
+    twin_spatial_slider_crank,
+)
+from tests.hand_derived.spatial import twin_spatial as spatial
+from tests.hand_derived.spatial.spatial_checks import (
+    along_motion,
+    body_jacobian,
+    lagrange_force,
+    mass_matrix,
+    weight_potential,
+)
+from tests.hand_derived.twin_common import STEP, Array, complex_step
 
 # (twin, parameters, centre of q_i, scale of q_i, scale of q_i')
 CASES: dict[str, tuple[ModuleType, Any, Any, Any, Any]] = {

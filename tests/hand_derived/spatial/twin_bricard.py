@@ -19,8 +19,9 @@ Derivation. Chain in the five hinge angles q of P0..P4 (zero at the start), clos
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import E_X, E_Y, E_Z, Part, Pose, jourdain, rot_x, rot_y, rot_z
+
+from tests.hand_derived.spatial.twin_spatial import E_X, E_Y, E_Z, Part, Pose, jourdain, rot_x, rot_y, rot_z
+from tests.hand_derived.twin_common import Array
 
 TURNS = (rot_y, rot_z, rot_x, rot_y, rot_z)
 AXES = (E_Y, E_Z, E_X, E_Y, E_Z)

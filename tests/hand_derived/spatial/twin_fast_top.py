@@ -12,8 +12,9 @@ Derivation: J_o = J + m (r.r 1 - r r^T) = diag(15.234375, 0.46875, 15.234375);
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import parameters_A, parameters_dot
+
+from tests.hand_derived.spatial.twin_spatial import parameters_A, parameters_dot
+from tests.hand_derived.twin_common import Array
 
 MASS, G = 15.0, 9.81
 CENTRE = np.array([0.0, 1.0, 0.0])

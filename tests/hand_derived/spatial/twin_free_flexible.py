@@ -13,9 +13,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
-from twin_flexible_nodes import Nodes, particle_sums, scattered
-from twin_spatial import Pose, euler_A, euler_G, euler_G_dot, tilde
+
+from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, particle_sums, scattered
+from tests.hand_derived.spatial.twin_spatial import Pose, euler_A, euler_G, euler_G_dot, tilde
+from tests.hand_derived.twin_common import Array
 
 
 @dataclass(frozen=True, eq=False)

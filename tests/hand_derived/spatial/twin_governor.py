@@ -30,8 +30,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import Pose, rot_y, rot_z
+
+from tests.hand_derived.spatial.twin_spatial import Pose, rot_y, rot_z
+from tests.hand_derived.twin_common import Array
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import Pose, euler_A, euler_G, euler_G_dot
+
+from tests.hand_derived.spatial.twin_spatial import Pose, euler_A, euler_G, euler_G_dot
+from tests.hand_derived.twin_common import Array
 
 
 def _inertia() -> Array:

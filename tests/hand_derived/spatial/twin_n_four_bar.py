@@ -13,7 +13,8 @@ Derivation: T = 1/2 I phi'^2, I = (N + 1) 1/3 + N;  V = m_g cos phi, m_g = 9.81 
 from __future__ import annotations
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 
 def pull(N: int) -> float:

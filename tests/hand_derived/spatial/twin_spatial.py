@@ -22,7 +22,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from twin_common import Array
+
+from tests.hand_derived.twin_common import Array
 
 E_X, E_Y, E_Z = np.eye(3)
 

@@ -28,8 +28,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import E_Z, Part, Pose, euler_A, jourdain, rot_z
+
+from tests.hand_derived.spatial.twin_spatial import E_Z, Part, Pose, euler_A, jourdain, rot_z
+from tests.hand_derived.twin_common import Array
 
 _INERTIA_1 = [[0.11, 0.012, -0.008], [0.012, 0.09, 0.015], [-0.008, 0.015, 0.07]]
 _INERTIA_2 = [[0.05, -0.006, 0.004], [-0.006, 0.07, 0.009], [0.004, 0.009, 0.06]]

@@ -18,9 +18,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
-from twin_flexible_nodes import Nodes, particle_sums, slender_beam
-from twin_spatial import E_Z, Pose, euler_A, rot_z
+
+from tests.hand_derived.spatial.twin_flexible_nodes import Nodes, particle_sums, slender_beam
+from tests.hand_derived.spatial.twin_spatial import E_Z, Pose, euler_A, rot_z
+from tests.hand_derived.twin_common import Array
 
 
 def _hub_inertia() -> Array:

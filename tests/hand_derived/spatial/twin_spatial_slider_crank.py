@@ -30,8 +30,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from twin_common import Array
-from twin_spatial import E_X, E_Y, E_Z, Part, Pose, jourdain, rot_x, rot_y, rot_z
+
+from tests.hand_derived.spatial.twin_spatial import E_X, E_Y, E_Z, Part, Pose, jourdain, rot_x, rot_y, rot_z
+from tests.hand_derived.twin_common import Array
 
 
 def _matrix(*rows: list[float]) -> Array:

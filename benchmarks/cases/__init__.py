@@ -1,0 +1,1 @@
+"""What is measured, one case a file, and the mechanisms that are timed."""

@@ -1,0 +1,1 @@
+"""Tests, on shelves that mirror the code; helpers in `support`."""

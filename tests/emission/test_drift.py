@@ -1,0 +1,134 @@
+"""The emitted code in the repository is what the generator emits; edited, missing and surplus files are noticed."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from runtime import ModelError, load_model
+from symgen.generate import check, generate
+from symgen.scenes import SCENES, generated_folder
+
+ROOT = Path(__file__).resolve().parents[2]
+FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A writable copy of the emitted pendulum."""
+    return Path(
+        shutil.copytree(
+            generated_folder("pendulum"), tmp_path / "pendulum", ignore=shutil.ignore_patterns("__pycache__")
+        )
+    )
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_emitted_code_is_current(name: str) -> None:
+    assert check(SCENES[name](), generated_folder(name)) == "", f"regenerate with: symgen generate {name}"
+
+
+def test_every_emitted_folder_belongs_to_a_scene() -> None:
+    folders = {
+        path.name
+        for path in generated_folder("pendulum").parent.iterdir()
+        if path.is_dir() and not path.name.startswith(("_", "."))
+    }
+    assert folders == set(SCENES)
+
+
+def test_generation_is_deterministic(tmp_path: Path) -> None:
+    scene = SCENES["four_bar"]()
+    first, second = generate(scene, tmp_path / "a"), generate(scene, tmp_path / "b")
+    assert sorted(path.name for path in first.iterdir()) == sorted(FILES)
+    for name in FILES:
+        assert (first / name).read_bytes() == (second / name).read_bytes(), name
+
+
+def test_emission_does_not_depend_on_the_hash_seed() -> None:
+    """Sets and dictionaries may be walked in another order in another process: the text must not show it."""
+    program = (
+        "import hashlib; from symgen.emission.write import emit; from symgen.pipeline import derive; "
+        "from symgen.scenes import SCENES; files = emit(derive(SCENES['flexible_slider_crank']())); "
+        "print(hashlib.sha256(''.join(files.values()).encode()).hexdigest())"
+    )
+    digests = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            cwd=ROOT,
+            check=True,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(digests) == 1
+
+
+def test_a_copy_agrees(copy: Path) -> None:
+    assert check(SCENES["pendulum"](), copy) == ""
+    assert load_model(copy).name == "pendulum"
+
+
+@pytest.mark.parametrize(
+    "file, old, new",
+    [
+        ("model.py", "ca.cos(rod_theta)", "ca.sin(rod_theta)"),
+        ("model.py", '"""Simple', '"""Very simple'),
+        ("data.json", "9.81", "9.82"),
+        ("scene.toml", "9.81", "9.82"),
+        ("model.md", "pendulum", "clock"),
+    ],
+)
+def test_an_edit_is_a_diff_and_is_refused(copy: Path, file: str, old: str, new: str) -> None:
+    path = copy / file
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    difference = check(SCENES["pendulum"](), copy)
+    assert file in difference
+    assert any(line.startswith("-") and new in line for line in difference.splitlines())
+    assert any(line.startswith("+") and old in line for line in difference.splitlines())
+    with pytest.raises(ModelError, match="edited.*symgen generate"):
+        load_model(copy)
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_a_missing_file_is_reported(copy: Path, file: str) -> None:
+    (copy / file).unlink()
+    assert file in check(SCENES["pendulum"](), copy)
+    with pytest.raises(ModelError, match="symgen generate"):
+        load_model(copy)
+
+
+def test_a_surplus_file_is_reported(copy: Path) -> None:
+    (copy / "extra.py").write_text("x = 1\n")
+    assert "extra.py" in check(SCENES["pendulum"](), copy)
+
+
+def test_a_folder_that_does_not_exist_differs_in_every_file(tmp_path: Path) -> None:
+    difference = check(SCENES["pendulum"](), tmp_path / "nothing")
+    assert all(name in difference for name in FILES)
+
+
+def test_another_format_is_refused(copy: Path) -> None:
+    path = copy / "manifest.json"
+    manifest = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps({**manifest, "format": manifest["format"] + 1}), encoding="utf-8")
+    with pytest.raises(ModelError, match="another format"):
+        load_model(copy)
+
+
+def test_another_scene_differs(copy: Path) -> None:
+    """A changed number of the scene changes data only, a changed structure the code too."""
+    scene = SCENES["pendulum"]()
+    heavier = scene.model_copy(update={"gravity": (0.0, -1.62)})
+    assert "data.json" in check(heavier, copy)
+    assert "model.py" in check(SCENES["double_pendulum"](), copy)

@@ -1,0 +1,262 @@
+"""Walls of the architecture, by walking the AST: imports, dangerous calls, length of files, docstrings, linters."""
+
+from __future__ import annotations
+
+import ast
+import importlib.util
+import subprocess
+import sys
+from collections.abc import Iterator
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import generated
+import runtime
+import symgen
+
+ROOT = Path(__file__).resolve().parents[2]
+OWN = ("symgen", "runtime", "tests", "benchmarks", "examples")
+LONGEST_FILE = 300  # lines
+FORBIDDEN_CALLS = {"eval", "exec", "sympify", "compile", "__import__", "parse_expr"}
+FORBIDDEN_IMPORTS = {"pickle", "cloudpickle", "dill", "marshal", "shelve"}
+
+# The rooms of each package, from what everything stands on to what stands on everything, and what each may import.
+# A room is a folder or file directly under the package; "" is the package's own __init__.py.
+RUNTIME_ROOMS = {
+    "contract": "",
+    "engine": "contract",
+    "schemes": "contract engine",
+    "results": "contract schemes",
+    "modes": "contract schemes results",
+    "start": "contract schemes",
+    "baselines": "contract engine schemes start results",
+    "running": "contract engine schemes modes start results baselines",
+    "studies": "contract engine schemes modes start results baselines running",
+    "views": "contract results",
+    "moved": "",
+    "": "contract schemes results baselines running studies views moved",
+}
+SYMGEN_ROOMS = {
+    "notation": "",
+    "modes": "",
+    "fe": "modes",
+    "scene": "",
+    "scenes": "scene",
+    "algebra": "scene",
+    "bodies": "algebra modes scene",
+    "joints": "algebra bodies",
+    "loads": "algebra bodies",
+    "system": "algebra bodies joints loads scene",
+    "choice": "algebra scene system",
+    "condensed": "algebra scene system choice",
+    "kernels": "algebra joints scene system choice condensed",
+    "tapes": "kernels scene",
+    "pipeline": "algebra choice condensed kernels scene system tapes",
+    "emission": "pipeline scene",
+    "generate": "emission pipeline scene",
+    "variants": "emission pipeline scene",
+    "cli": "emission generate pipeline scene scenes",
+    "": "",
+}
+ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}
+MOST_ROOMS = {"runtime": 12, "symgen": 20}
+
+
+def files(*folders: str) -> list[Path]:
+    return sorted(path for folder in folders for path in (ROOT / folder).rglob("*.py"))
+
+
+def module_name(path: Path) -> str:
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"), filename=str(path))
+
+
+def imports(path: Path) -> Iterator[str]:
+    """Absolute names of every module the file imports, wherever in the file."""
+    package = module_name(path) if path.name == "__init__.py" else module_name(path).rpartition(".")[0]
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                parents = package.split(".")[: len(package.split(".")) - node.level + 1]
+                base = ".".join([*parents, *([base] if base else [])])
+            yield base
+            yield from (f"{base}.{alias.name}" for alias in node.names)
+
+
+def within(name: str, package: str) -> bool:
+    return name == package or name.startswith(package + ".")
+
+
+def test_packages_are_ours() -> None:
+    for package in (runtime, symgen, generated):
+        assert package.__file__ is not None
+        assert Path(package.__file__).resolve().is_relative_to(ROOT)
+
+
+@pytest.mark.parametrize("path", files("runtime"), ids=module_name)
+def test_runtime_imports_neither_symgen_nor_sympy(path: Path) -> None:
+    wrong = [name for name in imports(path) if any(within(name, other) for other in ("symgen", "sympy", "generated"))]
+    assert not wrong
+
+
+def test_runtime_loads_without_the_generator() -> None:
+    """In a fresh interpreter: importing runtime and loading a model brings in no symgen, sympy or pydantic."""
+    folder = ROOT / "generated" / "pendulum"
+    program = (
+        "import sys, runtime; runtime.load_model(sys.argv[1]).kernel('condensed'); "
+        "print(sorted({'symgen', 'sympy', 'pydantic'} & set(sys.modules)))"
+    )
+    result = subprocess.run([sys.executable, "-c", program, str(folder)], cwd=ROOT, capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("path", files("generated"), ids=module_name)
+def test_generated_code_imports_casadi_only(path: Path) -> None:
+    assert {name.split(".")[0] for name in imports(path)} <= {"casadi"}
+
+
+@pytest.mark.parametrize("path", files("symgen"), ids=module_name)
+def test_derivation_takes_from_the_runtime_the_contract_only(path: Path) -> None:
+    """All but the command line, which is there to bring both halves together."""
+    module = module_name(path)
+    taken = [name for name in imports(path) if within(name, "runtime")]
+    assert within(module, "symgen.cli") or all(within(name, "runtime.contract") for name in taken), taken
+
+
+def room(module: str, package: str) -> str:
+    """The room of a module of the package: its first name below the package."""
+    return module.partition(".")[2].partition(".")[0] if module != package else ""
+
+
+@pytest.mark.parametrize("package", ROOMS)
+def test_rooms_are_as_the_map_says(package: str) -> None:
+    """Every room is on the map, in an order in which nothing imports what stands later: so there are no circles."""
+    map_ = ROOMS[package]
+    modules = [module_name(path) for path in files(package)]
+    assert {room(module, package) for module in modules} == set(map_)
+    assert len(map_) <= MOST_ROOMS[package]
+    order = list(map_)
+    for name, uses in map_.items():
+        assert all(order.index(used) < order.index(name) for used in uses.split()), f"{name} stands too low"
+
+
+@pytest.mark.parametrize("path", files("runtime", "symgen"), ids=module_name)
+def test_imports_follow_the_map(path: Path) -> None:
+    module = module_name(path)
+    package = module.partition(".")[0]
+    own = room(module, package)
+    known = ROOMS[package]
+    used = {room(name, package) for name in imports(path) if within(name, package)} & set(known) - {own, ""}
+    assert used <= set(known[own].split()), f"{own or package} may not import {used - set(known[own].split())}"
+
+
+@pytest.mark.parametrize("package", ROOMS)
+def test_no_room_on_the_map_is_imported_in_vain(package: str) -> None:
+    """The map says what is, not what might be."""
+    seen: dict[str, set[str]] = {name: set() for name in ROOMS[package]}
+    for path in files(package):
+        own = room(module_name(path), package)
+        seen[own] |= {room(name, package) for name in imports(path) if within(name, package)} & set(seen) - {own, ""}
+    assert {name: set(uses.split()) for name, uses in ROOMS[package].items()} == seen
+
+
+@pytest.mark.parametrize("package", ROOMS)
+def test_files_import_each_other_in_no_circle(package: str) -> None:
+    known = {module_name(path) for path in files(package)}
+
+    def file_of(name: str) -> str:
+        while name and name not in known:
+            name = name.rpartition(".")[0]
+        return name
+
+    graph = {
+        module_name(path): {file_of(name) for name in imports(path) if within(name, package)} for path in files(package)
+    }
+    for module, targets in graph.items():  # `from a.b import c` names both a.b and a.b.c: only a.b.c if it is a file
+        graph[module] = {
+            name
+            for name in targets
+            if name != module and not any(within(other, name) and other != name for other in targets)
+        }
+    TopologicalSorter(graph).prepare()  # raises CycleError with the circle
+
+
+def calls(path: Path) -> Iterator[tuple[str, int]]:
+    """(bare or dotted name, line) of every call; of methods only those of imported modules count."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Call):
+            if isinstance(node.func, ast.Name):
+                yield node.func.id, node.lineno
+            elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
+                yield f"{node.func.value.id}.{node.func.attr}", node.lineno
+
+
+@pytest.mark.parametrize("path", files("symgen", "runtime", "benchmarks", "examples", "generated"), ids=module_name)
+def test_nothing_evaluates_text(path: Path) -> None:
+    """No eval, exec, sympify, pickle; np.load only with pickle refused."""
+    bad = [
+        (name, line)
+        for name, line in calls(path)
+        if name in FORBIDDEN_CALLS or name in {"builtins.eval", "builtins.exec", "sp.sympify", "sympy.sympify"}
+    ]
+    bad += [
+        (name, 0)
+        for name in imports(path)
+        if name.split(".")[0] in FORBIDDEN_IMPORTS or name.rpartition(".")[2] in {"sympify", "parse_expr"}
+    ]
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.keyword) and node.arg == "allow_pickle":
+            if not (isinstance(node.value, ast.Constant) and node.value.value is False):
+                bad.append(("allow_pickle", node.value.lineno))
+        if isinstance(node, ast.keyword) and node.arg == "shell":
+            bad.append(("shell", node.value.lineno))
+    assert not bad
+
+
+@pytest.mark.parametrize("path", files(*OWN), ids=module_name)
+def test_files_are_short(path: Path) -> None:
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_FILE
+
+
+def undocumented(node: ast.AST, prefix: str) -> Iterator[str]:
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef) or child.name.startswith("_"):
+            continue
+        overload = any(isinstance(d, ast.Name) and d.id == "overload" for d in child.decorator_list)
+        if ast.get_docstring(child) is None and not overload:
+            yield f"{prefix}.{child.name}"
+        if isinstance(child, ast.ClassDef):
+            yield from undocumented(child, f"{prefix}.{child.name}")
+
+
+@pytest.mark.parametrize("path", files("symgen", "runtime"), ids=module_name)
+def test_public_things_have_docstrings(path: Path) -> None:
+    content = tree(path)
+    module_missing = bool(content.body) and ast.get_docstring(content) is None
+    assert not module_missing, "module docstring"
+    assert not list(undocumented(content, module_name(path)))
+
+
+def run_tool(module: str, *arguments: str) -> None:
+    if importlib.util.find_spec(module) is None:
+        pytest.skip(f"{module} is not installed")
+    result = subprocess.run([sys.executable, "-m", module, *arguments], cwd=ROOT, capture_output=True, text=True)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_ruff_is_clean() -> None:
+    run_tool("ruff", "check", "--no-cache", ".")
+
+
+def test_mypy_is_clean() -> None:
+    run_tool("mypy")

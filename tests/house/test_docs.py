@@ -1,0 +1,199 @@
+"""The pages: their code and commands run; links, names of tests, symbols and equation numbers exist."""
+
+from __future__ import annotations
+
+import ast
+import re
+import runpy
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+from runtime.contract.status import StatusName
+from runtime.schemes.catalogue import SCHEMES
+from runtime.schemes.options import Options
+from runtime.schemes.slow_interpolation import INTERPOLATIONS
+from symgen.cli import main
+from symgen.notation import SYMBOLS, table
+from symgen.scene import Scene
+from symgen.scene.expression_values import ARITY
+
+ROOT = Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+DOCS = ROOT / "docs"
+GUIDE, THEORY, EVIDENCE = (DOCS / shelf for shelf in ("guide", "theory", "evidence"))
+MEASURED = EVIDENCE / "benchmarks.md"  # written by the benchmark program
+PAGES = [README, ROOT / "CHANGELOG.md", *(page for page in sorted(DOCS.rglob("*.md")) if page != MEASURED)]
+LAST_EQUATION = 72
+
+
+def read(page: Path) -> str:
+    return page.read_text(encoding="utf-8")
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```", read(page), re.DOTALL | re.MULTILINE)
+
+
+def page_id(page: Path) -> str:
+    return page.stem
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=page_id)
+def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All Python of a page, one block after another, in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    for k, block in enumerate(blocks(page, "python")):
+        script = tmp_path / f"block_{k}.py"
+        script.write_text(block, encoding="utf-8")
+        runpy.run_path(str(script), run_name="__main__")
+
+
+def test_the_readme_example_is_short_and_draws() -> None:
+    (block,) = blocks(README, "python")
+    assert len(block.splitlines()) <= 20
+    assert "plots." in block
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "toml")], ids=page_id)
+def test_scenes_in_toml_are_scenes(page: Path) -> None:
+    for block in blocks(page, "toml"):
+        scene = Scene.from_toml_text(block)
+        assert Scene.from_toml_text(scene.to_toml()) == scene
+
+
+def test_commands_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """The commands of the page about the command line, in their order."""
+    monkeypatch.chdir(tmp_path)
+    lines = [line for block in blocks(GUIDE / "cli.md", "sh") for line in block.splitlines()]
+    assert len(lines) > 8
+    for line in lines:
+        program, *words = shlex.split(line)
+        assert program == "symgen"
+        assert main(words) == 0, (line, capsys.readouterr().err)
+    assert (tmp_path / "results" / "motion.gif").is_file()
+
+
+def test_the_readme_has_the_two_commands() -> None:
+    commands = [line for block in blocks(README, "sh") for line in block.splitlines()]
+    assert commands == ["pip install -e . && symgen demo slider-crank", 'pip install -e ".[dev]" && pytest']
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)\)", read(page)):
+        if not target.startswith("https://"):
+            assert (page.parent / target).exists(), target
+
+
+def test_every_page_is_linked_from_the_readme() -> None:
+    linked = {ROOT / target for target in re.findall(r"\((docs/[a-z/-]+\.md)\)", read(README))}
+    assert linked >= {page for page in PAGES if page.is_relative_to(DOCS)}
+
+
+def test_pictures_are_small() -> None:
+    pictures = list((DOCS / "images").glob("*.png"))
+    assert pictures and all(picture.stat().st_size < 200_000 for picture in pictures)
+
+
+def defined_tests() -> set[str]:
+    return {
+        node.name
+        for path in (ROOT / "tests").rglob("test_*.py")
+        for node in ast.parse(read(path)).body
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_")
+    }
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_tests_that_are_named_exist(page: Path) -> None:
+    named = set(re.findall(r"`(test_\w+)`", read(page)))
+    assert not named - defined_tests()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_files_that_are_named_exist(page: Path) -> None:
+    for name in re.findall(r"`((?:symgen|runtime|tests|examples|docs|generated)/[\w./*]*)`", read(page)):
+        assert list(ROOT.glob(name.rstrip("/"))), name
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_no_machine_is_in_a_page(page: Path) -> None:
+    assert not re.search(r"(?<![\w.])/(home|root|tmp|work|usr|Users)\b", read(page))
+    assert all(character.isascii() for character in read(page))
+
+
+def equations(text: str) -> Iterator[int]:
+    for group in re.findall(r"Eqs?\. \(?([\d\s,and()-]+)", text):
+        yield from map(int, re.findall(r"\d+", group))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_id)
+def test_equation_numbers_of_pages(page: Path) -> None:
+    assert all(1 <= number <= LAST_EQUATION for number in equations(read(page)))
+
+
+def test_equation_numbers_of_docstrings() -> None:
+    for path in [*(ROOT / "symgen").rglob("*.py"), *(ROOT / "runtime").rglob("*.py")]:
+        assert all(1 <= number <= LAST_EQUATION for number in equations(read(path))), path
+
+
+def test_symbols_are_names_of_the_code() -> None:
+    """Every name of the table is a word of the sources, stands once, and cites equations that exist."""
+    sources = [
+        path
+        for folder in ("symgen", "runtime", "generated")
+        for path in (ROOT / folder).rglob("*.py")
+        if path.name != "notation.py"
+    ]
+    words = {word for path in sources for word in re.findall(r"[A-Za-z_]\w*", read(path))}
+    names = [symbol.code for symbol in SYMBOLS]
+    assert len(set(names)) == len(names)
+    assert not set(names) - words
+    for symbol in SYMBOLS:
+        cited = [int(number) for number in re.findall(r"\d+", symbol.equation)]
+        assert all(1 <= number <= LAST_EQUATION for number in cited)
+        assert bool(cited) == bool(symbol.paper), symbol.code
+        assert symbol.shape and symbol.unit and symbol.meaning
+
+
+def test_the_page_of_names_holds_the_table() -> None:
+    assert table() in read(THEORY / "names.md")
+
+
+def schema_keys() -> set[str]:
+    schema = Scene.json_schema()
+    return {key for part in (schema, *schema["$defs"].values()) for key in part.get("properties", {})}
+
+
+def schema_types() -> set[str]:
+    return {
+        part["properties"]["type"]["const"]
+        for part in Scene.json_schema()["$defs"].values()
+        if "const" in part.get("properties", {}).get("type", {})
+    }
+
+
+def test_the_pages_of_scenes_are_complete() -> None:
+    words = set(re.findall(r"\w+", read(GUIDE / "scenes.md") + read(GUIDE / "spatial.md")))
+    assert not schema_keys() - words
+    assert not schema_types() - words
+    assert not set(ARITY) - words
+
+
+def test_pages_name_every_scheme_option_reading_and_status() -> None:
+    words = set(re.findall(r"\w+", read(THEORY / "schemes.md")))
+    assert not {*SCHEMES, *INTERPOLATIONS, *Options.__dataclass_fields__} - words
+    assert not set(get_args(StatusName)) - set(re.findall(r"\w+", read(GUIDE / "failures.md")))
+
+
+def test_pages_name_every_command_and_function() -> None:
+    from symgen.emission.model_text import MEANING
+
+    assert not set(MEANING) - set(re.findall(r"\w+", read(GUIDE / "generated-code.md")))
+    text = read(GUIDE / "cli.md")
+    for command in ("new", "list", "show", "generate", "simulate", "animate", "demo"):
+        assert re.search(rf"^\| `{command}\b", text, re.MULTILINE), command

@@ -1,0 +1,151 @@
+"""Good scenes: the builder and TOML give equal scenes, and the helpers name what is there."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from symgen.scene import BeamMarker, InitialValue, ModalBody, RigidMarker, Scene, SceneBuilder, SceneError
+
+GOOD = sorted((Path(__file__).parents[1] / "bad_scenes" / "good").glob("*.toml"))
+
+
+def flexible_slider_crank() -> Scene:
+    tip = {"tip": {"position": ("l1", 0)}}
+    section = {"density": 7870, "area": 6.4e-5, "second_moment": 8e-3**4 / 12, "youngs_modulus": 2e11}
+    return (
+        SceneBuilder("slider_crank", title="Flexible slider-crank")
+        .parameter("l1", 0.15, "m", "length of the crank")
+        .parameter("l2", 0.3, "m", "length of the rod")
+        .gravity(0, -9.81)
+        .rigid("crank", mass=0.36, inertia=0.002727, center_of_mass=("l1/2", 0), markers=tip)
+        .beam("rod", length="l2", **section, lateral={"ends": "pinned-pinned", "modes": 2}, stiffening=True)
+        .rigid("slider", mass=0.075552, inertia=0)
+        .revolute("hinge", "ground.origin", "crank.origin", damping=1e-4)
+        .revolute("pin", "crank.tip", "rod.start")
+        .revolute("wrist", "rod.end", "slider.origin")
+        .prismatic("guide", "ground.origin", "slider.origin")
+        .measure("angle", "angle", "crank.origin")
+        .torque("motor", "crank.origin", "0.1 - 1e-3*angle_dot")
+        .groups(slow=["crank.theta"], fast=["rod.q*"])
+        .initial({"crank.theta": {"value": 0.1, "fixed": True}, "rod.q1": 1e-5})
+        .rates({"crank.theta": 150})
+        .simulation(t_end=0.1, dt=1e-4, m=[10])
+        .build()
+    )
+
+
+def test_builder_and_toml_give_equal_scenes() -> None:
+    built = flexible_slider_crank()
+    text = built.to_toml()
+    read = Scene.from_toml_text(text)
+    assert read == built
+    assert read.to_toml() == text
+
+
+def test_a_flexible_slider_crank_takes_25_lines() -> None:
+    assert len(inspect.getsource(flexible_slider_crank).splitlines()) <= 25
+
+
+@pytest.mark.parametrize("path", GOOD, ids=lambda path: path.stem)
+def test_round_trip_through_a_file(path: Path, tmp_path: Path) -> None:
+    scene = Scene.from_toml(path)
+    copy = tmp_path / "copy.toml"
+    copy.write_text(scene.to_toml(), encoding="utf-8")
+    again = Scene.from_toml(str(copy))
+    assert again == scene
+    assert again.to_toml() == scene.to_toml()
+    assert Scene.from_dict(scene.to_dict()) == scene
+
+
+def test_text_and_floats_survive_the_round_trip() -> None:
+    title = 'quotes " and \\ and \n\r\t\x00\x7f and \u00e9 \U0001f600'
+    builder = SceneBuilder("a", title=title).rigid("b", mass=0.1 + 0.2, inertia=5e-324, free=True)
+    scene = builder.parameter("p", 1.7976931348623157e308).parameter("q", -1e22).build()
+    assert Scene.from_toml_text(scene.to_toml()) == scene
+
+
+def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + GOOD[0].read_bytes())
+    assert Scene.from_toml(path) == Scene.from_toml(GOOD[0])
+
+
+def test_coordinates_are_in_the_scenes_order() -> None:
+    expected = ["crank.x", "crank.y", "crank.theta", "rod.x", "rod.y", "rod.theta", "rod.q1", "rod.q2"]
+    assert flexible_slider_crank().coordinates() == [*expected, "slider.x", "slider.y", "slider.theta"]
+
+
+def test_markers_and_bodies_are_found() -> None:
+    scene = flexible_slider_crank()
+    assert scene.marker("ground.origin") == (scene.ground, RigidMarker())
+    assert scene.marker("crank.center") == (scene.body("crank"), RigidMarker(position=("l1/2", 0.0)))
+    assert scene.marker("rod.end") == (scene.body("rod"), BeamMarker(at=1.0))
+    assert scene.parameter_defaults() == {"l1": 0.15, "l2": 0.3}
+    assert scene.expression("l1*t", "here", ("t",)).evaluate({"l1": 2.0, "t": 3.0}) == 6.0
+    with pytest.raises(SceneError, match="did you mean 'crank'"):
+        scene.body("crnk")
+    with pytest.raises(SceneError, match="did you mean 'tip'"):
+        scene.marker("crank.tp")
+
+
+def test_modal_integrals_left_out_are_zero() -> None:
+    scene = (
+        SceneBuilder("modal")
+        .modal("arm", mass=1, inertia=1, M_ff=np.eye(2), K_ff=np.eye(2), markers={"tip": {"slope": [1, 2]}})
+        .prescribed_angle("drive", "ground.origin", "arm.origin", "3*t")
+        .build()
+    )
+    arm, tip = scene.marker("arm.tip")
+    assert isinstance(arm, ModalBody)
+    assert arm.phi_integral == arm.phi_cross_phi == ((0.0, 0.0), (0.0, 0.0))
+    assert (arm.rho_dot_phi, arm.rho_cross_phi, arm.D_ff) == ((0.0, 0.0), (0.0, 0.0), None)
+    assert (tip.shape_x, tip.slope) == ((0.0, 0.0), (1.0, 2.0))
+    assert scene.marker("arm.origin")[1].shape_y == (0.0, 0.0)
+    assert "phi_integral" not in scene.to_toml()
+
+
+def test_initial_values_have_one_form() -> None:
+    initial = flexible_slider_crank().initial
+    assert initial.coordinates["crank.theta"] == InitialValue(value=0.1, fixed=True)
+    assert initial.rates["crank.theta"] == InitialValue(value=150.0)
+
+
+def test_a_scene_cannot_be_changed() -> None:
+    scene = flexible_slider_crank()
+    with pytest.raises(ValidationError):
+        scene.name = "other"
+
+
+def test_the_json_schema_describes_every_section() -> None:
+    schema = json.loads(json.dumps(Scene.json_schema()))
+    assert set(Scene.model_fields) == set(schema["properties"])
+    assert schema["additionalProperties"] is False
+    assert "[kg]" in schema["$defs"]["RigidBody"]["properties"]["mass"]["description"]
+
+
+def test_the_builder_refuses_what_would_be_lost() -> None:
+    with pytest.raises(SceneError, match="declared twice"):
+        SceneBuilder("a").parameter("p", 1).parameter("p", 2)
+    with pytest.raises(SceneError, match="has no order"):
+        SceneBuilder("a").groups(slow={"x", "y"})
+    with pytest.raises(SceneError, match="has no order"):
+        Scene(name="a", partition={"independent": {"x", "y"}})
+    loop: list[object] = []
+    loop.append(loop)
+    with pytest.raises(SceneError, match="nested too deeply"):
+        SceneBuilder("a").rigid("b", mass=loop)
+
+
+def test_direct_construction_raises_scene_errors_that_pickle() -> None:
+    with pytest.raises(SceneError) as caught:
+        Scene(name="a", bodies=[{"type": "rigid"}])
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert str(copy) == str(caught.value)
+    assert [str(error) for error in copy.also] == [str(error) for error in caught.value.also]

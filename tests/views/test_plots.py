@@ -1,0 +1,122 @@
+"""Pictures and animations: written, labelled, and the exaggeration does what it says."""
+
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from runtime.contract.files import OutputError
+from runtime.contract.model import ModelError
+from runtime.contract.status import Status
+from runtime.results.solution import Solution
+from runtime.views import plots
+from runtime.views.animation import animate, film
+from tests.running.test_solution import rod_solution
+
+
+@pytest.mark.parametrize("draw", [plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase])
+def test_every_picture_is_written_and_labelled_with_units(draw, tmp_path) -> None:
+    figure = draw(rod_solution(), tmp_path / "picture.png")
+    with Image.open(tmp_path / "picture.png") as image:
+        assert image.width > 400 and image.height > 300
+    for ax in figure.axes:
+        assert "[" in ax.get_ylabel()
+    assert "[" in figure.axes[-1].get_xlabel()
+
+
+def test_no_pyplot_state_is_touched(tmp_path) -> None:
+    before = sys.modules.get("matplotlib.pyplot")
+    plots.coordinates(rod_solution(), tmp_path / "picture.svg")
+    assert sys.modules.get("matplotlib.pyplot") is before
+
+
+def test_panels_separate_rigid_from_elastic_and_leave_out_what_rests() -> None:
+    figure = plots.coordinates(rod_solution())
+    assert [ax.get_title(loc="left") for ax in figure.axes] == ["angles", "rod: deformation"]
+    chosen = plots.coordinates(rod_solution(), names=["rod.q1", "tip"])
+    assert len(chosen.axes) == 2
+    with pytest.raises(ModelError):
+        plots.coordinates(rod_solution(), names=["rod.q7"])
+
+
+def test_many_coordinates_and_bodies_stay_readable() -> None:
+    small = rod_solution()
+    bodies = [f"link{k}" for k in range(40)]
+    names = [f"{body}.{part}" for body in bodies for part in ("theta", "q1")]
+    model = replace(
+        small.model, coordinates=names, elastic=[name for name in names if name.endswith("q1")], q_i=names, q_d=[]
+    )
+    q = np.outer(np.sin(small.t), np.arange(1.0, 81.0))
+    many = replace(small, model=model, q=q, q_dot=q, q_ddot=q, q_i=q)
+    figure = plots.coordinates(many)
+    assert len(figure.axes) == plots.MAX_PANELS
+    assert all(len(ax.get_legend().get_texts()) <= 8 for ax in figure.axes)
+    assert len(plots.phase(many).axes) == plots.MAX_PANELS
+
+
+def test_a_run_that_failed_says_so_in_the_title() -> None:
+    figure = plots.energy_balance(rod_solution(status=Status("diverged", 1.5)))
+    assert "diverged" in figure.get_suptitle()
+
+
+def test_one_sample_and_exact_zeros_can_be_drawn() -> None:
+    solution = rod_solution(1)
+    solution.constraint_error[:] = 0.0
+    for draw in (plots.coordinates, plots.energy_balance, plots.constraint_error, plots.phase):
+        draw(solution)
+
+
+def test_unknown_picture_formats_are_refused(tmp_path) -> None:
+    with pytest.raises(OutputError, match="png"):
+        plots.coordinates(rod_solution(), tmp_path / "picture.xyz")
+
+
+def test_film_follows_the_drawing_function() -> None:
+    solution = rod_solution()
+    shown = film(solution, frames=11, exaggeration=3.0)
+    assert shown.xy.shape == (11, 2, 6) and shown.t[-1] == 2.0
+    theta, q1 = solution.interpolate(shown.t, "rod.theta"), solution.interpolate(shown.t, "rod.q1")
+    tip = np.stack([2.0 * np.cos(theta) - 3.0 * q1 * np.sin(theta), 2.0 * np.sin(theta) + 3.0 * q1 * np.cos(theta)])
+    assert np.allclose(shown.xy[:, :, 4], tip.T, atol=1e-14)
+    assert np.allclose(shown.ghost[:, 0, 4], 2.0 * np.cos(theta), atol=1e-14)
+
+
+def test_automatic_exaggeration_shows_five_per_cent() -> None:
+    shown = film(rod_solution())
+    size = np.ptp(shown.ghost, axis=(0, 2)).max()
+    seen = np.abs(shown.xy - shown.ghost).max() / size
+    assert 0.04 <= seen <= 0.05 and shown.exaggeration > 1.0
+    still = rod_solution()
+    still.q[:, 3] = still.q_dot[:, 3] = 0.0
+    assert film(still).exaggeration == 1.0
+
+
+def test_gif_has_all_frames_and_is_quick(tmp_path) -> None:
+    started = time.perf_counter()
+    animate(rod_solution(), tmp_path / "motion.gif", frames=60, fps=25)
+    assert time.perf_counter() - started < 5.0
+    with Image.open(tmp_path / "motion.gif") as image:
+        assert image.n_frames == 60 and image.info["duration"] == 40 and image.info["loop"] == 0
+        first = np.asarray(image.convert("RGB"), dtype=int)
+        image.seek(30)
+        assert np.abs(np.asarray(image.convert("RGB"), dtype=int) - first).max() > 50
+
+
+def test_what_cannot_be_animated_is_refused(tmp_path) -> None:
+    solution = rod_solution()
+    solution.save(tmp_path / "run.npz")
+    with pytest.raises(ModelError, match="no drawing"):
+        film(Solution.load(tmp_path / "run.npz"))
+    with pytest.raises(ValueError, match="frames"):
+        film(solution, frames=0)
+    with pytest.raises(ValueError, match="exaggeration"):
+        film(solution, exaggeration=float("nan"))
+    with pytest.raises(ValueError, match="fps"):
+        animate(solution, tmp_path / "a.gif", fps=1000)
+    with pytest.raises(OutputError, match="gif"):
+        animate(solution, tmp_path / "a.mp4")
