@@ -1,35 +1,54 @@
-"""The compiler, stage by stage. Read this file first.
+"""The compiler, stage by stage. Read this file first: its stages are the folders beside it.
 
-scene        what is there                                     (symgen.scene)
-equations    M, Q*, C, C_q, gamma in all coordinates           (20)-(28)   SymPy templates evaluated on CasADi SX
-choice       which rows are redundant, which q dependent       (29)-(31)   along the structure, then by pivoting
-condensed    substitutions for the dependent coordinates       (32)-(38)
-groups       the slow-to-fast groups of q_i                    (39), (72)
-kernels      named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
-tapes        straight-line code of the kernels, with all that depends on p only in `constants`
+scene       what is there                                             checked, immutable
+system      M, Q*, C, C_q, gamma in all coordinates          (20)-(28)   and the topology: the scene ends here
+choice      which rows are redundant, which q dependent      (29)-(31)   along the structure, then by pivoting
+            the slow-to-fast groups of q_i                   (39), (72)
+condensed   substitutions for the dependent coordinates      (32)-(38)   and accelerations of trees
+kernels     named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
+tapes       straight-line code of the kernels, with all that depends on p only in `constants`
+emission    the files of the model: text, manifest, page
+
+The system is put together from what these state, each as a SymPy template evaluated on CasADi SX:
+
+algebra     templates, sparse rows, small systems, the parameter vector p
+bodies      points, moments and inertia of a body            (15)-(20)
+joints      constraint rows of a joint                       (21)-(27)
+loads       forces, springs, dampers                         Q_F of (20)
+
+Scenes come from elsewhere:
+
+modes       shapes of beams, lumped masses                   (15)-(19)
+fe          bodies from finite elements                      (15)-(20)
+scenes      the built-in scenes
+cli         the command line
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from warnings import warn
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.model import Group
 from runtime.contract.tape import Tape
-from symgen.algebra.parameters import ParameterEntry, ParameterTable
+from symgen.algebra.parameters import ParameterEntry
 from symgen.choice.assembly import ConstraintNumbers, assembled
 from symgen.choice.elimination import Choice, choose_loops, dependent_rows, structural_pivots
-from symgen.choice.partition import Group, choose_groups
+from symgen.choice.groups import choose_groups
 from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.arguments import arguments_of
 from symgen.kernels.catalogue import build_kernels
 from symgen.scene import Scene, SceneError
-from symgen.system.build import build_equations
+from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
+from symgen.system.topology import Topology
 from symgen.tapes.hoisting import hoist
 
 
@@ -38,6 +57,7 @@ class Derived:
     """Everything the generator knows about a scene: input of the emission."""
 
     scene: Scene
+    topology: Topology
     system: Condensed
     dependent: list[int]
     groups: list[Group]
@@ -52,61 +72,75 @@ class Derived:
 
 
 @dataclass(frozen=True)
-class Position:
+class Configuration:
     """Where a partition is wanted: all coordinates by name, taken as they are, and the redundant rows by label."""
 
     coordinates: Mapping[str, float]
     redundant: frozenset[str] = frozenset()
 
 
-def derive(scene: Scene, functions: frozenset[str] | None = None, place: Position | None = None) -> Derived:
+def derive(scene: Scene, functions: frozenset[str] | None = None, at: Configuration | None = None) -> Derived:
     """Scene to kernels. `functions` limits the kernels by name (all by default).
 
-    place: the position at which coordinates are chosen, the scene's assembled initial state by default.
+    at: the configuration at which coordinates are chosen, the scene's assembled initial state by default.
     Raises SceneError for constraints in conflict, singular or impossible initial states and impossible partitions.
     """
-    table = ParameterTable(scene)
-    equations = build_equations(scene, table)
+    try:
+        return _derived(scene, functions, at)
+    except DerivationError as error:
+        raise SceneError(error.item, error.problem, error.remedy) from error
+
+
+def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration | None) -> Derived:
+    system = build_system(scene)
+    equations, table = system.equations, system.parameters
     numbers = ConstraintNumbers(equations, table)
-    initial = assembled(scene, equations, numbers) if place is None else _at(place, equations)
-    choice = _choice(scene, equations, numbers, initial.q, place)
+    initial = assembled(system, numbers) if at is None else _state_at(at, equations)
+    choice = _choice(system, numbers, initial.q, at)
     if not choice.independent:
-        raise SceneError(
+        raise DerivationError(
             "joints",
             "the mechanism has no degree of freedom left: every coordinate is determined",
             "remove a joint or a prescribed motion, or give a body modes",
         )
-    system = condense(equations, choice)
-    groups = choose_groups(scene, equations, choice.independent)
+    condensed = condense(equations, choice)
+    groups = choose_groups(system, choice.independent)
     try:
-        kernels = build_kernels(system, scene, groups, functions)
+        kernels = build_kernels(condensed, system.topology, groups, functions)
     except NoInertia as error:
-        raise SceneError(
+        raise DerivationError(
             equations.names[error.args[0]],
             "has no inertia, so its acceleration is not determined",
             "give the body an inertia, or join it so that it cannot move that way",
         ) from error
     tapes = hoist(kernels, table.vector())
-    return Derived(scene, system, arguments_of(system).dependent, groups, initial, table.entries, tapes)
+    dependent = arguments_of(condensed).dependent
+    return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, tapes)
 
 
-def _at(place: Position, equations: Equations) -> ConsistentState:
-    q = np.array([place.coordinates[name] for name in equations.names])
+def _state_at(configuration: Configuration, equations: Equations) -> ConsistentState:
+    q = np.array([configuration.coordinates[name] for name in equations.names])
     return ConsistentState(q, np.zeros(len(q)), {})
 
 
-def _choice(
-    scene: Scene, equations: Equations, numbers: ConstraintNumbers, q: np.ndarray, place: Position | None
-) -> Choice:
-    """Redundant rows first (known for a place, found otherwise), then the dependent coordinates."""
+def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Configuration | None) -> Choice:
+    """Redundant rows first (known for a given configuration, found otherwise), then the dependent coordinates."""
+    equations = system.equations
     _, jacobian = numbers.position(q)
-    if place is not None:
-        redundant = [k for k, row in enumerate(equations.constraints) if row.label in place.redundant]
-        structural, loop_rows = structural_pivots(equations, scene, frozenset(redundant))
-        return choose_loops(equations, scene, structural, loop_rows, jacobian, redundant)
-    structural, loop_rows = structural_pivots(equations, scene)
+    if at is not None:
+        redundant = [k for k, row in enumerate(equations.constraints) if row.label in at.redundant]
+        structural, loop_rows = structural_pivots(system, frozenset(redundant))
+        return choose_loops(system, structural, loop_rows, jacobian, redundant)
+    structural, loop_rows = structural_pivots(system)
     redundant = dependent_rows(equations, structural, loop_rows, jacobian)
     if redundant:
         require_redundant(equations, numbers.position, q, redundant)
     kept = [row for row in loop_rows if row not in redundant]
-    return choose_loops(equations, scene, structural, kept, jacobian, redundant)
+    return choose_loops(system, structural, kept, jacobian, redundant)
+
+
+def __getattr__(name: str) -> type[Configuration]:
+    if name == "Position":
+        warn("pipeline.Position is Configuration since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
+        return Configuration
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

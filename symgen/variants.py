@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from symgen.emission.write import emit, write_model
-from symgen.pipeline import Position, derive
+from symgen.pipeline import Configuration, derive
 from symgen.scene import Scene, SceneError
 
 
@@ -36,14 +36,14 @@ def generate_variant(
         "independent": list(independent),
         "groups": [{"name": name, "coordinates": list(names)} for name, names in groups],
     }
-    place = None
+    at = None
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}
-        place = Position(state, frozenset(redundant))
+        at = Configuration(state, frozenset(redundant))
     scene = Scene.from_dict(data)
     missing = sorted(set(scene.coordinates()) - set(state)) if state is not None else []
     if missing:
         raise SceneError("state", f"has no value for {', '.join(missing)}", "give all coordinates")
     wanted = None if functions is None else frozenset(functions)
-    write_model(emit(derive(scene, wanted, place)), Path(folder))
+    write_model(emit(derive(scene, wanted, at)), Path(folder))
     return Path(folder)

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Protocol
 
 import casadi as ca
 import numpy as np
-
-from symgen.scene import Scene
 
 Kind = Literal["declared", "scene", "data"]
 
@@ -29,15 +27,49 @@ class ParameterEntry:
     kind: Kind
 
 
+class Declaration(Protocol):
+    """A declared parameter: default value in its SI unit, and what it is."""
+
+    @property
+    def default(self) -> float:
+        """Value where nothing else is said."""
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+
+    @property
+    def description(self) -> str:
+        """What it is."""
+
+
+class Readable(Protocol):
+    """An expression that has been read."""
+
+    def to_casadi(self, environment: Mapping[str, ca.SX]) -> ca.SX:
+        """Its value for values of the names in it."""
+
+
+class Declarations(Protocol):
+    """What the table asks of a scene: the declared parameters, and how a text that uses them is read."""
+
+    @property
+    def parameters(self) -> Mapping[str, Declaration]:
+        """By name."""
+
+    def expression(self, text: str, item: str) -> Readable:
+        """The expression in a text; `item` names it in errors."""
+
+
 class ParameterTable:
     """Collects the entries of p while the scene's bodies, joints and loads are instantiated."""
 
-    def __init__(self, scene: Scene) -> None:
-        self._scene = scene
+    def __init__(self, declarations: Declarations) -> None:
+        self._declarations = declarations
         self.entries: list[ParameterEntry] = []
         self._symbols: dict[str, ca.SX] = {}
         self._data: dict[str, ca.SX] = {}
-        for name, parameter in scene.parameters.items():
+        for name, parameter in declarations.parameters.items():
             self._add(ParameterEntry(name, parameter.default, parameter.unit, parameter.description, "declared"))
 
     def _add(self, entry: ParameterEntry) -> ca.SX:
@@ -49,7 +81,7 @@ class ParameterTable:
     def quantity(self, value: float | str, name: str, unit: str, description: str = "") -> ca.SX:
         """SX of a scene quantity: 0 for zero, a new entry of p for a number, the expression for a text."""
         if isinstance(value, str):
-            return self._scene.expression(value, name).to_casadi(self.environment())
+            return self._declarations.expression(value, name).to_casadi(self.environment())
         if value == 0:
             return ca.SX(0)
         if name in self._symbols:
@@ -72,7 +104,7 @@ class ParameterTable:
 
     def environment(self) -> Mapping[str, ca.SX]:
         """Declared parameters by name, for expressions in the scene."""
-        return {name: self._symbols[name] for name in self._scene.parameters}
+        return {name: self._symbols[name] for name in self._declarations.parameters}
 
     def vector(self) -> ca.SX:
         """p as one SX column."""

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.consistent_state import ConsistentState, InitialStateError, consistent_state
 from symgen.algebra.parameters import ParameterTable
 from symgen.choice.elimination import constraint_jacobian
-from symgen.scene import Scene, SceneError
+from symgen.system.build import System
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
 
 SINGULAR = 1e-6  # sine of the angle between the first and the last axis of Euler angles
 
@@ -39,14 +42,13 @@ class ConstraintNumbers:
         return np.asarray(C_q).reshape(self._shape), -np.asarray(C_t).ravel()
 
 
-def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) -> ConsistentState:
-    """The scene's initial state made consistent. Raises SceneError if there is none within reach."""
-    places = scene.places()
-    placed, children = {place.joint for place in places}, {place.child for place in places}
+def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
+    """The requested initial state made consistent. Raises DerivationError if there is none within reach."""
+    equations, topology, requested = system.equations, system.topology, system.requested
     following = frozenset(
         k
         for k, name in enumerate(equations.names)
-        if name.partition(".")[0] in children and k not in equations.elastic_columns
+        if name.partition(".")[0] in topology.placed and k not in equations.elastic_columns
     )
     try:
         state = consistent_state(
@@ -55,35 +57,29 @@ def assembled(scene: Scene, equations: Equations, numbers: ConstraintNumbers) ->
             [row.label for row in equations.constraints],
             numbers.position,
             numbers.velocity,
-            _given(scene.initial.coordinates),
-            _given(scene.initial.rates),
+            requested.coordinates,
+            requested.rates,
             np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]),
             equations.joint_columns,
-            [k for k, row in enumerate(equations.constraints) if row.joint in placed],
+            [k for k, row in enumerate(equations.constraints) if row.joint in topology.placements],
             following,
         )
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
-        raise SceneError("initial", problem or remedy, remedy if problem else "check parameters") from error
-    _require_regular_angles(scene, equations.names, state.q)
+        raise DerivationError("initial", problem or remedy, remedy if problem else "check parameters") from error
+    _require_regular_angles(requested.euler_angles, equations.names, state.q)
     return state
 
 
-def _given(entries: dict) -> GivenValues:
-    values = {name: float(getattr(entry, "value", entry)) for name, entry in entries.items()}
-    fixed = frozenset(name for name, entry in entries.items() if getattr(entry, "fixed", False))
-    return GivenValues(values, fixed)
-
-
-def _require_regular_angles(scene: Scene, names: list[str], q: np.ndarray) -> None:
-    """Raise SceneError for Euler angles that start where their first and last axis coincide."""
-    for body in scene.moving_bodies:
-        if f"{body.name}.theta2" not in names:
+def _require_regular_angles(sequences: Mapping[str, str], names: list[str], q: np.ndarray) -> None:
+    """Refuse Euler angles (sequences by body) that start where their first and last axis coincide."""
+    for body, sequence in sequences.items():
+        if f"{body}.theta2" not in names:
             continue
-        sequence, middle = getattr(body, "orientation", ""), q[names.index(f"{body.name}.theta2")]
+        middle = q[names.index(f"{body}.theta2")]
         if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
-            raise SceneError(
-                f"{body.name}.theta2",
+            raise DerivationError(
+                f"{body}.theta2",
                 f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
                 "first and the last turn about the same axis",
                 'start at another angle, choose another sequence, or use orientation = "euler_parameters"',

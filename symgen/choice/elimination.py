@@ -8,14 +8,14 @@ coordinate whose coefficient is constant can never divide by a vanishing sine.
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
 
-from symgen.scene import Scene, SceneError
+from symgen.system.build import System
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
 
 PIVOT_THRESHOLD = 0.1  # of the largest entry: lets a later body's coordinate be dependent rather than the crank's
 RANK_TOLERANCE = 1e-9
@@ -37,16 +37,16 @@ class Choice:
 
 
 def structural_pivots(
-    equations: Equations, scene: Scene, left_out: frozenset[int] = frozenset()
+    system: System, left_out: frozenset[int] = frozenset()
 ) -> tuple[list[tuple[int, int]], list[int]]:
-    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
-    distance = body_distances(scene)
-    column_distance = {c: distance.get(body, 0) for body, columns in equations.body_columns.items() for c in columns}
-    keep = _user_independent(equations, scene)
-    joint_depth = {
-        joint.name: min(distance.get(_body(joint.marker_a), 0), distance.get(_body(joint.marker_b), 0))
-        for joint in scene.joints
-    }
+    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out.
+
+    In the words of equation-based modelling this is alias elimination: each pair is one assignment of the closed form.
+    """
+    equations, topology = system.equations, system.topology
+    column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
+    keep = _requested_independent(system)
+    joint_depth = topology.depth()
     rows = sorted(
         (r for r in range(len(equations.constraints)) if r not in left_out),
         key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r),
@@ -98,35 +98,8 @@ def _reaches(depends_on: dict[int, set[int]], start: set[int], target: int) -> b
     return False
 
 
-def _body(reference: str) -> str:
-    return reference.split(".")[0]
-
-
-def body_distances(scene: Scene) -> dict[str, int]:
-    """Number of joints between each body and the ground (bodies that float come last)."""
-    neighbours: dict[str, list[str]] = {}
-    for joint in scene.joints:
-        a, b = _body(joint.marker_a), _body(joint.marker_b)
-        neighbours.setdefault(a, []).append(b)
-        neighbours.setdefault(b, []).append(a)
-    grounds = {body.name for body in scene.bodies if body.type == "ground"} | {"ground"}
-    distance: dict[str, int] = {name: 0 for name in grounds}
-    for root in [*grounds, *(body.name for body in scene.bodies)]:
-        if root not in distance:
-            distance[root] = 1
-        queue = deque([root])
-        while queue:
-            body = queue.popleft()
-            for other in neighbours.get(body, ()):
-                if other not in distance:
-                    distance[other] = distance[body] + 1
-                    queue.append(other)
-    return distance
-
-
-def _user_independent(equations: Equations, scene: Scene) -> set[int]:
-    chosen = scene.partition.independent
-    return {equations.names.index(name) for name in chosen} if chosen else set()
+def _requested_independent(system: System) -> set[int]:
+    return {system.equations.names.index(name) for name in system.requested.independent}
 
 
 def dependent_rows(
@@ -142,8 +115,7 @@ def dependent_rows(
 
 
 def choose_loops(
-    equations: Equations,
-    scene: Scene,
+    system: System,
     structural: list[tuple[int, int]],
     loop_rows: list[int],
     jacobian: np.ndarray,
@@ -151,12 +123,14 @@ def choose_loops(
 ) -> Choice:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
 
-    loop_rows: independent rows, without the `redundant` ones. Raises SceneError when the user's q_i cannot be
+    In the words of equation-based modelling the loop unknowns are the tearing variables.
+    loop_rows: independent rows, without the `redundant` ones. Raises DerivationError when the user's q_i cannot be
     independent.
     """
+    equations, requested = system.equations, system.requested.independent
     free = _free_columns(equations, structural)
     reduced = _reduce(jacobian, structural, loop_rows, free)
-    keep = _user_independent(equations, scene)
+    keep = _requested_independent(system)
     rigid = [k for k, c in enumerate(free) if c not in keep and c not in equations.elastic_columns]
     elastic = [k for k, c in enumerate(free) if c not in keep and c in equations.elastic_columns]
     picked = [column for _, column in _pivot(reduced, rigid, elastic, _row_scales(jacobian, loop_rows))]
@@ -164,10 +138,10 @@ def choose_loops(
         _refuse(equations, reduced, loop_rows)
     loop_columns = sorted(free[k] for k in picked)
     independent = [c for c in free if c not in loop_columns]
-    if scene.partition.independent and keep != set(independent):
+    if requested and keep != set(independent):
         _refuse_choice(equations, keep, independent)
     if keep:
-        independent = [equations.names.index(name) for name in scene.partition.independent or []]
+        independent = [equations.names.index(name) for name in requested]
     dependent = loop_columns + [column for _, column in structural]
     return Choice(structural, loop_rows, loop_columns, independent, dependent, redundant)
 
@@ -221,7 +195,7 @@ def _refuse(equations: Equations, reduced: np.ndarray, rows: list[int]) -> None:
     names = sorted(
         {equations.constraints[row].joint for row, weight in zip(rows, left, strict=True) if abs(weight) > 1e-6}
     )
-    raise SceneError(
+    raise DerivationError(
         "partition.independent",
         "the constraints cannot be solved for the remaining coordinates "
         f"at the initial state (loop of {', '.join(names)})",
@@ -234,7 +208,7 @@ def _refuse_choice(equations: Equations, keep: set[int], independent: list[int])
     surplus = sorted(keep - set(independent))
     text = [f"{equations.names[c]} must be independent too" for c in missing]
     text += [f"{equations.names[c]} is determined by the joints" for c in surplus]
-    raise SceneError(
+    raise DerivationError(
         "partition.independent",
         "; ".join(text),
         f"the scene has {len(independent)} degrees of freedom: "

@@ -10,8 +10,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from symgen.scene import SceneError
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
 
 MOVE, MOVE_ELASTIC = 0.05, 1e-3  # rad or m: far enough to see a singular position, near enough to assemble again
 MOVE_TIME = 0.0437  # s: rows with prescribed motions must agree at other times too
@@ -24,7 +24,7 @@ Constraints = Callable[[np.ndarray, float], tuple[np.ndarray, np.ndarray]]
 def require_redundant(equations: Equations, constraints: Constraints, q: np.ndarray, dropped: list[int]) -> None:
     """Check that rows which depend on the others at q still hold when the mechanism moves along the others alone.
 
-    constraints(q, t) -> (C, C_q) of all rows. Raises SceneError if the position is singular, or if the rows agree
+    constraints(q, t) -> (C, C_q) of all rows. Raises DerivationError if the position is singular, or if the rows agree
     with the others only at t = 0.
     """
     reach = np.full(len(q), MOVE)
@@ -33,7 +33,7 @@ def require_redundant(equations: Equations, constraints: Constraints, q: np.ndar
     joints = ", ".join(sorted({equations.constraints[row].joint for row in dropped}))
     rng = np.random.default_rng(0)
     if not all(_holds_after_motion(constraints, q, 0.0, kept, dropped, rng, reach) for _ in range(TRIALS)):
-        raise SceneError(
+        raise DerivationError(
             "joints",
             f"the initial position is singular: {joints} and the joints of the same loops depend on each "
             "other there, and only there",
@@ -41,7 +41,7 @@ def require_redundant(equations: Equations, constraints: Constraints, q: np.ndar
             "(a point_on_line instead of a revolute, for instance)",
         )
     if not all(_holds_after_motion(constraints, q, t, kept, dropped, rng, reach) for t in (MOVE_TIME, -MOVE_TIME)):
-        raise SceneError(
+        raise DerivationError(
             "joints",
             f"{joints} repeat what other joints already say at t = 0, and contradict them later",
             "give the prescribed motions equal functions of time, or remove all but one of them",

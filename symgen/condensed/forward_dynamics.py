@@ -10,70 +10,45 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import casadi as ca
-import numpy as np
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import connected_components
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
-from symgen.choice.elimination import body_distances
 from symgen.condensed.condensation import Condensed, Substitution, congruence
-from symgen.scene import Scene
+from symgen.system.topology import Topology
 
 
 class NoInertia(Exception):
     """An independent coordinate (its column) has no inertia at all."""
 
 
-def is_tree(system: Condensed, scene: Scene) -> bool:
+def is_tree(system: Condensed, topology: Topology) -> bool:
     """Does every dependent coordinate follow from those of its own body and of bodies closer to the ground?
 
     Only then do the bodies have an order from the tips to the root. Joints may need loop unknowns of their own.
     """
-    distance = body_distances(scene)
     body_of = {column: body for body, columns in system.equations.body_columns.items() for column in columns}
 
     def follows(column: int, other: int) -> bool:
         body, source = body_of[column], body_of[other]
-        return body == source or distance.get(source, 0) < distance.get(body, 0)
+        return body == source or topology.distance_of(source) < topology.distance_of(body)
 
     return (
         bool(body_of)
-        and _has_no_ring(scene)
+        and not topology.rings
         and all(follows(s.column, other) for s in system.substitutions for other in s.e)
     )
 
 
-def _has_no_ring(scene: Scene) -> bool:
-    """Do the joints leave one way at most between any two bodies?"""
-    grounds = {body.name for body in scene.bodies if body.type == "ground"} | {"ground"}
-    pairs = {
-        frozenset(
-            "ground" if name in grounds else name
-            for name in (joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0])
-        )
-        for joint in scene.joints
-    }
-    graph = [tuple(pair) for pair in pairs if len(pair) == 2]
-    names = sorted({name for pair in graph for name in pair})
-    adjacency = np.zeros((len(names), len(names)), dtype=bool)
-    for a, b in graph:
-        adjacency[names.index(a), names.index(b)] = True
-    parts = connected_components(csr_matrix(adjacency), directed=False, return_labels=False) if names else 0
-    return len(graph) == len(names) - int(parts)
-
-
-def tree_accelerations(system: Condensed, scene: Scene) -> dict[int, ca.SX]:
+def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
     """q_ddot of every coordinate of a tree, by column."""
     eq = system.equations
     M = [dict(row) for row in eq.M]
     force: Row = dict(enumerate(eq.Q_star))
     by_column = {substitution.column: substitution for substitution in system.substitutions}
     evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
-    distance = body_distances(scene)
     pivots: list[tuple[int, Row, ca.SX, ca.SX]] = []
     order: list[int] = []
-    for body in sorted(eq.body_columns, key=lambda name: -distance.get(name, 0)):
+    for body in sorted(eq.body_columns, key=lambda name: -topology.distance_of(name)):
         columns = eq.body_columns[body]
         dependent = sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c])
         own = {other for c in dependent for other in by_column[c].e}

@@ -113,10 +113,10 @@ SPATIAL_ROWS = {
 
 def _joint_equations(derived: Derived, joint: Joint) -> str:
     """What the joint's rows say; a joint that places a body says which and by what."""
-    place = next((place for place in derived.scene.places() if place.joint == joint.name), None)
-    if place is not None:
-        own = ", ".join(f"`{name}`" for name in place.coordinates)
-        return f"places {place.child}" + (f" by {own}" if own else "")
+    placement = derived.topology.placements.get(joint.name)
+    if placement is not None:
+        own = ", ".join(f"`{name}`" for name in placement.coordinates)
+        return f"places {placement.child}" + (f" by {own}" if own else "")
     if derived.scene.space == "planar":
         return JOINT_EQUATIONS[joint.type]
     rows = [row.label.partition(".")[2] for row in derived.system.equations.constraints if row.joint == joint.name]

@@ -11,8 +11,8 @@ from functools import partial
 
 import casadi as ca
 
+from runtime.contract.model import Group
 from symgen.algebra.rows import Row
-from symgen.choice.partition import Group
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
@@ -21,11 +21,11 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import drawing
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
-from symgen.scene import Scene
+from symgen.system.topology import Topology
 
 
 def build_kernels(
-    system: Condensed, scene: Scene, named_groups: list[Group], wanted: frozenset[str] | None = None
+    system: Condensed, topology: Topology, named_groups: list[Group], wanted: frozenset[str] | None = None
 ) -> dict[str, Kernel]:
     """All kernels of a system with its groups, slow to fast. `wanted` limits them by name."""
     arguments = arguments_of(system)
@@ -44,8 +44,8 @@ def build_kernels(
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
-    if is_tree(system, scene):
-        builders["forward_dynamics"] = lambda: _forward_dynamics(system, scene, arguments)
+    if is_tree(system, topology):
+        builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
@@ -76,9 +76,9 @@ def _condensed(system: Condensed, a: Arguments) -> Kernel:
     return Kernel(inputs, {"M_hat": M_hat, "Q_hat": system.generalised_force({})})
 
 
-def _forward_dynamics(system: Condensed, scene: Scene, a: Arguments) -> Kernel:
+def _forward_dynamics(system: Condensed, topology: Topology, a: Arguments) -> Kernel:
     """q_i_ddot of a tree by topology-ordered elimination, O(N)."""
-    found = tree_accelerations(system, scene)
+    found = tree_accelerations(system, topology)
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
     return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(found[c] for c in system.choice.independent)))})
 
@@ -113,29 +113,29 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
     C_loop: the loop rows before the step; det_loop: the determinant of each block that the step solves.
     """
     eq, choice = system.equations, system.choice
-    position = _placed(system, a)
-    outputs = {"q_d_next": position}
+    closed_form = _closed_form(system, a)
+    outputs = {"q_d_next": closed_form}
     if choice.loop_rows:
         guess = _structural_positions(system, {c: eq.q[c] for c in (*choice.independent, *choice.loop_columns)})
         old, new = _replacement(system, guess)
-        places = [
+        entries = [
             (row, column)
             for row in choice.loop_rows
             for column in choice.loop_columns
             if column in system.loops.rows[row].entries
         ]
-        values = [system.loops.rows[row].entries[column] for row, column in places]
+        values = [system.loops.rows[row].entries[column] for row, column in entries]
         residual = ca.vertcat(*(eq.constraints[row].C for row in choice.loop_rows))
         flat = ca.substitute([residual, *values], [old], [new])
         C = [flat[0][k] + 0 for k in range(len(choice.loop_rows))]
         U: dict[int, Row] = {row: {} for row in choice.loop_rows}
-        for (row, column), value in zip(places, flat[1:], strict=True):
+        for (row, column), value in zip(entries, flat[1:], strict=True):
             U[row][column] = value + 0
         step, determinants = solve_forward(system.loops.blocks, U, dict(zip(choice.loop_rows, C, strict=True)))
         x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
         outputs = {
-            "q_d_next": ca.substitute(position, loops, ca.vertcat(*x_loop)),
+            "q_d_next": ca.substitute(closed_form, loops, ca.vertcat(*x_loop)),
             "C_loop": ca.vertcat(*C),
             "det_loop": ca.vertcat(*determinants),
         }
@@ -163,7 +163,7 @@ def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca
     return (ca.vertcat(*(system.equations.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
 
 
-def _placed(system: Condensed, a: Arguments) -> ca.SX:
+def _closed_form(system: Condensed, a: Arguments) -> ca.SX:
     known = {c: system.equations.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
     return _column(a, _structural_positions(system, known))
 

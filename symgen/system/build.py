@@ -1,21 +1,42 @@
-"""The equations of a scene: of its bodies in two or three dimensions, or of its linear structure."""
+"""The end of the scene's journey: equations, parameters, topology and requests, which is all that later stages read."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.scene import Scene
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
+from symgen.system.requested import Requested, requested_by
 from symgen.system.spatial import SpatialSpace
 from symgen.system.structure import structure_equations
+from symgen.system.topology import Topology, topology_of
 
 
-def build_equations(scene: Scene, table: ParameterTable) -> Equations:
-    """Equations (20)-(28), or (3)-(14) for a structure."""
+@dataclass(frozen=True)
+class System:
+    """A scene as the later stages see it."""
+
+    equations: Equations
+    parameters: ParameterTable
+    topology: Topology
+    requested: Requested
+
+
+def build_system(scene: Scene) -> System:
+    """The system of a scene. Raises SceneError for quantities that cannot be read."""
+    table, topology = ParameterTable(scene), topology_of(scene)
+    return System(_equations(scene, table, topology), table, topology, requested_by(scene))
+
+
+def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equations:
+    """Equations (20)-(28) of bodies in two or three dimensions, or (3)-(14) of a linear structure."""
     if scene.structure is not None:
         return structure_equations(scene, table)
     equations = blank_equations(scene.coordinates())
     if scene.space == "spatial":
-        return Mechanism(scene, table, SpatialSpace(scene, table, equations), equations).equations
-    return Mechanism(scene, table, PlanarSpace(scene, table), equations).equations
+        space = SpatialSpace(scene, table, equations, topology)
+        return Mechanism(scene, table, space, equations, topology).equations
+    return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations

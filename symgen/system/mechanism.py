@@ -19,6 +19,7 @@ from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.system.equations import Equations, Outline
+from symgen.system.topology import Topology
 
 
 class Body(Protocol):
@@ -82,8 +83,11 @@ class Space(Protocol[Marker]):
 class Mechanism(Generic[Marker]):
     """Puts the equations together; `equations` is the result."""
 
-    def __init__(self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations) -> None:
+    def __init__(
+        self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations, topology: Topology
+    ) -> None:
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
+        self.topology = topology
         gravity = [*scene.gravity, 0.0][: len(space.axes)]
         self.gravity = [
             table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
@@ -115,8 +119,8 @@ class Mechanism(Generic[Marker]):
             elastic.update(columns[size - description.nf :])
             self._add_inertia(body)
         eq.elastic_columns = frozenset(elastic)
-        for place in self.scene.places():
-            eq.body_columns[place.child] += [eq.names.index(name) for name in place.coordinates]
+        for placement in self.topology.placements.values():
+            eq.body_columns[placement.child] += [eq.names.index(name) for name in placement.coordinates]
         eq.joint_columns = frozenset(range(first, len(eq.names)))
         eq.at_rest = {column: 1.0 for column, name in enumerate(eq.names) if name.endswith(".e0")}
 

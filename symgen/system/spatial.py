@@ -20,12 +20,13 @@ from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, Motion
-from symgen.scene import BeamBody, Place, Scene
+from symgen.scene import BeamBody, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.places import PLACING
 from symgen.system.equations import Equations
 from symgen.system.mechanism import components, friction, spring_values
+from symgen.system.topology import Topology
 
 
 class SpatialSpace:
@@ -33,14 +34,13 @@ class SpatialSpace:
 
     axes = "xyz"
 
-    def __init__(self, scene: Scene, table: ParameterTable, equations: Equations) -> None:
-        self.scene, self.table = scene, table
+    def __init__(self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology) -> None:
+        self.scene, self.table, self.topology = scene, table, topology
         self.motion = Motion(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
         self.bodies = {"ground": SpatialBody.ground()}
         self._markers: dict[str, SpatialMarker] = {}
-        self._places: dict[str, Place] = {place.joint: place for place in scene.places()}
         self._coordinates: dict[str, JointCoordinate] = {}
-        for name in (name for place in self._places.values() for name in place.coordinates):
+        for name in (name for placement in topology.placements.values() for name in placement.coordinates):
             column = equations.names.index(name)
             self._coordinates[name] = JointCoordinate(equations.q[column], equations.q_dot[column], column)
 
@@ -67,8 +67,8 @@ class SpatialSpace:
     def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
         """Rows that place a body, prescribe a joint's coordinate, or stand between the markers."""
         a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
-        place = self._places.get(joint.name)
-        if place is not None:
+        placement = self.topology.placements.get(joint.name)
+        if placement is not None:
             own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
             lead = self.table.quantity(getattr(joint, "lead", 0), f"{joint.name}.lead", "m", "travel of a turn")
             return placing_rows(
@@ -77,9 +77,9 @@ class SpatialSpace:
                 a,
                 b,
                 own,
-                self.bodies[place.child],
-                self.bodies[place.parent],
-                place.forward,
+                self.bodies[placement.child],
+                self.bodies[placement.parent],
+                placement.forward,
                 lead / (2 * math.pi),
             )
         label = {"prescribed_angle": "angle", "prescribed_displacement": "travel"}.get(joint.type)
@@ -104,11 +104,10 @@ class SpatialSpace:
 
     def body_rows(self) -> list[ConstraintRow]:
         """Unit length of Euler parameters that no joint gives."""
-        placed = {place.child for place in self._places.values()}
         return [
             unit_length(body)
             for name, body in self.bodies.items()
-            if name not in placed and len(body.coordinates.theta) == 4
+            if name not in self.topology.placed and len(body.coordinates.theta) == 4
         ]
 
     def joint_friction(self, joint: Joint) -> list[LoadEffect]:

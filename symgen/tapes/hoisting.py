@@ -13,7 +13,7 @@ import casadi as ca
 
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape, uses
 from symgen.kernels.kernel import Kernel
-from symgen.scene import SceneError
+from symgen.system.errors import DerivationError
 from symgen.tapes.expansion import shorter_form
 from symgen.tapes.graph import Graph
 
@@ -21,7 +21,7 @@ from symgen.tapes.graph import Graph
 def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
     """Tapes of `constants` (p -> c) and of the kernels with c instead of p.
 
-    Inputs that no output of a kernel uses are dropped.
+    Inputs that no output of a kernel uses are dropped. Raises DerivationError for a constant that is not finite.
     """
     graph = Graph()
     graphed = {name: _Graphed(kernel, graph, p) for name, kernel in kernels.items()}
@@ -64,17 +64,17 @@ class _Graphed:
         }
         numbers: list[int] = []
         for node, count in zip(self.tape.nodes, uses(self.tape), strict=True):
-            numbers.append(self._place(node, numbers))
+            numbers.append(self._entered(node, numbers))
             if count > 1:
                 graph.shared.add(numbers[-1])
         factored = [[numbers[entry] for entry in entries] for entries in self.tape.outputs]
         self.outputs = shorter_form(graph, factored)
         self.live = graph.below([entry for entries in self.outputs for entry in entries], stop_at_p=True)
 
-    def _place(self, node: Node, numbers: list[int]) -> int:
+    def _entered(self, node: Node, numbers: list[int]) -> int:
         if node.op == ca.OP_CONST:
             if not isfinite(node.value):
-                raise SceneError(
+                raise DerivationError(
                     "expressions",
                     "a motion, load or quantity contains a division by zero or a logarithm "
                     "of a number that is not positive",

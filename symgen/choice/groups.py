@@ -1,29 +1,28 @@
-"""Groups of independent coordinates from slow to fast (Eqs. 39, 72). The partition is data of the scene."""
+"""Groups of independent coordinates from slow to fast (Eqs. 39, 72). They are data of the scene."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
-from symgen.scene import Scene, SceneError
+from runtime.contract.model import Group
+from symgen.system.build import System
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
+from symgen.system.requested import RequestedGroup
 
 
-@dataclass(frozen=True)
-class Group:
-    """A group: its name and the positions of its coordinates in q_i."""
+def choose_groups(system: System, independent: list[int]) -> list[Group]:
+    """The requested groups, or by default rigid (L) and elastic (S); positions are those in q_i = `independent`.
 
-    name: str
-    positions: list[int]
-
-
-def choose_groups(scene: Scene, equations: Equations, independent: list[int]) -> list[Group]:
-    """The scene's groups, or by default rigid (L) and elastic (S). Raises SceneError if they do not fit q_i or m."""
+    Raises DerivationError if they do not fit q_i or the step ratios m.
+    """
+    equations, requested = system.equations, system.requested
     names = [equations.names[column] for column in independent]
-    groups = _from_scene(scene, names) if scene.partition.groups else _by_kind(equations, independent)
-    ratios = scene.simulation.m
+    groups = _as_requested(requested.groups, names) if requested.groups else _by_kind(equations, independent)
+    ratios = requested.ratios
     if ratios and len(ratios) != len(groups) - 1:
-        raise SceneError(
+        raise DerivationError(
             "simulation.m",
             f"has {len(ratios)} step ratios for {len(groups)} groups ({', '.join(group.name for group in groups)})",
             "give one for each group after the first",
@@ -40,23 +39,23 @@ def _by_kind(equations: Equations, independent: list[int]) -> list[Group]:
     return [Group("L", rigid), Group("S", elastic)]
 
 
-def _from_scene(scene: Scene, names: list[str]) -> list[Group]:
+def _as_requested(requested: Sequence[RequestedGroup], names: list[str]) -> list[Group]:
     groups = [
         Group(
             group.name,
-            [k for k, name in enumerate(names) if any(fnmatchcase(name, pattern) for pattern in group.coordinates)],
+            [k for k, name in enumerate(names) if any(fnmatchcase(name, pattern) for pattern in group.patterns)],
         )
-        for group in scene.partition.groups or []
+        for group in requested
     ]
     grouped = [k for group in groups for k in group.positions]
     missing = [name for k, name in enumerate(names) if k not in grouped]
     if missing:
-        raise SceneError(
+        raise DerivationError(
             "partition.groups", f"independent coordinates in no group: {', '.join(missing)}", "add them to a group"
         )
     empty = [group.name for group in groups if not group.positions]
     if empty:
-        raise SceneError(
+        raise DerivationError(
             "partition.groups",
             f"group {empty[0]} holds no independent coordinate (they are {', '.join(names)})",
             "name independent coordinates or drop the group",
