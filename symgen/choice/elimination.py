@@ -3,7 +3,8 @@
 A structural pivot is a coordinate that enters a constraint row with a constant coefficient, so it is solved in
 closed form at every position (a joint that is linear in a body's R_o). Only rows without one - loop closures -
 need Newton; their unknowns are chosen by pivoting on the remaining Jacobian at the initial state. Eliminating a
-coordinate whose coefficient is constant can never divide by a vanishing sine.
+coordinate whose coefficient is constant can never divide by a vanishing sine. Structural pivots are what equation-based
+modelling calls alias elimination, loop unknowns its tearing variables.
 """
 
 from __future__ import annotations
@@ -39,10 +40,7 @@ class Choice:
 def structural_pivots(
     system: System, left_out: frozenset[int] = frozenset()
 ) -> tuple[list[tuple[int, int]], list[int]]:
-    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out.
-
-    In the words of equation-based modelling this is alias elimination: each pair is one assignment of the closed form.
-    """
+    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
     equations, topology = system.equations, system.topology
     column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
     keep = _requested_independent(system)
@@ -123,7 +121,6 @@ def choose_loops(
 ) -> Choice:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
 
-    In the words of equation-based modelling the loop unknowns are the tearing variables.
     loop_rows: independent rows, without the `redundant` ones. Raises DerivationError when the user's q_i cannot be
     independent.
     """

@@ -1,4 +1,4 @@
-"""Loop closures as a sequence of small systems: loop rows x loop unknowns in block-triangular order (Eqs. 31-37).
+"""Loop closures as a sequence of small systems: a block-lower-triangular (BLT) order of loop rows (Eqs. 31-37).
 
 A block holds the rows and unknowns that can only be solved together; it may use the unknowns of earlier blocks.
 The order follows from where C_qd has entries at all, so it holds at every position.
@@ -51,7 +51,10 @@ class Loops:
 
 
 def order_blocks(rows: Sequence[int], columns: Sequence[int], entries: Entries) -> list[LoopBlock]:
-    """The finest block-triangular order of a structurally regular square system."""
+    """The block-lower-triangular (BLT) order of a structurally regular square system, in the finest blocks.
+
+    A matching gives each column its row; the strong components of who needs whom are the blocks.
+    """
     if not rows:
         return []
     pattern = np.array([[column in entries[row] for column in columns] for row in rows])

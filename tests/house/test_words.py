@@ -1,0 +1,53 @@
+"""Words mean one thing each: class names over both packages, and the stages of the compiler as its folders."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import defaultdict
+from pathlib import Path
+
+import symgen
+from symgen import pipeline
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# class names that still stand in more than one file; nothing may be added
+SHARED: frozenset[str] = frozenset(
+    ("AxialModes", "Call", "Choice", "Curve", "FlexibleBody", "Group", "LateralModes", "Linearised", "Model", "Motion")
+    + ("Outcome", "Parameter", "Place", "Structure", "Symbol", "_Reader")
+)
+
+
+def class_names() -> dict[str, list[str]]:
+    found: dict[str, list[str]] = defaultdict(list)
+    for package in ("symgen", "runtime"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.ClassDef):
+                    found[node.name].append(str(path.relative_to(ROOT)))
+    return found
+
+
+def test_no_two_classes_share_a_name() -> None:
+    shared = {name: paths for name, paths in class_names().items() if len(paths) > 1}
+    assert set(shared) <= SHARED, {name: paths for name, paths in shared.items() if name not in SHARED}
+
+
+def test_the_list_of_shared_names_only_shrinks() -> None:
+    names = class_names()
+    assert {name for name in SHARED if len(names[name]) < 2} == set(), "take these out of SHARED"
+
+
+def folders() -> set[str]:
+    return {path.parent.name for path in (ROOT / "symgen").glob("*/__init__.py")}
+
+
+def test_the_pipeline_names_its_stages_as_the_folders() -> None:
+    assert pipeline.__doc__ is not None
+    assert set(re.findall(r"^([a-z]+)  ", pipeline.__doc__, re.MULTILINE)) == folders()
+
+
+def test_the_package_says_its_map() -> None:
+    assert symgen.__doc__ is not None
+    assert set(re.findall(r"`([a-z]+)`", symgen.__doc__)) >= folders() - {"bodies", "joints", "loads"}
