@@ -14,7 +14,7 @@ from runtime.contract.model import Model
 from runtime.engine.choose import operations_per_step
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.prepare import prepare
-from runtime.engine.program import Program, stages
+from runtime.engine.program import Program
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import start_vector
@@ -49,7 +49,7 @@ def counts(case: Case) -> dict:
     """Operations of a step, for the JSON file."""
     return {
         "operations per major step": operations_per_step(case.program),
-        "stages": {stage.name(): stage.n_instructions() for stage in stages(case.program)},
+        "stages": {stage.name(): stage.n_instructions() for stage in case.program.stages()},
     }
 
 

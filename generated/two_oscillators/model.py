@@ -16,20 +16,20 @@ def constants() -> ca.Function:
     x_M_0_0 = p[4]
     x_M_1_1 = p[5]
     w0 = w**2
-    w1 = w * (2 * zeta)
-    w2 = zeta * (2 * w)
+    w1 = zeta * (2 * w)
+    w2 = w * (2 * zeta)
     c = ca.vertcat(
         x_M_0_0,
         x_c,
         x_M_1_1,
         -k_L,
-        w2,
+        w1,
         -w0,
         k_L,
         w0,
-        -w2,
-        w1,
         -w1,
+        w2,
+        -w2,
     )
     c = ca.densify(c)
     inputs, outputs = [p], [c]

@@ -12,7 +12,7 @@ from math import isinf, isnan
 import casadi as ca
 
 from runtime.contract.tape import UNUSED, Node, Tape, read_tape
-from runtime.engine.program import Call, Program, Repeat, Sequence, stages
+from runtime.engine.program import Program, Repeat, Until
 
 LONGEST = 4000  # statements of one function
 CHUNK = 100
@@ -81,11 +81,11 @@ def program_source(program: Program) -> str:
     """C source with `void run(double *z, const double *c, long n)`, which applies the program n times."""
     parts = [HEADER]
     numbers: dict[str, int] = {}
-    for position, stage in enumerate(stages(program)):
+    for position, stage in enumerate(program.stages()):
         numbers[stage.name()] = position
         parts.append(stage_source(f"stage_{position}", read_tape(stage)))
-    body = "\n".join(_control(program, numbers, 2))
-    size = stages(program)[0].size1_in(0)
+    body = "\n".join(_indented(_indented(_control(program, numbers))))
+    size = program.stages()[0].size1_in(0)
     copy = f"  memcpy(z, z_run, {size} * sizeof(double));\n"
     # a local z can stay in registers over a step; the caller's may alias anything
     parts.append(
@@ -96,18 +96,22 @@ def program_source(program: Program) -> str:
     return "\n".join(parts)
 
 
-def _control(node: Program, numbers: dict[str, int], depth: int) -> list[str]:
-    pad = "  " * depth
-    if isinstance(node, Call):
-        return [f"{pad}stage_{numbers[node.stage.name()]}(z, c);"]
-    if isinstance(node, Sequence):
-        return [line for part in node.parts for line in _control(part, numbers, depth)]
-    inner = _control(node.body, numbers, depth + 1)
-    if isinstance(node, Repeat):
-        head = f"{pad}for (long j{depth} = 0; j{depth} < {node.count}; ++j{depth}) {{"
-    else:
-        head = f"{pad}for (long j{depth} = 0; j{depth} < {node.limit} && z[{node.flag}] > 0; ++j{depth}) {{"
-    return [head, *inner, f"{pad}}}"]
+def _control(program: Program, numbers: dict[str, int]) -> list[str]:
+    """Calls and loops; each loop has a j of its own scope."""
+
+    def again(body: list[str], node: Repeat | Until) -> list[str]:
+        test = f"j < {node.count}" if isinstance(node, Repeat) else f"j < {node.limit} && z[{node.flag}] > 0"
+        return [f"for (long j = 0; {test}; ++j) {{", *_indented(body), "}"]
+
+    return program.fold(
+        lambda stage: [f"stage_{numbers[stage.name()]}(z, c);"],
+        lambda parts: [line for lines in parts for line in lines],
+        again,
+    )
+
+
+def _indented(lines: list[str]) -> list[str]:
+    return ["  " + line for line in lines]
 
 
 def stage_source(name: str, tape: Tape) -> str:
@@ -157,7 +161,7 @@ class _Writer:
         if node.op == ca.OP_CONST:
             return _number(node.value)
         if node.op == ca.OP_INPUT:
-            return f"{'zc'[node.a]}[{node.b}]"
+            return f"{self.tape.input_names[node.a]}[{node.b}]"
         return names[k]
 
     def _expression(self, k: int, names: dict[int, str]) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.engine.compiled import CompiledProgram, CompilerError, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
-from runtime.engine.program import Call, Program, Repeat, Sequence, stages
+from runtime.engine.program import Program, Repeat, Until
 
 VM_SECONDS_PER_OPERATION = 5e-9
 COMPILE_SECONDS_PER_OPERATION = 1.5e-4
@@ -28,13 +28,11 @@ class Engine(Protocol):
 
 def operations_per_step(program: Program) -> int:
     """Operations of one application (each Until body counted as often as is usual)."""
-    if isinstance(program, Call):
-        return int(program.stage.n_instructions())
-    if isinstance(program, Sequence):
-        return sum(operations_per_step(part) for part in program.parts)
-    if isinstance(program, Repeat):
-        return program.count * operations_per_step(program.body)
-    return program.usual * operations_per_step(program.body)
+
+    def again(body: int, node: Repeat | Until) -> int:
+        return body * (node.count if isinstance(node, Repeat) else node.usual)
+
+    return program.fold(lambda stage: int(stage.n_instructions()), lambda parts: sum(parts), again)
 
 
 def arithmetic(stage: ca.Function) -> int:
@@ -45,13 +43,16 @@ def arithmetic(stage: ca.Function) -> int:
 
 def sub_step_operations(program: Program) -> int | None:
     """Arithmetic operations of the innermost repeated part, None if nothing is repeated."""
-    if isinstance(program, Sequence):
-        found = [count for part in program.parts if (count := sub_step_operations(part)) is not None]
-        return found[-1] if found else None
-    if isinstance(program, Repeat):
-        inner = sub_step_operations(program.body)
-        return inner if inner is not None else sum(arithmetic(stage) for stage in stages(program.body))
-    return None
+
+    def again(body: int | None, node: Repeat | Until) -> int | None:
+        if isinstance(node, Until):
+            return None
+        return body if body is not None else sum(arithmetic(stage) for stage in node.body.stages())
+
+    def last(parts: list[int | None]) -> int | None:
+        return next((count for count in reversed(parts) if count is not None), None)
+
+    return program.fold(lambda stage: None, last, again)
 
 
 def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:
@@ -63,7 +64,7 @@ def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: 
         raise ValueError(f"engine must be auto, compiled or interpreted, not {wish!r}")
     if wish == "auto":
         interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
-        size = sum(stage.n_instructions() for stage in stages(program))
+        size = sum(stage.n_instructions() for stage in program.stages())
         pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
         return (
             _compiled_if_possible(program, z_size, c_size)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from runtime.engine.program import Call, Program, Repeat, Sequence
+from runtime.engine.program import Program, Repeat, Until
 
 
 def program_function(program: Program, z_size: int, c_size: int) -> ca.Function:
@@ -17,17 +17,19 @@ class _Composer:
     def __init__(self, z_size: int, c_size: int) -> None:
         self.z, self.c = ca.MX.sym("z", z_size), ca.MX.sym("c", c_size)
 
-    def function(self, node: Program) -> ca.Function:
-        if isinstance(node, Call):
-            return node.stage
-        if isinstance(node, Sequence):
-            z = self.z
-            for part in node.parts:
-                z = self.function(part)(z, self.c)
-            return ca.Function("sequence", [self.z, self.c], [z])
+    def function(self, program: Program) -> ca.Function:
+        return program.fold(lambda stage: stage, self._sequence, self._again)
+
+    def _sequence(self, parts: list[ca.Function]) -> ca.Function:
+        z = self.z
+        for part in parts:
+            z = part(z, self.c)
+        return ca.Function("sequence", [self.z, self.c], [z])
+
+    def _again(self, body: ca.Function, node: Repeat | Until) -> ca.Function:
         if isinstance(node, Repeat):
-            return self.power(self.function(node.body), node.count)
-        return self.power(self.function(node.body), node.limit, node.flag)
+            return self.power(body, node.count)
+        return self.power(body, node.limit, node.flag)
 
     def power(self, function: ca.Function, n: int, flag: int | None = None) -> ca.Function:
         """function applied n times, by repeated squaring; with a flag, only while z[flag] > 0.

@@ -1,22 +1,21 @@
 """What a step computes from the run's constants alone is computed once: c -> [c, more], stages read the result.
 
-The step size is baked into the stages, so products of parameters with h are such values; a division by one becomes a
-product with its reciprocal.
+The constants are the model's c and the steps h of the groups, so products of parameters with h are such values; a
+division by one becomes a product with its reciprocal.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.tape import UNUSED, Node, Tape, node_value, read_tape
+from runtime.contract.binding_time import Place, Time, binding_times, split
+from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
 from runtime.engine.invariants import hoist_invariants
-from runtime.engine.program import Call, Program, Repeat, Sequence, stages
-
-C_ARGUMENT = 1  # stages are functions of (z, c)
+from runtime.engine.program import Program
 
 
 @dataclass(frozen=True)
@@ -42,110 +41,44 @@ class Prepared:
 def prepare(program: Program, z_size: int, c_size: int) -> Prepared:
     """The program with what a repetition or the run's constants fix taken out of its stages."""
     program, z_size = hoist_invariants(program, z_size)
-    pool = _Pool(c_size)
-    tapes = {stage.name(): read_tape(stage) for stage in stages(program)}
-    found = {name: pool.collect(tape) for name, tape in tapes.items()}
-    size = c_size + len(pool.values)
-    rebuilt = {name: _rebuilt(name, tape, found[name], size) for name, tape in tapes.items()}
-    prepared = ca.Function("prepare", [pool.c], [ca.densify(ca.vertcat(pool.c, *pool.values))])
-    return Prepared(_with_stages(program, rebuilt), z_size, prepared)
+    tapes = {stage.name(): _with_reciprocals(read_tape(stage)) for stage in program.stages()}
+    once, rest = split(tapes, {"c": c_size}, _input_time, Time.RUN, Place("c", c_size))
+    c = ca.SX.sym("c", c_size)
+    constants = ca.Function("prepare", [c], [ca.densify(ca.vertcat(c, as_function("more", once)(c)))])
+    return Prepared(program.map(lambda stage: as_function(stage.name(), rest[stage.name()])), z_size, constants)
 
 
-@dataclass(frozen=True)
-class Found:
-    """What of a tape is prepared: {node: entry of its value}, {division: entry of its divisor's reciprocal}.
-
-    divisors divide several values; one is the entry of the number 1, which SX cannot fold back into the divisions.
-    """
-
-    values: dict[int, int]
-    reciprocals: dict[int, int]
-    divisors: frozenset[int]
-    one: int
+def _input_time(name: str, entry: int) -> Time:
+    return Time.RUN if name == "c" else Time.STEP
 
 
-class _Pool:
-    """Values of c over all stages, each once."""
+def _with_reciprocals(tape: Tape) -> Tape:
+    """x / k with k known as x (1 / k), and divisions by one unknown y as products with one reciprocal of y."""
+    times = binding_times(tape, _input_time)
+    divisions = {
+        k for k, node in enumerate(tape.nodes) if node.op == ca.OP_DIV and times[k] == Time.STEP and node.b != UNUSED
+    }
+    divisors = Counter(tape.nodes[k].b for k in divisions)
+    nodes: list[Node] = []
+    number: list[int] = []
+    reciprocal: dict[int, int] = {}
 
-    def __init__(self, c_size: int) -> None:
-        self.c = ca.SX.sym("c", c_size)
-        self.values: list[ca.SX] = []
-        self._entries = ca.vertsplit(self.c)
-        self._number: dict[Node, int] = {}
-        self._sx: list[ca.SX] = []
-        self._position: dict[int, int] = {}
+    def added(op: int, a: int, b: int = UNUSED, value: float = 0.0) -> int:
+        nodes.append(Node(op, a, b, value))
+        return len(nodes) - 1
 
-    def collect(self, tape: Tape) -> Found:
-        """The largest values of c in a tape, and its divisions by values of c."""
-        numbers: dict[int, int] = {}  # nodes of c and plain numbers only
-        for k, node in enumerate(tape.nodes):
-            if node.op == ca.OP_CONST or (node.op == ca.OP_INPUT and node.a == C_ARGUMENT):
-                numbers[k] = self._place(node)
-            elif node.op != ca.OP_INPUT and node.a in numbers and (node.b == UNUSED or node.b in numbers):
-                second = UNUSED if node.b == UNUSED else numbers[node.b]
-                numbers[k] = self._place(Node(node.op, numbers[node.a], second, 0.0))
-        read = {entry for entries in tape.outputs for entry in entries}
-        for k, node in enumerate(tape.nodes):
-            if k not in numbers and node.op != ca.OP_INPUT:
-                read |= {node.a, node.b}
-        divisions = {
-            k: self._place(Node(ca.OP_INV, numbers[node.b], UNUSED, 0.0))
-            for k, node in enumerate(tape.nodes)
-            if node.op == ca.OP_DIV and node.b in numbers and k not in numbers
-        }
-        largest = {
-            k: number
-            for k, number in numbers.items()
-            if k in read and tape.nodes[k].op not in (ca.OP_CONST, ca.OP_INPUT)
-        }
-        divisors = Counter(node.b for k, node in enumerate(tape.nodes) if node.op == ca.OP_DIV and k not in divisions)
-        one = self._entry(self._place(Node(ca.OP_CONST, UNUSED, UNUSED, 1.0)))
-        return Found(
-            {k: self._entry(number) for k, number in largest.items()},
-            {k: self._entry(number) for k, number in divisions.items()},
-            frozenset(divisor for divisor, count in divisors.items() if count > 1),
-            one,
-        )
-
-    def _place(self, node: Node) -> int:
-        if node not in self._number:
-            self._number[node] = len(self._sx)
-            self._sx.append(node_value(node, self._sx, self._entries))
-        return self._number[node]
-
-    def _entry(self, number: int) -> int:
-        if number not in self._position:
-            self._position[number] = len(self._entries) + len(self.values)
-            self.values.append(self._sx[number])
-        return self._position[number]
-
-
-def _rebuilt(name: str, tape: Tape, found: Found, c_size: int) -> ca.Function:
-    """The stage on prepared constants."""
-    z, c = ca.SX.sym("z", tape.input_sizes[0]), ca.SX.sym("c", c_size)
-    inputs = [ca.vertsplit(z), ca.vertsplit(c)]
-    values: list[ca.SX] = []
-    shared: dict[int, ca.SX] = {}  # divisors of several values: one division, then products
+    # an entry of the prepared constants that holds 1, which SX cannot fold back into the divisions
+    one = added(ca.OP_INV, added(ca.OP_CONST, UNUSED, UNUSED, 1.0))
     for k, node in enumerate(tape.nodes):
-        if k in found.values:
-            values.append(inputs[C_ARGUMENT][found.values[k]])
-        elif k in found.reciprocals:
-            values.append(values[node.a] * inputs[C_ARGUMENT][found.reciprocals[k]])
-        elif node.op == ca.OP_DIV and node.b in found.divisors:
-            if node.b not in shared:
-                shared[node.b] = inputs[C_ARGUMENT][found.one] / values[node.b]
-            values.append(values[node.a] * shared[node.b])
+        known = k in divisions and times[node.b] == Time.RUN
+        if known or (k in divisions and divisors[node.b] > 1):
+            y = number[node.b]
+            if node.b not in reciprocal:
+                reciprocal[node.b] = added(ca.OP_INV, y) if known else added(ca.OP_DIV, one, y)
+            number.append(added(ca.OP_MUL, number[node.a], reciprocal[node.b]))
+        elif node.op in (ca.OP_CONST, ca.OP_INPUT):
+            number.append(added(*node))
         else:
-            values.append(node_value(node, values, inputs[node.a] if node.op == ca.OP_INPUT else []))
-    output = ca.densify(ca.vertcat(*(values[entry] for entry in tape.outputs[0])))
-    return ca.Function(name, [z, c], [output], ["z", "c"], ["z_next"])
-
-
-def _with_stages(node: Program, rebuilt: dict[str, ca.Function]) -> Program:
-    if isinstance(node, Call):
-        return Call(rebuilt[node.stage.name()])
-    if isinstance(node, Sequence):
-        return Sequence(tuple(_with_stages(part, rebuilt) for part in node.parts))
-    if isinstance(node, Repeat):
-        return Repeat(_with_stages(node.body, rebuilt), node.count)
-    return replace(node, body=_with_stages(node.body, rebuilt))
+            number.append(added(node.op, number[node.a], UNUSED if node.b == UNUSED else number[node.b]))
+    outputs = [[number[k] for k in entries] for entries in tape.outputs]
+    return Tape(tape.input_names, tape.input_sizes, tape.output_names, tape.output_shapes, nodes, outputs)

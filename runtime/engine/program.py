@@ -6,27 +6,64 @@ z is the whole state of a scheme as one vector, c the constants of the run. Stag
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import casadi as ca
 
+T = TypeVar("T")
+
+
+class Program:
+    """A step: Call, Sequence, Repeat or Until. What is done with programs is a `fold` or a `map` of them."""
+
+    def fold(
+        self,
+        call: Callable[[ca.Function], T],
+        sequence: Callable[[list[T]], T],
+        again: Callable[[T, Repeat | Until], T],
+    ) -> T:
+        """What `call` makes of the stages, put together by `sequence` and, from that of its body, by `again`."""
+        if isinstance(self, Call):
+            return call(self.stage)
+        if isinstance(self, Sequence):
+            return sequence([part.fold(call, sequence, again) for part in self.parts])
+        if isinstance(self, Repeat | Until):
+            return again(self.body.fold(call, sequence, again), self)
+        raise TypeError(f"{type(self).__name__} is no kind of program")
+
+    def map(self, change: Callable[[ca.Function], ca.Function]) -> Program:
+        """The same program of changed stages; each distinct stage is changed once."""
+        done = {stage.name(): change(stage) for stage in self.stages()}
+        return self.fold(
+            lambda stage: Call(done[stage.name()]),
+            lambda parts: Sequence(tuple(parts)),
+            lambda body, node: replace(node, body=body),
+        )
+
+    def stages(self) -> list[ca.Function]:
+        """The distinct stages, in order of appearance."""
+        found: dict[str, ca.Function] = {}
+        self.fold(lambda stage: found.setdefault(stage.name(), stage), lambda parts: None, lambda body, node: None)
+        return list(found.values())
+
 
 @dataclass(frozen=True)
-class Call:
+class Call(Program):
     """Apply one stage."""
 
     stage: ca.Function
 
 
 @dataclass(frozen=True)
-class Sequence:
+class Sequence(Program):
     """Apply the parts one after another."""
 
     parts: tuple[Program, ...]
 
 
 @dataclass(frozen=True)
-class Repeat:
+class Repeat(Program):
     """Apply the body `count` times."""
 
     body: Program
@@ -34,7 +71,7 @@ class Repeat:
 
 
 @dataclass(frozen=True)
-class Until:
+class Until(Program):
     """Apply the body until z[flag] <= 0, at most `limit` times; tested before each time.
 
     usual: how often it is expected to be applied, for estimates of the price.
@@ -44,26 +81,6 @@ class Until:
     flag: int
     limit: int
     usual: int = 8
-
-
-Program = Call | Sequence | Repeat | Until
-
-
-def stages(program: Program) -> list[ca.Function]:
-    """The distinct stages of a program, in order of appearance."""
-    found: dict[str, ca.Function] = {}
-
-    def visit(node: Program) -> None:
-        if isinstance(node, Call):
-            found.setdefault(node.stage.name(), node.stage)
-        elif isinstance(node, Sequence):
-            for part in node.parts:
-                visit(part)
-        else:
-            visit(node.body)
-
-    visit(program)
-    return list(found.values())
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import casadi as ca
 
+from runtime.contract.binding_time import below
 from symgen.tapes.graph import Graph
 
 LARGEST_KERNEL = 100  # nodes
@@ -199,8 +200,7 @@ def _difference(u: tuple[int, ...], v: tuple[int, ...]) -> tuple[int, ...]:
 
 def shorter_form(graph: Graph, outputs: list[list[int]]) -> list[list[int]]:
     """The outputs multiplied out where that takes fewer nodes, or as they are."""
-    roots = [entry for entries in outputs for entry in entries]
-    before = len(graph.below(roots, stop_at_p=True))
+    before = _size(graph, outputs)
     if before > LARGEST_KERNEL:
         return outputs
     expansion = Expansion(graph)
@@ -208,5 +208,10 @@ def shorter_form(graph: Graph, outputs: list[list[int]]) -> list[list[int]]:
         expanded = [[expansion.rebuilt(entry) for entry in entries] for entries in outputs]
     except TooLarge:
         return outputs
-    after = len(graph.below([entry for entries in expanded for entry in entries], stop_at_p=True))
-    return expanded if after < before else outputs
+    return expanded if _size(graph, expanded) < before else outputs
+
+
+def _size(graph: Graph, outputs: list[list[int]]) -> int:
+    """Nodes of a kernel, whatever depends on parameters only taken out."""
+    roots = [entry for entries in outputs for entry in entries]
+    return len(below(graph.nodes, roots, graph.of_p.__getitem__))

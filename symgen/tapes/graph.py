@@ -150,20 +150,6 @@ class Graph:
             return self._mul(node.a, self._neg(node.b))
         return self._plain(ca.OP_NEG, a, UNUSED)
 
-    def below(self, roots: Sequence[int], stop_at_p: bool) -> list[int]:
-        """Nodes that the roots need, in ascending order; with stop_at_p not below parameter-only nodes."""
-        seen: set[int] = set()
-        stack = list(roots)
-        while stack:
-            k = stack.pop()
-            if k in seen:
-                continue
-            seen.add(k)
-            node = self.nodes[k]
-            if node.op not in (ca.OP_INPUT, ca.OP_CONST) and not (stop_at_p and self.of_p[k]):
-                stack += [node.a] if node.b == UNUSED else [node.a, node.b]
-        return sorted(seen)
-
     # ---- sums ------------------------------------------------------------------------------------------------
 
     def _add_terms(self, a: int, b: int) -> int:

@@ -14,7 +14,7 @@ from runtime.contract.tape import read_tape
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.invariants import hoist_invariants
 from runtime.engine.prepare import prepare
-from runtime.engine.program import Program, Repeat, Sequence, stages
+from runtime.engine.program import Program, Repeat, Sequence
 from runtime.running.simulate import make_plan
 from runtime.schemes.stepper import start_vector
 
@@ -74,7 +74,7 @@ def arithmetic(program: Program) -> tuple[int, int]:
     inner = arithmetic(program.body)
     if inner[0]:
         return inner
-    ops = [node.op for stage in stages(program.body) for node in read_tape(stage).nodes]
+    ops = [node.op for stage in program.body.stages() for node in read_tape(stage).nodes]
     work = [op for op in ops if op not in (ca.OP_INPUT, ca.OP_CONST)]
     return len(work), sum(op in (ca.OP_SIN, ca.OP_COS) for op in work)
 
