@@ -74,7 +74,7 @@ def _manifest(path: Path) -> dict[str, Any]:
 
 def _checked_text(path: Path, name: str, expected: str) -> str:
     try:
-        text = (path / name).read_text(encoding="utf-8")
+        text = (path / name).read_bytes().decode("utf-8")  # line ends as they are: the hash is of the bytes
     except (OSError, UnicodeDecodeError) as error:
         raise ModelError(f"{path / name} cannot be read ({error}); regenerate with: symgen generate {path}") from error
     if hashlib.sha256(text.encode()).hexdigest() != expected:

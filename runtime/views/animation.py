@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from runtime.results.solution import Solution
 
+MAX_FRAMES = 2000
 VISIBLE = 0.05  # the largest deformation becomes this part of the mechanism's size
 GROUND = "ground"
 
@@ -57,8 +58,8 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
             f"model {solution.model.name} has no drawing (a structure without bodies, a model generated "
             "without it, or a solution loaded without its model)"
         )
-    if frames < 1:
-        raise ValueError(f"frames must be at least 1, not {frames}")
+    if not 1 <= frames <= MAX_FRAMES:
+        raise ValueError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
     if exaggeration is not None and not np.isfinite(exaggeration):
         raise ValueError(f"exaggeration must be finite, not {exaggeration}")
     t = np.linspace(solution.t[0], solution.t[-1], frames)

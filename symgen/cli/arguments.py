@@ -77,7 +77,7 @@ def add_accuracy_options(command: argparse.ArgumentParser) -> None:
     """What is graded, and how well it has to be met."""
     command.add_argument(
         "--tolerance",
-        type=number,
+        type=positive,
         default=1e-3,
         metavar="ERROR",
         help="RMS error over the motion relative to each amplitude (default: %(default)s)",
@@ -101,7 +101,7 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
         help="time stepping scheme, for instance exponential or single_rate; auto finds "
         "the fastest, its step and m for --tolerance",
     )
-    group.add_argument("--tolerance", type=number, metavar="ERROR", help="relative error that auto may make")
+    group.add_argument("--tolerance", type=positive, metavar="ERROR", help="relative error that auto may make")
     group.add_argument("--graded", type=names, metavar="NAMES", help="coordinates that auto looks at (default: all)")
     group.add_argument(
         "--option",
@@ -169,6 +169,14 @@ def number(text: str) -> float:
     value = float(text)
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def positive(text: str) -> float:
+    """A finite float above zero."""
+    value = number(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not above zero")
     return value
 
 

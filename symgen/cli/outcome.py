@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 OK, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
 @dataclass(frozen=True)
@@ -34,12 +35,25 @@ def report_error(command: str, error: Exception | str, as_json: bool, code: int)
     """Write an error: to standard error for a person, as the JSON object on standard output otherwise."""
     further = [str(entry) for entry in getattr(error, "also", ())]
     if as_json:
-        details = {"kind": type(error).__name__ if isinstance(error, Exception) else error, "message": str(error)}
-        details |= {key: getattr(error, key) for key in ("item", "problem", "remedy") if hasattr(error, key)}
-        _write_json({"command": command, "exit_code": code, "error": {**details, "also": further}})
+        details = {
+            "kind": type(error).__name__ if isinstance(error, Exception) else error,
+            "message": clipped(str(error)),
+        }
+        details |= {key: clipped(getattr(error, key)) for key in ("item", "problem", "remedy") if hasattr(error, key)}
+        _write_json(
+            {"command": command, "exit_code": code, "error": {**details, "also": [clipped(text) for text in further]}}
+        )
         return
     for text in (str(error), *further):
-        print(f"symgen: {text}", file=sys.stderr)
+        print(f"symgen: {clipped(text)}", file=sys.stderr)
+
+
+def clipped(text: str) -> str:
+    """A message with its middle left out where it is longer than a person reads."""
+    if len(text) <= LONGEST_MESSAGE:
+        return text
+    half = LONGEST_MESSAGE // 2
+    return f"{text[:half]} ... ({len(text) - 2 * half} characters left out) ... {text[-half:]}"
 
 
 def _write_json(data: Mapping[str, Any]) -> None:

@@ -20,10 +20,14 @@ MAX_COUNT = 1000
 
 @dataclass(frozen=True)
 class Source:
-    """A scene and the folder its generated code belongs in."""
+    """A scene and the folder its generated code belongs in.
+
+    named: the folder was named by the user or is ours; the code in any other folder is not run.
+    """
 
     scene: Scene
     folder: Path
+    named: bool = False
 
 
 def builtin_scenes() -> Mapping[str, Callable[..., Scene]]:
@@ -52,14 +56,14 @@ def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Sourc
     name = builtin_name(word)
     if name is not None:
         scene = _made(name, scenes[name], made_with)
-        return Source(scene, Path(scene.name) if made_with else generated_folder(name))
+        return Source(scene, Path(scene.name)) if made_with else Source(scene, generated_folder(name), named=True)
     if made_with:
         raise SceneError("--with", f"'{word}' is not a built-in scene", "change the scene file, or use --set")
     if path.suffix == ".toml":
         scene = Scene.from_toml(path)
         return Source(scene, Path(scene.name))
     if (path / "scene.toml").is_file():
-        return Source(Scene.from_toml(path / "scene.toml"), path)
+        return Source(Scene.from_toml(path / "scene.toml"), path, named=True)
     if path.is_dir():
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
     raise SceneError(
@@ -79,6 +83,11 @@ def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, 
     for key, value in made_with:
         if key not in known:
             raise SceneError(f"--with {key}", f"scene {name} is not made with that", did_you_mean(key, known))
+        if isinstance(known[key].default, bool):
+            if value not in (0, 1):
+                raise SceneError(f"--with {key}", f"{value:g} is neither 0 nor 1", "give 1 for yes or 0 for no")
+            values[key] = bool(value)
+            continue
         counts = isinstance(known[key].default, int)
         if counts and (value != int(value) or not 0 <= value <= MAX_COUNT):
             raise SceneError(f"--with {key}", f"{value:g} is not a whole number from 0 to {MAX_COUNT}", "count again")
@@ -87,8 +96,9 @@ def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, 
 
 
 def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: Path | None = None) -> Model:
-    """The model of a generated folder, or of a scene: from its own folder if that is current, else generated anew.
+    """The model of a generated folder, or of a scene: from its own folder if current, else generated anew.
 
+    Code is only run from a folder that was named (or is built in): a file arm.toml does not run what lies in ./arm.
     keep: folder that gets the model's files. Raises ModelError or SceneError.
     """
     from runtime.contract.loading import load_model
@@ -96,7 +106,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     folder = Path(word)
     if not folder.is_dir() or builtin_name(word) is not None or made_with:
         source = find_source(word, made_with)
-        if not is_current(source):
+        if not (source.named and is_current(source)):
             return _generated(source.scene, keep)
         folder = source.folder
     model = load_model(folder)
@@ -129,18 +139,17 @@ def _generated(scene: Scene, keep: Path | None) -> Model:
 
 
 def _copy(source: Path, target: Path) -> None:
-    """The files that the manifest lists, the manifest last."""
-    from runtime.contract.files import write_text
+    """The files that the manifest lists, the manifest last. Raises SceneError."""
+    from symgen.emission.write import write_model
 
     listed = json.loads((source / "manifest.json").read_text(encoding="utf-8"))["files"]
-    for name in (*listed, "manifest.json"):
-        write_text(target / name, (source / name).read_text(encoding="utf-8"))
+    write_model({name: (source / name).read_bytes().decode("utf-8") for name in (*listed, "manifest.json")}, target)
 
 
 def is_current(source: Source) -> bool:
     """Was the code in the source's folder generated from this very scene?"""
     try:
-        text = (source.folder / "scene.toml").read_text(encoding="utf-8")
+        text = (source.folder / "scene.toml").read_bytes().decode("utf-8")
     except (OSError, UnicodeDecodeError):
         return False
     return (source.folder / "manifest.json").is_file() and text == source.scene.to_toml()

@@ -11,6 +11,7 @@ from runtime.contract.files import OutputError, write_text
 from symgen.emission.manifest import data_text, manifest_text
 from symgen.emission.model_page import model_page
 from symgen.emission.model_text import model_text
+from symgen.emission.ownership import refuse_foreign_files
 from symgen.pipeline import Derived
 from symgen.scene import SceneError
 
@@ -32,8 +33,9 @@ def emit(derived: Derived) -> dict[str, str]:
 def write_model(files: dict[str, str], folder: Path) -> None:
     """Write the files, each to a temporary name first, the manifest last.
 
-    Raises SceneError if the folder cannot be written.
+    Raises SceneError if the folder cannot be written, or holds files of these names that were not generated.
     """
+    refuse_foreign_files(files, folder)
     try:
         for name, text in files.items():
             write_text(folder / name, text)
@@ -49,7 +51,7 @@ def compare_model(files: dict[str, str], folder: Path) -> str:
     report: list[str] = []
     for name, text in files.items():
         path = folder / name
-        present = path.read_text(encoding="utf-8") if path.is_file() else ""
+        present = path.read_bytes().decode("utf-8", "replace") if path.is_file() else ""
         if name == "data.json" and _same_data(present, text):
             continue
         if name == "manifest.json":

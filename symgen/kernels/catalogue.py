@@ -21,13 +21,19 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import drawing
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
+from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
+
+TREES_ONLY = {"forward_dynamics", "blocks"}  # may be asked for of any scene, and be left out
 
 
 def build_kernels(
     system: Condensed, topology: Topology, named_groups: list[Group], wanted: frozenset[str] | None = None
 ) -> dict[str, Kernel]:
-    """All kernels of a system with its groups, slow to fast. `wanted` limits them by name."""
+    """All kernels of a system with its groups, slow to fast. `wanted` limits them by name.
+
+    Raises DerivationError for a wanted name that the system does not have, NoInertia.
+    """
     arguments = arguments_of(system)
     groups = [group.positions for group in named_groups]
     builders: dict[str, Callable[[], Kernel]] = {
@@ -50,6 +56,9 @@ def build_kernels(
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
         builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
+    unknown = sorted((wanted or frozenset()) - builders.keys() - TREES_ONLY)
+    if unknown:
+        raise DerivationError("functions", f"the scene has no {', '.join(unknown)}", f"it has {', '.join(builders)}")
     chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
     kernels = {name: build() for name, build in chosen.items()}
     return {

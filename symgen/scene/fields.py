@@ -105,7 +105,7 @@ def _number(value: object) -> float:
 
 def _quantity(value: object) -> float | str:
     if isinstance(value, str):
-        return _text(value)
+        return " ".join(_text(value).split())  # line breaks mean nothing in an expression
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise refuse(
             f"{show(value)} is neither a number nor an expression",

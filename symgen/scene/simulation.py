@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, Strict
 
+from runtime.contract.scheme_names import SchemeName
 from symgen.scene.fields import Coordinate, Flag, Model, Name, Number
 
 MAX_STEPS = 10**9
@@ -65,6 +66,6 @@ class Simulation(Model):
     t_end: Number = 1.0
     dt: Number = 1e-3
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
-    scheme: Name = "printed"
+    scheme: SchemeName = "printed"
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
     start: Literal["given", "quasi_static"] = "given"

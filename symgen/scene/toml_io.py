@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import stat
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -12,6 +14,11 @@ from pydantic import BaseModel
 from symgen.scene.errors import SceneError
 
 MAX_BYTES = 50_000_000
+MAX_KEY_PARTS = 100
+# dotted names longer than that: tomllib takes time with the square of their length
+_LONG_KEY = re.compile(
+    r"""(?<![\w"'-])(?:(?:[\w-]{1,200}|"[^"\n]{0,200}"|'[^'\n]{0,200}')[ \t]*\.[ \t]*)""" + f"{{{MAX_KEY_PARTS}}}"
+)
 _ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 
 
@@ -19,6 +26,8 @@ def read(path: str | Path) -> dict[str, Any]:
     """The contents of a TOML file; raises SceneError when it cannot be read, is not UTF-8 or not TOML."""
     item = f"file '{path}'"
     try:
+        if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe or a device may never end
+            raise SceneError(item, "is not an ordinary file", "give the path of a scene file")
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
@@ -37,6 +46,8 @@ def read(path: str | Path) -> dict[str, Any]:
 
 def parse(text: str, item: str) -> dict[str, Any]:
     """The contents of a TOML text; raises SceneError naming ``item``."""
+    if _LONG_KEY.search(text):
+        raise SceneError(item, f"holds a dotted name of more than {MAX_KEY_PARTS} parts", "shorten the name")
     try:
         return tomllib.loads(text)
     except RecursionError:

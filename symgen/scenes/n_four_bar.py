@@ -2,7 +2,7 @@
 
 import math
 
-from symgen.scene import Scene, SceneBuilder
+from symgen.scene import Scene, SceneBuilder, SceneError
 
 
 def n_four_bar(windows: int = 2) -> Scene:
@@ -10,6 +10,8 @@ def n_four_bar(windows: int = 2) -> Scene:
 
     Each time all bars lie in one line the mechanism has more than one freedom: a singular position.
     """
+    if windows < 1:
+        raise SceneError("windows", f"{windows} windows are no mechanism", "give at least 1")
     builder = SceneBuilder("n_four_bar", title=f"{windows} four-bar windows side by side").gravity(0, -9.81)
     builder.ground(markers={f"foot{k}": {"position": (k, 0)} for k in range(1, windows + 1)})
     _bar(builder, "upright0")

@@ -11,6 +11,7 @@ from symgen.scene.checks.names import name_errors
 from symgen.scene.checks.partition import partition_errors
 from symgen.scene.checks.references import reference_errors
 from symgen.scene.checks.shapes import shape_errors
+from symgen.scene.checks.sizes import size_errors
 from symgen.scene.checks.space import screw_errors, space_errors
 from symgen.scene.checks.topology import topology_errors
 from symgen.scene.checks.values import value_errors
@@ -18,7 +19,7 @@ from symgen.scene.errors import raise_all
 from symgen.scene.parts import SceneParts
 
 STAGES = (
-    (name_errors, shape_errors, space_errors),
+    (size_errors, name_errors, shape_errors, space_errors),
     (reference_errors, topology_errors, partition_errors, value_errors),
     (matrix_errors, screw_errors),
 )

@@ -1,0 +1,19 @@
+"""The names of the time stepping schemes: a scene may ask for one, the runtime has them."""
+
+from typing import Literal, get_args
+
+SchemeName = Literal[
+    "auto",
+    "single_rate",
+    "printed",
+    "coupled",
+    "decoupled",
+    "linearised",
+    "exponential",
+    "rk4",
+    "dop853",
+    "radau",
+    "generalized_alpha",
+    "hht",
+]
+SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)

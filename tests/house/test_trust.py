@@ -1,0 +1,172 @@
+"""Files of others, and sizes: nothing is overwritten that was not generated, nothing runs that was not named."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from runtime import load_model
+from runtime.contract.scheme_names import SCHEME_NAMES
+from runtime.schemes.catalogue import SCHEMES
+from symgen.cli import main
+from symgen.cli.outcome import LONGEST_MESSAGE
+from symgen.generate import generate
+from symgen.scene import Scene, SceneBuilder, SceneError
+from symgen.scene.checks.sizes import MAX_BODY_MODES, MAX_COORDINATES
+from symgen.scenes.pendulum import pendulum
+
+PENDULUM = pendulum().to_toml()
+ERRORS = 2  # exit code of wrong input
+
+
+def test_a_scene_and_a_model_of_the_users_own_are_not_overwritten(tmp_path: Path, monkeypatch) -> None:
+    folder = tmp_path / "proj"
+    folder.mkdir()
+    (folder / "scene.toml").write_text(PENDULUM)
+    (folder / "model.py").write_text("print('mine')\n")
+    monkeypatch.chdir(tmp_path)
+    assert main(["generate", "proj"]) == ERRORS
+    assert (folder / "model.py").read_text() == "print('mine')\n"
+    assert sorted(path.name for path in folder.iterdir()) == ["model.py", "scene.toml"]
+
+
+@pytest.mark.parametrize("name", ["model.py", "scene.toml", "manifest.json", "data.json", "model.md"])
+def test_a_single_file_of_the_users_own_stops_the_generator(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text("{}")
+    with pytest.raises(SceneError, match="not written by symgen generate"):
+        generate(pendulum(), tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+def test_what_was_generated_is_generated_again(tmp_path: Path) -> None:
+    generate(pendulum(), tmp_path)
+    (tmp_path / "notes.txt").write_text("kept")
+    generate(pendulum(), tmp_path)
+    assert load_model(tmp_path).name == "pendulum"
+    assert (tmp_path / "notes.txt").read_text() == "kept"
+
+
+def test_results_do_not_replace_a_model_folder_of_the_users_own(tmp_path: Path) -> None:
+    model = tmp_path / "out" / "model"
+    model.mkdir(parents=True)
+    (model / "model.py").write_text("mine")
+    assert main(["simulate", "pendulum", "--t-end", "0.01", "--out", str(tmp_path / "out")]) == ERRORS
+    assert (model / "model.py").read_text() == "mine"
+
+
+def test_code_beside_a_scene_file_does_not_run(tmp_path: Path) -> None:
+    """A folder ./arm with a matching manifest is not loaded for arm.toml; named itself, it is."""
+    scene = Scene.from_toml_text(PENDULUM.replace('name = "pendulum"', 'name = "arm"', 1))
+    (tmp_path / "arm.toml").write_text(scene.to_toml())
+    generate(scene, tmp_path / "arm")
+    planted = tmp_path / "arm" / "model.py"
+    text = planted.read_text()
+    planted.write_text(text + f"\nopen({str(tmp_path / 'ran')!r}, 'w').close()\n")
+    _refresh_manifest(tmp_path / "arm")
+    arguments = [sys.executable, "-m", "symgen.cli", "simulate", "arm.toml", "--t-end", "0.01"]
+    subprocess.run(arguments, cwd=tmp_path, env=_environment(), check=True, capture_output=True)
+    assert not (tmp_path / "ran").exists()
+    arguments[4] = "arm"
+    subprocess.run(arguments, cwd=tmp_path, env=_environment(), check=True, capture_output=True)
+    assert (tmp_path / "ran").exists()
+
+
+def _refresh_manifest(folder: Path) -> None:
+    """As somebody would who wants the code to be run: the hashes fit."""
+    import hashlib
+    import json
+
+    from runtime.contract import loading
+
+    manifest = json.loads((folder / "manifest.json").read_text())
+    manifest["files"]["model.py"] = hashlib.sha256((folder / "model.py").read_bytes()).hexdigest()
+    manifest["sha256"] = loading.manifest_digest(manifest)
+    (folder / "manifest.json").write_text(json.dumps(manifest))
+
+
+def _environment() -> dict[str, str]:
+    root = str(Path(__file__).resolve().parents[2])
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([root, os.environ.get("PYTHONPATH", "")])}
+
+
+def test_line_ends_in_an_expression_do_not_make_the_model_look_edited(tmp_path: Path) -> None:
+    scene = SceneBuilder("wobble", title="one\r\ntwo").gravity(0, -9.81).parameter("g", 2.0)
+    scene = scene.rigid("bob", mass="g\r\n", inertia=1.0).revolute("pin", "ground.origin", "bob.origin")
+    folder = generate(scene.build(), tmp_path / "wobble")
+    assert load_model(folder).name == "wobble"
+    assert main(["generate", str(folder), "--check"]) == 0
+
+
+def test_long_dotted_names_are_refused_at_once() -> None:
+    for key in ("a." * 200_000 + "a", '"a".' * 1000 + "a", "a . " * 1000 + "a"):
+        with pytest.raises(SceneError, match="dotted name"):
+            Scene.from_toml_text(f"{key} = 1\n")
+    with pytest.raises(SceneError, match="characters"):  # one long word is no dotted name, and takes no time
+        Scene.from_toml_text(f'name = "pendulum"\ntitle = "{"a" * 1_000_000}"\n')
+
+
+def test_a_pipe_is_not_a_scene_file(tmp_path: Path) -> None:
+    pipe = tmp_path / "scene.toml"
+    os.mkfifo(pipe)
+    found: list[str] = []
+
+    def read() -> None:
+        try:
+            Scene.from_toml(pipe)
+        except SceneError as error:
+            found.append(str(error))
+
+    thread = threading.Thread(target=read, daemon=True)
+    thread.start()
+    thread.join(timeout=20)
+    assert found and "not an ordinary file" in found[0]
+
+
+def test_sizes_have_limits_with_names() -> None:
+    many = SceneBuilder("many")
+    for k in range(MAX_COORDINATES // 3 + 1):
+        many = many.rigid(f"b{k}", mass=1, inertia=1, free=True)
+    with pytest.raises(SceneError, match=f"more than {MAX_COORDINATES}"):
+        many.build()
+    lateral = {"ends": "clamped-free", "modes": MAX_BODY_MODES + 1}
+    sizes = {"length": 1, "density": 1, "area": 1, "second_moment": 1, "youngs_modulus": 1}
+    with pytest.raises(SceneError, match=f"more than {MAX_BODY_MODES}"):
+        SceneBuilder("fine").beam("b", **sizes, elements=500, lateral=lateral, free=True).build()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["animate", "pendulum", "--frames", "1000000000"],
+        ["report", "pendulum", "--tolerance", "-1"],
+        ["advise", "pendulum", "--tolerance", "0"],
+        ["generate", "n_four_bar", "--with", "windows=0", "--out", "nowhere"],
+        ["generate", "pendulum", "--functions", "substep_99", "--out", "nowhere"],
+        ["generate", "spin_up_beam", "--with", "stiffening=3", "--out", "nowhere"],
+    ],
+    ids=lambda arguments: " ".join(arguments[2:4]),
+)
+def test_impossible_numbers_are_refused(arguments: list[str], tmp_path: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == ERRORS
+    assert capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_scheme_that_there_is_not_is_refused_with_the_scene() -> None:
+    with pytest.raises(SceneError, match="did you mean 'exponential'"):
+        Scene.from_toml_text(PENDULUM.replace('scheme = "', 'scheme = "expnential" # "'))
+
+
+def test_scenes_may_ask_for_every_scheme() -> None:
+    assert set(SCHEME_NAMES) == {*SCHEMES, "auto"}
+
+
+def test_what_was_given_is_not_echoed_at_full_length(capsys) -> None:
+    assert main(["simulate", "x" * 1_000_000]) == ERRORS
+    assert len(capsys.readouterr().err) < 2 * LONGEST_MESSAGE
