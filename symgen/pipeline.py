@@ -37,7 +37,7 @@ from runtime.contract.model import Group
 from runtime.contract.tape import Tape
 from symgen.algebra.parameters import ParameterEntry
 from symgen.choice.assembly import ConstraintNumbers, assembled
-from symgen.choice.elimination import Choice, choose_loops, dependent_rows, structural_pivots
+from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, structural_pivots
 from symgen.choice.groups import choose_groups
 from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
@@ -123,7 +123,7 @@ def _state_at(configuration: Configuration, equations: Equations) -> ConsistentS
     return ConsistentState(q, np.zeros(len(q)), {})
 
 
-def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Configuration | None) -> Choice:
+def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Configuration | None) -> Elimination:
     """Redundant rows first (known for a given configuration, found otherwise), then the dependent coordinates."""
     equations = system.equations
     _, jacobian = numbers.position(q)

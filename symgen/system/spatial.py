@@ -19,11 +19,11 @@ from symgen.joints.instance import ConstraintRow
 from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_rows, spatial_rows, unit_length
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
-from symgen.loads.spatial_effects import Angle, Motion
+from symgen.loads.spatial_effects import Angle, StateVector
 from symgen.scene import BeamBody, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.scene.places import PLACING
+from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.system.topology import Topology
@@ -36,7 +36,7 @@ class SpatialSpace:
 
     def __init__(self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology
-        self.motion = Motion(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
+        self.motion = StateVector(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
         self.bodies = {"ground": SpatialBody.ground()}
         self._markers: dict[str, SpatialMarker] = {}
         self._coordinates: dict[str, JointCoordinate] = {}
