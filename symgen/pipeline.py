@@ -44,6 +44,7 @@ from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.arguments import arguments_of
 from symgen.kernels.catalogue import build_kernels
+from symgen.kernels.drawing import geometry
 from symgen.scene import Scene, SceneError
 from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
@@ -114,6 +115,8 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
             "give the body an inertia, or join it so that it cannot move that way",
         ) from error
     tapes = hoist(kernels, table.vector())
+    if equations.picture.points and (functions is None or "geometry" in functions):
+        tapes["geometry"] = geometry(equations, table.vector()).tape()
     dependent = arguments_of(condensed).dependent
     return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, tapes)
 
