@@ -303,31 +303,24 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
-def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 20 operations."""
+def drawing() -> ca.Function:
+    """World points of the polylines that show the bodies. 14 operations."""
     q = ca.SX.sym("q", 3)
+    c = ca.SX.sym("c", 9)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
-    w0 = ca.cos(rod_theta)
-    w1 = ca.sin(rod_theta)
-    poses = ca.vertcat(
+    c7 = c[7]
+    xy = ca.vertcat(
         rod_x,
         rod_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
+        rod_x + ca.cos(rod_theta) * c7,
+        rod_y + ca.sin(rod_theta) * c7,
     )
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
-    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
+    xy = ca.reshape(xy, 2, 2)
+    xy = ca.densify(xy)
+    inputs, outputs = [q, c], [xy]
+    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -379,58 +372,6 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "c"], ["q_i_ddot"])
 
 
-def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 39 operations."""
-    p = ca.SX.sym("p", 3)
-    length = p[0]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        length,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 3)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 3)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
-    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
-
-
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -442,10 +383,9 @@ FUNCTIONS = {
     "reactions": reactions,
     "energy": energy,
     "measures": measures,
-    "poses": poses,
+    "drawing": drawing,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
-    "geometry": geometry,
 }

@@ -17,7 +17,7 @@ AXIAL_ENDS = {"fixed-free": 1, "free-free": 1, "fixed-fixed": 2}
 
 
 @dataclass(frozen=True, eq=False)
-class BarModes:
+class AxialModes:
     """Longitudinal modes for L = 1, EA = 1, rho A = 1; n elements. Arrays are read-only.
 
     xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
@@ -56,7 +56,7 @@ class BarModes:
         return clean((1.0 - local) * self.u[element] + local * self.u[element + 1], 1.0)
 
 
-def axial_modes(elements: int, ends: str, modes: int) -> BarModes:
+def axial_modes(elements: int, ends: str, modes: int) -> AxialModes:
     """First `modes` elastic longitudinal modes of the bar in `elements` equal elements (Eqs. 15-20).
 
     ends: "fixed-free", "free-free" (the rigid mode removed) or "fixed-fixed", start first.
@@ -75,7 +75,7 @@ def axial_modes(elements: int, ends: str, modes: int) -> BarModes:
     u = np.zeros((elements + 1, modes))
     u[free] = clean(normalised(shapes))
     mass = np.diag(np.einsum("k,ka,ka->a", mu, u, u))
-    return BarModes(
+    return AxialModes(
         ends,
         fixed(xi),
         fixed(mu),

@@ -13,7 +13,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class NamedValue:
+class Symbol:
     """A declared name, or ``t``."""
 
     name: str
@@ -36,7 +36,7 @@ class Binary:
 
 
 @dataclass(frozen=True)
-class FunctionCall:
+class Call:
     """A function of the table in `expression_values` with its arguments."""
 
     function: str
@@ -60,4 +60,4 @@ class Where:
     otherwise: Node
 
 
-Node = Constant | NamedValue | Negative | Binary | FunctionCall | Where
+Node = Constant | Symbol | Negative | Binary | Call | Where

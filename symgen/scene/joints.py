@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Bound, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
+from symgen.scene.fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
 
 
-class _Joint(StrictModel):
+class _Joint(Model):
     name: Name
     marker_a: MarkerRef
     marker_b: MarkerRef

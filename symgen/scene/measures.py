@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Coordinate, MarkerRef, Name, StrictModel
+from symgen.scene.fields import Coordinate, MarkerRef, Model, Name
 
 
-class _Measure(StrictModel):
+class _Measure(Model):
     name: Name
     marker_a: MarkerRef = "ground.origin"
     marker_b: MarkerRef
@@ -48,7 +48,7 @@ class ZMeasure(_Measure):
     type: Literal["z"] = "z"
 
 
-class CoordinateMeasure(StrictModel):
+class CoordinateMeasure(Model):
     """A coordinate itself [m, rad], for instance a mode or the second angle of a universal joint."""
 
     type: Literal["coordinate"] = "coordinate"

@@ -3,30 +3,29 @@
 from __future__ import annotations
 
 from typing import Annotated, Literal
-from warnings import warn
 
 from pydantic import Field
 
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.expressions import Expression, parse_expression
-from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
-from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
+from symgen.scene.fields import Meaning, Model, Name, Quantity, Text
+from symgen.scene.flexible import FlexibleBody, FlexibleMarker
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
 from symgen.scene.modal import ModalBody, ModalMarker
-from symgen.scene.parameters import DeclaredParameter
-from symgen.scene.placing import Placement, placements_of
+from symgen.scene.parameters import Parameter
+from symgen.scene.places import Place, joint_places
 from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
 from symgen.scene.structure import Structure
 
-AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
+AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | FlexibleBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
 Body = Annotated[AnyBody, Field(discriminator="type")]
 
 
-class SceneParts(StrictModel):
+class SceneParts(Model):
     """The parts of a scene: each sound by itself. `Scene` adds the checks across them."""
 
     name: Name
@@ -37,7 +36,7 @@ class SceneParts(StrictModel):
         0.0,
         0.0,
     )
-    parameters: dict[Name, DeclaredParameter] = Field(default_factory=dict)
+    parameters: dict[Name, Parameter] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     loads: tuple[Load, ...] = ()
@@ -54,7 +53,7 @@ class SceneParts(StrictModel):
         return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
 
     @property
-    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | SpatialModalBody, ...]:
+    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | FlexibleBody, ...]:
         """All bodies but the ground, in the scene's order."""
         return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
 
@@ -84,7 +83,7 @@ class SceneParts(StrictModel):
             for body in self.moving_bodies
             for part in (*self.frame_coordinates(body), *(f"q{k + 1}" for k in range(body.nf)))
         ]
-        return names + [name for placement in self.placements() for name in placement.coordinates]
+        return names + [name for place in self.places() for name in place.coordinates]
 
     @property
     def dimension(self) -> int:
@@ -98,17 +97,12 @@ class SceneParts(StrictModel):
         angles = getattr(body, "orientation", "zyx") != "euler_parameters"
         return ("x", "y", "z", *(("theta1", "theta2", "theta3") if angles else ("e0", "e1", "e2", "e3")))
 
-    def placements(self) -> list[Placement]:
-        """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""
-        return placements_of(self.moving_bodies, self.joints) if self.space == "spatial" else []
-
-    def places(self) -> list[Placement]:
-        """The old name of `placements`."""
-        warn("Scene.places is placements since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
-        return self.placements()
+    def places(self) -> list[Place]:
+        """The joints that orient a body by coordinates of their own, in scene order (spatial scenes)."""
+        return joint_places(self.moving_bodies, self.joints) if self.space == "spatial" else []
 
     def parameter_defaults(self) -> dict[str, float]:
-        """DeclaredParameter names and their default values, in SI units."""
+        """Parameter names and their default values, in SI units."""
         return {name: parameter.default for name, parameter in self.parameters.items()}
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:

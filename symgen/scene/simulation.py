@@ -7,26 +7,26 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, Strict
 
 from runtime.contract.scheme_names import SchemeName
-from symgen.scene.fields import Coordinate, Flag, Name, Number, StrictModel
+from symgen.scene.fields import Coordinate, Flag, Model, Name, Number
 
 MAX_STEPS = 10**9
 
 
-class CoordinateGroup(StrictModel):
+class Group(Model):
     """Coordinates that share a step size; names, or patterns with * and ? such as ``rod.q*``."""
 
     name: Name
     coordinates: tuple[Coordinate, ...]
 
 
-class Partition(StrictModel):
+class Partition(Model):
     """Which coordinates are independent (Eq. 29) and how they are grouped, from slow to fast (Eq. 39, 72)."""
 
     independent: tuple[Coordinate, ...] | None = None
-    groups: tuple[CoordinateGroup, ...] | None = None
+    groups: tuple[Group, ...] | None = None
 
 
-class InitialValue(StrictModel):
+class InitialValue(Model):
     """A starting value; ``fixed`` keeps it as it is when the initial state is made consistent."""
 
     value: Number
@@ -40,7 +40,7 @@ def _as_initial_value(value: Any) -> Any:
 InitialEntry = Annotated[InitialValue, BeforeValidator(_as_initial_value, json_schema_input_type=float | InitialValue)]
 
 
-class Initial(StrictModel):
+class Initial(Model):
     """Starting values by coordinate name: coordinates [m, rad] and rates [m/s, rad/s]; may be partial.
 
     A number ``v`` is short for ``{value = v, fixed = false}`` and is stored in that form.
@@ -50,14 +50,14 @@ class Initial(StrictModel):
     rates: dict[Coordinate, InitialEntry] = Field(default_factory=dict)
 
 
-class Baumgarte(StrictModel):
+class Baumgarte(Model):
     """Stabilisation terms of the augmented form: gamma - 2 alpha C_dot - beta^2 C, alpha and beta [1/s]."""
 
     alpha: Annotated[float, Strict(), Field(ge=0, le=1e12)]
     beta: Annotated[float, Strict(), Field(ge=0, le=1e12)]
 
 
-class Simulation(StrictModel):
+class Simulation(Model):
     """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
 
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into equilibrium with it.

@@ -1,0 +1,183 @@
+"""Terms that laws of whole mechanisms do not see: each against a formula derived by hand in its docstring."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import simulate
+from runtime.contract.model import Model
+from runtime.results.stream import StreamFile
+from symgen.scene import Scene, SceneBuilder
+from tests.hand_derived.spatial import spatial_scenes
+from tests.hand_derived.spatial.twin_flexible_nodes import scattered
+from tests.support.model_values import evaluate, make_state, random_states, relative_error
+
+Build = Callable[[Scene], Model]
+
+# first clamped-free mode of a uniform beam: (b L) with cos(x) cosh(x) = -1, and L w'(L) / w(L) of its shape
+ROOT = 1.8751040687119611
+SIGMA = (math.cosh(ROOT) + math.cos(ROOT)) / (math.sinh(ROOT) + math.sin(ROOT))
+TIP = math.cosh(ROOT) - math.cos(ROOT) - SIGMA * (math.sinh(ROOT) - math.sin(ROOT))
+SLOPE = ROOT * (math.sinh(ROOT) + math.sin(ROOT) - SIGMA * (math.cosh(ROOT) - math.cos(ROOT))) / TIP
+
+
+def clamped(space: str) -> SceneBuilder:
+    """A beam of 2.5 m (a length that is not 1) clamped to the ground, one mode, rotational damper at its tip."""
+    plane: dict[str, Any] = {"lateral": {"ends": "clamped-free", "modes": 1}, "elements": 100}
+    return (
+        SceneBuilder("clamped", space=space)
+        .beam("b", length=2.5, density=2000, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, **plane)
+        .weld("clamp", "ground.origin", "b.start")
+        .rotational_spring_damper("damper", "ground.origin", "b.end", stiffness=0.0, damping=0.05)
+        .measure("angle", "angle", "b.end")
+        .measure("height", "y", "b.end")
+        .simulation(t_end=0.1, dt=1e-4, scheme="rk4")
+    )
+
+
+def test_a_rotational_damper_at_the_tip_of_a_beam(model_of: Build) -> None:
+    """With w = y(t) w(x) / w(L): modal mass rho A L / 4, rate of the tip's angle (SLOPE / L) y'. So
+    y'' + 2 s y' + w0^2 y = 0 with 2 s = d (SLOPE / L)^2 / (rho A L / 4): the slope at a marker is divided by the
+    length, and a marker's angular rate has its elastic part."""
+    model = model_of(clamped("planar").initial({"b.q1": 1e-4}).build())
+    run = simulate(model, t_end=4.0, dt=2e-4, scheme="rk4", save_every=1)
+    length, mass = 2.5, 2000 * 1e-4 * 2.5 / 4
+    decay = 0.05 * (SLOPE / length) ** 2 / (2 * mass)
+    height = run["height"]
+    assert run["angle"] / height == pytest.approx(SLOPE / length, rel=1e-3)
+    frequency = math.sqrt(7e10 * 1e-9 / (2000 * 1e-4)) * (ROOT / length) ** 2
+    envelope = 0.5 * np.log(height**2 + ((np.gradient(height, run.t) + decay * height) / frequency) ** 2)
+    assert -np.polyfit(run.t[10:-10], envelope[10:-10], 1)[0] == pytest.approx(decay, rel=5e-3)
+
+
+@pytest.mark.parametrize("joint", ["prismatic", "revolute"])
+@pytest.mark.parametrize("space", ["planar", "spatial"])
+def test_joint_damping_acts_on_both_bodies(model_of: Build, joint: str, space: str) -> None:
+    """Two free bodies: damping in their joint changes neither their momentum nor their angular momentum."""
+    inertia: Any = [0.3, 0.5, 0.4] if space == "spatial" else 0.4
+    three = (0,) if space == "spatial" else ()
+    builder = SceneBuilder("pair", space=space)
+    for name, mass in (("a", 2.0), ("b", 3.0)):
+        builder.rigid(name, mass=mass, inertia=inertia, free=True, markers={"m": {"position": (0.4, 0.2, *three)}})
+    axis = {"axis": (0.0, 1.0, 0.0)} if space == "spatial" and joint == "prismatic" else {}
+    builder.rigid("c", mass=1.0, inertia=inertia, markers={"m": {"position": (-0.3, 0.1, *three), **axis}})
+    builder.joint(joint, "j", "a.m", "c.m", damping=0.8).weld("w", "c.center", "b.m")
+    model = model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="rk4").build())
+    for state in random_states(model, 3):
+        values = state.values()
+        damped = evaluate(model, "condensed", **values)
+        p = model.parameter_vector({"j.damping": 1e-9})
+        free = evaluate(model, "condensed", p=p, **values)
+        force = damped["Q_hat"] - free["Q_hat"]  # of the damping alone, in q_i
+        assert np.abs(force).max() > 1e-3
+        shift = np.array([float(name.rpartition(".")[2] == "x") for name in model.q_i])
+        assert shift.any()
+        # a common translation along x moves R_o of every free body alike: virtual work of inner forces is zero
+        assert abs(force @ shift) < 1e-12 * np.abs(force).max()
+
+
+def test_a_chained_condition_holds_only_where_all_its_parts_do(model_of: Build) -> None:
+    """1 N on 2 kg from 0.2 s to 0.5 s: velocity 0.15 m/s at the end, and 0 before."""
+    scene = (
+        SceneBuilder("pulse")
+        .rigid("m", mass=2.0, inertia=1.0, free=True)
+        .force("f", "m.center", "where(0.2 < t < 0.5, 1, 0)", 0)
+        .simulation(t_end=1.0, dt=1e-3, scheme="rk4", save_every=1)
+    )
+    run = simulate(model_of(scene.build()))
+    rate = run.rate("m.x")
+    assert abs(rate[run.t < 0.199]).max() == 0.0
+    assert rate[-1] == pytest.approx(0.15, abs=1e-3)
+
+
+@pytest.mark.parametrize("space", ["planar", "spatial"])
+def test_forward_dynamics_of_moving_trees_with_driven_joints(model_of: Build, space: str) -> None:
+    """O(N) accelerations equal M_hat^-1 Q_hat where the substitutions have accelerations of their own (bias terms):
+    at large rates, below a prescribed joint, with a flexible link."""
+    axis = {"axis": (0.0, 0.0, 1.0)} if space == "spatial" else {}
+    builder = SceneBuilder("driven", space=space).gravity(0, -9.81)
+    inertia: Any = [0.02, 0.03, 0.04] if space == "spatial" else 0.03
+    builder.rigid("base", mass=1.0, inertia=inertia, markers={"end": {"position": (0.7, 0.1)}})
+    builder.rigid("mid", mass=0.5, inertia=inertia, markers={"end": {"position": (0.4, -0.2)}})
+    bending: Any = {"lateral": {"ends": "clamped-free", "modes": 2}}
+    if space == "spatial":
+        bending |= {"second_moment_z": 2e-9, "lateral_z": {"ends": "clamped-free", "modes": 1}}
+    builder.beam("tip", length=0.8, density=2000, area=1e-4, second_moment=1e-9, youngs_modulus=7e10, **bending)
+    builder.ground(markers={"pin": {"position": (0.3, 0.2), **axis}})
+    builder.prescribed_angle("drive", "ground.pin", "base.origin", "3*t + sin(5*t)")
+    builder.revolute("pin", "ground.pin", "base.origin") if space == "planar" else None
+    builder.revolute("knee", "base.end", "mid.origin").revolute("wrist", "mid.end", "tip.start")
+    model = model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="rk4").build())
+    assert model.has("forward_dynamics")
+    for state in random_states(model, 4, rate=8.0):
+        condensed = evaluate(model, "condensed", **state.values())
+        expected = np.linalg.solve(condensed["M_hat"], condensed["Q_hat"])
+        found = evaluate(model, "forward_dynamics", **state.values())["q_i_ddot"]
+        assert relative_error(found, expected) < 1e-10
+
+
+@pytest.mark.parametrize("scheme", ["printed", "coupled"])
+def test_clock_of_three_groups(model_of: Build, scheme: str) -> None:
+    """Each group is driven by its own force at its own frequency, nothing couples them: x'' = sin(w t), from rest,
+    x = t / w - sin(w t) / w^2. A clock that is wrong in one group shows in that group's phase."""
+    rates = {"a": 2.0, "b": 5.0, "c": 11.0}
+    builder = SceneBuilder("clocks").structure(
+        coordinates=list(rates),
+        mass=np.eye(3),
+        stiffness=np.zeros((3, 3)),
+        force=[f"sin({rate}*t)" for rate in rates.values()],
+    )
+    builder.groups(A=["a"], B=["b"], C=["c"]).simulation(t_end=2.0, dt=0.01, m=[2, 3], scheme=scheme)
+    model = model_of(builder.build())
+    errors = []
+    for dt in (0.01, 0.005):
+        run = simulate(model, dt=dt, m=[2, 3], scheme=scheme, save_every=1)
+        exact = {name: run.t / rate - np.sin(rate * run.t) / rate**2 for name, rate in rates.items()}
+        errors.append([abs(run[name] - exact[name]).max() for name in rates])
+    finest = np.array([0.005, 0.0025, 0.005 / 6])  # step of each group
+    assert np.all(np.array(errors[1]) < 0.5 * finest**2 * np.array(list(rates.values())) + 1e-5)
+    assert np.all(np.log2(np.array(errors[0]) / np.array(errors[1])) > 1.9)
+
+
+def test_second_order_integrals_of_a_flexible_body_in_space(model_of: Build) -> None:
+    """phi_phi[a][b] = int Phi_a Phi_b^T dm is not symmetric. Kinetic energy of mass points with any modes, turning
+    about the world's axes: T = 1/2 sum m |omega x (rho0 + Phi q) + Phi q'|^2, at omega along each axis."""
+    nodes = scattered(7, 3, seed=5)
+    scene = SceneBuilder("cloud", space="spatial").flexible("b", **spatial_scenes.flexible(nodes), free=True)
+    model = model_of(scene.simulation(t_end=0.1, dt=1e-3, scheme="rk4").build())
+    rng = np.random.default_rng(3)
+    q_f, q_f_dot = rng.normal(size=3), rng.normal(size=3)
+    for omega in (*np.eye(3), rng.normal(size=3)):
+        values = dict(zip(model.coordinates, np.zeros(len(model.coordinates)), strict=True))
+        rates = dict(values)
+        values.update({"b.e0": 1.0, **{f"b.q{k + 1}": q_f[k] for k in range(3)}})
+        rates.update({f"b.e{k + 1}": omega[k] / 2 for k in range(3)})
+        rates.update({f"b.q{k + 1}": q_f_dot[k] for k in range(3)})
+        q_i = np.array([values[name] for name in model.q_i])
+        q_i_dot = np.array([rates[name] for name in model.q_i])
+        guess = np.array([values[name] for name in model.coordinates])
+        state = make_state(model, q_i, q_i_dot, guess=guess)
+        position = nodes.places(q_f)
+        velocity = np.cross(omega, position) + nodes.drift(q_f_dot)
+        expected = 0.5 * np.sum(nodes.masses[:, None] * velocity**2)
+        found = evaluate(model, "energy", **state.values())
+        assert float(found["kinetic"][0]) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("kept", [0, 1, 3, 5])
+def test_a_stream_is_cut_where_it_is_told(kept: int, tmp_path: Path) -> None:
+    table = StreamFile(tmp_path / "rows", [("t", ()), ("x", (2,))])
+    rows = np.arange(15.0).reshape(5, 3)
+    table.append(rows)
+    table.keep(kept)
+    assert table.rows == kept
+    assert (tmp_path / "rows" / "samples.bin").stat().st_size == kept * 3 * 8
+    table.append(rows[:1])
+    np.testing.assert_array_equal(table.all_rows(), np.concatenate([rows[:kept], rows[:1]]))
+    table.close()
