@@ -12,7 +12,11 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
+from runtime.modes.modes import State
 from runtime.results.stream import StreamFile
+from runtime.running.singular.partition import best_exchange
+from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.scene import Scene, SceneBuilder
 from tests.hand_derived.spatial import spatial_scenes
 from tests.hand_derived.spatial.twin_flexible_nodes import scattered
@@ -181,3 +185,42 @@ def test_a_stream_is_cut_where_it_is_told(kept: int, tmp_path: Path) -> None:
     table.append(rows[:1])
     np.testing.assert_array_equal(table.all_rows(), np.concatenate([rows[:kept], rows[:1]]))
     table.close()
+
+
+@pytest.mark.parametrize("m", [2, 4])
+def test_growth_of_a_stability_study_is_that_of_the_multipliers(built_in: Callable[[str], Model], m: int) -> None:
+    """Undamped oscillators: exact multipliers have modulus one, so the growth is log(radius) / dt, no less."""
+    model, dt = built_in("two_oscillators"), 2e-3
+    c = model.constants(model.parameter_vector({"zeta": 0.0}))
+    scheme = scheme_kind("printed").build("printed", model, dt, [m], {"common_update": "direct"})
+    found = StepSpectrum(model, scheme, c)(State(0.0, np.zeros(2), np.zeros(2), np.zeros(0)), dt)
+    assert found.radius > 1.0
+    assert found.growth.max() == pytest.approx(math.log(found.radius) / dt, rel=1e-6)
+
+
+def slider_crank_of_size(size: float) -> Scene:
+    """Lengths by a factor; the start is at 70 degrees of the crank."""
+    inertia, at = 1e-3 * size**2, math.radians(70)
+    lean = -math.asin(math.sin(at) / 2)
+    builder = SceneBuilder("sized")
+    builder.rigid("crank", mass=0.4, inertia=inertia, markers={"tip": {"position": (0.15 * size, 0)}})
+    builder.rigid("rod", mass=0.2, inertia=inertia, markers={"tip": {"position": (0.3 * size, 0)}})
+    builder.rigid("slider", mass=0.1, inertia=inertia)
+    builder.revolute("A", "ground.origin", "crank.origin").revolute("B", "crank.tip", "rod.origin")
+    builder.prismatic("slide", "ground.origin", "slider.origin").revolute("C", "rod.tip", "slider.origin")
+    builder.independent("crank.theta").initial({"crank.theta": at, "rod.theta": lean})
+    return builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build()
+
+
+def test_the_choice_of_an_exchange_does_not_depend_on_the_unit_of_length(model_of: Build) -> None:
+    """A mechanism a hundred times larger or smaller is the same mechanism: same exchange, same gain. The slider's
+    travel against the crank's angle counts r sin(phi) (1 + cos(phi) / sqrt(4 - sin(phi)^2)) over the length."""
+    found = []
+    for size in (0.01, 1.0, 100.0):
+        model = model_of(slider_crank_of_size(size))
+        state = make_state(model, model.initial_q[model.independent_columns], np.zeros(1))
+        C_q = evaluate(model, "constraints", **state.values())["C_q"]
+        found.append(best_exchange(model, C_q.reshape(len(model.constraints), -1)))
+    assert found[0] is not None
+    assert all(other is not None and (other.out, other.into) == (found[0].out, found[0].into) for other in found)
+    assert [other.gain for other in found if other] == pytest.approx([found[0].gain] * 3, rel=1e-9)
