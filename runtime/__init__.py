@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from runtime.baselines.augmented import augmented_solution
     from runtime.baselines.reference import reference_solution
     from runtime.contract.consistent_state import InitialStateError
+    from runtime.contract.errors import SymgenError
+    from runtime.contract.files import OutputError
     from runtime.contract.loading import load_model
     from runtime.contract.model import Group, Model, ModelError
     from runtime.contract.status import Status
@@ -42,9 +44,11 @@ __all__ = [
     "Model",
     "ModelError",
     "Options",
+    "OutputError",
     "SchemeError",
     "Solution",
     "Status",
+    "SymgenError",
     "animation",
     "augmented_solution",
     "load_model",
@@ -58,6 +62,8 @@ _HOMES = {
     "augmented_solution": "baselines.augmented",
     "reference_solution": "baselines.reference",
     "InitialStateError": "contract.consistent_state",
+    "SymgenError": "contract.errors",
+    "OutputError": "contract.files",
     "load_model": "contract.loading",
     "Group": "contract.model",
     "Model": "contract.model",

@@ -14,7 +14,7 @@ from types import ModuleType
 MOVED = {
     "runtime.advice.advise": "runtime.studies.advice.advise",
     "runtime.animation": "runtime.views.animation",
-    "runtime.compare.contender": "runtime.studies.work_precision.contender",
+    "runtime.compare.contender": "runtime.studies.work_precision.prepared_method",
     "runtime.export": "runtime.results.export",
     "runtime.loading": "runtime.contract.loading",
     "runtime.model": "runtime.contract.model",
@@ -30,6 +30,11 @@ MOVED = {
     "runtime.stability.spectrum": "runtime.studies.stability.spectrum",
     "runtime.status": "runtime.contract.status",
     "runtime.stepper": "runtime.schemes.stepper",
+}
+# classes whose names changed: by the module that had them, old name -> (module, name)
+RENAMED = {
+    "runtime.compare.contender": {"Contender": ("runtime.studies.work_precision.prepared_method", "PreparedMethod")},
+    "runtime.status": {"NoResult": ("runtime.contract.errors", "NoResult")},
 }
 PARENTS = frozenset(name.rpartition(".")[0] for name in MOVED if name.count(".") > 1) - {"runtime.running"}
 
@@ -50,6 +55,8 @@ class _Redirect(MetaPathFinder, Loader):
         new = MOVED[spec.name]
         warnings.warn(f"{spec.name} is {new} since 0.4; the old name goes with 0.5", DeprecationWarning, stacklevel=2)
         module = import_module(new)
+        for old, (home, name) in RENAMED.get(spec.name, {}).items():
+            setattr(module, old, getattr(import_module(home), name))
         self._spec = module.__spec__
         return module
 

@@ -64,7 +64,7 @@ Path2D = Callable[[np.ndarray], np.ndarray]
 
 @dataclass
 class Entry:
-    """A contender: error in m of a run in so many steps, and what repeats such a run n times."""
+    """A method: error in m of a run in so many steps, and what repeats such a run n times."""
 
     label: str
     middle: Callable[[int], tuple[np.ndarray, np.ndarray] | None]
@@ -257,7 +257,7 @@ def _contest(
     details: dict[str, Any],
     goal: float | None = None,
 ) -> list[Line]:
-    """The fastest on each side and their ratio; with a goal, a line for every contender."""
+    """The fastest on each side and their ratio; with a goal, a line for every method."""
     title += f"{tolerance:g} m"
     steps = {
         entry.label: (n, entry.error(n, path))

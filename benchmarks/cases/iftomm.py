@@ -19,7 +19,7 @@ from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
-from runtime.studies.work_precision.contender import Spec
+from runtime.studies.work_precision.prepared_method import Spec
 from symgen.scene import Scene
 from symgen.scenes.bricard import bricard
 from symgen.scenes.flyball_governor import flyball_governor

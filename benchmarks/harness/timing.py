@@ -1,4 +1,4 @@
-"""Times that can be compared: contenders take turns, CPU time of this thread, the minimum of many bursts."""
+"""Times that can be compared: methods take turns, CPU time of this thread, the minimum of many bursts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MOST_CALLS = 1 << 30
 
 @dataclass(frozen=True)
 class Timing:
-    """Seconds a call of one contender: the least of all bursts, and how far the median lies above it (relative)."""
+    """Seconds a call of one method: the least of all bursts, and how far the median lies above it (relative)."""
 
     best: float
     spread: float
@@ -22,13 +22,13 @@ class Timing:
 
 
 def interleave(
-    contenders: Mapping[str, Callable[[int], None]], rounds: int, burst_seconds: float = BURST_SECONDS
+    methods: Mapping[str, Callable[[int], None]], rounds: int, burst_seconds: float = BURST_SECONDS
 ) -> dict[str, Timing]:
-    """Each contender(n) does its work n times; every round runs one burst of each, so that all see the same machine."""
-    counts = {name: _calibrate(work, burst_seconds) for name, work in contenders.items()}
-    found: dict[str, list[float]] = {name: [] for name in contenders}
+    """Each method(n) does its work n times; every round runs one burst of each, so that all see the same machine."""
+    counts = {name: _calibrate(work, burst_seconds) for name, work in methods.items()}
+    found: dict[str, list[float]] = {name: [] for name in methods}
     for turn in range(SETTLE_ROUNDS + rounds):
-        for name, work in contenders.items():
+        for name, work in methods.items():
             seconds = _burst(work, counts[name]) / counts[name]
             if turn >= SETTLE_ROUNDS:
                 found[name].append(seconds)

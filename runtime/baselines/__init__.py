@@ -1,4 +1,4 @@
-"""Established adaptive integrators on the same emitted equations, compiled where possible: opponents of the schemes."""
+"""Established adaptive integrators on the same emitted equations, compiled where possible: baselines of the schemes."""
 
 from runtime.baselines.scipy_methods import scipy_solution
 from runtime.baselines.sundials import sundials_solution

@@ -10,8 +10,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from runtime.baselines.condensed_ode import CondensedOde, observed_solution, start_of
+from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
-from runtime.contract.status import NoResult, Status
+from runtime.contract.status import Status
 from runtime.engine.native import buffered, native
 from runtime.results.solution import Solution
 
@@ -37,11 +38,11 @@ def scipy_solution(
 ) -> Solution:
     """Integrate the condensed equations from 0 to t_end with one of EXPLICIT or IMPLICIT (exact Jacobian).
 
-    times: where to report (the end only by default). Raises ValueError for an unknown method, ModelError or
+    times: where to report (the end only by default). Raises ArgumentError for an unknown method, ModelError or
     InitialStateError for bad arguments, NoResult after MOST_EVALUATIONS.
     """
     if method not in EXPLICIT + IMPLICIT:
-        raise ValueError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
+        raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
     given = start_of(model, parameters, initial, start)
     ode = CondensedOde(model, closure_iterations)
     ready = native if compiled else (lambda function: function)
@@ -60,7 +61,7 @@ def scipy_solution(
         Status("completed", t_end)
         if result.success
         else Status(
-            "not_finite",
+            "integrator_refused",
             float(result.t[-1]) if len(result.t) else 0.0,
             None,
             str(result.message),

@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.engine.compiled import CompilerError, find_compiler
@@ -51,11 +52,11 @@ def sundials_solution(
     """Integrate from 0 to t_end with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
 
     times: where to report (the end only by default). A failed integration gives the start only, with its status.
-    The time in stats is that of a second run: it holds no compilation or first call. Raises ValueError for an unknown
-    method, ModelError or InitialStateError for bad arguments, CompilerError if compiling fails.
+    The time in stats is that of a second run: it holds no compilation or first call. Raises ArgumentError for an
+    unknown method, ModelError or InitialStateError for bad arguments, CompilerError if compiling fails.
     """
     if method not in METHODS or multistep not in MULTISTEP:
-        raise ValueError(
+        raise ArgumentError(
             f"method must be one of {', '.join(METHODS)} and multistep one of {', '.join(MULTISTEP)}, "
             f"not {method!r} and {multistep!r}"
         )
@@ -89,7 +90,11 @@ def sundials_solution(
     except RuntimeError as error:
         t = np.zeros(1)
         status = Status(
-            "not_finite", 0.0, None, f"{method} failed: {str(error).strip().splitlines()[-1]}", "Loosen the tolerances."
+            "integrator_refused",
+            0.0,
+            None,
+            f"{method} failed: {str(error).strip().splitlines()[-1]}",
+            "Loosen the tolerances.",
         )
     name = f"{method} {multistep}" if method == "cvodes" else method
     stats: dict[str, float | int | str] = {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
@@ -122,12 +127,12 @@ def _integrator(
 ) -> ca.Function:
     compiler = find_compiler() if compiled else None
     if compiler is None:
-        return ca.integrator("opponent", method, system, 0.0, t, options)
+        return ca.integrator("baseline", method, system, 0.0, t, options)
     # CasADi writes its C file to the working folder; once loaded, the library is not needed on disk any more
     jit: dict[str, Any] = {
         "jit": True,
         "compiler": "shell",
-        "jit_name": "opponent",
+        "jit_name": "baseline",
         "jit_temp_suffix": False,
         "jit_cleanup": False,
         "jit_options": {
@@ -140,6 +145,6 @@ def _integrator(
     }
     with tempfile.TemporaryDirectory() as folder, chdir(folder):
         try:
-            return ca.integrator("opponent", method, system, 0.0, t, {**options, **jit})
+            return ca.integrator("baseline", method, system, 0.0, t, {**options, **jit})
         except RuntimeError as error:
             raise CompilerError(f"CasADi could not compile the equations: {str(error)[-500:]}") from error

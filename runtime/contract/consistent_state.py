@@ -13,6 +13,8 @@ from typing import NoReturn
 
 import numpy as np
 
+from runtime.contract.errors import SymgenError
+
 MAX_ITERATIONS = 100
 LARGEST_STEP = 0.5  # rad or m per iteration: keeps Newton on the branch the user started
 POSITION_TOLERANCE = 1e-13  # m or rad, times the largest coordinate if above 1
@@ -27,7 +29,7 @@ REMEDY = {
 Residual = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
-class InitialStateError(ValueError):
+class InitialStateError(SymgenError, ValueError):
     """No consistent initial state: the message names the joints in conflict and what to do."""
 
 

@@ -8,8 +8,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from runtime.contract.errors import SymgenError
 
-class OutputError(ValueError):
+
+class OutputError(SymgenError, ValueError):
     """A file or folder that cannot be written; the message says which and why."""
 
 

@@ -10,12 +10,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.errors import SymgenError
+
 # parameters whose sign is part of their meaning, by the last part of their name
 POSITIVE = frozenset(("mass", "length", "density", "area", "youngs_modulus", "second_moment"))
 NOT_NEGATIVE = frozenset(("inertia", "stiffness", "damping", "damping_ratio", "free_length"))
 
 
-class ModelError(ValueError):
+class ModelError(SymgenError, ValueError):
     """A generated model that cannot be used: missing, edited, stale, or asked for something it does not have."""
 
 

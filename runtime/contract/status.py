@@ -16,12 +16,9 @@ StatusName = Literal[
     "iteration_failed",
     "partition_lost",
     "branch_lost",
+    "integrator_refused",
 ]
 EventKind = Literal["repartition", "singular_position", "no_variant"]
-
-
-class NoResult(RuntimeError):
-    """A study that came to no result, for a numerical reason that the message names."""
 
 
 @dataclass(frozen=True)

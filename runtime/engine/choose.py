@@ -7,6 +7,7 @@ from typing import Protocol
 import casadi as ca
 import numpy as np
 
+from runtime.contract.errors import ArgumentError
 from runtime.engine.compiled import CompiledProgram, CompilerError, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.program import Program, Repeat, Until
@@ -55,14 +56,14 @@ def sub_step_operations(program: Program) -> int | None:
     return program.fold(lambda stage: None, last, again)
 
 
-def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:
-    """`wish` is auto, compiled or interpreted. auto compiles when that is expected to save time.
+def choose_engine(requested: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:
+    """`requested` is auto, compiled or interpreted. auto compiles when that is expected to save time.
 
-    Raises ValueError for an unknown wish and CompilerError when `compiled` cannot be had.
+    Raises ArgumentError for an unknown one and CompilerError when `compiled` cannot be had.
     """
-    if wish not in ("auto", "compiled", "interpreted"):
-        raise ValueError(f"engine must be auto, compiled or interpreted, not {wish!r}")
-    if wish == "auto":
+    if requested not in ("auto", "compiled", "interpreted"):
+        raise ArgumentError(f"engine must be auto, compiled or interpreted, not {requested!r}")
+    if requested == "auto":
         interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
         size = sum(stage.n_instructions() for stage in program.stages())
         pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
@@ -71,7 +72,7 @@ def choose_engine(wish: str, program: Program, z_size: int, c_size: int, steps: 
             if pays and find_compiler()
             else InterpretedProgram(program, z_size, c_size)
         )
-    return CompiledProgram(program) if wish == "compiled" else InterpretedProgram(program, z_size, c_size)
+    return CompiledProgram(program) if requested == "compiled" else InterpretedProgram(program, z_size, c_size)
 
 
 def _compiled_if_possible(program: Program, z_size: int, c_size: int) -> Engine:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.errors import SymgenError
 from runtime.engine.c_source import program_source
 from runtime.engine.program import Program
 
@@ -25,7 +26,7 @@ SMALL_FLAGS = ("-O3",)
 LARGE_FLAGS = ("-O1", "-fno-dse", "-fno-tree-dse", "-fno-tree-pta", "-fno-ivopts", "-fno-schedule-insns2")
 
 
-class CompilerError(RuntimeError):
+class CompilerError(SymgenError, RuntimeError):
     """The C compiler is missing or failed."""
 
 

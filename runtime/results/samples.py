@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
 
@@ -123,7 +124,7 @@ class Samples:
         """
         times = np.asarray(t, dtype=float)
         if times.size and not (times.min() >= self.t[0] and times.max() <= self.t[-1]):
-            raise ValueError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
+            raise ArgumentError(f"interpolation time outside the saved ones, {self.t[0]:.9g} ... {self.t[-1]:.9g} s")
         values, slopes = self._samples(what)
         flat = (
             _linear(self.t, values, times.ravel())

@@ -1,1 +1,1 @@
-"""The parts of a run: its plan, its legs, what is kept of it, checkpoints, and the loop itself."""
+"""The parts of a run: its plan, its segments, what is kept of it, checkpoints, and the loop itself."""

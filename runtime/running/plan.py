@@ -27,6 +27,7 @@ class Plan:
     """A scheme on a model, by name and built, and how many of its steps are made and saved.
 
     options: the user's changes to the scheme's Options; a variant of the model is stepped with the same ones.
+    force: run although the step is above its limit. outputs: the quantities that are kept, () for all.
     """
 
     name: str
@@ -35,6 +36,8 @@ class Plan:
     steps: int
     save_every: int
     t0: float
+    force: bool = False
+    outputs: tuple[str, ...] = ()
 
     @property
     def grid(self) -> Grid:
@@ -51,9 +54,12 @@ class Plan:
         return self.time(self.steps)
 
     def on(self, model: Model) -> Plan:
-        """The same plan for a variant of the model with as many groups. Raises SchemeError."""
+        """The same plan for a variant of the model with as many groups, on the way: its step is not judged again.
+
+        Raises SchemeError.
+        """
         built = scheme_kind(self.name).build(self.name, model, self.grid.dt_L, list(self.grid.m) or None, self.options)
-        return replace(self, scheme=built)
+        return replace(self, scheme=built, force=True)
 
 
 def make_plan(

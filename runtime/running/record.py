@@ -9,43 +9,45 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from runtime.contract.model import ModelError
+from runtime.contract.status import Status
 from runtime.results import export
 from runtime.results.observe import concatenated
 from runtime.results.sampling import BLOCK
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile, Table, split
-from runtime.running.leg import Leg
+from runtime.running.segment import Segment
 
 Columns = list[tuple[str, tuple[int, ...]]]
 SERIES = tuple(key for key in export.ARRAYS if key not in ("parameters", "t"))
 
 
 class Record:
-    """Samples of a run, whose legs are appended to `legs` as it goes on; samples name theirs by its position there.
+    """Samples of a run; its segments are appended to `segments` as it goes on, and samples name theirs by its place.
 
     table: where rows of columns go; None keeps whole states. outputs: names of the columns, () for all there are.
     """
 
     def __init__(
-        self, legs: list[Leg], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
+        self, segments: list[Segment], save_every: int, table: Table | None = None, outputs: Sequence[str] = ()
     ) -> None:
-        self.legs, self.every, self.table, self.outputs = legs, save_every, table, tuple(outputs)
+        self.segments, self.every, self.table, self.outputs = segments, save_every, table, tuple(outputs)
         self.samples: list[tuple[int, np.ndarray]] = []  # all of them, or those that wait to be written
         self.first: tuple[int, np.ndarray] | None = None
         self.last_step = -1
 
-    def add(self, leg: int, z: np.ndarray) -> None:
+    def add(self, segment: int, z: np.ndarray) -> None:
         """Keep a state (a copy of the scheme's part of z), unless this step is kept already."""
-        step = self.legs[leg].step_of(z)
+        step = self.segments[segment].step_of(z)
         if step <= self.last_step:
             return
         self.last_step = step
-        sample = (leg, self.legs[leg].stepper.state(z).copy())
+        sample = (segment, self.segments[segment].stepper.state(z).copy())
         self.first = self.first or sample
         self.samples.append(sample)
         if self.table is not None and len(self.samples) >= BLOCK:
@@ -55,36 +57,39 @@ class Record:
         """Write the rows of the samples that wait."""
         if self.table is None:
             return
-        for leg, part in _by_leg(self.samples):
-            seen = concatenated([self.legs[leg].observed(part)], self.legs[0].model)
+        for segment, part in _by_segment(self.samples):
+            seen = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
             self.table.append(rows_of(seen, self.outputs))
         self.samples = []
 
     def drop_from(self, step: int) -> None:
         """Forget the samples of this step and of later ones."""
-        kept = [(leg, z) for leg, z in self.samples if self.legs[leg].step_of(z) < step]
+        kept = [(segment, z) for segment, z in self.samples if self.segments[segment].step_of(z) < step]
         if self.table is not None and len(kept) == 0:
             self.table.keep(min(self.table.rows, -(-step // self.every)))
         self.samples = kept
         self.last_step = min(self.last_step, step - 1)
 
     def arrays(self) -> dict[str, np.ndarray]:
-        """What a checkpoint keeps of it: rows in a stream stay there."""
+        """What a checkpoint keeps of it: rows in a stream stay there.
+
+        samples: states one after another, flat; sample_segments (N,): whose each is; table (rows, width).
+        """
         self.flush()
         found: dict[str, np.ndarray] = {}
         if self.table is not None and not isinstance(self.table, StreamFile):
             found["table"] = self.table.all_rows()
         kept = self.samples if self.table is None else ([self.first] if self.first else [])
-        for position, (leg, part) in enumerate(_by_leg(kept)):
-            found[f"samples_{position}_{leg}"] = np.array(part)
+        found["sample_segments"] = np.array([segment for segment, _ in kept], dtype=np.int64)
+        found["samples"] = np.concatenate([z for _, z in kept]) if kept else np.zeros(0)
         return found
 
     def restore(self, arrays: dict[str, np.ndarray], rows: int, last_step: int) -> None:
         """Continue from `arrays`; a stream is cut to so many rows. Raises ModelError if it has fewer."""
-        parts = sorted(
-            (tuple(map(int, name.split("_")[1:])), part) for name, part in arrays.items() if name.startswith("samples_")
-        )
-        kept = [(leg, z) for (_, leg), part in parts for z in part]
+        sizes = [segment.plan.scheme.layout.size for segment in self.segments]
+        owners = [int(k) for k in arrays["sample_segments"]]
+        ends = np.cumsum([sizes[k] for k in owners], dtype=np.int64)
+        kept = list(zip(owners, np.split(arrays["samples"], ends[:-1]), strict=True)) if owners else []
         self.first, self.last_step = (kept[0] if kept else None), last_step
         if self.table is None:
             self.samples = kept
@@ -103,15 +108,17 @@ class Record:
         kept = self.samples if self.table is None else [one for one in (self.first, last) if one is not None]
         if self.table is not None and len(kept) == 2 and np.array_equal(kept[0][1][1], kept[1][1][1]):
             kept = kept[:1]
-        found = concatenated([self.legs[leg].observed(part) for leg, part in _by_leg(kept)], self.legs[0].model)
+        found = concatenated(
+            [self.segments[segment].observed(part) for segment, part in _by_segment(kept)], self.segments[0].model
+        )
         if self.table is not None and not isinstance(self.table, StreamFile):
             columns = split(self.table.all_rows(), self.table.columns)
             found = replace(found, outputs={name: values for name, values in columns.items()})
         return found
 
 
-def _by_leg(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, list[np.ndarray]]]:
-    return [(leg, [z for _, z in part]) for leg, part in groupby(samples, key=lambda sample: sample[0])]
+def _by_segment(samples: Sequence[tuple[int, np.ndarray]]) -> list[tuple[int, list[np.ndarray]]]:
+    return [(segment, [z for _, z in part]) for segment, part in groupby(samples, key=lambda sample: sample[0])]
 
 
 def columns_of(solution: Solution, outputs: Sequence[str]) -> Columns:
@@ -154,3 +161,24 @@ def rows_of(solution: Solution, outputs: Sequence[str]) -> np.ndarray:
     return np.concatenate(
         [np.asarray(values[name], dtype=float).reshape(n, -1) for name, _ in columns_of(solution, outputs)], axis=1
     )
+
+
+def record_of(
+    segment: Segment, z: np.ndarray, stream: str | Path | None, keep_rows: bool, resumed: bool = False
+) -> Record:
+    """Of a run from z (flat) on: whole states in memory, columns in memory, or a stream.
+
+    Raises OutputError or ModelError.
+    """
+    table: Table | None = None
+    outputs = segment.plan.outputs
+    if keep_rows:
+        seen = segment.observed([segment.stepper.state(z)])
+        columns = columns_of(seen, outputs)
+        table = Table(columns) if stream is None else StreamFile(stream, columns, resumed)
+        if isinstance(table, StreamFile):
+            cause = "the run did not come to its end"
+            running = Status("interrupted", segment.plan.t0, None, cause, "What was streamed is there.")
+            header = export.run_header(replace(seen, status=running))
+            table.write_header({**header, "parameters": segment.p.tolist(), "outputs": list(outputs)})
+    return Record([segment], segment.plan.save_every, table, outputs)

@@ -24,7 +24,7 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class Linearised:
+class LinearisedEquations:
     """M_hat dv' = Q_hat - M_hat a + J_q dq + J_v dv about a state with q_i_ddot = a; J_q is d(Q_hat - M_hat a)/dq_i."""
 
     M_hat: ca.SX
@@ -95,13 +95,13 @@ class StepKernels:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
 
-    def linearised(self, motion: Motion, q_i_dot: ca.SX) -> Linearised:
+    def linearised(self, motion: Motion, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
         M_hat, Q_hat = self.condensed(motion, q_i_dot)
         a = solve_symmetric(M_hat, Q_hat)
         arguments = {**self._arguments(motion, q_i_dot), "q_i_ddot": a}
         J_q = self.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - self.call("dMa_dq_i", **arguments)["dMa_dq_i"]
-        return Linearised(M_hat, Q_hat, a, J_q, self.damping(motion, q_i_dot))
+        return LinearisedEquations(M_hat, Q_hat, a, J_q, self.damping(motion, q_i_dot))
 
     def force_rate(self, motion: Motion, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
         """d(Q_hat - M_hat q_i_ddot)/dt at fixed q_i and q_i_dot, q_d = f(q_i, t) included."""

@@ -15,7 +15,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import Linearised, StepKernels
+from runtime.schemes.kernels import LinearisedEquations, StepKernels
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
@@ -44,7 +44,9 @@ class LinearSubSteps(OneStep):
         """Of central-difference sub-steps with predicted velocities; few sub-steps a major step take more damping."""
         return central_difference_limit(A_q, A_v, predicted=True) if self.by_central_difference else None
 
-    def begin(self, z: Fields, kernels: StepKernels, found: Linearised, G0: ca.SX, G1: ca.SX) -> dict[str, ca.SX]:
+    def begin(
+        self, z: Fields, kernels: StepKernels, found: LinearisedEquations, G0: ca.SX, G1: ca.SX
+    ) -> dict[str, ca.SX]:
         """The linear system at the start of a major step."""
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         zero = ca.SX.zeros(len(self.model.q_i))

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from runtime.contract.errors import SymgenError
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 
 LARGE_SYSTEM = 12  # independent coordinates beyond which the Jacobian by velocity costs more than it gives
 
 
-class SchemeError(ValueError):
+class SchemeError(SymgenError, ValueError):
     """A scheme, step or option that cannot be used."""
 
 

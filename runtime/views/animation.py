@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from runtime.contract.errors import ArgumentError
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.model import Model, ModelError
 from runtime.views.plots import COLOURS
@@ -59,9 +60,9 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
             "without it, or a solution loaded without its model)"
         )
     if not 1 <= frames <= MAX_FRAMES:
-        raise ValueError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
+        raise ArgumentError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
     if exaggeration is not None and not np.isfinite(exaggeration):
-        raise ValueError(f"exaggeration must be finite, not {exaggeration}")
+        raise ArgumentError(f"exaggeration must be finite, not {exaggeration}")
     t = np.linspace(solution.t[0], solution.t[-1], frames)
     q = solution.interpolate(t, "q")
     c = solution.model.constants(solution.parameters)
@@ -107,7 +108,7 @@ def animate(
     if Path(path).suffix.lower() != ".gif":
         raise OutputError(f"{path}: an animation's name must end in .gif")
     if not 0.1 <= fps <= 50.0:
-        raise ValueError(f"fps must be between 0.1 and 50 (what GIF players show), not {fps}")
+        raise ArgumentError(f"fps must be between 0.1 and 50 (what GIF players show), not {fps}")
     shown = film(solution, frames, exaggeration)
     images = _images(solution, shown)
     palette = images[len(images) // 2].quantize(colors=64, method=Image.Quantize.MEDIANCUT)

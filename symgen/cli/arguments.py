@@ -7,10 +7,12 @@ import math
 from collections.abc import Callable
 from typing import Any, NoReturn
 
+from runtime.contract.errors import SymgenError
+
 SCENE: dict[str, Any] = {"metavar": "SCENE", "help": "built-in name, .toml file, or generated folder"}
 
 
-class UsageError(Exception):
+class UsageError(SymgenError):
     """Wrong words on the command line."""
 
 

@@ -16,7 +16,8 @@ def parser() -> argparse.ArgumentParser:
     root = Parser(
         prog="symgen",
         description="Symbolic code generation and multirate time stepping for flexible multibody dynamics.",
-        epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, 2 wrong input, 130 interrupted.",
+        epilog="Exit codes: 0 done, 1 numerical failure or stale generated code, 2 wrong input, 3 a fault of symgen "
+        "itself, 130 interrupted.",
     )
     root.add_argument("--version", action="version", version=f"symgen {_version()}")
     subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")

@@ -66,7 +66,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
 def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress) -> dict[str, str]:
     """A short comparison of methods on the same motion."""
-    from runtime.studies.work_precision.comparison import compare
+    from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.methods import methods_named
     from runtime.studies.work_precision.problem import make_setting
@@ -81,5 +81,5 @@ def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progres
         start=arguments.start,
     )
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
-    comparison = compare(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
+    comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
     return write_comparison(comparison, folder)

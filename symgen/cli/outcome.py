@@ -5,11 +5,18 @@ from __future__ import annotations
 import json
 import math
 import sys
+import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-OK, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+from runtime.contract.errors import SymgenError
+
+OK, FAILED, WRONG_INPUT, FAULT, INTERRUPTED = 0, 1, 2, 3, 130
+REPORT_IT = (
+    "this is a fault of symgen, not of your input; please report it with the lines above, the command and the scene "
+    "(docs/guide/failures.md says what helps)"
+)
 LONGEST_MESSAGE = 2000  # characters: what was given may be as long as it likes, its echo may not
 
 
@@ -39,10 +46,11 @@ def report_error(command: str, error: Exception | str, as_json: bool, code: int)
             "kind": type(error).__name__ if isinstance(error, Exception) else error,
             "message": clipped(str(error)),
         }
-        details |= {key: clipped(getattr(error, key)) for key in ("item", "problem", "remedy") if hasattr(error, key)}
-        _write_json(
-            {"command": command, "exit_code": code, "error": {**details, "also": [clipped(text) for text in further]}}
-        )
+        if isinstance(error, SymgenError) and error.problem:
+            parts = {"item": error.item, "problem": error.problem, "remedy": error.remedy}
+            details |= {key: clipped(text) for key, text in parts.items()}
+        also = [clipped(text) for text in further]
+        _write_json({"command": command, "exit_code": code, "error": {**details, "also": also}})
         return
     for text in (str(error), *further):
         print(f"symgen: {clipped(text)}", file=sys.stderr)
@@ -54,6 +62,16 @@ def clipped(text: str) -> str:
         return text
     half = LONGEST_MESSAGE // 2
     return f"{text[:half]} ... ({len(text) - 2 * half} characters left out) ... {text[-half:]}"
+
+
+def report_fault(command: str, error: Exception, as_json: bool) -> None:
+    """An exception that nobody expected: where it broke on standard error, and how to report it."""
+    traceback.print_exception(error)
+    print(f"symgen: {REPORT_IT}", file=sys.stderr)
+    if as_json:
+        where = "".join(traceback.format_exception(error))
+        details = {"kind": type(error).__name__, "message": str(error), "traceback": where, "remedy": REPORT_IT}
+        _write_json({"command": command, "exit_code": FAULT, "error": details})
 
 
 def _write_json(data: Mapping[str, Any]) -> None:

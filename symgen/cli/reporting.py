@@ -88,12 +88,12 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
 
 
 def _compared(model: Model, setting: Setting, arguments: argparse.Namespace) -> Comparison:
-    from runtime.studies.work_precision.comparison import compare
+    from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.methods import methods_named, usual_methods
 
     methods = methods_named(model, arguments.methods) if arguments.methods else usual_methods(model)
     with Progress(f"symgen {model.name}") as progress:
-        return compare(setting, methods, arguments.tolerance, arguments.longest, progress.note)
+        return work_precision(setting, methods, arguments.tolerance, arguments.longest, progress.note)
 
 
 def table(comparison: Comparison) -> list[str]:
@@ -125,8 +125,8 @@ def _suite(arguments: argparse.Namespace) -> Outcome:
 
 
 def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult:
+    from runtime.contract.errors import NoResult
     from runtime.contract.loading import load_model
-    from runtime.contract.status import NoResult
     from runtime.studies.advice.advise import advise
     from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.problem import make_setting

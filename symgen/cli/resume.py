@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     model = (
         opened_model(arguments.scene, keep=keep)
         if arguments.scene
-        else opened_text(header["model"], header["scene_toml"], keep)
+        else opened_text(header.model, header.scene_toml, keep)
     )
     with Progress(f"symgen {model.name}") as progress:
         solution = resume(

@@ -21,7 +21,7 @@ MODEL_FOLDER, SOLUTION_FILE = "model", "solution.npz"
 def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solution:
     """Simulate with the options of `add_run_options`; kept: what of the run is kept where.
 
-    Raises UsageError or ValueError subclasses.
+    Raises UsageError, and what `simulate` raises.
     """
     from runtime import simulate
     from runtime.engine.compiled import CompilerError

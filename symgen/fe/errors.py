@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from runtime.contract.errors import SymgenError
 
-class FiniteElementError(ValueError):
+
+class FiniteElementError(SymgenError, ValueError):
     """Something in finite-element data is wrong; says where, what, and what to do.
 
     Args:
@@ -11,12 +13,3 @@ class FiniteElementError(ValueError):
         problem: what is wrong with it.
         remedy: what to do about it.
     """
-
-    def __init__(self, item: str, problem: str, remedy: str) -> None:
-        super().__init__(item, problem, remedy)
-        self.item = item
-        self.problem = problem
-        self.remedy = remedy
-
-    def __str__(self) -> str:
-        return f"{self.item}: {self.problem}; {self.remedy}"

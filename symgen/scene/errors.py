@@ -6,8 +6,10 @@ import difflib
 import reprlib
 from collections.abc import Iterable
 
+from runtime.contract.errors import SymgenError
 
-class SceneError(ValueError):
+
+class SceneError(SymgenError, ValueError):
     """Something in a scene is wrong; says where, what, and what to do.
 
     Args:
@@ -16,16 +18,6 @@ class SceneError(ValueError):
         remedy: what to do about it; never empty.
         also: further errors found in the same pass.
     """
-
-    def __init__(self, item: str, problem: str, remedy: str, also: tuple[SceneError, ...] = ()) -> None:
-        super().__init__(item, problem, remedy, also)
-        self.item = item
-        self.problem = problem
-        self.remedy = remedy
-        self.also = also
-
-    def __str__(self) -> str:
-        return f"{self.item}: {self.problem}; {self.remedy}"
 
 
 def raise_all(errors: Iterable[SceneError]) -> None:

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
+from runtime.contract.errors import SymgenError
 
-class DerivationError(Exception):
+
+class DerivationError(SymgenError):
     """Names the item, what is wrong with it, and what to do; the pipeline gives it to the user as a SceneError."""
-
-    def __init__(self, item: str, problem: str, remedy: str) -> None:
-        super().__init__(item, problem, remedy)
-        self.item, self.problem, self.remedy = item, problem, remedy
-
-    def __str__(self) -> str:
-        return f"{self.item}: {self.problem}; {self.remedy}"

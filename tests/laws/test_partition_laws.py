@@ -13,8 +13,8 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.running.leg import Leg
 from runtime.running.plan import make_plan
+from runtime.running.segment import Segment
 from runtime.running.singular import variants
 from runtime.running.singular.carry import carried
 from runtime.running.singular.variants import use_generator, variant_of
@@ -72,22 +72,22 @@ class Switched:
     dt: float
     m: list[int] | None = None
 
-    def leg(self, model: Model) -> Leg:
+    def segment(self, model: Model) -> Segment:
         plan = make_plan(model, 1.0, self.dt, self.m, self.scheme, 1, None, 0.0)
-        return Leg.build(model, plan, model.parameter_vector(), "interpreted", True)
+        return Segment.build(model, plan, model.parameter_vector(), "interpreted")
 
     def run(self, parts: list[tuple[Model, int]]) -> np.ndarray:
         """q after so many steps on each model in turn."""
-        leg = self.leg(parts[0][0])
-        z = leg.start(self.model.initial_q, self.model.initial_q_dot)
+        segment = self.segment(parts[0][0])
+        z = segment.start(self.model.initial_q, self.model.initial_q_dot)
         for model, steps in parts:
-            if model is not leg.model:
-                new = self.leg(model)
-                z = carried(leg, z, new, leg.observed([leg.stepper.state(z)]))
-                leg = new
+            if model is not segment.model:
+                new = self.segment(model)
+                z = carried(segment, z, new, segment.observed([segment.stepper.state(z)]))
+                segment = new
             for _ in range(steps // 10):
-                leg.run(z, 10)
-        return np.asarray(leg.observed([leg.stepper.state(z)]).q[0])
+                segment.run(z, 10)
+        return np.asarray(segment.observed([segment.stepper.state(z)]).q[0])
 
 
 @pytest.mark.parametrize("scheme", ONE_GROUP)
@@ -125,7 +125,7 @@ def test_exchange_there_and_back_is_the_identity(model_of: Build) -> None:
     """
     model = model_of(slider_crank(0.3, 1.0, "crank.theta"))
     runs = Switched(model, "single_rate", 1e-3)
-    there, back = runs.leg(variant_of(model, ["slider.x"], model.initial_q)), runs.leg(model)
+    there, back = runs.segment(variant_of(model, ["slider.x"], model.initial_q)), runs.segment(model)
     z = back.start(model.initial_q, model.initial_q_dot)
     back.run(z, 77)
     across = carried(back, z, there, back.observed([back.stepper.state(z)]))

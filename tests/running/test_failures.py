@@ -16,8 +16,8 @@ from runtime.engine import c_source
 from runtime.engine.compiled import CompiledProgram, CompilerError, compile_source, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.prepare import prepare
+from runtime.running.monitor import Monitor
 from runtime.running.simulate import make_plan
-from runtime.running.watch import Watch
 from runtime.schemes.stepper import start_vector
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
@@ -195,7 +195,7 @@ def test_nan_behind_a_finite_state_is_seen(built_in: Load) -> None:
     scheme = make_plan(model, 0.1, 1e-3, None, "single_rate", 1, None, 0.0).scheme
     c = model.constants(model.parameter_vector())
     z = start_vector(scheme, 0.0, model.initial_q, model.initial_q_dot, c)
-    assert Watch(model, scheme, c).first(z) is None
-    status = Watch(model, scheme, np.full_like(c, np.nan)).first(z)
+    assert Monitor(model, scheme, c).first(z) is None
+    status = Monitor(model, scheme, np.full_like(c, np.nan)).first(z)
     assert status is not None
     assert status.name == "mass_not_positive"

@@ -163,9 +163,9 @@ def test_a_step_to_another_branch_is_not_taken(built_in: Load, monkeypatch: pyte
     """Behind the position the uprights are turned to the branch on which they are not parallel."""
     honest = crossing._step
 
-    def turned(pilot: Any, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
-        end, error = honest(pilot, t, y, H)
-        loops = pilot.model.loop_unknowns
+    def turned(integrator: Any, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
+        end, error = honest(integrator, t, y, H)
+        loops = integrator.model.loop_unknowns
         other = end.copy()
         for k in (1, 2):  # the antiparallel closure: mirrored about the line through the feet
             other[2 + loops.index(f"upright{k}.theta")] *= -1

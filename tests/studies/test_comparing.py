@@ -15,10 +15,10 @@ from runtime import Model, SchemeError, simulate
 from runtime.contract.model import ModelError
 from runtime.studies.advice.advise import Advice, NoAdvice, advise
 from runtime.studies.advice.words import advice_data, advice_lines, command
-from runtime.studies.work_precision.comparison import Comparison, Curve, compare
+from runtime.studies.work_precision.comparison import Comparison, WorkCurve, work_precision
 from runtime.studies.work_precision.comparison_files import write_comparison
-from runtime.studies.work_precision.contender import Contender, Spec, Trial
 from runtime.studies.work_precision.methods import Method, methods_named, usual_methods
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem, make_setting
 from runtime.studies.work_precision.reference_path import NoReference
 from runtime.studies.work_precision.search import search_steps
@@ -51,7 +51,7 @@ def advice(oscillators: Model) -> Advice:
 @pytest.fixture(scope="module")
 def comparison(oscillators: Model) -> Comparison:
     setting = make_setting(oscillators, t_end=T_END, parameters=PLAIN, initial=START)
-    return compare(
+    return work_precision(
         setting, methods_named(oscillators, ["exponential:2", "rk4", "printed:4", "cvodes_bdf"]), longest=0.003
     )
 
@@ -72,7 +72,7 @@ def test_the_reference_is_the_exact_motion(problem: Problem) -> None:
 
 def test_errors_are_those_of_the_exact_motion(problem: Problem) -> None:
     """RMS over the motion relative to the amplitude about the mean, from an own formula."""
-    trial = Contender(Spec("rk4"), problem, engine="interpreted").run(150)
+    trial = PreparedMethod(Spec("rk4"), problem, engine="interpreted").run(150)
     run = simulate(
         problem.model, t_end=T_END, dt=T_END / 150, scheme="rk4", parameters=PLAIN, initial=START, save_every=1
     )
@@ -83,16 +83,16 @@ def test_errors_are_those_of_the_exact_motion(problem: Problem) -> None:
 
 
 def test_unstable_runs_are_failures(problem: Problem) -> None:
-    trial = Contender(Spec("single_rate"), problem, engine="interpreted").run(30)
+    trial = PreparedMethod(Spec("single_rate"), problem, engine="interpreted").run(30)
     assert trial.failure
     assert not trial.error < 1
 
 
 def test_search_finds_the_fewest_steps(problem: Problem) -> None:
-    contender = Contender(Spec("single_rate"), problem, engine="interpreted")
-    found = search_steps(contender, 1e-3)
+    prepared = PreparedMethod(Spec("single_rate"), problem, engine="interpreted")
+    found = search_steps(prepared, 1e-3)
     assert found.best is not None and found.best.error <= 1e-3
-    assert contender.run(int(found.best.steps * 0.8)).error > 1e-3
+    assert prepared.run(int(found.best.steps * 0.8)).error > 1e-3
 
 
 def trial(seconds: float, error: float, failure: str = "") -> Trial:
@@ -101,17 +101,17 @@ def trial(seconds: float, error: float, failure: str = "") -> Trial:
 
 def test_time_to_a_tolerance_is_interpolated() -> None:
     """Between (1 s, 1e-2) and (4 s, 1e-4): 1e-3 takes 2 s; a failure before it cannot be interpolated from."""
-    curve = Curve(Method("x"), [trial(1.0, 1e-2), trial(4.0, 1e-4)], np.nan, None)
+    curve = WorkCurve(Method("x"), [trial(1.0, 1e-2), trial(4.0, 1e-4)], np.nan, None)
     assert curve.seconds_to(1e-3) == pytest.approx(2.0)
     assert curve.seconds_to(1e-5) == np.inf
-    failed = Curve(Method("x"), [trial(1.0, np.inf, "not finite"), trial(4.0, 1e-4)], np.nan, None)
+    failed = WorkCurve(Method("x"), [trial(1.0, np.inf, "not finite"), trial(4.0, 1e-4)], np.nan, None)
     assert failed.seconds_to(1e-3) == pytest.approx(4.0)
 
 
 def test_advice_meets_its_tolerance(advice: Advice, problem: Problem) -> None:
     """The advised method and step, judged by the independent reference."""
     steps = round(T_END / advice.dt)
-    assert Contender(advice.spec, problem, engine="interpreted").run(steps).error <= advice.tolerance
+    assert PreparedMethod(advice.spec, problem, engine="interpreted").run(steps).error <= advice.tolerance
     assert advice.gain > 0
     assert advice.groups is not None
     assert advice.groups.slow == ["x_L"]

@@ -12,15 +12,15 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from runtime.running.leg import Leg
+from runtime.running.segment import Segment
 from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
 CLOSURES = 6
 
 
-def carried(old: Leg, z: np.ndarray, new: Leg, seen: Solution) -> np.ndarray:
-    """z of the new leg at the state of the old one; seen: that state observed, one sample."""
+def carried(old: Segment, z: np.ndarray, new: Segment, seen: Solution) -> np.ndarray:
+    """z of the new segment at the state of the old one; seen: that state observed, one sample."""
     result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z))
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
     for name in COUNTERS:
@@ -36,8 +36,8 @@ def carried(old: Leg, z: np.ndarray, new: Leg, seen: Solution) -> np.ndarray:
     return result
 
 
-def _increment(old: Leg, z: np.ndarray, seen: Solution, name: str, h: float) -> tuple[float, float]:
-    """(q(t) - q(t - h), q_ddot(t - h)) of a dependent coordinate of the old leg.
+def _increment(old: Segment, z: np.ndarray, seen: Solution, name: str, h: float) -> tuple[float, float]:
+    """(q(t) - q(t - h), q_ddot(t - h)) of a dependent coordinate of the old segment.
 
     Coordinates with another step than h are not remembered at t - h; they are taken along their acceleration.
     """

@@ -11,44 +11,38 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.integrate import DOP853, solve_ivp
+from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
-from runtime.baselines.condensed_ode import CondensedOde
-from runtime.contract.model import Model
-from runtime.contract.status import Status
-from runtime.results.observe import assemble_solution, join
 from runtime.results.solution import Solution
-from runtime.running.singular.place import Place
+from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 
 IN_THE_GAP = 7 / 15  # of the step, in the middle of the gap
-CLOSURES = 5  # Newton steps: stages lie near the position, and guesses of early stages are of low order
 # determinants, of the largest, from which the step over the position is tried; rounding of q_ddot goes as det^-3
 CLOSEST = (0.1, 0.05, 0.02, 0.004, 0.0008)
-RTOL, ATOL = 1e-11, 1e-13
 STEP_ERROR = 1e-9  # error estimate of the step over the position, relative
 CONTINUITY = 1e-5  # by how much q may miss the integral of q_dot over the step, relative to its way
 ENERGY = 1e-8  # change of energy in the step, of the largest energy in motion
-LOOKS = 12  # steps at least while the determinant is followed down
 AHEAD = 3.0  # times the time that the determinant takes to zero at its present rate
-OBSERVED = ("q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 
 
 @dataclass(frozen=True)
 class Crossing:
-    """y = (q_i, q_i_dot, loop unknowns) at a time t behind the singular time t_s, and the change of energy [J]."""
+    """One step over a singular position at t_s [s], from (t_near, y_near) before it to (t, y) behind it.
+
+    y = (q_i, q_i_dot, loop unknowns) (size,); energy_change [J]: of the whole step.
+    """
 
     t_s: float
     t: float
     y: np.ndarray
     energy_change: float
-
     t_near: float
     y_near: np.ndarray
 
-    def ends(self, pilot: Pilot) -> Solution:
+    def ends(self, integrator: TightIntegrator) -> Solution:
         """The two states between which the step over the position lies."""
-        return pilot.seen(np.array([self.t_near, self.t]), np.array([self.y_near, self.y]))
+        return integrator.seen(np.array([self.t_near, self.t]), np.array([self.y_near, self.y]))
 
 
 def between(over: Solution, t: float) -> tuple[np.ndarray, np.ndarray]:
@@ -65,147 +59,69 @@ def between(over: Solution, t: float) -> tuple[np.ndarray, np.ndarray]:
     return position, rate / H
 
 
-class BranchLost(Exception):
-    """No step over the singular position keeps the branch and the energy; the message says why."""
-
-
-class Pilot:
-    """Integrates the condensed equations of a model tightly, for short times."""
-
-    def __init__(self, model: Model, p: np.ndarray, c: np.ndarray) -> None:
-        self.model, self.p, self.c = model, p, c
-        ode = model.derived("pilot", lambda: CondensedOde(model, CLOSURES).right_hand_side())
-        self._observe = model.derived("pilot_observe", lambda: CondensedOde(model, CLOSURES).observe())
-        self._rhs = ode
-        self.place = Place(model, c)
-
-    def pack(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
-        """y of a consistent state."""
-        i = self.model.independent_columns
-        return np.concatenate([q[i], q_dot[i], q[self.model.loop_columns]])
-
-    def slope(self, t: float, y: np.ndarray) -> np.ndarray:
-        """y_dot."""
-        return np.asarray(self._rhs(t, y, self.c)).ravel()
-
-    def seen(self, t: np.ndarray, y: np.ndarray) -> Solution:
-        """Closed states with energies at times t (N,), y (N, size)."""
-        found = [
-            [np.asarray(part).ravel() for part in self._observe(one, state, self.c)]
-            for one, state in zip(t, y, strict=True)
-        ]
-        parts = {name: np.array([row[k] for row in found]).reshape(len(t), -1) for k, name in enumerate(OBSERVED)}
-        q, v, a = (join(self.model, parts[f"q_i{end}"], parts[f"q_d{end}"]) for end in ("", "_dot", "_ddot"))
-        return assemble_solution(
-            self.model, t, q, v, a, self.p, self.c, "pilot", 0.0, [], {}, Status("completed", float(t[-1]))
-        )
-
-    def determinants(self, t: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Of the loop blocks, and their rates."""
-        state = self.seen(np.array([t]), y[None, :])
-        return self.place.determinants(t, state.q[0], state.q_dot[0])
-
-    def run(self, t: float, y: np.ndarray, t_end: float) -> tuple[float, np.ndarray]:
-        """(t_end, y there)."""
-        if t_end == t:
-            return t, y
-        found = solve_ivp(self.slope, (t, t_end), y, method="DOP853", rtol=RTOL, atol=ATOL)
-        if not found.success or not np.isfinite(found.y[:, -1]).all():
-            raise BranchLost("the equations cannot be integrated near the singular position")
-        return float(found.t[-1]), found.y[:, -1].copy()
-
-    def descend(
-        self, t: float, y: np.ndarray, t_end: float, block: int, height: float
-    ) -> tuple[float, np.ndarray] | None:
-        """(t, y) where the determinant of a block has come down to `height`; None if that is not before t_end."""
-        sign = float(np.sign(self.determinants(t, y)[0][block]))
-
-        def above(t: float, y: np.ndarray) -> float:
-            return float(sign * self.determinants(t, y)[0][block] - height)
-
-        above.terminal, above.direction = True, -1  # type: ignore[attr-defined]
-        try:
-            found = solve_ivp(
-                self.slope,
-                (t, t_end),
-                y,
-                method="DOP853",
-                rtol=RTOL,
-                atol=ATOL,
-                events=above,
-                max_step=(t_end - t) / LOOKS,
-            )
-        except ValueError:  # not finite
-            return None
-        return (float(found.t[-1]), found.y[:, -1].copy()) if found.status == 1 else None
-
-    def time_left(self, t: float, y: np.ndarray, block: int) -> float:
-        """Time until the determinant of a block is zero, at its present rate [s]; infinite if it grows."""
-        value, rate = (part[block] for part in self.determinants(t, y))
-        return float(-value / rate) if value * rate < 0 else np.inf
-
-
-def approach(pilot: Pilot, t: float, y: np.ndarray, block: int, height: float) -> tuple[float, np.ndarray] | None:
+def approach(
+    integrator: TightIntegrator, t: float, y: np.ndarray, block: int, height: float
+) -> tuple[float, np.ndarray] | None:
     """(t, y) where the determinant has come down to `height` on its way to zero; None if it turns before that."""
-    left = pilot.time_left(t, y, block)
+    left = integrator.time_left(t, y, block)
     if not np.isfinite(left):
         return None
-    now = abs(float(pilot.determinants(t, y)[0][block]))
+    now = abs(float(integrator.determinants(t, y)[0][block]))
     if now <= height:
         return (t, y) if now > 0.5 * height else None
-    return pilot.descend(t, y, t + AHEAD * left, block, height)
+    return integrator.descend(t, y, t + AHEAD * left, block, height)
 
 
-def cross(pilot: Pilot, t: float, y: np.ndarray, block: int, largest: float) -> Crossing:
+def cross(integrator: TightIntegrator, t: float, y: np.ndarray, block: int, largest: float) -> Crossing:
     """Over the singular position that lies ahead of (t, y). Raises BranchLost."""
     reason = "it could not be approached"
     for closest in CLOSEST:
-        near = approach(pilot, t, y, block, closest * largest)
+        near = approach(integrator, t, y, block, closest * largest)
         if near is None:
             continue
         try:
-            return _step_over(pilot, *near, block)
+            return _step_over(integrator, *near, block)
         except BranchLost as error:
             reason = str(error)
     raise BranchLost(reason)
 
 
-def _step_over(pilot: Pilot, t: float, y: np.ndarray, block: int) -> Crossing:
+def _step_over(integrator: TightIntegrator, t: float, y: np.ndarray, block: int) -> Crossing:
     """One step, placed twice: the second time by the determinants on both sides."""
-    ahead = _time_to_zero(pilot, t, y, block)
-    end, error = _step(pilot, t, y, ahead / IN_THE_GAP)
+    ahead = _time_to_zero(integrator, t, y, block)
+    end, error = _step(integrator, t, y, ahead / IN_THE_GAP)
     H = ahead / IN_THE_GAP
-    ahead = _zero_between(pilot, (t, y), (t + H, end), block)
+    ahead = _zero_between(integrator, (t, y), (t + H, end), block)
     if not 0.3 * H < ahead < 0.7 * H:
         raise BranchLost("the singular time is not where the determinant leads to")
     H = ahead / IN_THE_GAP
-    end, error = _step(pilot, t, y, H)
+    end, error = _step(integrator, t, y, H)
     if error > STEP_ERROR:
         raise BranchLost(f"a step of {H:.3g} s over it is not accurate (error {error:.2g})")
-    found = Crossing(t + ahead, t + H, end, _checked(pilot, t, y, H, end), t, y)
-    return replace(found, t_s=_zero_inside(pilot, found, block))
+    found = Crossing(t + ahead, t + H, end, _checked(integrator, t, y, H, end), t, y)
+    return replace(found, t_s=_zero_inside(integrator, found, block))
 
 
-def _zero_inside(pilot: Pilot, crossing: Crossing, block: int) -> float:
+def _zero_inside(integrator: TightIntegrator, crossing: Crossing, block: int) -> float:
     """The singular time, by the motion inside the step; that of the placement where the determinant has no sign."""
-    over = crossing.ends(pilot)
+    over = crossing.ends(integrator)
 
     def determinant(t: float) -> float:
-        return float(pilot.place.determinants(t, *between(over, t))[0][block])
+        return float(integrator.loops.determinants(t, *between(over, t))[0][block])
 
     if determinant(crossing.t_near) * determinant(crossing.t) > 0:
         return crossing.t_s
     return float(brentq(determinant, crossing.t_near, crossing.t, xtol=1e-13))
 
 
-def _step(pilot: Pilot, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
+def _step(integrator: TightIntegrator, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
     """(y after one step of DOP853, its error estimate relative to y)."""
     K: list[np.ndarray] = []
     for row, node in zip(DOP853.A, DOP853.C, strict=True):
         at = y + H * sum((w * k for w, k in zip(row, K, strict=False)), np.zeros_like(y))
-        K.append(pilot.slope(t + node * H, at))
+        K.append(integrator.slope(t + node * H, at))
     end = y + H * sum((w * k for w, k in zip(DOP853.B, K, strict=True)), np.zeros_like(y))
-    K.append(pilot.slope(t + H, end))
+    K.append(integrator.slope(t + H, end))
     if not np.isfinite(end).all() or not np.isfinite(K[-1]).all():
         raise BranchLost("the equations are not finite beside it")
     fifth, third = (
@@ -216,19 +132,21 @@ def _step(pilot: Pilot, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, 
     return end, float(size**2 / np.hypot(size, 0.1 * np.linalg.norm(third))) if size > 0 else 0.0
 
 
-def _time_to_zero(pilot: Pilot, t: float, y: np.ndarray, block: int) -> float:
+def _time_to_zero(integrator: TightIntegrator, t: float, y: np.ndarray, block: int) -> float:
     """By u = det / det', which falls linearly to zero at a root of any multiplicity."""
-    left = pilot.time_left(t, y, block)
-    earlier_t, earlier = pilot.run(t, y, t - 0.5 * left)
-    slope = (pilot.time_left(earlier_t, earlier, block) - left) / (t - earlier_t)
+    left = integrator.time_left(t, y, block)
+    earlier_t, earlier = integrator.run(t, y, t - 0.5 * left)
+    slope = (integrator.time_left(earlier_t, earlier, block) - left) / (t - earlier_t)
     return left / slope if 0.2 < slope < 2 else left
 
 
-def _zero_between(pilot: Pilot, before: tuple[float, np.ndarray], after: tuple[float, np.ndarray], block: int) -> float:
+def _zero_between(
+    integrator: TightIntegrator, before: tuple[float, np.ndarray], after: tuple[float, np.ndarray], block: int
+) -> float:
     """Time from `before` to the zero of the determinant; of a cubic where it changes sign, else of det / det'."""
     H = after[0] - before[0]
     (f0, g0), (f1, g1) = (
-        (value[block], rate[block] * H) for value, rate in (pilot.determinants(t, y) for t, y in (before, after))
+        (value[block], rate[block] * H) for value, rate in (integrator.determinants(t, y) for t, y in (before, after))
     )
     if f0 * f1 < 0:
         roots = np.roots([2 * (f0 - f1) + g0 + g1, 3 * (f1 - f0) - 2 * g0 - g1, g0, f0])
@@ -239,9 +157,9 @@ def _zero_between(pilot: Pilot, before: tuple[float, np.ndarray], after: tuple[f
     return float(-u0 * H / (u1 - u0)) if u1 != u0 else 0.0
 
 
-def _checked(pilot: Pilot, t: float, y: np.ndarray, H: float, end: np.ndarray) -> float:
+def _checked(integrator: TightIntegrator, t: float, y: np.ndarray, H: float, end: np.ndarray) -> float:
     """The change of energy [J] over a step that kept the branch. Raises BranchLost."""
-    seen = pilot.seen(np.array([t, t + H]), np.array([y, end]))
+    seen = integrator.seen(np.array([t, t + H]), np.array([y, end]))
     if not np.isfinite(seen.q).all() or seen.constraint_error.max() > 1e-9:
         raise BranchLost("the constraints do not hold behind it")
     q, v, a = seen.q, seen.q_dot, seen.q_ddot

@@ -10,30 +10,31 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.status import Event, Status
+from runtime.contract.status import Event, Status, StatusName
 from runtime.contract.units import mechanism_length
 from runtime.results.solution import Solution
-from runtime.running.leg import Leg
+from runtime.running.segment import Segment
 from runtime.running.singular.carry import COUNTERS, carried
-from runtime.running.singular.crossing import BranchLost, Crossing, Pilot, approach, between, cross
+from runtime.running.singular.crossing import Crossing, approach, between, cross
+from runtime.running.singular.exchange import CLEARLY, Exchange, best_exchange
 from runtime.running.singular.guard import LAST, NEAR, Guard
-from runtime.running.singular.partition import CLEARLY, Exchange, best_exchange
-from runtime.running.singular.place import Place
+from runtime.running.singular.loop_determinants import LoopDeterminants
+from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 from runtime.running.singular.variants import NoVariant, variant_of
 from runtime.schemes.options import SchemeError
 
-PILOT = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
+FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
 
 
 @dataclass
-class Outcome:
-    """How a run goes on: at z on a leg (another one after an exchange), with samples of the steps in between.
+class Continuation:
+    """How a run goes on: at z on a segment (another one after an exchange), with samples of the steps in between.
 
     drop_from: the first step whose earlier samples do not hold; None: all hold.
     """
 
-    leg: Leg
+    segment: Segment
     z: np.ndarray
     samples: list[np.ndarray]
     drop_from: int | None = None
@@ -42,7 +43,7 @@ class Outcome:
 
 
 def locate(
-    leg: Leg, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
+    segment: Segment, guard: Guard, earlier: np.ndarray | None, before: np.ndarray, steps: int
 ) -> tuple[np.ndarray, np.ndarray | None, bool]:
     """(z before the first step that raises the alarm, z one step earlier if there is one, was there an alarm at all?).
 
@@ -53,23 +54,23 @@ def locate(
     while high - low > 1:
         middle = (low + high) // 2
         z = low_z.copy()
-        leg.run(z, middle - low)
-        if guard.alarm(*leg.determinants(z)):
+        segment.run(z, middle - low)
+        if guard.alarm(*segment.determinants(z)):
             high = middle
         else:
-            guard.accept(*leg.determinants(z))
+            guard.accept(*segment.determinants(z))
             low_z, low = z, middle
     z = low_z.copy()
-    leg.run(z, 1)
-    if not guard.alarm(*leg.determinants(z)):
-        guard.accept(*leg.determinants(z))
+    segment.run(z, 1)
+    if not guard.alarm(*segment.determinants(z)):
+        guard.accept(*segment.determinants(z))
         return z, None, False
     for start in (before, earlier):
-        distance = -1 if start is None else leg.step_of(low_z) - 1 - leg.step_of(start)
+        distance = -1 if start is None else segment.step_of(low_z) - 1 - segment.step_of(start)
         if start is not None and distance >= 0:
             previous = start.copy()
             if distance:
-                leg.run(previous, distance)
+                segment.run(previous, distance)
             break
     return low_z, previous, True
 
@@ -77,39 +78,39 @@ def locate(
 class Passage:
     """Looks at a place where the alarm was raised, and decides."""
 
-    def __init__(self, leg: Leg, guard: Guard, legs: list[Leg], engine: str) -> None:
-        self.leg, self.guard, self.legs, self.engine = leg, guard, legs, engine
-        self.place = Place(leg.model, leg.c)
-        self.length = mechanism_length(leg.model, self.place.jacobian(0.0, legs[0].model.initial_q))
+    def __init__(self, segment: Segment, guard: Guard, segments: list[Segment], engine: str) -> None:
+        self.segment, self.guard, self.segments, self.engine = segment, guard, segments, engine
+        self.loops = LoopDeterminants(segment.model, segment.c)
+        self.length = mechanism_length(segment.model, self.loops.jacobian(0.0, segments[0].model.initial_q))
 
-    def go_on(self, z: np.ndarray) -> Outcome:
+    def go_on(self, z: np.ndarray) -> Continuation:
         """From z, the last state whose determinants were good."""
-        seen = self.leg.observed([self.leg.stepper.state(z)])
+        seen = self.segment.observed([self.segment.stepper.state(z)])
         t, q, v = float(seen.t[0]), seen.q[0], seen.q_dot[0]
-        values, _ = self.place.determinants(t, q, v)
+        values, _ = self.loops.determinants(t, q, v)
         if not (np.isfinite(q).all() and np.isfinite(v).all() and np.isfinite(values).all()):
             return self._look_later(z)
         block = self.guard.worst(values)
-        exchange = best_exchange(self.leg.model, self.place.jacobian(t, q), self.length)
+        exchange = best_exchange(self.segment.model, self.loops.jacobian(t, q), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         return self._ahead(z, seen, block, abs(float(values[block])))
 
-    def _ahead(self, z: np.ndarray, seen: Solution, block: int, height: float) -> Outcome:
+    def _ahead(self, z: np.ndarray, seen: Solution, block: int, height: float) -> Continuation:
         """Follow the motion with tight tolerances to see whether it leads to a singular position."""
-        pilot = Pilot(self.leg.model, self.leg.p, self.leg.c)
-        t, y = float(seen.t[0]), pilot.pack(seen.q[0], seen.q_dot[0])
+        integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c)
+        t, y = float(seen.t[0]), integrator.pack(seen.q[0], seen.q_dot[0])
         largest = float(self.guard.largest[block]) or height
-        near = approach(pilot, t, y, block, min(PILOT * largest, 0.3 * height))
+        near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
         if near is None:
             return self._look_later(z)
-        there = pilot.seen(np.array([near[0]]), near[1][None, :])
-        exchange = best_exchange(self.leg.model, self.place.jacobian(near[0], there.q[0]), self.length)
+        there = integrator.seen(np.array([near[0]]), near[1][None, :])
+        exchange = best_exchange(self.segment.model, self.loops.jacobian(near[0], there.q[0]), self.length)
         if exchange is not None and exchange.gain >= CLEARLY:
             return self._exchanged(z, seen, exchange)
         try:
-            crossing = cross(pilot, t, y, block, largest)
-            return self._behind(z, pilot, (t, y), crossing, block, largest)
+            crossing = cross(integrator, t, y, block, largest)
+            return self._behind(z, integrator, (t, y), crossing, block, largest)
         except BranchLost as error:
             return self._lost(
                 "branch_lost",
@@ -120,10 +121,10 @@ class Passage:
 
     # ---- another q_i ----------------------------------------------------------------------------------------
 
-    def _exchanged(self, z: np.ndarray, seen: Solution, exchange: Exchange) -> Outcome:
-        names = exchange.apply(list(self.leg.model.q_i))
+    def _exchanged(self, z: np.ndarray, seen: Solution, exchange: Exchange) -> Continuation:
+        names = exchange.apply(list(self.segment.model.q_i))
         try:
-            leg = self._leg_with(names, seen.q[0])
+            segment = self._segment_with(names, seen.q[0])
         except (NoVariant, SchemeError) as error:
             if self.guard.threshold > LAST:
                 return self._look_later(z, Event(float(seen.t[0]), "no_variant", str(error)))
@@ -133,40 +134,40 @@ class Passage:
                 f"{exchange.out} no longer determines the mechanism, {exchange.into} would",
                 str(error),
             )
-        new = carried(self.leg, z, leg, seen)
-        leg.watch.resume(leg.stepper.state(new), self.leg.watch.memory())
+        new = carried(self.segment, z, segment, seen)
+        segment.monitor.resume(segment.stepper.state(new), self.segment.monitor.memory())
         event = Event(
             float(seen.t[0]),
             "repartition",
             f"{exchange.into} took the place of {exchange.out} in q_i, "
             f"which makes the closure {exchange.gain:.3g} times better determined",
         )
-        return Outcome(leg, new, [], leg.step_of(new) + 1, event)
+        return Continuation(segment, new, [], segment.step_of(new) + 1, event)
 
-    def _leg_with(self, names: list[str], q: np.ndarray) -> Leg:
+    def _segment_with(self, names: list[str], q: np.ndarray) -> Segment:
         """One that the run has had, or a new one. Raises NoVariant or SchemeError."""
-        known = next((leg for leg in self.legs if list(leg.model.q_i) == names), None)
+        known = next((segment for segment in self.segments if list(segment.model.q_i) == names), None)
         if known is not None:
             return known
-        model = variant_of(self.legs[0].model, names, q)
-        return Leg.build(model, self.leg.plan.on(model), self.leg.p, self.engine, True)
+        model = variant_of(self.segments[0].model, names, q)
+        return Segment.build(model, self.segment.plan.on(model), self.segment.p, self.engine)
 
     # ---- over the position ----------------------------------------------------------------------------------
 
     def _behind(
         self,
         z: np.ndarray,
-        pilot: Pilot,
+        integrator: TightIntegrator,
         before: tuple[float, np.ndarray],
         crossing: Crossing,
         block: int,
         largest: float,
-    ) -> Outcome:
+    ) -> Continuation:
         """Samples up to the first step whose determinant is good again, where the scheme starts anew."""
-        plan, first = self.leg.plan, self.leg.step_of(z)
+        plan, first = self.segment.plan, self.segment.step_of(z)
         samples: list[np.ndarray] = []
         t, y = before
-        over = crossing.ends(pilot)
+        over = crossing.ends(integrator)
         for step in range(first + 1, min(plan.steps, first + LONGEST_LEAVE) + 1):
             target = plan.time(step)
             if over.t[0] < target < over.t[1]:
@@ -174,10 +175,10 @@ class Passage:
                 continue
             if t < over.t[1] <= target:
                 t, y = crossing.t, crossing.y
-            t, y = pilot.run(t, y, target)
-            seen = pilot.seen(np.array([t]), y[None, :])
+            t, y = integrator.run(t, y, target)
+            seen = integrator.seen(np.array([t]), y[None, :])
             samples.append(self._state(z, seen.q[0], seen.q_dot[0], step))
-            height = abs(float(self.place.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
+            height = abs(float(self.loops.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
             if t > crossing.t_s and height > 1.2 * NEAR * largest:
                 break
         event = Event(
@@ -187,23 +188,22 @@ class Passage:
             f"{abs(crossing.energy_change):.2g} J",
         )
         self.guard.passed()
-        return Outcome(self.leg, samples[-1].copy(), samples, first + 1, event)
+        return Continuation(self.segment, samples[-1].copy(), samples, first + 1, event)
 
     def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int) -> np.ndarray:
-        result = self.leg.start(q, q_dot, step)
-        layout = self.leg.plan.scheme.layout
+        result = self.segment.start(q, q_dot, step)
+        layout = self.segment.plan.scheme.layout
         for name in COUNTERS:
             result[layout.slice(name)] = z[layout.slice(name)]
         return result
 
     # ---- neither --------------------------------------------------------------------------------------------
 
-    def _look_later(self, z: np.ndarray, event: Event | None = None) -> Outcome:
+    def _look_later(self, z: np.ndarray, event: Event | None = None) -> Continuation:
         """Nothing to be done yet: go on, and look again when the determinant is smaller."""
         self.guard.lower()
-        return Outcome(self.leg, z, [], None, event)
+        return Continuation(self.segment, z, [], None, event)
 
-    def _lost(self, name: str, z: np.ndarray, cause: str, advice: str) -> Outcome:
-        time = self.leg.plan.time(self.leg.step_of(z))
-        assert name in ("partition_lost", "branch_lost")
-        return Outcome(self.leg, z, [], None, None, Status(name, time, None, cause, advice))  # type: ignore[arg-type]
+    def _lost(self, name: StatusName, z: np.ndarray, cause: str, advice: str) -> Continuation:
+        time = self.segment.plan.time(self.segment.step_of(z))
+        return Continuation(self.segment, z, [], None, None, Status(name, time, None, cause, advice))

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.errors import SymgenError
 from runtime.contract.loading import load_model
 from runtime.contract.model import Model, ModelError
 from runtime.engine.compiled import cache_folder
@@ -88,7 +89,7 @@ def _generate(
             files = sorted(Path(made).iterdir(), key=lambda path: path.name == "manifest.json")  # the manifest last
             for path in files:
                 path.replace(folder / path.name)
-    except (OSError, ValueError) as error:
+    except (OSError, SymgenError) as error:
         raise NoVariant(f"a variant with q_i = {', '.join(q_i)} cannot be generated: {error}") from error
 
 

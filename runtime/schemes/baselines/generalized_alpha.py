@@ -1,4 +1,4 @@
-"""Generalized-alpha and HHT on the index-3 equations in all coordinates: opponents that do not condense. Order 2.
+"""Generalized-alpha and HHT on the index-3 equations in all coordinates: baselines that do not condense. Order 2.
 
     M q'' + C_q^T lam = Q*(q, q', t),    C(q, t) = 0    at the end of every step, with Newmark's formulas
 

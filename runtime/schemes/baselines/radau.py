@@ -1,4 +1,4 @@
-"""Radau IIA with three stages: order 5, L-stable, one Jacobian a step. An opponent, compiled like the rest.
+"""Radau IIA with three stages: order 5, L-stable, one Jacobian a step. A baseline, compiled like the rest.
 
 Hairer and Wanner's RADAU5 with a fixed step, on the second-order equations q'' = M_hat^-1 Q_hat = a(q, q', t).
 Unknown are the accelerations K_i of the stages,

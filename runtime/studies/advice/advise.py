@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.contract.status import NoResult
 from runtime.modes.modes import ModeSolver, State
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups
 from runtime.studies.stability.limits import StabilityStudy
-from runtime.studies.work_precision.contender import Contender, Spec, Trial
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem, Setting, make_setting
 from runtime.studies.work_precision.search import Search, search_steps
 
@@ -37,15 +37,15 @@ Note = Callable[[str], None]
 class Advice:
     """What to use, and why.
 
-    spec, dt [s] and trial describe the advised method and its pilot run; limit is its largest stable step (None: no
+    spec, dt [s] and trial describe the advised method and its trial; limit is its largest stable step (None: no
     limit); searches hold all trials of all candidates, ascending in time; gain is how many times faster it is than the
-    best method with one step for all coordinates; pilot [s] is the length of the motion tried.
+    best method with one step for all coordinates; tried [s] is the length of the motion tried.
     """
 
     model: Model
     tolerance: float
     graded: list[str]
-    pilot: float
+    tried: float
     t_end: float
     modes: list[ModeRange]
     groups: Groups | None
@@ -60,7 +60,7 @@ class Advice:
     @property
     def seconds(self) -> float:
         """Expected CPU time of the whole motion [s]."""
-        return self.trial.seconds * self.t_end / self.pilot
+        return self.trial.seconds * self.t_end / self.tried
 
 
 class NoAdvice(NoResult):
@@ -131,10 +131,10 @@ def _searched(problem: Problem, tolerance: float, note: Note) -> list[Search]:
     fastest = np.inf
     for spec in candidates(problem.model):
         note(f"trying {spec.label}")
-        contender = Contender(spec, problem)
-        if contender.operations > MOST_OPERATIONS:
+        prepared = PreparedMethod(spec, problem)
+        if prepared.operations > MOST_OPERATIONS:
             continue
-        searches.append(search_steps(contender, tolerance, seconds_to_beat=fastest))
+        searches.append(search_steps(prepared, tolerance, seconds_to_beat=fastest))
         fastest = min(fastest, searches[-1].seconds)
     return searches
 
@@ -152,26 +152,22 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
     """The fastest search whose step keeps the margin to its stability limit, and that limit."""
     for one in done:
         assert one.best is not None
-        spec = _spec_of(problem.model, one.label)
+        spec = one.spec
         if SCHEMES[spec.scheme].make.reach is None or not states or len(problem.model.q_i) > STUDIED:
             return one, None
-        if problem.t_end < FEW_STEPS * one.best.dt:
+        if problem.t_end < FEW_STEPS * one.best.setting:
             return one, None
         study = StabilityStudy(
             problem.model, spec.scheme, list(spec.m) if spec.m else None, spec.options, problem.c, states, problem.t_end
         )
-        curve = study.curve(np.geomspace(one.best.dt / 4, 4 * one.best.dt, 9))
+        curve = study.curve(np.geomspace(one.best.setting / 4, 4 * one.best.setting, 9))
         if curve.limit is None:
             continue
-        if not curve.beyond and one.best.dt > MARGIN * curve.limit:
-            contender = Contender(spec, problem)
-            one.best = contender.run(int(np.ceil(problem.t_end / (MARGIN * curve.limit))))
+        if not curve.beyond and one.best.setting > MARGIN * curve.limit:
+            prepared = PreparedMethod(spec, problem)
+            one.best = prepared.run(int(np.ceil(problem.t_end / (MARGIN * curve.limit))))
         return one, None if curve.beyond else curve.limit
     return done[0], None
-
-
-def _spec_of(model: Model, label: str) -> Spec:
-    return next(spec for spec in candidates(model) if spec.label == label)
 
 
 def _advice(
@@ -186,11 +182,9 @@ def _advice(
 ) -> Advice:
     model, trial = setting.model, best.best
     assert trial is not None
-    single = min(
-        (one.seconds for one in searches if not SCHEMES[_spec_of(model, one.label).scheme].multirate), default=np.inf
-    )
+    single = min((one.seconds for one in searches if not SCHEMES[one.spec.scheme].multirate), default=np.inf)
     gain = single / best.seconds
-    spec = _spec_of(model, best.label)
+    spec = best.spec
     return Advice(
         model,
         tolerance,
@@ -201,7 +195,7 @@ def _advice(
         propose_groups(model, solver, states) if solver else None,
         sorted(searches, key=lambda one: one.seconds),
         spec,
-        trial.dt,
+        trial.setting,
         trial,
         limit,
         gain,
@@ -210,7 +204,7 @@ def _advice(
 
 
 def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest: bool) -> str:
-    step = f"step {trial.dt:.3g} s, error {trial.error:.2g}"
+    step = f"step {trial.setting:.3g} s, error {trial.error:.2g}"
     bound = f"; stable up to {limit:.3g} s" if limit else "; no stability limit near that step"
     if not SCHEMES[spec.scheme].multirate:
         which = "the fastest here" if fastest else "the fastest here that is stable at its step"

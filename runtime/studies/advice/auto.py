@@ -58,7 +58,7 @@ def simulate(
 
 
 @dataclass(frozen=True)
-class Choice:
+class AutomaticChoice:
     """Arguments that replace scheme, dt, m, options and save_every, and the reason."""
 
     arguments: dict[str, Any]
@@ -75,7 +75,7 @@ def choose(
     graded: list[str] | None,
     save_every: int | None,
     t0: float,
-) -> Choice:
+) -> AutomaticChoice:
     """What to step with. States are saved about as often as the scene says. Raises what `advise` raises."""
     from runtime.studies.advice.advise import advise  # brings SciPy, which only this scheme needs
 
@@ -100,4 +100,4 @@ def choose(
         "options": dict(advice.spec.options),
         "save_every": every,
     }
-    return Choice(arguments, advice.reason)
+    return AutomaticChoice(arguments, advice.reason)

@@ -16,7 +16,7 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "model": advice.model.name,
         "tolerance": advice.tolerance,
         "graded": advice.graded,
-        "pilot": advice.pilot,
+        "tried": advice.tried,
         "t_end": advice.t_end,
         "scheme": spec.scheme,
         "m": list(spec.m or ()),
@@ -40,7 +40,7 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "candidates": [
             {
                 "method": one.label,
-                "dt": one.best.dt if one.best else None,
+                "dt": one.best.setting if one.best else None,
                 "seconds": one.best.seconds if one.best else None,
                 "error": one.best.error if one.best else None,
             }
@@ -51,7 +51,7 @@ def advice_data(advice: Advice) -> dict[str, Any]:
 
 def advice_lines(advice: Advice) -> list[str]:
     """For a person: frequencies, groups, candidates, advice, the command."""
-    lines = [f"{advice.model.name}: coupled frequencies over {advice.pilot:g} s [rad/s]"]
+    lines = [f"{advice.model.name}: coupled frequencies over {advice.tried:g} s [rad/s]"]
     for mode in advice.modes:
         damped = f", damping {mode.least_damping:.2g}" if mode.least_damping > 1e-3 else ""
         lines.append(f"  {mode.lowest:10.5g} to {mode.highest:<10.5g} {', '.join(mode.coordinates)}{damped}")
@@ -66,7 +66,7 @@ def advice_lines(advice: Advice) -> list[str]:
             lines.append(f"  {one.label:34} not reached in useful time")
         else:
             lines.append(
-                f"  {one.label:34} dt = {one.best.dt:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
+                f"  {one.label:34} dt = {one.best.setting:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
                 f"error {one.best.error:.2g}"
             )
     return [*lines, advice.reason, f"run it with: {command(advice)}"]

@@ -17,7 +17,7 @@ from runtime.contract.model import Model, ModelError
 from runtime.modes.modes import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.along import states_along
-from runtime.studies.stability.limits import Curve, StabilityStudy, usual_steps
+from runtime.studies.stability.limits import StabilityCurve, StabilityStudy, usual_steps
 from runtime.studies.stability.spectrum import ExactMotion
 
 USUAL_RATIOS = (1, 2, 3, 4, 6, 8, 12, 16)
@@ -31,7 +31,7 @@ class StabilityChart:
 
     model: Model
     scheme: str
-    curves: list[Curve]
+    curves: list[StabilityCurve]
     states: list[State]
     t_end: float
 
@@ -69,7 +69,7 @@ class StabilityChart:
         write_text(path, text.getvalue())
 
 
-def _growth_below(curve: Curve) -> float:
+def _growth_below(curve: StabilityCurve) -> float:
     below = curve.growth[curve.dt <= (curve.limit or 0.0)]
     return float(below.max()) if len(below) else 0.0
 

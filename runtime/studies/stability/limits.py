@@ -20,7 +20,7 @@ Progress = Callable[[float, float], None]
 
 
 @dataclass(frozen=True)
-class Curve:
+class StabilityCurve:
     """For one m, over major steps dt [s]: largest spectral radius and mean growth rate of the worst mode [1/s].
 
     stable[k]: no mode grows tenfold over the motion. limit: the largest step up to which all are stable [s], None if
@@ -65,7 +65,7 @@ class StabilityStudy:
         worst = float(growth.max(initial=0.0))
         return max(one.radius for one in found), max(worst, 0.0), bool((growth <= self._allowed).all())
 
-    def curve(self, dts: np.ndarray, progress: Progress | None = None) -> Curve:
+    def curve(self, dts: np.ndarray, progress: Progress | None = None) -> StabilityCurve:
         """Radius and growth over steps in ascending order, with limit and windows found by bisection."""
         rows = []
         for k, dt in enumerate(dts):
@@ -81,7 +81,7 @@ class StabilityStudy:
         if not stable[0]:
             starts = [float(dts[0]), *starts]
         windows = list(zip(starts, ends, strict=False))
-        return Curve(self.m, np.asarray(dts), radius, growth, stable, limit, bool(stable.all()), windows)
+        return StabilityCurve(self.m, np.asarray(dts), radius, growth, stable, limit, bool(stable.all()), windows)
 
     def _edge(self, low: float, high: float, stable_low: bool) -> float:
         for _ in range(BISECTIONS):

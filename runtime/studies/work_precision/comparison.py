@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.status import NoResult
-from runtime.studies.work_precision.contender import Contender, Trial
+from runtime.contract.errors import NoResult, SymgenError
 from runtime.studies.work_precision.energy_drift import EnergyDrift, energy_drift
 from runtime.studies.work_precision.methods import Method, run_method
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Trial
 from runtime.studies.work_precision.problem import Problem, Setting
 
 LONGEST = 0.3  # s: a method's curve ends with a run this long
@@ -19,7 +19,7 @@ Note = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Curve:
+class WorkCurve:
     """One method: its trials, its order by the slope of error over step (NaN: not enough trials), energy drift."""
 
     method: Method
@@ -56,9 +56,9 @@ class Comparison:
 
     problem: Problem
     tolerance: float
-    curves: list[Curve]
+    curves: list[WorkCurve]
 
-    def ranked(self) -> list[Curve]:
+    def ranked(self) -> list[WorkCurve]:
         """Curves by time to the tolerance."""
         return sorted(self.curves, key=lambda curve: curve.seconds_to(self.tolerance))
 
@@ -91,7 +91,7 @@ class Comparison:
         )
 
 
-def compare(
+def work_precision(
     setting: Setting,
     methods: list[Method],
     tolerance: float = 1e-3,
@@ -108,15 +108,15 @@ def compare(
     return Comparison(problem, tolerance, curves)
 
 
-def _curve(method: Method, problem: Problem, longest: float) -> Curve:
+def _curve(method: Method, problem: Problem, longest: float) -> WorkCurve:
     try:
-        trials, contender = run_method(method, problem, longest)
-    except (ValueError, RuntimeError) as error:  # a scheme that this model does not allow, an integrator that gave up
-        if isinstance(error, NoResult):
-            raise
-        return Curve(method, [], np.nan, None, str(error).splitlines()[0])
+        trials, prepared = run_method(method, problem, longest)
+    except NoResult:
+        raise
+    except SymgenError as error:  # a scheme that this model does not allow, for instance
+        return WorkCurve(method, [], np.nan, None, str(error).splitlines()[0])
     failure = "" if any(not trial.failure for trial in trials) else trials[-1].failure
-    return Curve(method, trials, _order(method, trials), _drift(contender, trials), failure)
+    return WorkCurve(method, trials, _order(method, trials), _drift(prepared, trials), failure)
 
 
 def _order(method: Method, trials: list[Trial]) -> float:
@@ -127,10 +127,10 @@ def _order(method: Method, trials: list[Trial]) -> float:
     used = [trial for trial in trials if 5 * finest < trial.error < ASYMPTOTIC]
     if len(used) < 3 or used[0].error < 10 * used[-1].error:
         return np.nan
-    return float(np.polyfit(np.log([trial.dt for trial in used]), np.log([trial.error for trial in used]), 1)[0])
+    return float(np.polyfit(np.log([trial.setting for trial in used]), np.log([trial.error for trial in used]), 1)[0])
 
 
-def _drift(contender: Contender | None, trials: list[Trial]) -> EnergyDrift | None:
+def _drift(prepared: PreparedMethod | None, trials: list[Trial]) -> EnergyDrift | None:
     """At the coarsest trial that is good to a tenth of a per cent."""
     good = [trial for trial in trials if trial.error < 1e-3]
-    return energy_drift(contender, good[0].steps) if contender is not None and good else None
+    return energy_drift(prepared, good[0].steps) if prepared is not None and good else None

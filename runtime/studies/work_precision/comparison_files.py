@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.files import write_text
 from runtime.results.as_json import as_json
-from runtime.studies.work_precision.comparison import Comparison, Curve
+from runtime.studies.work_precision.comparison import Comparison, WorkCurve
 from runtime.studies.work_precision.comparison_pictures import picture_evaluations, picture_times
 
 STYLE = (
@@ -53,7 +53,7 @@ def comparison_data(comparison: Comparison) -> dict[str, Any]:
     }
 
 
-def _curve_data(curve: Curve, tolerance: float) -> dict[str, Any]:
+def _curve_data(curve: WorkCurve, tolerance: float) -> dict[str, Any]:
     return {
         "method": curve.method.label,
         "sub_steps": curve.method.multirate,
@@ -65,7 +65,7 @@ def _curve_data(curve: Curve, tolerance: float) -> dict[str, Any]:
         "failure": curve.failure,
         "trials": [
             {
-                "dt": trial.dt,
+                "dt_or_rtol": trial.setting,
                 "steps": trial.steps,
                 "seconds": trial.seconds,
                 "evaluations": trial.evaluations,
@@ -114,7 +114,7 @@ def _csv(comparison: Comparison) -> str:
             writer.writerow(
                 [
                     trial.label,
-                    repr(trial.dt),
+                    repr(trial.setting),
                     trial.steps,
                     repr(trial.seconds),
                     trial.evaluations,

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from runtime.contract.files import replacing
 from runtime.studies.work_precision.comparison import Comparison
-from runtime.studies.work_precision.contender import Trial
+from runtime.studies.work_precision.prepared_method import Trial
 
 TOP = 2.0  # where failures are drawn
 MARKERS = "osD^vP*X<>hp"

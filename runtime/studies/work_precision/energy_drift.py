@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.results.observe import join
 from runtime.results.sampling import evaluate
-from runtime.studies.work_precision.contender import Contender
+from runtime.running.checks.energy import is_closed
+from runtime.studies.work_precision.prepared_method import PreparedMethod
 
 
 @dataclass(frozen=True)
@@ -21,21 +21,12 @@ class EnergyDrift:
     trend: float
 
 
-def is_closed(model: Model) -> bool:
-    """Do neither loads nor prescribed motions do work on the mechanism?"""
-    needed = ("energy", "constraints") if model.constraints else ("energy",)
-    if not all(model.has(name) for name in needed):
-        return False
-    outputs = [("energy", "power_applied")] + ([("constraints", "C_t")] if model.constraints else [])
-    return all(model.structurally_zero(function, output) for function, output in outputs)
-
-
-def energy_drift(contender: Contender, steps: int) -> EnergyDrift | None:
+def energy_drift(prepared: PreparedMethod, steps: int) -> EnergyDrift | None:
     """Of a run in so many steps; None where the mechanism is fed or damped on purpose."""
-    model, problem = contender.problem.model, contender.problem
+    model, problem = prepared.problem.model, prepared.problem
     if not is_closed(model):
         return None
-    times, moving, total = energies(contender, steps)
+    times, moving, total = energies(prepared, steps)
     scale = float(moving.max())
     if not np.isfinite(total).all() or scale <= 0:
         return None
@@ -44,10 +35,10 @@ def energy_drift(contender: Contender, steps: int) -> EnergyDrift | None:
     return EnergyDrift(float(np.abs(error).max()), trend)
 
 
-def energies(contender: Contender, steps: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def energies(prepared: PreparedMethod, steps: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times, kinetic plus elastic energy, and total energy [J] at samples of a run."""
-    model = contender.problem.model
-    observed, c = contender.observed(steps)
+    model = prepared.problem.model
+    observed, c = prepared.observed(steps)
     q = join(model, observed["q_i"], observed["q_d"])
     q_dot = join(model, observed["q_i_dot"], observed["q_d_dot"])
     kernel: ca.Function = model.kernel("energy")

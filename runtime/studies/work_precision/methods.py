@@ -15,7 +15,7 @@ from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
-from runtime.studies.work_precision.contender import Contender, Spec, Trial
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 from runtime.studies.work_precision.problem import Problem
 
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9)
@@ -99,18 +99,18 @@ def methods_named(model: Model, names: list[str]) -> list[Method]:
     return found
 
 
-def run_method(method: Method, problem: Problem, seconds: float) -> tuple[list[Trial], Contender | None]:
+def run_method(method: Method, problem: Problem, seconds: float) -> tuple[list[Trial], PreparedMethod | None]:
     """Trials of a method, coarse to fine, until it is fine enough or a run takes longer than `seconds`."""
     if method.spec is None:
         return _adaptive(method.label, problem, seconds), None
-    contender = Contender(method.spec, problem)
+    prepared = PreparedMethod(method.spec, problem)
     trials: list[Trial] = []
     steps = float(FEWEST)
     while True:
-        trial = contender.run(ceil(steps))
+        trial = prepared.run(ceil(steps))
         trials.append(trial)
         if trial.seconds > seconds or trial.error < max(FINEST, 3 * problem.reference_error):
-            return trials, contender
+            return trials, prepared
         steps *= FACTOR if not trial.failure else 2.0
 
 

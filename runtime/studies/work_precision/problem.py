@@ -25,48 +25,11 @@ Path = Callable[[np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
-class Problem:
+class Setting:
     """A model with parameters p and constants c from a state, for t_end [s]; graded: positions in q_i.
 
-    arguments are parameters, initial and start as `simulate` takes them; path gives q_i (N, n) at times;
-    reference_error says how far it may be off, relative like any error here.
+    arguments are parameters, initial and start as `simulate` takes them.
     """
-
-    model: Model
-    p: np.ndarray
-    c: np.ndarray
-    state: ConsistentState
-    t_end: float
-    graded: list[int]
-    path: Path
-    reference_error: float
-    arguments: Mapping[str, Any] = field(default_factory=dict)
-
-    def solved(self, solver: Callable[..., Any], times: np.ndarray, tolerance: float) -> Any:
-        """What an adaptive solver makes of the problem: its absolute tolerance fits the smallest graded amplitude."""
-        atol = tolerance * min(1.0, float(self.amplitudes.min()))
-        return solver(self.model, t_end=self.t_end, times=times, rtol=tolerance, atol=atol, **self.arguments)
-
-    @cached_property
-    def amplitudes(self) -> np.ndarray:
-        """RMS of each graded coordinate about its mean, over the motion."""
-        return _amplitudes(self.path(np.linspace(0.0, self.t_end, 401))[:, self.graded])
-
-    def errors(self, times: np.ndarray, q_i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(RMS over the motion, at the end) of each graded coordinate, over its amplitude."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            off = (q_i - self.path(times))[:, self.graded] / self.amplitudes
-            return np.sqrt(np.mean(off**2, axis=0)), np.abs(off[-1])
-
-
-def _amplitudes(values: np.ndarray) -> np.ndarray:
-    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
-    return np.where(spread > 0, spread, 1.0)
-
-
-@dataclass(frozen=True)
-class Setting:
-    """A problem without its reference."""
 
     model: Model
     p: np.ndarray
@@ -104,7 +67,61 @@ class Setting:
             return self._problem(t_end, path, allowed / MARGIN), allowed
 
     def _problem(self, t_end: float, path: Path, error: float) -> Problem:
-        return Problem(self.model, self.p, self.c, self.state, t_end, self.graded, path, error, self.arguments)
+        return Problem(self, t_end, path, error)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A setting, or its first t_end seconds, with a reference: path gives q_i (N, n_i) at times (N,).
+
+    reference_error says how far the path may be off, relative like any error here.
+    """
+
+    setting: Setting
+    t_end: float
+    path: Path
+    reference_error: float
+
+    @property
+    def model(self) -> Model:
+        """Of the setting."""
+        return self.setting.model
+
+    @property
+    def c(self) -> np.ndarray:
+        """(c_size,) of the setting."""
+        return self.setting.c
+
+    @property
+    def state(self) -> ConsistentState:
+        """Where the motion starts."""
+        return self.setting.state
+
+    @property
+    def graded(self) -> list[int]:
+        """Positions in q_i of what is judged."""
+        return self.setting.graded
+
+    def solved(self, solver: Callable[..., Any], times: np.ndarray, tolerance: float) -> Any:
+        """What an adaptive solver makes of the problem: its absolute tolerance fits the smallest graded amplitude."""
+        atol = tolerance * min(1.0, float(self.amplitudes.min()))
+        return solver(self.model, t_end=self.t_end, times=times, rtol=tolerance, atol=atol, **self.setting.arguments)
+
+    @cached_property
+    def amplitudes(self) -> np.ndarray:
+        """RMS of each graded coordinate about its mean, over the motion."""
+        return _amplitudes(self.path(np.linspace(0.0, self.t_end, 401))[:, self.graded])
+
+    def errors(self, times: np.ndarray, q_i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(RMS over the motion, at the end) of each graded coordinate, over its amplitude."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            off = (q_i - self.path(times))[:, self.graded] / self.amplitudes
+            return np.sqrt(np.mean(off**2, axis=0)), np.abs(off[-1])
+
+
+def _amplitudes(values: np.ndarray) -> np.ndarray:
+    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
+    return np.where(spread > 0, spread, 1.0)
 
 
 def make_setting(

@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 
 from runtime.baselines.condensed_ode import CondensedOde
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.contract.status import NoResult
 from runtime.engine.native import buffered, native
 
 

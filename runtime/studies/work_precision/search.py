@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from runtime.studies.work_precision.contender import Contender, Trial
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
 
 FEWEST = 8
 REFINEMENTS = 4  # halvings of the interval (in logarithm) between too few steps and enough
@@ -18,9 +18,14 @@ CHEAP = 0.02  # s: a run this short is never given up for its length
 class Search:
     """Trials of a method, and the one that meets the tolerance with the least time (None: none did)."""
 
-    label: str
+    spec: Spec
     trials: list[Trial] = field(default_factory=list)
     best: Trial | None = None
+
+    @property
+    def label(self) -> str:
+        """What reports call the method."""
+        return self.spec.label
 
     @property
     def seconds(self) -> float:
@@ -29,23 +34,23 @@ class Search:
 
 
 def search_steps(
-    contender: Contender, tolerance: float, fewest: int = FEWEST, most: int = 10**8, seconds_to_beat: float = np.inf
+    prepared: PreparedMethod, tolerance: float, fewest: int = FEWEST, most: int = 10**8, seconds_to_beat: float = np.inf
 ) -> Search:
     """Double the steps until the error is below the tolerance, then close in on the fewest that are enough.
 
     Given up where a run takes far longer than `seconds_to_beat`.
     """
-    found = Search(contender.spec.label)
+    found = Search(prepared.spec)
     low, steps = 0, max(1, fewest)
     while steps <= most:
-        trial = contender.run(steps)
+        trial = prepared.run(steps)
         found.trials.append(trial)
         if trial.error <= tolerance:
             found.best = trial
             break
         if trial.seconds > max(CHEAP, HOPELESSLY_SLOW * seconds_to_beat):
             return found
-        low, steps = steps, max(steps + 1, _next(trial, tolerance, contender.scheme.order))
+        low, steps = steps, max(steps + 1, _next(trial, tolerance, prepared.scheme.order))
     if found.best is None:
         return found
     high = found.best.steps
@@ -53,7 +58,7 @@ def search_steps(
         middle = round((low * high) ** 0.5) if low else high // 2
         if middle in (low, high) or middle < 1:
             break
-        trial = contender.run(middle)
+        trial = prepared.run(middle)
         found.trials.append(trial)
         if trial.error <= tolerance:
             high, found.best = middle, trial

@@ -14,6 +14,7 @@ import numpy as np
 from runtime.results.sampling import evaluate
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.verdict import verdict
 from runtime.studies.work_precision.problem import Problem
 
 SAMPLES = 200  # at most so many states of a run are compared with the reference
@@ -43,10 +44,14 @@ def _word(name: str, value: Any) -> str:
 
 @dataclass(frozen=True)
 class Trial:
-    """One run: steps of dt [s], CPU seconds, evaluations, error (worst graded coordinate), and how it ended."""
+    """One run: its setting (step dt [s] of a scheme, rtol of an adaptive integrator), steps, CPU seconds, evaluations.
+
+    error, end_error: of the worst graded coordinate, over the motion and at its end; errors (graded,): of each.
+    failure: how it ended, if not well.
+    """
 
     label: str
-    dt: float
+    setting: float
     steps: int
     seconds: float
     evaluations: int
@@ -56,7 +61,7 @@ class Trial:
     failure: str = ""
 
 
-class Contender:
+class PreparedMethod:
     """A method on a problem."""
 
     def __init__(self, spec: Spec, problem: Problem, engine: str = "auto") -> None:
@@ -85,13 +90,14 @@ class Contender:
         per_step, partial = self.scheme.evaluations()
         iterations = int(np.nan_to_num(states[-1][self.scheme.layout.slice("iterations")][0]))
         evaluations = (iterations or steps * per_step) + steps * partial
-        if not np.isfinite(states[-1]).all():
+        ended = verdict(self.scheme, states[-1])
+        if ended == "not_finite":
             return self._failed(dt, steps, seconds, evaluations, "not finite")
         seen = self._seen(states, dt)
         rms, end = problem.errors(seen["t"][:, 0], seen["q_i"])
         if not rms.max() < HOPELESS:
             return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
-        if states[-1][self.scheme.layout.slice("failures")][0] > 0:
+        if ended == "iteration_failed":
             return self._failed(dt, steps, seconds, evaluations, "iteration failed")
         seconds = self._timed(z0, ready, steps, seconds)
         return Trial(self.spec.label, dt, steps, seconds, evaluations, float(rms.max()), float(end.max()), rms)

@@ -1,4 +1,4 @@
-"""A leg of a run: what is stepped with one choice of q_i. Most runs have one; a run may come back to one."""
+"""A segment of a run: what is stepped with one choice of q_i. Most runs have one; a run may come back to one."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
+from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
-from runtime.running.watch import Watch
 from runtime.schemes.stepper import Stepper
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
 @dataclass(eq=False)
-class Leg:
-    """model and plan of the leg, its compiled stepper, p and c, what the program reads, and who watches it."""
+class Segment:
+    """model and plan of the segment, its compiled stepper, p and c, what the program reads, and who watches it."""
 
     model: Model
     plan: Plan
@@ -28,16 +28,15 @@ class Leg:
     p: np.ndarray
     c: np.ndarray
     ready: np.ndarray
-    watch: Watch
+    monitor: Monitor
 
     @classmethod
-    def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, force: bool) -> Leg:
-        """Prepare and compile. Raises ModelError or CompilerError."""
+    def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
+        """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
         c = model.constants(p)
         stepper = Stepper(plan.scheme, engine, plan.steps)
-        return cls(
-            model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), Watch(model, plan.scheme, c, force=force)
-        )
+        monitor = Monitor(model, plan.scheme, c, force=plan.force)
+        return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), monitor)
 
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0) -> np.ndarray:
         """The whole z at a consistent state of all coordinates after so many steps of the run (Eqs. 68-71)."""
@@ -70,7 +69,7 @@ class Leg:
         return z[layout.slice("det_low")], z[layout.slice("det_high")]
 
     def observed(self, samples: list[np.ndarray]) -> Solution:
-        """Samples of the scheme's part of z as a Solution of this leg's model."""
+        """Samples of the scheme's part of z as a Solution of this segment's model."""
         plan = self.plan
         return observe_samples(
             self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {}, Status("completed", plan.t_end)

@@ -10,7 +10,7 @@ import numpy as np
 from runtime.contract.model import Model
 
 
-class Place:
+class LoopDeterminants:
     """Evaluations on all coordinates q and q_dot of one model with constants c."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:

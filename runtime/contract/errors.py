@@ -1,0 +1,37 @@
+"""The family of errors that the project raises on purpose: each says which item, what is wrong, and what to do.
+
+Whatever is not of this family is a fault of the project itself.
+"""
+
+from __future__ import annotations
+
+
+class SymgenError(Exception):
+    """Something that a user can mend.
+
+    Args:
+        item: what is wrong, such as ``bodies[2] 'rod'.density``; or the whole message where it names the item itself.
+        problem: what is wrong with it.
+        remedy: what to do about it.
+        also: further errors found in the same pass.
+    """
+
+    def __init__(self, item: str, problem: str = "", remedy: str = "", also: tuple[SymgenError, ...] = ()) -> None:
+        super().__init__(item, problem, remedy, also)
+        self.item = item
+        self.problem = problem
+        self.remedy = remedy
+        self.also = also
+
+    def __str__(self) -> str:
+        if not self.problem:
+            return self.item
+        return f"{self.item}: {self.problem}; {self.remedy}" if self.remedy else f"{self.item}: {self.problem}"
+
+
+class ArgumentError(SymgenError, ValueError):
+    """An argument of a function that cannot be used."""
+
+
+class NoResult(SymgenError, RuntimeError):
+    """A study that came to no result, for a numerical reason that the message names."""

@@ -1,0 +1,74 @@
+"""Looks at the state of a run between native calls, by the checks of runtime/running/checks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.running.checks.check import Check, Subject
+from runtime.running.checks.closure import Closure
+from runtime.running.checks.constraints import Constraints
+from runtime.running.checks.energy import Energy
+from runtime.running.checks.finite import Finite
+from runtime.running.checks.growth import Growth
+from runtime.running.checks.iterations import Iterations
+from runtime.running.checks.mass import Mass
+from runtime.running.checks.step_length import StepLength
+from runtime.schemes.scheme import Scheme
+
+FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
+
+
+class Monitor:
+    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on."""
+
+    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False) -> None:
+        self.subject = Subject(model, scheme, c)
+        self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
+        further = (Growth, Closure, Iterations, Constraints, Mass, Energy)
+        self.checks: list[Check] = [self._finite, *(kind(self.subject) for kind in further), self._step]
+        self._calls = 0
+
+    @property
+    def step_limit(self) -> float | None:
+        """The stability limit of the fastest group's step at the start [s]; None: none, or not known."""
+        return self._step.limit
+
+    def first(self, z: np.ndarray) -> Status | None:
+        """Check the start (the scheme's part of z, flat), and remember what later states are compared with."""
+        status = self._finite.start(z)
+        if status is None:
+            self.subject.begin(z)
+            status = next((found for check in self.checks[1:] if (found := check.start(z)) is not None), None)
+        return status
+
+    def after(self, z: np.ndarray, last: bool = False) -> Status | None:
+        """Status that ends the run, or None to go on. z is put back to the last good state when it ends.
+
+        Cheap checks follow every call; the others the first FULL_CHECKS calls, then every FULL_CHECKS-th and the last.
+        """
+        self._calls += 1
+        full = last or self._calls <= FULL_CHECKS or self._calls % FULL_CHECKS == 0
+        due = (check for check in self.checks if full or not check.costly)
+        status = next((found for check in due if (found := check.after(z)) is not None), None)
+        if status is not None and self.subject.good is not None:
+            z[:] = self.subject.good
+        elif full:
+            self.subject.good = z.copy()
+        return status
+
+    def memory(self) -> dict[str, list[float]]:
+        """What later checks compare with, by the name of the check."""
+        kept = {type(check).__name__: check.memory() for check in self.checks}
+        return {"length": [self.subject.length], **{name: values for name, values in kept.items() if values}}
+
+    def resume(self, z: np.ndarray, memory: Mapping[str, list[float]]) -> None:
+        """Go on from a good state with the memory of an earlier monitor."""
+        self.subject.good = z.copy()
+        (self.subject.length,) = memory["length"]
+        for check in self.checks:
+            if type(check).__name__ in memory:
+                check.resume(memory[type(check).__name__])

@@ -1,0 +1,76 @@
+"""What a run leaves: its Solution with how it ended and what it took."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from runtime.engine.choose import sub_step_operations
+from runtime.results.export import run_header
+from runtime.results.solution import Solution
+from runtime.results.stream import StreamFile
+from runtime.running.run import Run
+from runtime.running.segment import Segment
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.scheme import evaluation_operations
+
+
+def finished(run: Run, setup: float) -> Solution:
+    """Go to the end, and put the Solution together; setup: seconds that it took to come to the start."""
+    began = time.perf_counter()
+    status = run.status if run.step == 0 and run.status is not None else run.go()
+    wall = time.perf_counter() - began
+    last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
+    run.record.flush()
+    solution = run.record.solution(last)
+    stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **_circumstances(run)}
+    solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
+    table = run.record.table
+    if isinstance(table, StreamFile):
+        outputs = list(run.segment.plan.outputs)
+        table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
+        table.close()
+    return solution
+
+
+def _circumstances(run: Run) -> dict[str, float | int | str]:
+    """What a run was made with, and what happened."""
+    first, plan = run.record.segments[0], run.segment.plan
+    taken = scheme_kind(plan.name).takes
+    found: dict[str, float | int | str] = {
+        "initial_changes": run.initial_changes,
+        "options": ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in taken),
+    }
+    if run.segment.stepper.engine.note:
+        found["engine_note"] = run.segment.stepper.engine.note
+    if first.monitor.step_limit is not None:
+        found["step_limit_at_start"] = first.monitor.step_limit
+    if run.events:
+        found["events"] = len(run.events)
+    return found
+
+
+def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> dict[str, float | int | str]:
+    """Counts of evaluations, times [s] and operations of a run that has come to z (flat)."""
+    layout, scheme, stepper = segment.plan.scheme.layout, segment.plan.scheme, segment.stepper
+    steps = segment.step_of(z)
+    iterations = int(z[layout.slice("iterations")][0])
+    full, partial = scheme.evaluations()
+    full_evaluations, sub_steps = iterations or steps * full, steps * partial
+    repeated = sub_step_operations(stepper.program) if partial else None
+    cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(scheme)}
+    return {
+        **cost,
+        "steps": steps,
+        "sub_steps": sub_steps,
+        "full_evaluations": full_evaluations,
+        "evaluations": full_evaluations + sub_steps,
+        "iterations": iterations,
+        "engine": stepper.engine.name,
+        "operations_per_step": stepper.operations,
+        "setup_seconds": setup,
+        "wall_seconds": wall,
+        "seconds_per_step": wall / max(1, steps),
+    }
