@@ -14,7 +14,7 @@ from runtime import simulate
 from runtime.contract.model import Model
 from runtime.modes.modes import State
 from runtime.results.stream import StreamFile
-from runtime.running.singular.partition import best_exchange
+from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.scene import Scene, SceneBuilder
