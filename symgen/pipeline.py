@@ -37,13 +37,14 @@ from runtime.contract.model import Group
 from runtime.contract.tape import Tape
 from symgen.algebra.parameters import ParameterEntry
 from symgen.choice.assembly import ConstraintNumbers, assembled
-from symgen.choice.elimination import Choice, choose_loops, dependent_rows, structural_pivots
+from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, structural_pivots
 from symgen.choice.groups import choose_groups
 from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.arguments import arguments_of
 from symgen.kernels.catalogue import build_kernels
+from symgen.kernels.drawing import geometry
 from symgen.scene import Scene, SceneError
 from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
@@ -114,6 +115,8 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
             "give the body an inertia, or join it so that it cannot move that way",
         ) from error
     tapes = hoist(kernels, table.vector())
+    if equations.picture.points and (functions is None or "geometry" in functions):
+        tapes["geometry"] = geometry(equations, table.vector()).tape()
     dependent = arguments_of(condensed).dependent
     return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, tapes)
 
@@ -123,7 +126,7 @@ def _state_at(configuration: Configuration, equations: Equations) -> ConsistentS
     return ConsistentState(q, np.zeros(len(q)), {})
 
 
-def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Configuration | None) -> Choice:
+def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Configuration | None) -> Elimination:
     """Redundant rows first (known for a given configuration, found otherwise), then the dependent coordinates."""
     equations = system.equations
     _, jacobian = numbers.position(q)

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from runtime import Solution, load_model
-from runtime.views.animation import film
+from runtime.views.film import film
 
 TARGET = Path(__file__).with_name("slider_crank.png")
 BODIES = {"crank": "#0b6fa4", "rod": "#d1495b", "slider": "#2e8b57"}
@@ -21,14 +21,12 @@ def still(ax, solution: Solution, time: float) -> None:
     """The mechanism at one time, and faintly a few instants before it."""
     shown = film(solution, frames=1001)
     last = int(np.argmin(np.abs(shown.t - time)))
-    parts, start = {}, 0
-    for body, count in solution.model.outlines:
-        parts[body], start = slice(start, start + count), start + count
     for k, alpha in ((last - 24, 0.2), (last - 12, 0.4), (last, 1.0)):
         for body, colour in BODIES.items():
             marker = "s" if body == "slider" else None
-            ax.plot(*shown.xy[k][:, parts[body]], color=colour, lw=3, marker=marker, ms=10, alpha=alpha)
-    ax.plot(*shown.ghost[last][:, parts["rod"]], color="0.6", lw=1.2, ls="--")
+            line = next(line for line in shown.lines if line.name == body and line.kind in ("beam", "body"))
+            ax.plot(*line.xy[k], color=colour, lw=3, marker=marker, ms=10, alpha=alpha)
+    ax.plot(*shown.line("rod", "ghost").xy[last], color="0.6", lw=1.2, ls="--")
     ax.plot(0, 0, ls="", marker="^", ms=11, mfc="0.8", mec="0.35")
     ax.set_aspect("equal")
     ax.set(xlabel="x [m]", ylabel="y [m]", title=f"deformation x {shown.exaggeration:.0f}")

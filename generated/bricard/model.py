@@ -12390,10 +12390,9 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 182 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 226 operations."""
     q = ca.SX.sym("q", 40)
-    c = ca.SX.sym("c", 154)
     bar1_x = q[0]
     bar1_y = q[1]
     bar1_z = q[2]
@@ -12429,61 +12428,127 @@ def drawing() -> ca.Function:
     bar5_e1 = q[32]
     bar5_e2 = q[33]
     bar5_e3 = q[34]
-    c10 = c[10]
-    c15 = c[15]
-    c55 = c[55]
-    c56 = c[56]
-    c63 = c[63]
-    c99 = c[99]
-    w0 = 2 * bar1_e0
-    w1 = 2 * bar1_e1
-    w2 = 2 * bar2_e0
-    w3 = 2 * bar3_e0
-    w4 = 2 * bar4_e0
-    w5 = 2 * bar4_e1
-    w6 = 2 * bar5_e0
-    xyz = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c99,
+    w0 = 2 * bar1_e2**2
+    w1 = 2 * bar1_e3**2
+    w2 = 2 * bar1_e0
+    w3 = bar1_e3 * w2
+    w4 = 2 * bar1_e1
+    w5 = bar1_e2 * w4
+    w6 = bar1_e3 * w4
+    w7 = bar1_e2 * w2
+    w8 = 1.0 - 2 * bar1_e1**2
+    w9 = w2 * bar1_e1
+    w10 = bar1_e3 * (2 * bar1_e2)
+    w11 = 2 * bar2_e2**2
+    w12 = 2 * bar2_e3**2
+    w13 = 2 * bar2_e0
+    w14 = bar2_e3 * w13
+    w15 = 2 * bar2_e1
+    w16 = bar2_e2 * w15
+    w17 = bar2_e3 * w15
+    w18 = bar2_e2 * w13
+    w19 = 1.0 - 2 * bar2_e1**2
+    w20 = w13 * bar2_e1
+    w21 = bar2_e3 * (2 * bar2_e2)
+    w22 = 2 * bar3_e2**2
+    w23 = 2 * bar3_e3**2
+    w24 = 2 * bar3_e0
+    w25 = bar3_e3 * w24
+    w26 = 2 * bar3_e1
+    w27 = bar3_e2 * w26
+    w28 = bar3_e3 * w26
+    w29 = bar3_e2 * w24
+    w30 = 1.0 - 2 * bar3_e1**2
+    w31 = w24 * bar3_e1
+    w32 = bar3_e3 * (2 * bar3_e2)
+    w33 = 2 * bar4_e2**2
+    w34 = 2 * bar4_e3**2
+    w35 = 2 * bar4_e0
+    w36 = bar4_e3 * w35
+    w37 = 2 * bar4_e1
+    w38 = bar4_e2 * w37
+    w39 = bar4_e3 * w37
+    w40 = bar4_e2 * w35
+    w41 = 1.0 - 2 * bar4_e1**2
+    w42 = w35 * bar4_e1
+    w43 = bar4_e3 * (2 * bar4_e2)
+    w44 = 2 * bar5_e2**2
+    w45 = 2 * bar5_e3**2
+    w46 = 2 * bar5_e0
+    w47 = bar5_e3 * w46
+    w48 = 2 * bar5_e1
+    w49 = bar5_e2 * w48
+    w50 = bar5_e3 * w48
+    w51 = bar5_e2 * w46
+    w52 = 1.0 - 2 * bar5_e1**2
+    w53 = w46 * bar5_e1
+    w54 = bar5_e3 * (2 * bar5_e2)
+    poses = ca.vertcat(
         bar1_x,
         bar1_y,
         bar1_z,
-        bar1_x + (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10,
-        bar1_y + (bar1_e3 * w0 + bar1_e2 * w1) * c10,
-        bar1_z + (bar1_e3 * w1 - bar1_e2 * w0) * c10,
+        1.0 - w0 - w1,
+        w3 + w5,
+        w6 - w7,
+        w5 - w3,
+        w8 - w1,
+        w9 + w10,
+        w6 + w7,
+        w10 - w9,
+        w8 - w0,
         bar2_x,
         bar2_y,
         bar2_z,
-        bar2_x + (2 * bar2_e1 * bar2_e2 - w2 * bar2_e3) * c15,
-        bar2_y + (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c15,
-        bar2_z + (bar2_e1 * w2 + bar2_e3 * (2 * bar2_e2)) * c15,
+        1.0 - w11 - w12,
+        w14 + w16,
+        w17 - w18,
+        w16 - w14,
+        w19 - w12,
+        w20 + w21,
+        w17 + w18,
+        w21 - w20,
+        w19 - w11,
         bar3_x,
         bar3_y,
         bar3_z,
-        bar3_x + (w3 * bar3_e2 + 2 * bar3_e1 * bar3_e3) * c63,
-        bar3_y + (bar3_e3 * (2 * bar3_e2) - w3 * bar3_e1) * c63,
-        bar3_z + (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * c63,
+        1.0 - w22 - w23,
+        w25 + w27,
+        w28 - w29,
+        w27 - w25,
+        w30 - w23,
+        w31 + w32,
+        w28 + w29,
+        w32 - w31,
+        w30 - w22,
         bar4_x,
         bar4_y,
         bar4_z,
-        bar4_x + (1.0 - 2 * bar4_e2**2 - 2 * bar4_e3**2) * c55,
-        bar4_y + (bar4_e3 * w4 + bar4_e2 * w5) * c55,
-        bar4_z + (bar4_e3 * w5 - bar4_e2 * w4) * c55,
+        1.0 - w33 - w34,
+        w36 + w38,
+        w39 - w40,
+        w38 - w36,
+        w41 - w34,
+        w42 + w43,
+        w39 + w40,
+        w43 - w42,
+        w41 - w33,
         bar5_x,
         bar5_y,
         bar5_z,
-        bar5_x + (2 * bar5_e1 * bar5_e2 - w6 * bar5_e3) * c56,
-        bar5_y + (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c56,
-        bar5_z + (bar5_e1 * w6 + bar5_e3 * (2 * bar5_e2)) * c56,
+        1.0 - w44 - w45,
+        w47 + w49,
+        w50 - w51,
+        w49 - w47,
+        w52 - w45,
+        w53 + w54,
+        w50 + w51,
+        w54 - w53,
+        w52 - w44,
     )
-    xyz = ca.reshape(xyz, 3, 12)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+    poses = ca.reshape(poses, 12, 5)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -19793,6 +19858,183 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 165 operations."""
+    p = ca.SX.sym("p", 48)
+    bar1_end_x = p[30]
+    bar2_end_y = p[33]
+    bar3_end_z = p[38]
+    bar4_end_x = p[41]
+    bar5_end_y = p[44]
+    ground_P5_z = p[47]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        ground_P5_z,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        bar1_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        bar2_end_y,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        bar3_end_z,
+        0.0,
+        0.0,
+        0.0,
+        bar4_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        bar5_end_y,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 13)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+    )
+    axes = ca.reshape(axes, 9, 13)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -19804,8 +20046,9 @@ FUNCTIONS = {
     "reactions": reactions,
     "energy": energy,
     "measures": measures,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "geometry": geometry,
 }

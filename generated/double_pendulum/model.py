@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 53 operations."""
+    """c: everything that depends on the parameters p only. 51 operations."""
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
     upper_mass = p[1]
@@ -17,7 +17,6 @@ def constants() -> ca.Function:
     lower_inertia = p[5]
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
-    lower_tip_x = p[8]
     w0 = upper_tip_x * lower_mass
     w1 = lower_mass * lower_center_of_mass_x
     w2 = upper_mass * upper_center_of_mass_x
@@ -38,7 +37,6 @@ def constants() -> ca.Function:
         gravity_y,
         lower_mass * gravity_y,
         upper_mass * gravity_y,
-        lower_tip_x,
         lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),
         w3,
     )
@@ -51,7 +49,7 @@ def condensed() -> ca.Function:
     """M_hat and Q_hat (Eq. 38). 30 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -84,7 +82,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     c5 = c[5]
     q_d_next = ca.vertcat(
@@ -102,7 +100,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 15 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     c5 = c[5]
@@ -122,7 +120,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
@@ -145,7 +143,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -220,7 +218,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 162 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -404,7 +402,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -456,7 +454,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 74 operations."""
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -505,39 +503,56 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 28 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 38 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 18)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
     lower_x = q[3]
     lower_y = q[4]
     lower_theta = q[5]
-    c5 = c[5]
-    c15 = c[15]
-    xy = ca.vertcat(
+    w0 = ca.cos(upper_theta)
+    w1 = ca.sin(upper_theta)
+    w2 = ca.cos(lower_theta)
+    w3 = ca.sin(lower_theta)
+    poses = ca.vertcat(
         upper_x,
         upper_y,
-        upper_x + ca.cos(upper_theta) * c5,
-        upper_y + ca.sin(upper_theta) * c5,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         lower_x,
         lower_y,
-        lower_x + ca.cos(lower_theta) * c15,
-        lower_y + ca.sin(lower_theta) * c15,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 4)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 2)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 26 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -564,13 +579,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c16 = c[16]
-    w0 = ca.sin(lower_theta - upper_theta) * c16
+    c15 = c[15]
+    w0 = ca.sin(lower_theta - upper_theta) * c15
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
         -(upper_theta_dot * w0),
@@ -587,7 +602,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_ddot = q_i_ddot[0]
@@ -612,7 +627,7 @@ def forward_dynamics() -> ca.Function:
     """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 74 operations."""
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 18)
+    c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -624,7 +639,7 @@ def forward_dynamics() -> ca.Function:
     c10 = c[10]
     c12 = c[12]
     c13 = c[13]
-    c17 = c[17]
+    c16 = c[16]
     w0 = ca.cos(upper_theta)
     w1 = w0 * c5
     w2 = lower_theta_dot**2
@@ -641,7 +656,7 @@ def forward_dynamics() -> ca.Function:
     w13 = w1 * w12
     w14 = w1 * w8
     w15 = c8 - w3 * w11
-    w16 = w0 * c17 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
+    w16 = w0 * c16 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
     w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     q_i_ddot = ca.vertcat(
         w17,
@@ -650,6 +665,83 @@ def forward_dynamics() -> ca.Function:
     q_i_ddot = ca.densify(q_i_ddot)
     inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
+
+
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 64 operations."""
+    p = ca.SX.sym("p", 9)
+    upper_tip_x = p[7]
+    lower_tip_x = p[8]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        upper_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        lower_tip_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 5)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 5)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 
 FUNCTIONS = {
@@ -662,9 +754,10 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

@@ -205,18 +205,31 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot"], ["measures"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 4 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 20 operations."""
     q = ca.SX.sym("q", 3)
     bob_x = q[0]
     bob_y = q[1]
-    xy = ca.vertcat(
+    bob_theta = q[2]
+    w0 = ca.cos(bob_theta)
+    w1 = ca.sin(bob_theta)
+    poses = ca.vertcat(
         bob_x,
         bob_y,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.densify(xy)
-    inputs, outputs = [q], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q"], ["xy"])
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -335,15 +348,55 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 26 operations."""
+    p = ca.SX.sym("p", 6)
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 2)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 2)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
     "augmented": augmented,
     "energy": energy,
     "measures": measures,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

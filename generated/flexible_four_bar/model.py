@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 612 operations."""
+    """c: everything that depends on the parameters p only. 179 operations."""
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -43,110 +43,6 @@ def constants() -> ca.Function:
     beam20_pinned_pinned2_1_0_H_0_0 = p[35]
     beam20_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
-    beam20_pinned_pinned2_0_0625_at_0_0 = p[38]
-    beam20_pinned_pinned2_0_0625_shape_1_0 = p[39]
-    beam20_pinned_pinned2_0_0625_shape_1_1 = p[40]
-    beam20_pinned_pinned2_0_0625_H_0_0 = p[43]
-    beam20_pinned_pinned2_0_0625_H_0_1 = p[44]
-    beam20_pinned_pinned2_0_0625_H_1_0 = p[45]
-    beam20_pinned_pinned2_0_0625_H_1_1 = p[46]
-    beam20_pinned_pinned2_0_125_at_0_0 = p[47]
-    beam20_pinned_pinned2_0_125_shape_1_0 = p[48]
-    beam20_pinned_pinned2_0_125_shape_1_1 = p[49]
-    beam20_pinned_pinned2_0_125_H_0_0 = p[52]
-    beam20_pinned_pinned2_0_125_H_0_1 = p[53]
-    beam20_pinned_pinned2_0_125_H_1_0 = p[54]
-    beam20_pinned_pinned2_0_125_H_1_1 = p[55]
-    beam20_pinned_pinned2_0_1875_at_0_0 = p[56]
-    beam20_pinned_pinned2_0_1875_shape_1_0 = p[57]
-    beam20_pinned_pinned2_0_1875_shape_1_1 = p[58]
-    beam20_pinned_pinned2_0_1875_H_0_0 = p[61]
-    beam20_pinned_pinned2_0_1875_H_0_1 = p[62]
-    beam20_pinned_pinned2_0_1875_H_1_0 = p[63]
-    beam20_pinned_pinned2_0_1875_H_1_1 = p[64]
-    beam20_pinned_pinned2_0_25_at_0_0 = p[65]
-    beam20_pinned_pinned2_0_25_shape_1_0 = p[66]
-    beam20_pinned_pinned2_0_25_shape_1_1 = p[67]
-    beam20_pinned_pinned2_0_25_H_0_0 = p[69]
-    beam20_pinned_pinned2_0_25_H_0_1 = p[70]
-    beam20_pinned_pinned2_0_25_H_1_0 = p[71]
-    beam20_pinned_pinned2_0_25_H_1_1 = p[72]
-    beam20_pinned_pinned2_0_3125_at_0_0 = p[73]
-    beam20_pinned_pinned2_0_3125_shape_1_0 = p[74]
-    beam20_pinned_pinned2_0_3125_shape_1_1 = p[75]
-    beam20_pinned_pinned2_0_3125_H_0_0 = p[78]
-    beam20_pinned_pinned2_0_3125_H_0_1 = p[79]
-    beam20_pinned_pinned2_0_3125_H_1_0 = p[80]
-    beam20_pinned_pinned2_0_3125_H_1_1 = p[81]
-    beam20_pinned_pinned2_0_375_at_0_0 = p[82]
-    beam20_pinned_pinned2_0_375_shape_1_0 = p[83]
-    beam20_pinned_pinned2_0_375_shape_1_1 = p[84]
-    beam20_pinned_pinned2_0_375_H_0_0 = p[87]
-    beam20_pinned_pinned2_0_375_H_0_1 = p[88]
-    beam20_pinned_pinned2_0_375_H_1_0 = p[89]
-    beam20_pinned_pinned2_0_375_H_1_1 = p[90]
-    beam20_pinned_pinned2_0_4375_at_0_0 = p[91]
-    beam20_pinned_pinned2_0_4375_shape_1_0 = p[92]
-    beam20_pinned_pinned2_0_4375_shape_1_1 = p[93]
-    beam20_pinned_pinned2_0_4375_H_0_0 = p[96]
-    beam20_pinned_pinned2_0_4375_H_0_1 = p[97]
-    beam20_pinned_pinned2_0_4375_H_1_0 = p[98]
-    beam20_pinned_pinned2_0_4375_H_1_1 = p[99]
-    beam20_pinned_pinned2_0_5_at_0_0 = p[100]
-    beam20_pinned_pinned2_0_5_shape_1_0 = p[101]
-    beam20_pinned_pinned2_0_5_H_0_0 = p[103]
-    beam20_pinned_pinned2_0_5_H_0_1 = p[104]
-    beam20_pinned_pinned2_0_5_H_1_0 = p[105]
-    beam20_pinned_pinned2_0_5_H_1_1 = p[106]
-    beam20_pinned_pinned2_0_5625_at_0_0 = p[107]
-    beam20_pinned_pinned2_0_5625_shape_1_0 = p[108]
-    beam20_pinned_pinned2_0_5625_shape_1_1 = p[109]
-    beam20_pinned_pinned2_0_5625_H_0_0 = p[112]
-    beam20_pinned_pinned2_0_5625_H_0_1 = p[113]
-    beam20_pinned_pinned2_0_5625_H_1_0 = p[114]
-    beam20_pinned_pinned2_0_5625_H_1_1 = p[115]
-    beam20_pinned_pinned2_0_625_at_0_0 = p[116]
-    beam20_pinned_pinned2_0_625_shape_1_0 = p[117]
-    beam20_pinned_pinned2_0_625_shape_1_1 = p[118]
-    beam20_pinned_pinned2_0_625_H_0_0 = p[121]
-    beam20_pinned_pinned2_0_625_H_0_1 = p[122]
-    beam20_pinned_pinned2_0_625_H_1_0 = p[123]
-    beam20_pinned_pinned2_0_625_H_1_1 = p[124]
-    beam20_pinned_pinned2_0_6875_at_0_0 = p[125]
-    beam20_pinned_pinned2_0_6875_shape_1_0 = p[126]
-    beam20_pinned_pinned2_0_6875_shape_1_1 = p[127]
-    beam20_pinned_pinned2_0_6875_H_0_0 = p[130]
-    beam20_pinned_pinned2_0_6875_H_0_1 = p[131]
-    beam20_pinned_pinned2_0_6875_H_1_0 = p[132]
-    beam20_pinned_pinned2_0_6875_H_1_1 = p[133]
-    beam20_pinned_pinned2_0_75_at_0_0 = p[134]
-    beam20_pinned_pinned2_0_75_shape_1_0 = p[135]
-    beam20_pinned_pinned2_0_75_shape_1_1 = p[136]
-    beam20_pinned_pinned2_0_75_H_0_0 = p[138]
-    beam20_pinned_pinned2_0_75_H_0_1 = p[139]
-    beam20_pinned_pinned2_0_75_H_1_0 = p[140]
-    beam20_pinned_pinned2_0_75_H_1_1 = p[141]
-    beam20_pinned_pinned2_0_8125_at_0_0 = p[142]
-    beam20_pinned_pinned2_0_8125_shape_1_0 = p[143]
-    beam20_pinned_pinned2_0_8125_shape_1_1 = p[144]
-    beam20_pinned_pinned2_0_8125_H_0_0 = p[147]
-    beam20_pinned_pinned2_0_8125_H_0_1 = p[148]
-    beam20_pinned_pinned2_0_8125_H_1_0 = p[149]
-    beam20_pinned_pinned2_0_8125_H_1_1 = p[150]
-    beam20_pinned_pinned2_0_875_at_0_0 = p[151]
-    beam20_pinned_pinned2_0_875_shape_1_0 = p[152]
-    beam20_pinned_pinned2_0_875_shape_1_1 = p[153]
-    beam20_pinned_pinned2_0_875_H_0_0 = p[156]
-    beam20_pinned_pinned2_0_875_H_0_1 = p[157]
-    beam20_pinned_pinned2_0_875_H_1_0 = p[158]
-    beam20_pinned_pinned2_0_875_H_1_1 = p[159]
-    beam20_pinned_pinned2_0_9375_at_0_0 = p[160]
-    beam20_pinned_pinned2_0_9375_shape_1_0 = p[161]
-    beam20_pinned_pinned2_0_9375_shape_1_1 = p[162]
-    beam20_pinned_pinned2_0_9375_H_0_0 = p[165]
-    beam20_pinned_pinned2_0_9375_H_0_1 = p[166]
-    beam20_pinned_pinned2_0_9375_H_1_0 = p[167]
-    beam20_pinned_pinned2_0_9375_H_1_1 = p[168]
     w0 = coupler_density * coupler_area
     w1 = w0 * coupler_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
@@ -229,185 +125,6 @@ def constants() -> ca.Function:
         crank_mass,
         gravity_y * crank_mass,
         w7 * gravity_y,
-        coupler_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        beam20_pinned_pinned2_0_0625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_125_at_0_0,
-        beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_25_at_0_0,
-        beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_375_at_0_0,
-        beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_5_at_0_0,
-        beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        coupler_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_625_at_0_0,
-        beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_75_at_0_0,
-        beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_875_at_0_0,
-        beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        coupler_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
-        rocker_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_125_at_0_0,
-        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_25_at_0_0,
-        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_375_at_0_0,
-        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_5_at_0_0,
-        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_625_at_0_0,
-        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_75_at_0_0,
-        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_875_at_0_0,
-        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
-        rocker_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
         w19 - w20,
         w2 * w3,
         w21 - w22,
@@ -437,7 +154,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -630,7 +347,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 72 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -686,7 +403,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -749,7 +466,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -829,7 +546,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 271 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -1043,7 +760,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 833 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q[2]
     coupler_theta = q[5]
     coupler_q1 = q[6]
@@ -1704,7 +1421,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     coupler_theta = q[5]
     coupler_q1 = q[6]
     coupler_q2 = q[7]
@@ -1860,7 +1577,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 280 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_y = q[1]
     coupler_y = q[4]
     coupler_theta = q[5]
@@ -1986,363 +1703,66 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 971 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 13)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 247)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     coupler_x = q[3]
     coupler_y = q[4]
     coupler_theta = q[5]
-    coupler_q1 = q[6]
-    coupler_q2 = q[7]
     rocker_x = q[8]
     rocker_y = q[9]
     rocker_theta = q[10]
-    rocker_q1 = q[11]
-    rocker_q2 = q[12]
-    c0 = c[0]
-    c1 = c[1]
-    c4 = c[4]
-    c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
-    c8 = c[8]
-    c45 = c[45]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
-    c71 = c[71]
-    c72 = c[72]
-    c73 = c[73]
-    c74 = c[74]
-    c75 = c[75]
-    c76 = c[76]
-    c77 = c[77]
-    c78 = c[78]
-    c79 = c[79]
-    c80 = c[80]
-    c81 = c[81]
-    c82 = c[82]
-    c83 = c[83]
-    c84 = c[84]
-    c85 = c[85]
-    c86 = c[86]
-    c87 = c[87]
-    c88 = c[88]
-    c89 = c[89]
-    c90 = c[90]
-    c91 = c[91]
-    c92 = c[92]
-    c93 = c[93]
-    c94 = c[94]
-    c95 = c[95]
-    c96 = c[96]
-    c97 = c[97]
-    c98 = c[98]
-    c99 = c[99]
-    c100 = c[100]
-    c101 = c[101]
-    c102 = c[102]
-    c103 = c[103]
-    c104 = c[104]
-    c105 = c[105]
-    c106 = c[106]
-    c107 = c[107]
-    c108 = c[108]
-    c109 = c[109]
-    c110 = c[110]
-    c111 = c[111]
-    c112 = c[112]
-    c113 = c[113]
-    c114 = c[114]
-    c115 = c[115]
-    c116 = c[116]
-    c117 = c[117]
-    c118 = c[118]
-    c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
-    c122 = c[122]
-    c123 = c[123]
-    c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
-    c127 = c[127]
-    c128 = c[128]
-    c129 = c[129]
-    c130 = c[130]
-    c131 = c[131]
-    c132 = c[132]
-    c133 = c[133]
-    c134 = c[134]
-    c135 = c[135]
-    c136 = c[136]
-    c137 = c[137]
-    c138 = c[138]
-    c139 = c[139]
-    c140 = c[140]
-    c141 = c[141]
-    c142 = c[142]
-    c143 = c[143]
-    c144 = c[144]
-    c145 = c[145]
-    c146 = c[146]
-    c147 = c[147]
-    c148 = c[148]
-    c149 = c[149]
-    c150 = c[150]
-    c151 = c[151]
-    c152 = c[152]
-    c153 = c[153]
-    c154 = c[154]
-    c155 = c[155]
-    c156 = c[156]
-    c157 = c[157]
-    c158 = c[158]
-    c159 = c[159]
-    c160 = c[160]
-    c161 = c[161]
-    c162 = c[162]
-    c163 = c[163]
-    c164 = c[164]
-    c165 = c[165]
-    c166 = c[166]
-    c167 = c[167]
-    c168 = c[168]
-    c169 = c[169]
-    c170 = c[170]
-    c171 = c[171]
-    c172 = c[172]
-    c173 = c[173]
-    c174 = c[174]
-    c175 = c[175]
-    c176 = c[176]
-    c177 = c[177]
-    c178 = c[178]
-    c179 = c[179]
-    c180 = c[180]
-    c181 = c[181]
-    c182 = c[182]
-    c183 = c[183]
-    c184 = c[184]
-    c185 = c[185]
-    c186 = c[186]
-    c187 = c[187]
-    c188 = c[188]
-    c189 = c[189]
-    c190 = c[190]
-    c191 = c[191]
-    c192 = c[192]
-    c193 = c[193]
-    c194 = c[194]
-    c195 = c[195]
-    c196 = c[196]
-    c197 = c[197]
-    c198 = c[198]
-    c199 = c[199]
-    c200 = c[200]
-    c201 = c[201]
-    c202 = c[202]
-    c203 = c[203]
-    c204 = c[204]
-    c205 = c[205]
-    c206 = c[206]
-    c207 = c[207]
-    c208 = c[208]
-    c209 = c[209]
-    c210 = c[210]
-    c211 = c[211]
-    c212 = c[212]
-    c213 = c[213]
-    c214 = c[214]
-    c215 = c[215]
-    c216 = c[216]
-    c217 = c[217]
-    c218 = c[218]
-    c219 = c[219]
-    c220 = c[220]
-    c221 = c[221]
-    c222 = c[222]
-    c223 = c[223]
-    c224 = c[224]
-    c225 = c[225]
-    c226 = c[226]
-    c227 = c[227]
-    c228 = c[228]
-    c229 = c[229]
-    w0 = ca.cos(coupler_theta)
-    w1 = coupler_q1 * exaggeration
-    w2 = exaggeration * coupler_q2
-    w3 = c51 - (w1 * (w1 * c52 + w2 * c53) + w2 * (w1 * c54 + w2 * c55)) * 0.5
-    w4 = ca.sin(coupler_theta)
-    w5 = w1 * c56 + w2 * c57
-    w6 = c58 - (w1 * (w1 * c59 + w2 * c60) + w2 * (w1 * c61 + w2 * c62)) * 0.5
-    w7 = w1 * c63 + w2 * c64
-    w8 = c65 - (w1 * (w1 * c66 + w2 * c67) + w2 * (w1 * c68 + w2 * c69)) * 0.5
-    w9 = w1 * c70 + w2 * c71
-    w10 = c72 - (w1 * (w1 * c73 + w2 * c74) + w2 * (w1 * c75 + w2 * c76)) * 0.5
-    w11 = w1 * c77 + w2 * c78
-    w12 = c79 - (w1 * (w1 * c80 + w2 * c81) + w2 * (w1 * c82 + w2 * c83)) * 0.5
-    w13 = w1 * c84 + w2 * c85
-    w14 = c86 - (w1 * (w1 * c87 + w2 * c88) + w2 * (w1 * c89 + w2 * c90)) * 0.5
-    w15 = w1 * c91 + w2 * c92
-    w16 = c93 - (w1 * (w1 * c94 + w2 * c95) + w2 * (w1 * c96 + w2 * c97)) * 0.5
-    w17 = w1 * c98 + w2 * c99
-    w18 = c100 - (w1 * (w1 * c101 + w2 * c102) + w2 * (w1 * c103 + w2 * c104)) * 0.5
-    w19 = w1 * c105
-    w20 = c106 - (w1 * (w1 * c107 + w2 * c108) + w2 * (w1 * c109 + w2 * c110)) * 0.5
-    w21 = w1 * c111 + w2 * c112
-    w22 = c113 - (w1 * (w1 * c114 + w2 * c115) + w2 * (w1 * c116 + w2 * c117)) * 0.5
-    w23 = w1 * c118 + w2 * c119
-    w24 = c120 - (w1 * (w1 * c121 + w2 * c122) + w2 * (w1 * c123 + w2 * c124)) * 0.5
-    w25 = w1 * c125 + w2 * c126
-    w26 = c127 - (w1 * (w1 * c128 + w2 * c129) + w2 * (w1 * c130 + w2 * c131)) * 0.5
-    w27 = w1 * c132 + w2 * c133
-    w28 = c134 - (w1 * (w1 * c135 + w2 * c136) + w2 * (w1 * c137 + w2 * c138)) * 0.5
-    w29 = w1 * c139 + w2 * c140
-    w30 = c141 - (w1 * (w1 * c142 + w2 * c143) + w2 * (w1 * c144 + w2 * c145)) * 0.5
-    w31 = w1 * c146 + w2 * c147
-    w32 = c148 - (w1 * (w1 * c149 + w2 * c150) + w2 * (w1 * c151 + w2 * c152)) * 0.5
-    w33 = w1 * c153 + w2 * c154
-    w34 = c1 - (w1 * (w1 * c4) + w2 * (w2 * c5)) * 0.5
-    w35 = ca.cos(rocker_theta)
-    w36 = exaggeration * rocker_q1
-    w37 = exaggeration * rocker_q2
-    w38 = c155 - (w36 * (w36 * c156 + w37 * c157) + w37 * (w36 * c158 + w37 * c159)) * 0.5
-    w39 = ca.sin(rocker_theta)
-    w40 = w36 * c56 + w37 * c57
-    w41 = c160 - (w36 * (w36 * c161 + w37 * c162) + w37 * (w36 * c163 + w37 * c164)) * 0.5
-    w42 = w36 * c63 + w37 * c64
-    w43 = c165 - (w36 * (w36 * c166 + w37 * c167) + w37 * (w36 * c168 + w37 * c169)) * 0.5
-    w44 = w36 * c70 + w37 * c71
-    w45 = c170 - (w36 * (w36 * c171 + w37 * c172) + w37 * (w36 * c173 + w37 * c174)) * 0.5
-    w46 = w36 * c77 + w37 * c78
-    w47 = c175 - (w36 * (w36 * c176 + w37 * c177) + w37 * (w36 * c178 + w37 * c179)) * 0.5
-    w48 = w36 * c84 + w37 * c85
-    w49 = c180 - (w36 * (w36 * c181 + w37 * c182) + w37 * (w36 * c183 + w37 * c184)) * 0.5
-    w50 = w36 * c91 + w37 * c92
-    w51 = c185 - (w36 * (w36 * c186 + w37 * c187) + w37 * (w36 * c188 + w37 * c189)) * 0.5
-    w52 = w36 * c98 + w37 * c99
-    w53 = c190 - (w36 * (w36 * c191 + w37 * c192) + w37 * (w36 * c193 + w37 * c194)) * 0.5
-    w54 = w36 * c105
-    w55 = c195 - (w36 * (w36 * c196 + w37 * c197) + w37 * (w36 * c198 + w37 * c199)) * 0.5
-    w56 = w36 * c111 + w37 * c112
-    w57 = c200 - (w36 * (w36 * c201 + w37 * c202) + w37 * (w36 * c203 + w37 * c204)) * 0.5
-    w58 = w36 * c118 + w37 * c119
-    w59 = c205 - (w36 * (w36 * c206 + w37 * c207) + w37 * (w36 * c208 + w37 * c209)) * 0.5
-    w60 = w36 * c125 + w37 * c126
-    w61 = c210 - (w36 * (w36 * c211 + w37 * c212) + w37 * (w36 * c213 + w37 * c214)) * 0.5
-    w62 = w36 * c132 + w37 * c133
-    w63 = c215 - (w36 * (w36 * c216 + w37 * c217) + w37 * (w36 * c218 + w37 * c219)) * 0.5
-    w64 = w36 * c139 + w37 * c140
-    w65 = c220 - (w36 * (w36 * c221 + w37 * c222) + w37 * (w36 * c223 + w37 * c224)) * 0.5
-    w66 = w36 * c146 + w37 * c147
-    w67 = c225 - (w36 * (w36 * c226 + w37 * c227) + w37 * (w36 * c228 + w37 * c229)) * 0.5
-    w68 = w36 * c153 + w37 * c154
-    w69 = c6 - (w36 * (w36 * c7) + w37 * (w37 * c8)) * 0.5
-    xy = ca.vertcat(
-        0.0,
-        0.0,
-        c45,
-        0.0,
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(coupler_theta)
+    w3 = ca.sin(coupler_theta)
+    w4 = ca.cos(rocker_theta)
+    w5 = ca.sin(rocker_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c0,
-        crank_y + ca.sin(crank_theta) * c0,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         coupler_x,
         coupler_y,
-        coupler_x + (w0 * w3 - w4 * w5),
-        coupler_y + (w3 * w4 + w0 * w5),
-        coupler_x + (w0 * w6 - w4 * w7),
-        coupler_y + (w4 * w6 + w0 * w7),
-        coupler_x + (w0 * w8 - w4 * w9),
-        coupler_y + (w4 * w8 + w0 * w9),
-        coupler_x + (w0 * w10 - w4 * w11),
-        coupler_y + (w4 * w10 + w0 * w11),
-        coupler_x + (w0 * w12 - w4 * w13),
-        coupler_y + (w4 * w12 + w0 * w13),
-        coupler_x + (w0 * w14 - w4 * w15),
-        coupler_y + (w4 * w14 + w0 * w15),
-        coupler_x + (w0 * w16 - w4 * w17),
-        coupler_y + (w4 * w16 + w0 * w17),
-        coupler_x + (w0 * w18 - w4 * w19),
-        coupler_y + (w4 * w18 + w0 * w19),
-        coupler_x + (w0 * w20 - w4 * w21),
-        coupler_y + (w4 * w20 + w0 * w21),
-        coupler_x + (w0 * w22 - w4 * w23),
-        coupler_y + (w4 * w22 + w0 * w23),
-        coupler_x + (w0 * w24 - w4 * w25),
-        coupler_y + (w4 * w24 + w0 * w25),
-        coupler_x + (w0 * w26 - w4 * w27),
-        coupler_y + (w4 * w26 + w0 * w27),
-        coupler_x + (w0 * w28 - w4 * w29),
-        coupler_y + (w4 * w28 + w0 * w29),
-        coupler_x + (w0 * w30 - w4 * w31),
-        coupler_y + (w4 * w30 + w0 * w31),
-        coupler_x + (w0 * w32 - w4 * w33),
-        coupler_y + (w4 * w32 + w0 * w33),
-        coupler_x + w0 * w34,
-        coupler_y + w4 * w34,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rocker_x,
         rocker_y,
-        rocker_x + (w35 * w38 - w39 * w40),
-        rocker_y + (w38 * w39 + w35 * w40),
-        rocker_x + (w35 * w41 - w39 * w42),
-        rocker_y + (w39 * w41 + w35 * w42),
-        rocker_x + (w35 * w43 - w39 * w44),
-        rocker_y + (w39 * w43 + w35 * w44),
-        rocker_x + (w35 * w45 - w39 * w46),
-        rocker_y + (w39 * w45 + w35 * w46),
-        rocker_x + (w35 * w47 - w39 * w48),
-        rocker_y + (w39 * w47 + w35 * w48),
-        rocker_x + (w35 * w49 - w39 * w50),
-        rocker_y + (w39 * w49 + w35 * w50),
-        rocker_x + (w35 * w51 - w39 * w52),
-        rocker_y + (w39 * w51 + w35 * w52),
-        rocker_x + (w35 * w53 - w39 * w54),
-        rocker_y + (w39 * w53 + w35 * w54),
-        rocker_x + (w35 * w55 - w39 * w56),
-        rocker_y + (w39 * w55 + w35 * w56),
-        rocker_x + (w35 * w57 - w39 * w58),
-        rocker_y + (w39 * w57 + w35 * w58),
-        rocker_x + (w35 * w59 - w39 * w60),
-        rocker_y + (w39 * w59 + w35 * w60),
-        rocker_x + (w35 * w61 - w39 * w62),
-        rocker_y + (w39 * w61 + w35 * w62),
-        rocker_x + (w35 * w63 - w39 * w64),
-        rocker_y + (w39 * w63 + w35 * w64),
-        rocker_x + (w35 * w65 - w39 * w66),
-        rocker_y + (w39 * w65 + w35 * w66),
-        rocker_x + (w35 * w67 - w39 * w68),
-        rocker_y + (w39 * w67 + w35 * w68),
-        rocker_x + w35 * w69,
-        rocker_y + w39 * w69,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 38)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, exaggeration, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -2351,7 +1771,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2410,16 +1830,16 @@ def dQ_hat_dq_i() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c230 = c[230]
-    c231 = c[231]
-    c232 = c[232]
-    c233 = c[233]
-    c234 = c[234]
-    c235 = c[235]
-    c236 = c[236]
-    c237 = c[237]
-    c238 = c[238]
-    c239 = c[239]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
+    c58 = c[58]
+    c59 = c[59]
+    c60 = c[60]
     w0 = ca.cos(crank_theta) * c0
     w1 = coupler_theta_dot**2
     w2 = coupler_q1 * c17
@@ -2671,7 +2091,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w167
     w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w167
     w250 = w90 * w249
-    w251 = w109 * (coupler_q1_dot * c230 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c230 - coupler_q2 * c27) + w107 * w245))
+    w251 = w109 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c51 - coupler_q2 * c27) + w107 * w245))
     w252 = w112 * w167
     w253 = w151 * w167
     w254 = w7 * c4
@@ -2682,7 +2102,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w259 = coupler_q2_dot * w253 - (crank_theta_dot * w252 + coupler_q1_dot * w256) - rocker_q1_dot * w257 - rocker_q2_dot * w258
     w260 = w259 + (w142 * w171 - w166 * w180)
     w261 = (w44 * w254 - w140**2 + (w36 * w255 - w138**2)) / w47 - w167 * w181
-    w262 = coupler_q1 * coupler_q2 * c231 / w47
+    w262 = coupler_q1 * coupler_q2 * c52 / w47
     w263 = w262 + w167 * w185
     w264 = (w140 * w155 + w138 * w154) / w47
     w265 = w264 + w167 * w192
@@ -2692,7 +2112,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w269 = w268 - (w142 * w202 + w180 * w205)
     w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w180) + (w137 * w260 + w179 * w269)
     w271 = w9 * c17
-    w272 = w1 * c230 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
+    w272 = w1 * c51 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
     w273 = w9 * c19
     w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * c33 + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
     w275 = w156 * w251 - w111 * w257 - (w249 * c31 + (w191 * w250 + w92 * w265)) - (w142 * w228 + w180 * w230)
@@ -2708,7 +2128,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w169
     w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w169
     w287 = w90 * w286
-    w288 = w109 * (coupler_q2_dot * c232 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c232 - coupler_q1 * c25) + w107 * w282))
+    w288 = w109 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c53 - coupler_q1 * c25) + w107 * w282))
     w289 = w112 * w169
     w290 = w143 * w169
     w291 = w7 * c5
@@ -2730,14 +2150,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w307 = w9 * c18
     w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * c33 + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
     w309 = w9 * c20
-    w310 = w1 * c232 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
+    w310 = w1 * c53 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
     w311 = w156 * w288 - w111 * w294 - (w286 * c31 + (w191 * w287 + w92 * w301)) - (w150 * w228 + w184 * w230)
     w312 = w162 * w288 - w111 * w295 - (w286 * c32 + (w198 * w287 + w92 * w303)) - (w150 * w235 + w184 * w236)
-    w313 = w80 * (rocker_q1_dot * c233 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
+    w313 = w80 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
     w314 = w48 * (w21 * w52) - w56 * w154
     w315 = w48 * (w39 * w52) + w56 * w155
     w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w190
-    w317 = w313 - (w91 * (w81 + rocker_q1 * c233 - rocker_q2 * c14) + w90 * w316)
+    w317 = w313 - (w91 * (w81 + rocker_q1 * c54 - rocker_q2 * c14) + w90 * w316)
     w318 = w95 * w190
     w319 = (w40 * w314 - w67 * w154 - (w60 * w155 + w25 * w315)) / w47 - w69 * w190
     w320 = (w65 * w155 - w0 * w154) / w47 - w112 * w190
@@ -2748,7 +2168,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w325 = w21 * c7
     w326 = w39 * c7
     w327 = (w25 * w325 - w155**2 + (w40 * w326 - w154**2)) / w47 - w157 * w190
-    w328 = rocker_q1 * rocker_q2 * c234 / w47
+    w328 = rocker_q1 * rocker_q2 * c55 / w47
     w329 = w328 + w163 * w190
     w330 = crank_theta_dot * w320 + coupler_q1_dot * w323 + coupler_q2_dot * w324 + rocker_q1_dot * w327 - rocker_q2_dot * w329
     w331 = w330 + (w166 * w191 - w156 * w171)
@@ -2760,13 +2180,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w337 = w336 + (w156 * w202 + w191 * w205)
     w338 = w142 * w321 + w111 * w323 - (w319 * c29 + (w180 * w317 - w92 * w332)) - (w156 * w213 + w191 * w214)
     w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w184 * w317 - w92 * w333)) - (w156 * w222 + w191 * w223)
-    w340 = w56 * c233 - c43 - w39 * c235 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
-    w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c236 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
-    w342 = w80 * (rocker_q2_dot * c237 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
+    w340 = w56 * c54 - c43 - w39 * c56 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
+    w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c57 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
+    w342 = w80 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
     w343 = w48 * (w21 * w53) - w56 * w160
     w344 = w48 * (w39 * w53) + w56 * w161
     w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w197
-    w346 = w342 - (w91 * (w82 + rocker_q2 * c237 - rocker_q1 * c12) + w90 * w345)
+    w346 = w342 - (w91 * (w82 + rocker_q2 * c58 - rocker_q1 * c12) + w90 * w345)
     w347 = w95 * w197
     w348 = (w40 * w343 - w67 * w160 - (w60 * w161 + w25 * w344)) / w47 - w69 * w197
     w349 = (w65 * w161 - w0 * w160) / w47 - w112 * w197
@@ -2788,8 +2208,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w365 = w364 + (w162 * w202 + w198 * w205)
     w366 = w142 * w350 + w111 * w352 - (w348 * c29 + (w180 * w346 - w92 * w360)) - (w162 * w213 + w198 * w214)
     w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w184 * w346 - w92 * w361)) - (w162 * w222 + w198 * w223)
-    w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c238 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
-    w369 = w56 * c237 - c44 - w39 * c239 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
+    w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c59 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
+    w369 = w56 * c58 - c44 - w39 * c60 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
     dQ_hat_dq_i = ca.vertcat(
         w207,
         w217,
@@ -2829,7 +2249,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -2876,13 +2296,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c240 = c[240]
-    c241 = c[241]
-    c242 = c[242]
-    c243 = c[243]
-    c244 = c[244]
-    c245 = c[245]
-    c246 = c[246]
+    c61 = c[61]
+    c62 = c[62]
+    c63 = c[63]
+    c64 = c[64]
+    c65 = c[65]
+    c66 = c[66]
+    c67 = c[67]
     w0 = ca.cos(crank_theta) * c0
     w1 = ca.cos(coupler_theta)
     w2 = coupler_q1 * c17 + coupler_q2 * c18
@@ -2971,8 +2391,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w85 = rocker_q2 * w11 * c8 / w24
     w86 = w48 * w85 - (w46 * c32 + w47 * w84)
     w87 = w29 * w51 - w54 * c32 + w55 * w84 - w57 * w85
-    w88 = coupler_q1_dot * c244 + coupler_q2_dot * c245
-    w89 = coupler_q1_dot * c240
+    w88 = coupler_q1_dot * c65 + coupler_q2_dot * c66
+    w89 = coupler_q1_dot * c61
     w90 = w38 * w61 - w1 * w89
     w91 = w5 * w89 + w38 * w60
     w92 = (w12 * w90 - w16 * w91) / w24
@@ -2981,8 +2401,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w95 = coupler_theta_dot * -2.0
     w96 = w34 * w95 - w36 * w92
     w97 = w0 * (w5 * w88 + w38 * w63 - w7 * w92) - w17 * (w38 * w64 + w1 * w88 + w26 * w92) - w27 * w94 + w33 * w96
-    w98 = coupler_q2_dot * c246 + coupler_q1_dot * c245
-    w99 = coupler_q2_dot * c241
+    w98 = coupler_q2_dot * c67 + coupler_q1_dot * c66
+    w99 = coupler_q2_dot * c62
     w100 = w38 * w69 - w1 * w99
     w101 = w5 * w99 + w38 * w68
     w102 = (w12 * w100 - w16 * w101) / w24
@@ -2991,14 +2411,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w105 = w35 * w95 - w36 * w102
     w106 = w0 * (w5 * w98 + w38 * w71 - w7 * w102) - w17 * (w1 * w98 - w38 * w72 + w26 * w102) - w27 * w104 + w33 * w105
     w107 = rocker_theta_dot * -2.0
-    w108 = rocker_q1_dot * c242
+    w108 = rocker_q1_dot * c63
     w109 = w15 * w108 + w51 * w76
     w110 = w51 * w77 - w8 * w108
     w111 = (w22 * w109 - w23 * w110) / w24
     w112 = w28 * w107 - w30 * w111
     w113 = (w16 * w109 - w12 * w110) / w24
     w114 = w36 * w113
-    w115 = rocker_q2_dot * c243
+    w115 = rocker_q2_dot * c64
     w116 = w15 * w115 + w51 * w82
     w117 = w51 * w83 - w8 * w115
     w118 = (w22 * w116 - w23 * w117) / w24
@@ -3043,7 +2463,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -3088,12 +2508,12 @@ def dMa_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c230 = c[230]
-    c231 = c[231]
-    c232 = c[232]
-    c233 = c[233]
-    c234 = c[234]
-    c237 = c[237]
+    c51 = c[51]
+    c52 = c[52]
+    c53 = c[53]
+    c54 = c[54]
+    c55 = c[55]
+    c58 = c[58]
     w0 = ca.sin(crank_theta) * c0
     w1 = ca.cos(crank_theta) * c0
     w2 = crank_theta_ddot * w1
@@ -3264,7 +2684,7 @@ def dMa_dq_i() -> ca.Function:
     w167 = w1 * (w50 * w159 - w43 * w161 - coupler_q1_ddot * w162 - coupler_q2_ddot * w163) + w0 * (w43 * w164 + w12 * w159 + coupler_q1_ddot * w165 + coupler_q2_ddot * w166)
     w168 = (w0 * w31 - w1 * w32) / w25 - w83 * w100
     w169 = (w24 * w153 - w31**2 + (w23 * w154 - w32**2)) / w25 - w83 * w103
-    w170 = coupler_q1 * coupler_q2 * c231 / w25
+    w170 = coupler_q1 * coupler_q2 * c52 / w25
     w171 = w170 + w83 * w106
     w172 = (w31 * w37 + w32 * w38) / w25
     w173 = w172 + w83 * w112
@@ -3273,7 +2693,7 @@ def dMa_dq_i() -> ca.Function:
     w176 = w175 + w83 * w118
     w177 = w174 - rocker_q2_ddot * w176
     w178 = w61 * w177
-    w179 = w28 * w164 - w2 * w161 + (w43 * (w73 + coupler_q1 * c230 - coupler_q2 * c27) + w75 * w159)
+    w179 = w28 * w164 - w2 * w161 + (w43 * (w73 + coupler_q1 * c51 - coupler_q2 * c27) + w75 * w159)
     w180 = w28 * w165 - w2 * w162 + w159 * c29 - (w65 * w178 + w70 * w169) - (w33 * w179 + w77 * w155) - (w33 * w139 + w65 * w140)
     w181 = w28 * w166 - w2 * w163 + w159 * c30 - (w66 * w178 - w70 * w171) - (w36 * w179 - w77 * w151) + (w33 * w144 - w65 * w143)
     w182 = w84 * w89
@@ -3303,7 +2723,7 @@ def dMa_dq_i() -> ca.Function:
     w206 = w205 + w89 * w118
     w207 = w204 - rocker_q2_ddot * w206
     w208 = w61 * w207
-    w209 = w43 * (w74 + coupler_q2 * c232 - coupler_q1 * c25) + w75 * w190 - (w28 * w195 + w2 * w192)
+    w209 = w43 * (w74 + coupler_q2 * c53 - coupler_q1 * c25) + w75 * w190 - (w28 * w195 + w2 * w192)
     w210 = w28 * w196 - w2 * w193 + w190 * c29 - (w65 * w208 - w70 * w200) - (w33 * w209 - w77 * w182) - (w36 * w139 + w66 * w140)
     w211 = w28 * w197 - w2 * w194 + w190 * c30 - (w66 * w208 + w70 * w201) - (w36 * w209 + w77 * w186) + (w36 * w144 - w66 * w143)
     w212 = (w0 * w37 - w1 * w38) / w25 - w78 * w111
@@ -3313,7 +2733,7 @@ def dMa_dq_i() -> ca.Function:
     w216 = w13 * c7
     w217 = (w19 * w215 - w37**2 + (w17 * w216 - w38**2)) / w25 - w93 * w111
     w218 = crank_theta_ddot * w212 + coupler_q1_ddot * w213 + coupler_q2_ddot * w214 + rocker_q1_ddot * w217
-    w219 = rocker_q1 * rocker_q2 * c234 / w25
+    w219 = rocker_q1 * rocker_q2 * c55 / w25
     w220 = w219 + w96 * w111
     w221 = w218 - rocker_q2_ddot * w220
     w222 = w103 * w111
@@ -3323,7 +2743,7 @@ def dMa_dq_i() -> ca.Function:
     w226 = coupler_q1_ddot * w222 - crank_theta_ddot * w223 + coupler_q2_ddot * w224 + rocker_q1_ddot * w225
     w227 = w111 * w118
     w228 = w226 - rocker_q2_ddot * w227
-    w229 = w69 * (w59 + rocker_q1 * c233 - rocker_q2 * c14) + w61 * w228
+    w229 = w69 * (w59 + rocker_q1 * c54 - rocker_q2 * c14) + w61 * w228
     w230 = w75 * w221
     w231 = w1 * (w50 * w221) + w0 * (w12 * w221) + (w58 * w229 - w70 * w223) + (w30 * w230 + w77 * w212) + (w39 * w125 + w67 * w135)
     w232 = (w0 * w40 - w1 * w41) / w25 - w78 * w117
@@ -3342,7 +2762,7 @@ def dMa_dq_i() -> ca.Function:
     w245 = coupler_q1_ddot * w241 - crank_theta_ddot * w242 + coupler_q2_ddot * w243 - rocker_q1_ddot * w244
     w246 = (w24 * w237 + w23 * w238) / w25 - w117 * w118
     w247 = w245 + rocker_q2_ddot * w246
-    w248 = w69 * (w60 + rocker_q2 * c237 - rocker_q1 * c12) + w61 * w247
+    w248 = w69 * (w60 + rocker_q2 * c58 - rocker_q1 * c12) + w61 * w247
     w249 = w75 * w240
     w250 = w1 * (w50 * w240) + w0 * (w12 * w240) + (w58 * w248 - w70 * w242) + (w30 * w249 + w77 * w232) + (w42 * w125 + w68 * w135)
     dMa_dq_i = ca.vertcat(
@@ -3384,7 +2804,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -3593,7 +3013,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 247)
+    c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
     coupler_q1 = q_i[1]
     coupler_q2 = q_i[2]
@@ -3756,6 +3176,1296 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 1472 operations."""
+    p = ca.SX.sym("p", 169)
+    coupler_length = p[3]
+    coupler_area = p[5]
+    coupler_second_moment = p[7]
+    rocker_length = p[25]
+    rocker_area = p[27]
+    rocker_second_moment = p[29]
+    crank_tip_x = p[30]
+    beam20_pinned_pinned2_0_0_slope_0_0 = p[31]
+    beam20_pinned_pinned2_0_0_slope_1_0 = p[32]
+    beam20_pinned_pinned2_1_0_slope_0_0 = p[33]
+    beam20_pinned_pinned2_1_0_slope_1_0 = p[34]
+    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    ground_right_x = p[37]
+    beam20_pinned_pinned2_0_0625_at_0_0 = p[38]
+    beam20_pinned_pinned2_0_0625_shape_1_0 = p[39]
+    beam20_pinned_pinned2_0_0625_shape_1_1 = p[40]
+    beam20_pinned_pinned2_0_0625_slope_0_0 = p[41]
+    beam20_pinned_pinned2_0_0625_slope_1_0 = p[42]
+    beam20_pinned_pinned2_0_0625_H_0_0 = p[43]
+    beam20_pinned_pinned2_0_0625_H_0_1 = p[44]
+    beam20_pinned_pinned2_0_0625_H_1_0 = p[45]
+    beam20_pinned_pinned2_0_0625_H_1_1 = p[46]
+    beam20_pinned_pinned2_0_125_at_0_0 = p[47]
+    beam20_pinned_pinned2_0_125_shape_1_0 = p[48]
+    beam20_pinned_pinned2_0_125_shape_1_1 = p[49]
+    beam20_pinned_pinned2_0_125_slope_0_0 = p[50]
+    beam20_pinned_pinned2_0_125_slope_1_0 = p[51]
+    beam20_pinned_pinned2_0_125_H_0_0 = p[52]
+    beam20_pinned_pinned2_0_125_H_0_1 = p[53]
+    beam20_pinned_pinned2_0_125_H_1_0 = p[54]
+    beam20_pinned_pinned2_0_125_H_1_1 = p[55]
+    beam20_pinned_pinned2_0_1875_at_0_0 = p[56]
+    beam20_pinned_pinned2_0_1875_shape_1_0 = p[57]
+    beam20_pinned_pinned2_0_1875_shape_1_1 = p[58]
+    beam20_pinned_pinned2_0_1875_slope_0_0 = p[59]
+    beam20_pinned_pinned2_0_1875_slope_1_0 = p[60]
+    beam20_pinned_pinned2_0_1875_H_0_0 = p[61]
+    beam20_pinned_pinned2_0_1875_H_0_1 = p[62]
+    beam20_pinned_pinned2_0_1875_H_1_0 = p[63]
+    beam20_pinned_pinned2_0_1875_H_1_1 = p[64]
+    beam20_pinned_pinned2_0_25_at_0_0 = p[65]
+    beam20_pinned_pinned2_0_25_shape_1_0 = p[66]
+    beam20_pinned_pinned2_0_25_shape_1_1 = p[67]
+    beam20_pinned_pinned2_0_25_slope_0_0 = p[68]
+    beam20_pinned_pinned2_0_25_H_0_0 = p[69]
+    beam20_pinned_pinned2_0_25_H_0_1 = p[70]
+    beam20_pinned_pinned2_0_25_H_1_0 = p[71]
+    beam20_pinned_pinned2_0_25_H_1_1 = p[72]
+    beam20_pinned_pinned2_0_3125_at_0_0 = p[73]
+    beam20_pinned_pinned2_0_3125_shape_1_0 = p[74]
+    beam20_pinned_pinned2_0_3125_shape_1_1 = p[75]
+    beam20_pinned_pinned2_0_3125_slope_0_0 = p[76]
+    beam20_pinned_pinned2_0_3125_slope_1_0 = p[77]
+    beam20_pinned_pinned2_0_3125_H_0_0 = p[78]
+    beam20_pinned_pinned2_0_3125_H_0_1 = p[79]
+    beam20_pinned_pinned2_0_3125_H_1_0 = p[80]
+    beam20_pinned_pinned2_0_3125_H_1_1 = p[81]
+    beam20_pinned_pinned2_0_375_at_0_0 = p[82]
+    beam20_pinned_pinned2_0_375_shape_1_0 = p[83]
+    beam20_pinned_pinned2_0_375_shape_1_1 = p[84]
+    beam20_pinned_pinned2_0_375_slope_0_0 = p[85]
+    beam20_pinned_pinned2_0_375_slope_1_0 = p[86]
+    beam20_pinned_pinned2_0_375_H_0_0 = p[87]
+    beam20_pinned_pinned2_0_375_H_0_1 = p[88]
+    beam20_pinned_pinned2_0_375_H_1_0 = p[89]
+    beam20_pinned_pinned2_0_375_H_1_1 = p[90]
+    beam20_pinned_pinned2_0_4375_at_0_0 = p[91]
+    beam20_pinned_pinned2_0_4375_shape_1_0 = p[92]
+    beam20_pinned_pinned2_0_4375_shape_1_1 = p[93]
+    beam20_pinned_pinned2_0_4375_slope_0_0 = p[94]
+    beam20_pinned_pinned2_0_4375_slope_1_0 = p[95]
+    beam20_pinned_pinned2_0_4375_H_0_0 = p[96]
+    beam20_pinned_pinned2_0_4375_H_0_1 = p[97]
+    beam20_pinned_pinned2_0_4375_H_1_0 = p[98]
+    beam20_pinned_pinned2_0_4375_H_1_1 = p[99]
+    beam20_pinned_pinned2_0_5_at_0_0 = p[100]
+    beam20_pinned_pinned2_0_5_shape_1_0 = p[101]
+    beam20_pinned_pinned2_0_5_slope_1_0 = p[102]
+    beam20_pinned_pinned2_0_5_H_0_0 = p[103]
+    beam20_pinned_pinned2_0_5_H_0_1 = p[104]
+    beam20_pinned_pinned2_0_5_H_1_0 = p[105]
+    beam20_pinned_pinned2_0_5_H_1_1 = p[106]
+    beam20_pinned_pinned2_0_5625_at_0_0 = p[107]
+    beam20_pinned_pinned2_0_5625_shape_1_0 = p[108]
+    beam20_pinned_pinned2_0_5625_shape_1_1 = p[109]
+    beam20_pinned_pinned2_0_5625_slope_0_0 = p[110]
+    beam20_pinned_pinned2_0_5625_slope_1_0 = p[111]
+    beam20_pinned_pinned2_0_5625_H_0_0 = p[112]
+    beam20_pinned_pinned2_0_5625_H_0_1 = p[113]
+    beam20_pinned_pinned2_0_5625_H_1_0 = p[114]
+    beam20_pinned_pinned2_0_5625_H_1_1 = p[115]
+    beam20_pinned_pinned2_0_625_at_0_0 = p[116]
+    beam20_pinned_pinned2_0_625_shape_1_0 = p[117]
+    beam20_pinned_pinned2_0_625_shape_1_1 = p[118]
+    beam20_pinned_pinned2_0_625_slope_0_0 = p[119]
+    beam20_pinned_pinned2_0_625_slope_1_0 = p[120]
+    beam20_pinned_pinned2_0_625_H_0_0 = p[121]
+    beam20_pinned_pinned2_0_625_H_0_1 = p[122]
+    beam20_pinned_pinned2_0_625_H_1_0 = p[123]
+    beam20_pinned_pinned2_0_625_H_1_1 = p[124]
+    beam20_pinned_pinned2_0_6875_at_0_0 = p[125]
+    beam20_pinned_pinned2_0_6875_shape_1_0 = p[126]
+    beam20_pinned_pinned2_0_6875_shape_1_1 = p[127]
+    beam20_pinned_pinned2_0_6875_slope_0_0 = p[128]
+    beam20_pinned_pinned2_0_6875_slope_1_0 = p[129]
+    beam20_pinned_pinned2_0_6875_H_0_0 = p[130]
+    beam20_pinned_pinned2_0_6875_H_0_1 = p[131]
+    beam20_pinned_pinned2_0_6875_H_1_0 = p[132]
+    beam20_pinned_pinned2_0_6875_H_1_1 = p[133]
+    beam20_pinned_pinned2_0_75_at_0_0 = p[134]
+    beam20_pinned_pinned2_0_75_shape_1_0 = p[135]
+    beam20_pinned_pinned2_0_75_shape_1_1 = p[136]
+    beam20_pinned_pinned2_0_75_slope_0_0 = p[137]
+    beam20_pinned_pinned2_0_75_H_0_0 = p[138]
+    beam20_pinned_pinned2_0_75_H_0_1 = p[139]
+    beam20_pinned_pinned2_0_75_H_1_0 = p[140]
+    beam20_pinned_pinned2_0_75_H_1_1 = p[141]
+    beam20_pinned_pinned2_0_8125_at_0_0 = p[142]
+    beam20_pinned_pinned2_0_8125_shape_1_0 = p[143]
+    beam20_pinned_pinned2_0_8125_shape_1_1 = p[144]
+    beam20_pinned_pinned2_0_8125_slope_0_0 = p[145]
+    beam20_pinned_pinned2_0_8125_slope_1_0 = p[146]
+    beam20_pinned_pinned2_0_8125_H_0_0 = p[147]
+    beam20_pinned_pinned2_0_8125_H_0_1 = p[148]
+    beam20_pinned_pinned2_0_8125_H_1_0 = p[149]
+    beam20_pinned_pinned2_0_8125_H_1_1 = p[150]
+    beam20_pinned_pinned2_0_875_at_0_0 = p[151]
+    beam20_pinned_pinned2_0_875_shape_1_0 = p[152]
+    beam20_pinned_pinned2_0_875_shape_1_1 = p[153]
+    beam20_pinned_pinned2_0_875_slope_0_0 = p[154]
+    beam20_pinned_pinned2_0_875_slope_1_0 = p[155]
+    beam20_pinned_pinned2_0_875_H_0_0 = p[156]
+    beam20_pinned_pinned2_0_875_H_0_1 = p[157]
+    beam20_pinned_pinned2_0_875_H_1_0 = p[158]
+    beam20_pinned_pinned2_0_875_H_1_1 = p[159]
+    beam20_pinned_pinned2_0_9375_at_0_0 = p[160]
+    beam20_pinned_pinned2_0_9375_shape_1_0 = p[161]
+    beam20_pinned_pinned2_0_9375_shape_1_1 = p[162]
+    beam20_pinned_pinned2_0_9375_slope_0_0 = p[163]
+    beam20_pinned_pinned2_0_9375_slope_1_0 = p[164]
+    beam20_pinned_pinned2_0_9375_H_0_0 = p[165]
+    beam20_pinned_pinned2_0_9375_H_0_1 = p[166]
+    beam20_pinned_pinned2_0_9375_H_1_0 = p[167]
+    beam20_pinned_pinned2_0_9375_H_1_1 = p[168]
+    w0 = beam20_pinned_pinned2_0_0_slope_0_0 / coupler_length
+    w1 = beam20_pinned_pinned2_0_0_slope_1_0 / coupler_length
+    w2 = beam20_pinned_pinned2_1_0_slope_0_0 / coupler_length
+    w3 = beam20_pinned_pinned2_1_0_slope_1_0 / coupler_length
+    w4 = beam20_pinned_pinned2_0_0_slope_0_0 / rocker_length
+    w5 = beam20_pinned_pinned2_0_0_slope_1_0 / rocker_length
+    w6 = beam20_pinned_pinned2_1_0_slope_0_0 / rocker_length
+    w7 = beam20_pinned_pinned2_1_0_slope_1_0 / rocker_length
+    w8 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
+    w9 = beam20_pinned_pinned2_1_0_H_1_1 / coupler_length
+    w10 = beam20_pinned_pinned2_1_0_H_0_0 / rocker_length
+    w11 = beam20_pinned_pinned2_1_0_H_1_1 / rocker_length
+    w12 = ca.sqrt(12.0 * coupler_second_moment / coupler_area)
+    w13 = ca.sqrt(12.0 * rocker_second_moment / rocker_area)
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_125_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_25_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_375_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_5_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_625_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_75_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_875_at_0_0,
+        0.0,
+        0.0,
+        coupler_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        0.0,
+        0.0,
+        coupler_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_125_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_25_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_375_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_5_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_625_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_75_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_875_at_0_0,
+        0.0,
+        0.0,
+        rocker_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        0.0,
+        0.0,
+        rocker_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        ground_right_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        coupler_length,
+        0.0,
+        0.0,
+        rocker_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 42)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 42)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 76)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_0_0 / coupler_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_1_0 / coupler_length,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+        0.0,
+        0.0,
+        w4,
+        0.0,
+        0.0,
+        w5,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_0_0 / rocker_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_1_0 / rocker_length,
+        0.0,
+        0.0,
+        w6,
+        0.0,
+        0.0,
+        w7,
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+        0.0,
+        0.0,
+        w6,
+        0.0,
+        0.0,
+        w7,
+        0.0,
+        0.0,
+        w4,
+        0.0,
+        0.0,
+        w5,
+    )
+    turns = ca.reshape(turns, 3, 76)
+    turns = ca.densify(turns)
+    H = ca.vertcat(
+        beam20_pinned_pinned2_0_0625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length,
+        w8,
+        0.0,
+        0.0,
+        w9,
+        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
+        w10,
+        0.0,
+        0.0,
+        w11,
+        w8,
+        0.0,
+        0.0,
+        w9,
+        w10,
+        0.0,
+        0.0,
+        w11,
+    )
+    H = ca.reshape(H, 1, 136)
+    H = ca.densify(H)
+    sections = ca.vertcat(
+        w12,
+        coupler_area / w12,
+        w13,
+        rocker_area / w13,
+    )
+    sections = ca.reshape(sections, 2, 2)
+    sections = ca.densify(sections)
+    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -3766,10 +4476,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

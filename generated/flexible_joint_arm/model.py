@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 84 operations."""
+    """c: everything that depends on the parameters p only. 82 operations."""
     p = ca.SX.sym("p", 17)
     shoulder_torque = p[0]
     elbow_torque = p[1]
@@ -25,7 +25,6 @@ def constants() -> ca.Function:
     link1_tip_x = p[13]
     gear1_stiffness = p[14]
     gear2_stiffness = p[15]
-    link2_tip_x = p[16]
     w0 = link1_tip_x * rotor2_mass
     w1 = link1_tip_x * link2_mass
     w2 = link2_mass * link2_center_of_mass_x
@@ -58,7 +57,6 @@ def constants() -> ca.Function:
         rotor1_mass,
         link1_mass * gravity_y,
         gravity_y * rotor1_mass,
-        link2_tip_x,
         -gear1_stiffness,
         -gear2_stiffness,
         link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),
@@ -75,7 +73,7 @@ def condensed() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -135,7 +133,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 15 operations."""
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     c11 = c[11]
     w0 = ca.cos(link1_theta) * c11
@@ -159,7 +157,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 19 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     c11 = c[11]
@@ -185,7 +183,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     link1_theta_ddot = q_i_ddot[0]
@@ -214,7 +212,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 158 operations."""
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
@@ -387,7 +385,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q[2]
     rotor1_theta = q[5]
     link2_theta = q[8]
@@ -901,7 +899,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     q_ddot = ca.SX.sym("q_ddot", 12)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q[2]
     link2_theta = q[8]
     link1_theta_dot = q_dot[2]
@@ -976,7 +974,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_y = q[1]
     link1_theta = q[2]
     rotor1_y = q[4]
@@ -1048,47 +1046,90 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 36 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 74 operations."""
     q = ca.SX.sym("q", 12)
-    c = ca.SX.sym("c", 31)
     link1_x = q[0]
     link1_y = q[1]
     link1_theta = q[2]
     rotor1_x = q[3]
     rotor1_y = q[4]
+    rotor1_theta = q[5]
     link2_x = q[6]
     link2_y = q[7]
     link2_theta = q[8]
     rotor2_x = q[9]
     rotor2_y = q[10]
-    c11 = c[11]
-    c25 = c[25]
-    xy = ca.vertcat(
+    rotor2_theta = q[11]
+    w0 = ca.cos(link1_theta)
+    w1 = ca.sin(link1_theta)
+    w2 = ca.cos(rotor1_theta)
+    w3 = ca.sin(rotor1_theta)
+    w4 = ca.cos(link2_theta)
+    w5 = ca.sin(link2_theta)
+    w6 = ca.cos(rotor2_theta)
+    w7 = ca.sin(rotor2_theta)
+    poses = ca.vertcat(
         link1_x,
         link1_y,
-        link1_x + ca.cos(link1_theta) * c11,
-        link1_y + ca.sin(link1_theta) * c11,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rotor1_x,
         rotor1_y,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         link2_x,
         link2_y,
-        link2_x + ca.cos(link2_theta) * c25,
-        link2_y + ca.sin(link2_theta) * c25,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rotor2_x,
         rotor2_y,
+        0.0,
+        w6,
+        w7,
+        0.0,
+        -w7,
+        w6,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 6)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 4)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 43 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
@@ -1098,28 +1139,28 @@ def dQ_hat_dq_i() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c10 = c[10]
+    c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
     w0 = ca.cos(link2_theta - link1_theta) * c7
     w1 = link2_theta_dot**2 * w0
     w2 = link1_theta_dot**2 * w0
     dQ_hat_dq_i = ca.vertcat(
-        c26 - ca.sin(link1_theta) * c9 - w1,
+        c25 - ca.sin(link1_theta) * c9 - w1,
         c2,
         w2,
         0.0,
         c2,
-        c26,
+        c25,
         0.0,
         0.0,
         w1,
         0.0,
-        c27 - w2 - ca.sin(link2_theta) * c10,
+        c26 - w2 - ca.sin(link2_theta) * c10,
         c5,
         0.0,
         0.0,
         c5,
-        c27,
+        c26,
     )
     dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
     dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
@@ -1131,13 +1172,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 28 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c28 = c[28]
-    w0 = ca.sin(link2_theta - link1_theta) * c28
+    c27 = c[27]
+    w0 = ca.sin(link2_theta - link1_theta) * c27
     dQ_hat_dq_i_dot = ca.vertcat(
         0.0,
         0.0,
@@ -1166,7 +1207,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 29 operations."""
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
     link1_theta_ddot = q_i_ddot[0]
@@ -1204,7 +1245,7 @@ def forward_dynamics() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1226,8 +1267,8 @@ def forward_dynamics() -> ca.Function:
     c19 = c[19]
     c20 = c[20]
     c21 = c[21]
+    c28 = c[28]
     c29 = c[29]
-    c30 = c[30]
     w0 = ca.cos(link1_theta)
     w1 = (link1_theta - rotor1_theta) * c2
     w2 = ca.sin(t * 6.283185307179586) * c3
@@ -1247,8 +1288,8 @@ def forward_dynamics() -> ca.Function:
     w16 = w3 * w15
     w17 = w3 * w11
     w18 = c15 - w5 * w14
-    w19 = w0 * c30 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
-    w20 = (w19 + w3 * (c20 + w13 * c14) - w12 * (w17 * c14)) / (c29 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
+    w19 = w0 * c29 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
+    w20 = (w19 + w3 * (c20 + w13 * c14) - w12 * (w17 * c14)) / (c28 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
     q_i_ddot = ca.vertcat(
         w20,
         (w1 + ca.sin(t * 3.141592653589793) * c4) / c0,
@@ -1265,7 +1306,7 @@ def blocks() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1341,7 +1382,7 @@ def substep_2() -> ca.Function:
     """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 32 operations."""
     q_i = ca.SX.sym("q_i", 4)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 31)
+    c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
@@ -1369,6 +1410,107 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "t", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 88 operations."""
+    p = ca.SX.sym("p", 17)
+    link1_tip_x = p[13]
+    link2_tip_x = p[16]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link1_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link2_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 7)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 7)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -1379,11 +1521,12 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

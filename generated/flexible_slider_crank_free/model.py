@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 158 operations."""
+    """c: everything that depends on the parameters p only. 92 operations."""
     p = ca.SX.sym("p", 67)
     crank_mass = p[0]
     crank_inertia = p[1]
@@ -43,39 +43,6 @@ def constants() -> ca.Function:
     crank_tip_x = p[31]
     rod_end_x = p[32]
     rod_end_shape_0_3 = p[33]
-    rod_at1_x = p[34]
-    rod_at1_shape_0_2 = p[35]
-    rod_at1_shape_0_3 = p[36]
-    rod_at1_shape_1_0 = p[37]
-    rod_at1_shape_1_1 = p[38]
-    rod_at2_x = p[39]
-    rod_at2_shape_0_2 = p[40]
-    rod_at2_shape_0_3 = p[41]
-    rod_at2_shape_1_0 = p[42]
-    rod_at2_shape_1_1 = p[43]
-    rod_at3_x = p[44]
-    rod_at3_shape_0_2 = p[45]
-    rod_at3_shape_0_3 = p[46]
-    rod_at3_shape_1_0 = p[47]
-    rod_at3_shape_1_1 = p[48]
-    rod_at4_x = p[49]
-    rod_at4_shape_0_2 = p[50]
-    rod_at4_shape_1_0 = p[51]
-    rod_at5_x = p[52]
-    rod_at5_shape_0_2 = p[53]
-    rod_at5_shape_0_3 = p[54]
-    rod_at5_shape_1_0 = p[55]
-    rod_at5_shape_1_1 = p[56]
-    rod_at6_x = p[57]
-    rod_at6_shape_0_2 = p[58]
-    rod_at6_shape_0_3 = p[59]
-    rod_at6_shape_1_0 = p[60]
-    rod_at6_shape_1_1 = p[61]
-    rod_at7_x = p[62]
-    rod_at7_shape_0_2 = p[63]
-    rod_at7_shape_0_3 = p[64]
-    rod_at7_shape_1_0 = p[65]
-    rod_at7_shape_1_1 = p[66]
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,
         crank_tip_x,
@@ -118,39 +85,6 @@ def constants() -> ca.Function:
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_2_3,
-        rod_at1_x,
-        rod_at1_shape_0_2,
-        rod_at1_shape_0_3,
-        rod_at1_shape_1_0,
-        rod_at1_shape_1_1,
-        rod_at2_x,
-        rod_at2_shape_0_2,
-        rod_at2_shape_0_3,
-        rod_at2_shape_1_0,
-        rod_at2_shape_1_1,
-        rod_at3_x,
-        rod_at3_shape_0_2,
-        rod_at3_shape_0_3,
-        rod_at3_shape_1_0,
-        rod_at3_shape_1_1,
-        rod_at4_x,
-        rod_at4_shape_0_2,
-        rod_at4_shape_1_0,
-        rod_at5_x,
-        rod_at5_shape_0_2,
-        rod_at5_shape_0_3,
-        rod_at5_shape_1_0,
-        rod_at5_shape_1_1,
-        rod_at6_x,
-        rod_at6_shape_0_2,
-        rod_at6_shape_0_3,
-        rod_at6_shape_1_0,
-        rod_at6_shape_1_1,
-        rod_at7_x,
-        rod_at7_shape_0_2,
-        rod_at7_shape_0_3,
-        rod_at7_shape_1_0,
-        rod_at7_shape_1_1,
         2 * rod_phi_cross_phi_1_3,
         2 * rod_phi_cross_phi_2_0,
         -rod_phi_cross_phi_0_2,
@@ -166,7 +100,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -314,7 +248,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 35 operations."""
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -355,7 +289,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -393,7 +327,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
@@ -438,7 +372,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 195 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -627,7 +561,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 684 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1245,7 +1179,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1365,7 +1299,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1470,110 +1404,66 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 192 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 13)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 77)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
-    rod_q1 = q[6]
-    rod_q2 = q[7]
-    rod_q3 = q[8]
-    rod_q4 = q[9]
     slider_x = q[10]
     slider_y = q[11]
-    c1 = c[1]
-    c5 = c[5]
-    c6 = c[6]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
-    c71 = c[71]
-    c72 = c[72]
-    c73 = c[73]
-    w0 = ca.cos(rod_theta)
-    w1 = rod_q3 * exaggeration
-    w2 = exaggeration * rod_q4
-    w3 = c41 + (w1 * c42 + w2 * c43)
-    w4 = ca.sin(rod_theta)
-    w5 = exaggeration * rod_q1
-    w6 = exaggeration * rod_q2
-    w7 = w5 * c44 + w6 * c45
-    w8 = c46 + (w1 * c47 + w2 * c48)
-    w9 = w5 * c49 + w6 * c50
-    w10 = c51 + (w1 * c52 + w2 * c53)
-    w11 = w5 * c54 + w6 * c55
-    w12 = c56 + w1 * c57
-    w13 = w5 * c58
-    w14 = c59 + (w1 * c60 + w2 * c61)
-    w15 = w5 * c62 + w6 * c63
-    w16 = c64 + (w1 * c65 + w2 * c66)
-    w17 = w5 * c67 + w6 * c68
-    w18 = c69 + (w1 * c70 + w2 * c71)
-    w19 = w5 * c72 + w6 * c73
-    w20 = c5 + w2 * c6
-    xy = ca.vertcat(
+    slider_theta = q[12]
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(rod_theta)
+    w3 = ca.sin(rod_theta)
+    w4 = ca.cos(slider_theta)
+    w5 = ca.sin(slider_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c1,
-        crank_y + ca.sin(crank_theta) * c1,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rod_x,
         rod_y,
-        rod_x + (w0 * w3 - w4 * w7),
-        rod_y + (w3 * w4 + w0 * w7),
-        rod_x + (w0 * w8 - w4 * w9),
-        rod_y + (w4 * w8 + w0 * w9),
-        rod_x + (w0 * w10 - w4 * w11),
-        rod_y + (w4 * w10 + w0 * w11),
-        rod_x + (w0 * w12 - w4 * w13),
-        rod_y + (w4 * w12 + w0 * w13),
-        rod_x + (w0 * w14 - w4 * w15),
-        rod_y + (w4 * w14 + w0 * w15),
-        rod_x + (w0 * w16 - w4 * w17),
-        rod_y + (w4 * w16 + w0 * w17),
-        rod_x + (w0 * w18 - w4 * w19),
-        rod_y + (w4 * w18 + w0 * w19),
-        rod_x + w0 * w20,
-        rod_y + w4 * w20,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         slider_x,
         slider_y,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 12)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, exaggeration, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1582,7 +1472,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1626,9 +1516,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c36 = c[36]
-    c74 = c[74]
-    c75 = c[75]
-    c76 = c[76]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
     w0 = ca.cos(crank_theta) * c1
     w1 = crank_theta_dot**2
     w2 = w0 * w1
@@ -1710,7 +1600,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w78 = w76 - w57 * w77
     w79 = w15 * w39 + 2 * (rod_q3_dot * c20 + rod_q4_dot * c21) + w63 * w77
     w80 = c22 - rod_q4 * c23
-    w81 = w15 * w40 + rod_q4_dot * c74 + w63 * w80
+    w81 = w15 * w40 + rod_q4_dot * c41 + w63 * w80
     w82 = w57 * w80
     w83 = rod_q1 * c24
     w84 = w6 * c8
@@ -1719,7 +1609,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w87 = w21 * w86
     w88 = w85 - w87
     w89 = w57 * w83 - (w87 - w85)
-    w90 = w15 * w43 + rod_q1_dot * c75 - w63 * w83
+    w90 = w15 * w43 + rod_q1_dot * c42 - w63 * w83
     w91 = rod_q1 * c25 + rod_q2 * c26
     w92 = w6 * c9
     w93 = w2 * w92
@@ -1757,7 +1647,7 @@ def dQ_hat_dq_i() -> ca.Function:
         0.0,
         -(w28 * c26 + w69 * w101),
         w0 * (w12 * w84 + w28 * w86) - w20 * (w12 * w86 - w28 * w84) - w38 * w102,
-        w28 * c76,
+        w28 * c43,
         0.0,
         w12 * c15 - c29,
         w103 - w69 * w102,
@@ -1778,7 +1668,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1917,7 +1807,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2077,7 +1967,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2241,7 +2131,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 77)
+    c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2354,6 +2244,437 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 410 operations."""
+    p = ca.SX.sym("p", 67)
+    crank_tip_x = p[31]
+    rod_end_x = p[32]
+    rod_end_shape_0_3 = p[33]
+    rod_at1_x = p[34]
+    rod_at1_shape_0_2 = p[35]
+    rod_at1_shape_0_3 = p[36]
+    rod_at1_shape_1_0 = p[37]
+    rod_at1_shape_1_1 = p[38]
+    rod_at2_x = p[39]
+    rod_at2_shape_0_2 = p[40]
+    rod_at2_shape_0_3 = p[41]
+    rod_at2_shape_1_0 = p[42]
+    rod_at2_shape_1_1 = p[43]
+    rod_at3_x = p[44]
+    rod_at3_shape_0_2 = p[45]
+    rod_at3_shape_0_3 = p[46]
+    rod_at3_shape_1_0 = p[47]
+    rod_at3_shape_1_1 = p[48]
+    rod_at4_x = p[49]
+    rod_at4_shape_0_2 = p[50]
+    rod_at4_shape_1_0 = p[51]
+    rod_at5_x = p[52]
+    rod_at5_shape_0_2 = p[53]
+    rod_at5_shape_0_3 = p[54]
+    rod_at5_shape_1_0 = p[55]
+    rod_at5_shape_1_1 = p[56]
+    rod_at6_x = p[57]
+    rod_at6_shape_0_2 = p[58]
+    rod_at6_shape_0_3 = p[59]
+    rod_at6_shape_1_0 = p[60]
+    rod_at6_shape_1_1 = p[61]
+    rod_at7_x = p[62]
+    rod_at7_shape_0_2 = p[63]
+    rod_at7_shape_0_3 = p[64]
+    rod_at7_shape_1_0 = p[65]
+    rod_at7_shape_1_1 = p[66]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        rod_at1_x,
+        0.0,
+        0.0,
+        rod_at2_x,
+        0.0,
+        0.0,
+        rod_at3_x,
+        0.0,
+        0.0,
+        rod_at4_x,
+        0.0,
+        0.0,
+        rod_at5_x,
+        0.0,
+        0.0,
+        rod_at6_x,
+        0.0,
+        0.0,
+        rod_at7_x,
+        0.0,
+        0.0,
+        rod_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 13)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 13)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        rod_at1_shape_1_0,
+        0.0,
+        0.0,
+        rod_at1_shape_1_1,
+        0.0,
+        rod_at1_shape_0_2,
+        0.0,
+        0.0,
+        rod_at1_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at2_shape_1_0,
+        0.0,
+        0.0,
+        rod_at2_shape_1_1,
+        0.0,
+        rod_at2_shape_0_2,
+        0.0,
+        0.0,
+        rod_at2_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at3_shape_1_0,
+        0.0,
+        0.0,
+        rod_at3_shape_1_1,
+        0.0,
+        rod_at3_shape_0_2,
+        0.0,
+        0.0,
+        rod_at3_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at4_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_at4_shape_0_2,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_at5_shape_1_0,
+        0.0,
+        0.0,
+        rod_at5_shape_1_1,
+        0.0,
+        rod_at5_shape_0_2,
+        0.0,
+        0.0,
+        rod_at5_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at6_shape_1_0,
+        0.0,
+        0.0,
+        rod_at6_shape_1_1,
+        0.0,
+        rod_at6_shape_0_2,
+        0.0,
+        0.0,
+        rod_at6_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at7_shape_1_0,
+        0.0,
+        0.0,
+        rod_at7_shape_1_1,
+        0.0,
+        rod_at7_shape_0_2,
+        0.0,
+        0.0,
+        rod_at7_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_end_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 36)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    turns = ca.reshape(turns, 3, 36)
+    turns = ca.densify(turns)
+    inputs, outputs = [p], [positions, axes, shapes, turns]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2364,10 +2685,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 409 operations."""
+    """c: everything that depends on the parameters p only. 126 operations."""
     p = ca.SX.sym("p", 168)
     motor_torque = p[0]
     gravity_y = p[1]
@@ -42,110 +42,6 @@ def constants() -> ca.Function:
     crank_tip_x = p[30]
     beam20_pinned_pinned2_1_0_H_0_0 = p[35]
     beam20_pinned_pinned2_1_0_H_1_1 = p[36]
-    beam20_pinned_pinned2_0_0625_at_0_0 = p[37]
-    beam20_pinned_pinned2_0_0625_shape_1_0 = p[38]
-    beam20_pinned_pinned2_0_0625_shape_1_1 = p[39]
-    beam20_pinned_pinned2_0_0625_H_0_0 = p[42]
-    beam20_pinned_pinned2_0_0625_H_0_1 = p[43]
-    beam20_pinned_pinned2_0_0625_H_1_0 = p[44]
-    beam20_pinned_pinned2_0_0625_H_1_1 = p[45]
-    beam20_pinned_pinned2_0_125_at_0_0 = p[46]
-    beam20_pinned_pinned2_0_125_shape_1_0 = p[47]
-    beam20_pinned_pinned2_0_125_shape_1_1 = p[48]
-    beam20_pinned_pinned2_0_125_H_0_0 = p[51]
-    beam20_pinned_pinned2_0_125_H_0_1 = p[52]
-    beam20_pinned_pinned2_0_125_H_1_0 = p[53]
-    beam20_pinned_pinned2_0_125_H_1_1 = p[54]
-    beam20_pinned_pinned2_0_1875_at_0_0 = p[55]
-    beam20_pinned_pinned2_0_1875_shape_1_0 = p[56]
-    beam20_pinned_pinned2_0_1875_shape_1_1 = p[57]
-    beam20_pinned_pinned2_0_1875_H_0_0 = p[60]
-    beam20_pinned_pinned2_0_1875_H_0_1 = p[61]
-    beam20_pinned_pinned2_0_1875_H_1_0 = p[62]
-    beam20_pinned_pinned2_0_1875_H_1_1 = p[63]
-    beam20_pinned_pinned2_0_25_at_0_0 = p[64]
-    beam20_pinned_pinned2_0_25_shape_1_0 = p[65]
-    beam20_pinned_pinned2_0_25_shape_1_1 = p[66]
-    beam20_pinned_pinned2_0_25_H_0_0 = p[68]
-    beam20_pinned_pinned2_0_25_H_0_1 = p[69]
-    beam20_pinned_pinned2_0_25_H_1_0 = p[70]
-    beam20_pinned_pinned2_0_25_H_1_1 = p[71]
-    beam20_pinned_pinned2_0_3125_at_0_0 = p[72]
-    beam20_pinned_pinned2_0_3125_shape_1_0 = p[73]
-    beam20_pinned_pinned2_0_3125_shape_1_1 = p[74]
-    beam20_pinned_pinned2_0_3125_H_0_0 = p[77]
-    beam20_pinned_pinned2_0_3125_H_0_1 = p[78]
-    beam20_pinned_pinned2_0_3125_H_1_0 = p[79]
-    beam20_pinned_pinned2_0_3125_H_1_1 = p[80]
-    beam20_pinned_pinned2_0_375_at_0_0 = p[81]
-    beam20_pinned_pinned2_0_375_shape_1_0 = p[82]
-    beam20_pinned_pinned2_0_375_shape_1_1 = p[83]
-    beam20_pinned_pinned2_0_375_H_0_0 = p[86]
-    beam20_pinned_pinned2_0_375_H_0_1 = p[87]
-    beam20_pinned_pinned2_0_375_H_1_0 = p[88]
-    beam20_pinned_pinned2_0_375_H_1_1 = p[89]
-    beam20_pinned_pinned2_0_4375_at_0_0 = p[90]
-    beam20_pinned_pinned2_0_4375_shape_1_0 = p[91]
-    beam20_pinned_pinned2_0_4375_shape_1_1 = p[92]
-    beam20_pinned_pinned2_0_4375_H_0_0 = p[95]
-    beam20_pinned_pinned2_0_4375_H_0_1 = p[96]
-    beam20_pinned_pinned2_0_4375_H_1_0 = p[97]
-    beam20_pinned_pinned2_0_4375_H_1_1 = p[98]
-    beam20_pinned_pinned2_0_5_at_0_0 = p[99]
-    beam20_pinned_pinned2_0_5_shape_1_0 = p[100]
-    beam20_pinned_pinned2_0_5_H_0_0 = p[102]
-    beam20_pinned_pinned2_0_5_H_0_1 = p[103]
-    beam20_pinned_pinned2_0_5_H_1_0 = p[104]
-    beam20_pinned_pinned2_0_5_H_1_1 = p[105]
-    beam20_pinned_pinned2_0_5625_at_0_0 = p[106]
-    beam20_pinned_pinned2_0_5625_shape_1_0 = p[107]
-    beam20_pinned_pinned2_0_5625_shape_1_1 = p[108]
-    beam20_pinned_pinned2_0_5625_H_0_0 = p[111]
-    beam20_pinned_pinned2_0_5625_H_0_1 = p[112]
-    beam20_pinned_pinned2_0_5625_H_1_0 = p[113]
-    beam20_pinned_pinned2_0_5625_H_1_1 = p[114]
-    beam20_pinned_pinned2_0_625_at_0_0 = p[115]
-    beam20_pinned_pinned2_0_625_shape_1_0 = p[116]
-    beam20_pinned_pinned2_0_625_shape_1_1 = p[117]
-    beam20_pinned_pinned2_0_625_H_0_0 = p[120]
-    beam20_pinned_pinned2_0_625_H_0_1 = p[121]
-    beam20_pinned_pinned2_0_625_H_1_0 = p[122]
-    beam20_pinned_pinned2_0_625_H_1_1 = p[123]
-    beam20_pinned_pinned2_0_6875_at_0_0 = p[124]
-    beam20_pinned_pinned2_0_6875_shape_1_0 = p[125]
-    beam20_pinned_pinned2_0_6875_shape_1_1 = p[126]
-    beam20_pinned_pinned2_0_6875_H_0_0 = p[129]
-    beam20_pinned_pinned2_0_6875_H_0_1 = p[130]
-    beam20_pinned_pinned2_0_6875_H_1_0 = p[131]
-    beam20_pinned_pinned2_0_6875_H_1_1 = p[132]
-    beam20_pinned_pinned2_0_75_at_0_0 = p[133]
-    beam20_pinned_pinned2_0_75_shape_1_0 = p[134]
-    beam20_pinned_pinned2_0_75_shape_1_1 = p[135]
-    beam20_pinned_pinned2_0_75_H_0_0 = p[137]
-    beam20_pinned_pinned2_0_75_H_0_1 = p[138]
-    beam20_pinned_pinned2_0_75_H_1_0 = p[139]
-    beam20_pinned_pinned2_0_75_H_1_1 = p[140]
-    beam20_pinned_pinned2_0_8125_at_0_0 = p[141]
-    beam20_pinned_pinned2_0_8125_shape_1_0 = p[142]
-    beam20_pinned_pinned2_0_8125_shape_1_1 = p[143]
-    beam20_pinned_pinned2_0_8125_H_0_0 = p[146]
-    beam20_pinned_pinned2_0_8125_H_0_1 = p[147]
-    beam20_pinned_pinned2_0_8125_H_1_0 = p[148]
-    beam20_pinned_pinned2_0_8125_H_1_1 = p[149]
-    beam20_pinned_pinned2_0_875_at_0_0 = p[150]
-    beam20_pinned_pinned2_0_875_shape_1_0 = p[151]
-    beam20_pinned_pinned2_0_875_shape_1_1 = p[152]
-    beam20_pinned_pinned2_0_875_H_0_0 = p[155]
-    beam20_pinned_pinned2_0_875_H_0_1 = p[156]
-    beam20_pinned_pinned2_0_875_H_1_0 = p[157]
-    beam20_pinned_pinned2_0_875_H_1_1 = p[158]
-    beam20_pinned_pinned2_0_9375_at_0_0 = p[159]
-    beam20_pinned_pinned2_0_9375_shape_1_0 = p[160]
-    beam20_pinned_pinned2_0_9375_shape_1_1 = p[161]
-    beam20_pinned_pinned2_0_9375_H_0_0 = p[164]
-    beam20_pinned_pinned2_0_9375_H_0_1 = p[165]
-    beam20_pinned_pinned2_0_9375_H_1_0 = p[166]
-    beam20_pinned_pinned2_0_9375_H_1_1 = p[167]
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
@@ -202,110 +98,6 @@ def constants() -> ca.Function:
         slider_inertia,
         crank_mass * gravity_y,
         slider_mass * gravity_y,
-        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
-        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
-        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
-        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
-        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
-        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
-        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
-        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
         w10 - w11,
         w12 - w13,
         2 * w2,
@@ -326,7 +118,7 @@ def condensed() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -451,7 +243,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 43 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -494,7 +286,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -537,7 +329,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -591,7 +383,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 200 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -770,7 +562,7 @@ def augmented() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1264,7 +1056,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1378,7 +1170,7 @@ def energy() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -1470,210 +1262,66 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 509 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 11)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 147)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
-    rod_q1 = q[6]
-    rod_q2 = q[7]
     slider_x = q[8]
     slider_y = q[9]
-    c1 = c[1]
-    c2 = c[2]
-    c6 = c[6]
-    c7 = c[7]
-    c36 = c[36]
-    c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
-    c71 = c[71]
-    c72 = c[72]
-    c73 = c[73]
-    c74 = c[74]
-    c75 = c[75]
-    c76 = c[76]
-    c77 = c[77]
-    c78 = c[78]
-    c79 = c[79]
-    c80 = c[80]
-    c81 = c[81]
-    c82 = c[82]
-    c83 = c[83]
-    c84 = c[84]
-    c85 = c[85]
-    c86 = c[86]
-    c87 = c[87]
-    c88 = c[88]
-    c89 = c[89]
-    c90 = c[90]
-    c91 = c[91]
-    c92 = c[92]
-    c93 = c[93]
-    c94 = c[94]
-    c95 = c[95]
-    c96 = c[96]
-    c97 = c[97]
-    c98 = c[98]
-    c99 = c[99]
-    c100 = c[100]
-    c101 = c[101]
-    c102 = c[102]
-    c103 = c[103]
-    c104 = c[104]
-    c105 = c[105]
-    c106 = c[106]
-    c107 = c[107]
-    c108 = c[108]
-    c109 = c[109]
-    c110 = c[110]
-    c111 = c[111]
-    c112 = c[112]
-    c113 = c[113]
-    c114 = c[114]
-    c115 = c[115]
-    c116 = c[116]
-    c117 = c[117]
-    c118 = c[118]
-    c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
-    c122 = c[122]
-    c123 = c[123]
-    c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
-    c127 = c[127]
-    c128 = c[128]
-    c129 = c[129]
-    c130 = c[130]
-    c131 = c[131]
-    c132 = c[132]
-    c133 = c[133]
-    c134 = c[134]
-    c135 = c[135]
-    c136 = c[136]
-    c137 = c[137]
-    c138 = c[138]
-    c139 = c[139]
-    w0 = ca.cos(rod_theta)
-    w1 = rod_q1 * exaggeration
-    w2 = exaggeration * rod_q2
-    w3 = c36 - (w1 * (w1 * c37 + w2 * c38) + w2 * (w1 * c39 + w2 * c40)) * 0.5
-    w4 = ca.sin(rod_theta)
-    w5 = w1 * c41 + w2 * c42
-    w6 = c43 - (w1 * (w1 * c44 + w2 * c45) + w2 * (w1 * c46 + w2 * c47)) * 0.5
-    w7 = w1 * c48 + w2 * c49
-    w8 = c50 - (w1 * (w1 * c51 + w2 * c52) + w2 * (w1 * c53 + w2 * c54)) * 0.5
-    w9 = w1 * c55 + w2 * c56
-    w10 = c57 - (w1 * (w1 * c58 + w2 * c59) + w2 * (w1 * c60 + w2 * c61)) * 0.5
-    w11 = w1 * c62 + w2 * c63
-    w12 = c64 - (w1 * (w1 * c65 + w2 * c66) + w2 * (w1 * c67 + w2 * c68)) * 0.5
-    w13 = w1 * c69 + w2 * c70
-    w14 = c71 - (w1 * (w1 * c72 + w2 * c73) + w2 * (w1 * c74 + w2 * c75)) * 0.5
-    w15 = w1 * c76 + w2 * c77
-    w16 = c78 - (w1 * (w1 * c79 + w2 * c80) + w2 * (w1 * c81 + w2 * c82)) * 0.5
-    w17 = w1 * c83 + w2 * c84
-    w18 = c85 - (w1 * (w1 * c86 + w2 * c87) + w2 * (w1 * c88 + w2 * c89)) * 0.5
-    w19 = w1 * c90
-    w20 = c91 - (w1 * (w1 * c92 + w2 * c93) + w2 * (w1 * c94 + w2 * c95)) * 0.5
-    w21 = w1 * c96 + w2 * c97
-    w22 = c98 - (w1 * (w1 * c99 + w2 * c100) + w2 * (w1 * c101 + w2 * c102)) * 0.5
-    w23 = w1 * c103 + w2 * c104
-    w24 = c105 - (w1 * (w1 * c106 + w2 * c107) + w2 * (w1 * c108 + w2 * c109)) * 0.5
-    w25 = w1 * c110 + w2 * c111
-    w26 = c112 - (w1 * (w1 * c113 + w2 * c114) + w2 * (w1 * c115 + w2 * c116)) * 0.5
-    w27 = w1 * c117 + w2 * c118
-    w28 = c119 - (w1 * (w1 * c120 + w2 * c121) + w2 * (w1 * c122 + w2 * c123)) * 0.5
-    w29 = w1 * c124 + w2 * c125
-    w30 = c126 - (w1 * (w1 * c127 + w2 * c128) + w2 * (w1 * c129 + w2 * c130)) * 0.5
-    w31 = w1 * c131 + w2 * c132
-    w32 = c133 - (w1 * (w1 * c134 + w2 * c135) + w2 * (w1 * c136 + w2 * c137)) * 0.5
-    w33 = w1 * c138 + w2 * c139
-    w34 = c2 - (w1 * (w1 * c6) + w2 * (w2 * c7)) * 0.5
-    xy = ca.vertcat(
+    slider_theta = q[10]
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(rod_theta)
+    w3 = ca.sin(rod_theta)
+    w4 = ca.cos(slider_theta)
+    w5 = ca.sin(slider_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c1,
-        crank_y + ca.sin(crank_theta) * c1,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rod_x,
         rod_y,
-        rod_x + (w0 * w3 - w4 * w5),
-        rod_y + (w3 * w4 + w0 * w5),
-        rod_x + (w0 * w6 - w4 * w7),
-        rod_y + (w4 * w6 + w0 * w7),
-        rod_x + (w0 * w8 - w4 * w9),
-        rod_y + (w4 * w8 + w0 * w9),
-        rod_x + (w0 * w10 - w4 * w11),
-        rod_y + (w4 * w10 + w0 * w11),
-        rod_x + (w0 * w12 - w4 * w13),
-        rod_y + (w4 * w12 + w0 * w13),
-        rod_x + (w0 * w14 - w4 * w15),
-        rod_y + (w4 * w14 + w0 * w15),
-        rod_x + (w0 * w16 - w4 * w17),
-        rod_y + (w4 * w16 + w0 * w17),
-        rod_x + (w0 * w18 - w4 * w19),
-        rod_y + (w4 * w18 + w0 * w19),
-        rod_x + (w0 * w20 - w4 * w21),
-        rod_y + (w4 * w20 + w0 * w21),
-        rod_x + (w0 * w22 - w4 * w23),
-        rod_y + (w4 * w22 + w0 * w23),
-        rod_x + (w0 * w24 - w4 * w25),
-        rod_y + (w4 * w24 + w0 * w25),
-        rod_x + (w0 * w26 - w4 * w27),
-        rod_y + (w4 * w26 + w0 * w27),
-        rod_x + (w0 * w28 - w4 * w29),
-        rod_y + (w4 * w28 + w0 * w29),
-        rod_x + (w0 * w30 - w4 * w31),
-        rod_y + (w4 * w30 + w0 * w31),
-        rod_x + (w0 * w32 - w4 * w33),
-        rod_y + (w4 * w32 + w0 * w33),
-        rod_x + w0 * w34,
-        rod_y + w4 * w34,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         slider_x,
         slider_y,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 20)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, exaggeration, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1682,7 +1330,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1717,8 +1365,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c29 = c[29]
-    c140 = c[140]
-    c141 = c[141]
+    c36 = c[36]
+    c37 = c[37]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(rod_theta)
     w2 = rod_q1 * c9
@@ -1831,14 +1479,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w109 = w92 + w7 * w105
     w110 = (w10 * (w1 * w61) + w36 * w54 - (w20 * w108 - w37 * w69)) * c4
     w111 = w0 * (w54 * w106 + w10 * (w7 * w107) - (w14 * w108 - w69 * w109)) - w24 * (w69 * w106 + w9 * w108 - (w54 * w109 + w10 * (w1 * w107)) - w110)
-    w112 = w84 * (rod_q1_dot * c140 - rod_q2_dot * c19) - w109 * c23 - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c140 - rod_q2 * c19) + w32 * w108))
+    w112 = w84 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w109 * c23 - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c36 - rod_q2 * c19) + w32 * w108))
     w113 = w112 + (w20 * w110 - w96)
     w114 = w36 * w41
     w115 = w1 * c6 / w21 + w36 * w39
     w116 = w36 * w46
     w117 = rod_q1_dot * w115 - crank_theta_dot * w114 + rod_q2_dot * w116 + w38 * w48
     w118 = w1 * c9
-    w119 = w54 * c140 - c27 - w118 * c23 - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
+    w119 = w54 * c36 - c27 - w118 * c23 - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
     w120 = w1 * c11
     w121 = w43 * w110 - (w54 * c19 + w120 * c23 + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
     w122 = w57 + rod_q1_dot * c10
@@ -1848,7 +1496,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w126 = w7 * w123
     w127 = (w10 * (w1 * w62) + w43 * w54 - (w20 * w125 - w44 * w69)) * c4
     w128 = w0 * (w10 * (w7 * w122) - w54 * w124 - (w14 * w125 - w69 * w126)) - w24 * (w9 * w125 - w69 * w124 - (w54 * w126 + w10 * (w1 * w122)) - w127)
-    w129 = w84 * (rod_q2_dot * c141 - rod_q1_dot * c17) - w126 * c23 - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c141 - rod_q1 * c17) + w32 * w125))
+    w129 = w84 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w126 * c23 - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c37 - rod_q1 * c17) + w32 * w125))
     w130 = w129 + (w20 * w127 - w102)
     w131 = w41 * w43
     w132 = w39 * w43
@@ -1857,7 +1505,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w135 = w1 * c10
     w136 = w36 * w127 - (w54 * c17 + w135 * c23 + (w51 * (w7 * c10) + w67 * w135 + w125 * c21)) + (w38 * w130 + w85 * w132)
     w137 = w1 * c12
-    w138 = w54 * c141 - c29 - w137 * c23 - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
+    w138 = w54 * c37 - c29 - w137 * c23 - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
     dQ_hat_dq_i = ca.vertcat(
         w34 * w49 - (w81 + (w28 * w83 - w35 * w85) + w28 * w91),
         w36 * w72 - (w52 * c21 - w95) + w38 * w83 - w28 * w97 + w49 * w98,
@@ -1881,7 +1529,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1913,11 +1561,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c22 = c[22]
     c28 = c[28]
     c30 = c[30]
-    c142 = c[142]
-    c143 = c[143]
-    c144 = c[144]
-    c145 = c[145]
-    c146 = c[146]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c6
@@ -1964,15 +1612,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w43 = w3 * w7
     w44 = w43 / w5
     w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
-    w46 = rod_q1_dot * c144 + rod_q2_dot * c145
-    w47 = rod_q1_dot * c142
+    w46 = rod_q1_dot * c40 + rod_q2_dot * c41
+    w47 = rod_q1_dot * c38
     w48 = (w7 * w47 + w25 * w36) / w5
     w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
     w50 = rod_theta_dot * -2.0
     w51 = w18 * w50 - w20 * w48 + w22 * w49
     w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
-    w53 = rod_q2_dot * c146 + rod_q1_dot * c145
-    w54 = rod_q2_dot * c143
+    w53 = rod_q2_dot * c42 + rod_q1_dot * c41
+    w54 = rod_q2_dot * c39
     w55 = (w7 * w54 + w25 * w42) / w5
     w56 = (w25 * w43 - w1 * w54 - w22 * w55) * c4
     w57 = w19 * w50 - w20 * w55 + w22 * w56
@@ -1999,7 +1647,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2028,8 +1676,8 @@ def dMa_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c140 = c[140]
-    c141 = c[141]
+    c36 = c[36]
+    c37 = c[37]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c9
@@ -2114,7 +1762,7 @@ def dMa_dq_i() -> ca.Function:
     w81 = w1 * c6
     w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * c4
     w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
-    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c140 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
+    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c36 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
     w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
     w86 = w43 * w53
     w87 = w43 * w55
@@ -2130,7 +1778,7 @@ def dMa_dq_i() -> ca.Function:
     w97 = w1 * c7
     w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * c4
     w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
-    w100 = w26 * (w49 + rod_q2 * c141 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
+    w100 = w26 * (w49 + rod_q2 * c37 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
     w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
     dMa_dq_i = ca.vertcat(
         w45 - (w23 * w51 - w15 * w52) - w23 * w62,
@@ -2156,7 +1804,7 @@ def blocks() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2297,7 +1945,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 147)
+    c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2393,6 +2041,758 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 830 operations."""
+    p = ca.SX.sym("p", 168)
+    rod_length = p[5]
+    rod_area = p[7]
+    rod_second_moment = p[9]
+    crank_tip_x = p[30]
+    beam20_pinned_pinned2_0_0_slope_0_0 = p[31]
+    beam20_pinned_pinned2_0_0_slope_1_0 = p[32]
+    beam20_pinned_pinned2_1_0_slope_0_0 = p[33]
+    beam20_pinned_pinned2_1_0_slope_1_0 = p[34]
+    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    beam20_pinned_pinned2_0_0625_at_0_0 = p[37]
+    beam20_pinned_pinned2_0_0625_shape_1_0 = p[38]
+    beam20_pinned_pinned2_0_0625_shape_1_1 = p[39]
+    beam20_pinned_pinned2_0_0625_slope_0_0 = p[40]
+    beam20_pinned_pinned2_0_0625_slope_1_0 = p[41]
+    beam20_pinned_pinned2_0_0625_H_0_0 = p[42]
+    beam20_pinned_pinned2_0_0625_H_0_1 = p[43]
+    beam20_pinned_pinned2_0_0625_H_1_0 = p[44]
+    beam20_pinned_pinned2_0_0625_H_1_1 = p[45]
+    beam20_pinned_pinned2_0_125_at_0_0 = p[46]
+    beam20_pinned_pinned2_0_125_shape_1_0 = p[47]
+    beam20_pinned_pinned2_0_125_shape_1_1 = p[48]
+    beam20_pinned_pinned2_0_125_slope_0_0 = p[49]
+    beam20_pinned_pinned2_0_125_slope_1_0 = p[50]
+    beam20_pinned_pinned2_0_125_H_0_0 = p[51]
+    beam20_pinned_pinned2_0_125_H_0_1 = p[52]
+    beam20_pinned_pinned2_0_125_H_1_0 = p[53]
+    beam20_pinned_pinned2_0_125_H_1_1 = p[54]
+    beam20_pinned_pinned2_0_1875_at_0_0 = p[55]
+    beam20_pinned_pinned2_0_1875_shape_1_0 = p[56]
+    beam20_pinned_pinned2_0_1875_shape_1_1 = p[57]
+    beam20_pinned_pinned2_0_1875_slope_0_0 = p[58]
+    beam20_pinned_pinned2_0_1875_slope_1_0 = p[59]
+    beam20_pinned_pinned2_0_1875_H_0_0 = p[60]
+    beam20_pinned_pinned2_0_1875_H_0_1 = p[61]
+    beam20_pinned_pinned2_0_1875_H_1_0 = p[62]
+    beam20_pinned_pinned2_0_1875_H_1_1 = p[63]
+    beam20_pinned_pinned2_0_25_at_0_0 = p[64]
+    beam20_pinned_pinned2_0_25_shape_1_0 = p[65]
+    beam20_pinned_pinned2_0_25_shape_1_1 = p[66]
+    beam20_pinned_pinned2_0_25_slope_0_0 = p[67]
+    beam20_pinned_pinned2_0_25_H_0_0 = p[68]
+    beam20_pinned_pinned2_0_25_H_0_1 = p[69]
+    beam20_pinned_pinned2_0_25_H_1_0 = p[70]
+    beam20_pinned_pinned2_0_25_H_1_1 = p[71]
+    beam20_pinned_pinned2_0_3125_at_0_0 = p[72]
+    beam20_pinned_pinned2_0_3125_shape_1_0 = p[73]
+    beam20_pinned_pinned2_0_3125_shape_1_1 = p[74]
+    beam20_pinned_pinned2_0_3125_slope_0_0 = p[75]
+    beam20_pinned_pinned2_0_3125_slope_1_0 = p[76]
+    beam20_pinned_pinned2_0_3125_H_0_0 = p[77]
+    beam20_pinned_pinned2_0_3125_H_0_1 = p[78]
+    beam20_pinned_pinned2_0_3125_H_1_0 = p[79]
+    beam20_pinned_pinned2_0_3125_H_1_1 = p[80]
+    beam20_pinned_pinned2_0_375_at_0_0 = p[81]
+    beam20_pinned_pinned2_0_375_shape_1_0 = p[82]
+    beam20_pinned_pinned2_0_375_shape_1_1 = p[83]
+    beam20_pinned_pinned2_0_375_slope_0_0 = p[84]
+    beam20_pinned_pinned2_0_375_slope_1_0 = p[85]
+    beam20_pinned_pinned2_0_375_H_0_0 = p[86]
+    beam20_pinned_pinned2_0_375_H_0_1 = p[87]
+    beam20_pinned_pinned2_0_375_H_1_0 = p[88]
+    beam20_pinned_pinned2_0_375_H_1_1 = p[89]
+    beam20_pinned_pinned2_0_4375_at_0_0 = p[90]
+    beam20_pinned_pinned2_0_4375_shape_1_0 = p[91]
+    beam20_pinned_pinned2_0_4375_shape_1_1 = p[92]
+    beam20_pinned_pinned2_0_4375_slope_0_0 = p[93]
+    beam20_pinned_pinned2_0_4375_slope_1_0 = p[94]
+    beam20_pinned_pinned2_0_4375_H_0_0 = p[95]
+    beam20_pinned_pinned2_0_4375_H_0_1 = p[96]
+    beam20_pinned_pinned2_0_4375_H_1_0 = p[97]
+    beam20_pinned_pinned2_0_4375_H_1_1 = p[98]
+    beam20_pinned_pinned2_0_5_at_0_0 = p[99]
+    beam20_pinned_pinned2_0_5_shape_1_0 = p[100]
+    beam20_pinned_pinned2_0_5_slope_1_0 = p[101]
+    beam20_pinned_pinned2_0_5_H_0_0 = p[102]
+    beam20_pinned_pinned2_0_5_H_0_1 = p[103]
+    beam20_pinned_pinned2_0_5_H_1_0 = p[104]
+    beam20_pinned_pinned2_0_5_H_1_1 = p[105]
+    beam20_pinned_pinned2_0_5625_at_0_0 = p[106]
+    beam20_pinned_pinned2_0_5625_shape_1_0 = p[107]
+    beam20_pinned_pinned2_0_5625_shape_1_1 = p[108]
+    beam20_pinned_pinned2_0_5625_slope_0_0 = p[109]
+    beam20_pinned_pinned2_0_5625_slope_1_0 = p[110]
+    beam20_pinned_pinned2_0_5625_H_0_0 = p[111]
+    beam20_pinned_pinned2_0_5625_H_0_1 = p[112]
+    beam20_pinned_pinned2_0_5625_H_1_0 = p[113]
+    beam20_pinned_pinned2_0_5625_H_1_1 = p[114]
+    beam20_pinned_pinned2_0_625_at_0_0 = p[115]
+    beam20_pinned_pinned2_0_625_shape_1_0 = p[116]
+    beam20_pinned_pinned2_0_625_shape_1_1 = p[117]
+    beam20_pinned_pinned2_0_625_slope_0_0 = p[118]
+    beam20_pinned_pinned2_0_625_slope_1_0 = p[119]
+    beam20_pinned_pinned2_0_625_H_0_0 = p[120]
+    beam20_pinned_pinned2_0_625_H_0_1 = p[121]
+    beam20_pinned_pinned2_0_625_H_1_0 = p[122]
+    beam20_pinned_pinned2_0_625_H_1_1 = p[123]
+    beam20_pinned_pinned2_0_6875_at_0_0 = p[124]
+    beam20_pinned_pinned2_0_6875_shape_1_0 = p[125]
+    beam20_pinned_pinned2_0_6875_shape_1_1 = p[126]
+    beam20_pinned_pinned2_0_6875_slope_0_0 = p[127]
+    beam20_pinned_pinned2_0_6875_slope_1_0 = p[128]
+    beam20_pinned_pinned2_0_6875_H_0_0 = p[129]
+    beam20_pinned_pinned2_0_6875_H_0_1 = p[130]
+    beam20_pinned_pinned2_0_6875_H_1_0 = p[131]
+    beam20_pinned_pinned2_0_6875_H_1_1 = p[132]
+    beam20_pinned_pinned2_0_75_at_0_0 = p[133]
+    beam20_pinned_pinned2_0_75_shape_1_0 = p[134]
+    beam20_pinned_pinned2_0_75_shape_1_1 = p[135]
+    beam20_pinned_pinned2_0_75_slope_0_0 = p[136]
+    beam20_pinned_pinned2_0_75_H_0_0 = p[137]
+    beam20_pinned_pinned2_0_75_H_0_1 = p[138]
+    beam20_pinned_pinned2_0_75_H_1_0 = p[139]
+    beam20_pinned_pinned2_0_75_H_1_1 = p[140]
+    beam20_pinned_pinned2_0_8125_at_0_0 = p[141]
+    beam20_pinned_pinned2_0_8125_shape_1_0 = p[142]
+    beam20_pinned_pinned2_0_8125_shape_1_1 = p[143]
+    beam20_pinned_pinned2_0_8125_slope_0_0 = p[144]
+    beam20_pinned_pinned2_0_8125_slope_1_0 = p[145]
+    beam20_pinned_pinned2_0_8125_H_0_0 = p[146]
+    beam20_pinned_pinned2_0_8125_H_0_1 = p[147]
+    beam20_pinned_pinned2_0_8125_H_1_0 = p[148]
+    beam20_pinned_pinned2_0_8125_H_1_1 = p[149]
+    beam20_pinned_pinned2_0_875_at_0_0 = p[150]
+    beam20_pinned_pinned2_0_875_shape_1_0 = p[151]
+    beam20_pinned_pinned2_0_875_shape_1_1 = p[152]
+    beam20_pinned_pinned2_0_875_slope_0_0 = p[153]
+    beam20_pinned_pinned2_0_875_slope_1_0 = p[154]
+    beam20_pinned_pinned2_0_875_H_0_0 = p[155]
+    beam20_pinned_pinned2_0_875_H_0_1 = p[156]
+    beam20_pinned_pinned2_0_875_H_1_0 = p[157]
+    beam20_pinned_pinned2_0_875_H_1_1 = p[158]
+    beam20_pinned_pinned2_0_9375_at_0_0 = p[159]
+    beam20_pinned_pinned2_0_9375_shape_1_0 = p[160]
+    beam20_pinned_pinned2_0_9375_shape_1_1 = p[161]
+    beam20_pinned_pinned2_0_9375_slope_0_0 = p[162]
+    beam20_pinned_pinned2_0_9375_slope_1_0 = p[163]
+    beam20_pinned_pinned2_0_9375_H_0_0 = p[164]
+    beam20_pinned_pinned2_0_9375_H_0_1 = p[165]
+    beam20_pinned_pinned2_0_9375_H_1_0 = p[166]
+    beam20_pinned_pinned2_0_9375_H_1_1 = p[167]
+    w0 = beam20_pinned_pinned2_0_0_slope_0_0 / rod_length
+    w1 = beam20_pinned_pinned2_0_0_slope_1_0 / rod_length
+    w2 = beam20_pinned_pinned2_1_0_slope_0_0 / rod_length
+    w3 = beam20_pinned_pinned2_1_0_slope_1_0 / rod_length
+    w4 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
+    w5 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
+    w6 = ca.sqrt(12.0 * rod_second_moment / rod_area)
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        0.0,
+        0.0,
+        rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 23)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 23)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 38)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+    )
+    turns = ca.reshape(turns, 3, 38)
+    turns = ca.densify(turns)
+    H = ca.vertcat(
+        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
+        w4,
+        0.0,
+        0.0,
+        w5,
+        w4,
+        0.0,
+        0.0,
+        w5,
+    )
+    H = ca.reshape(H, 1, 68)
+    H = ca.densify(H)
+    sections = ca.vertcat(
+        w6,
+        rod_area / w6,
+    )
+    sections = ca.densify(sections)
+    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2403,10 +2803,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

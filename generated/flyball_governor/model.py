@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 364 operations."""
+    """c: everything that depends on the parameters p only. 360 operations."""
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
     shaft_mass = p[1]
@@ -51,8 +51,6 @@ def constants() -> ca.Function:
     left_spring_stiffness = p[39]
     left_spring_damping = p[40]
     left_spring_free_length = p[41]
-    right_rod_ball_x = p[42]
-    left_rod_ball_x = p[43]
     w0 = (shaft_inertia_xx + shaft_inertia_yy + shaft_inertia_zz) / 2.0
     w1 = w0 - shaft_inertia_yy
     w2 = w0 - shaft_inertia_zz + shaft_mass * shaft_center_of_mass_z**2
@@ -202,8 +200,6 @@ def constants() -> ca.Function:
         0.5 * left_spring_stiffness,
         2 * right_spring_damping,
         2 * left_spring_damping,
-        right_rod_ball_x,
-        left_rod_ball_x,
         -4.0 * w6,
         -4.0 * w43,
         -4.0 * w28,
@@ -243,7 +239,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -934,7 +930,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 98 operations."""
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -1013,7 +1009,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -1149,7 +1145,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -1351,7 +1347,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 1745 operations."""
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -2570,7 +2566,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 4924 operations."""
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -6296,7 +6292,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
     q_ddot = ca.SX.sym("q_ddot", 32)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -7010,7 +7006,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 1086 operations."""
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     shaft_z = q[2]
     shaft_e0 = q[3]
     shaft_e1 = q[4]
@@ -7381,10 +7377,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 200 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 181 operations."""
     q = ca.SX.sym("q", 32)
-    c = ca.SX.sym("c", 127)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -7413,84 +7408,104 @@ def drawing() -> ca.Function:
     left_rod_e1 = q[25]
     left_rod_e2 = q[26]
     left_rod_e3 = q[27]
-    c6 = c[6]
-    c7 = c[7]
-    c28 = c[28]
-    c29 = c[29]
-    c63 = c[63]
-    c64 = c[64]
-    c69 = c[69]
-    c70 = c[70]
-    c98 = c[98]
-    c99 = c[99]
     w0 = 2 * shaft_e2**2
-    w1 = 1.0 - w0 - 2 * shaft_e3**2
+    w1 = 2 * shaft_e3**2
     w2 = 2 * shaft_e0
-    w3 = shaft_e2 * w2
+    w3 = shaft_e3 * w2
     w4 = 2 * shaft_e1
-    w5 = shaft_e3 * w4
-    w6 = w3 + w5
-    w7 = shaft_e3 * w2 + shaft_e2 * w4
-    w8 = shaft_e3 * (2 * shaft_e2) - w2 * shaft_e1
-    w9 = w5 - w3
-    w10 = 1.0 - 2 * shaft_e1**2 - w0
-    w11 = 1.0 - 2 * slider_e2**2 - 2 * slider_e3**2
-    w12 = 2 * slider_e0
-    w13 = 2 * slider_e1
-    w14 = slider_e3 * w12 + slider_e2 * w13
-    w15 = slider_e3 * w13 - slider_e2 * w12
-    w16 = 1.0 - 2 * right_rod_e2**2 - 2 * right_rod_e3**2
-    w17 = 2 * right_rod_e0
-    w18 = 2 * right_rod_e1
-    w19 = right_rod_e3 * w17 + right_rod_e2 * w18
-    w20 = right_rod_e3 * w18 - right_rod_e2 * w17
-    w21 = 1.0 - 2 * left_rod_e2**2 - 2 * left_rod_e3**2
-    w22 = 2 * left_rod_e0
-    w23 = 2 * left_rod_e1
-    w24 = left_rod_e3 * w22 + left_rod_e2 * w23
-    w25 = left_rod_e3 * w23 - left_rod_e2 * w22
-    xyz = ca.vertcat(
+    w5 = shaft_e2 * w4
+    w6 = shaft_e3 * w4
+    w7 = shaft_e2 * w2
+    w8 = 1.0 - 2 * shaft_e1**2
+    w9 = w2 * shaft_e1
+    w10 = shaft_e3 * (2 * shaft_e2)
+    w11 = 2 * slider_e2**2
+    w12 = 2 * slider_e3**2
+    w13 = 2 * slider_e0
+    w14 = slider_e3 * w13
+    w15 = 2 * slider_e1
+    w16 = slider_e2 * w15
+    w17 = slider_e3 * w15
+    w18 = slider_e2 * w13
+    w19 = 1.0 - 2 * slider_e1**2
+    w20 = w13 * slider_e1
+    w21 = slider_e3 * (2 * slider_e2)
+    w22 = 2 * right_rod_e2**2
+    w23 = 2 * right_rod_e3**2
+    w24 = 2 * right_rod_e0
+    w25 = right_rod_e3 * w24
+    w26 = 2 * right_rod_e1
+    w27 = right_rod_e2 * w26
+    w28 = right_rod_e3 * w26
+    w29 = right_rod_e2 * w24
+    w30 = 1.0 - 2 * right_rod_e1**2
+    w31 = w24 * right_rod_e1
+    w32 = right_rod_e3 * (2 * right_rod_e2)
+    w33 = 2 * left_rod_e2**2
+    w34 = 2 * left_rod_e3**2
+    w35 = 2 * left_rod_e0
+    w36 = left_rod_e3 * w35
+    w37 = 2 * left_rod_e1
+    w38 = left_rod_e2 * w37
+    w39 = left_rod_e3 * w37
+    w40 = left_rod_e2 * w35
+    w41 = 1.0 - 2 * left_rod_e1**2
+    w42 = w35 * left_rod_e1
+    w43 = left_rod_e3 * (2 * left_rod_e2)
+    poses = ca.vertcat(
         shaft_x,
         shaft_y,
         shaft_z,
-        shaft_x + (w1 * c28 + w6 * c29),
-        shaft_y + (w7 * c28 + w8 * c29),
-        shaft_z + (w9 * c28 + w10 * c29),
-        shaft_x + (w1 * c6 + w6 * c7),
-        shaft_y + (w7 * c6 + w8 * c7),
-        shaft_z + (w9 * c6 + w10 * c7),
+        1.0 - w0 - w1,
+        w3 + w5,
+        w6 - w7,
+        w5 - w3,
+        w8 - w1,
+        w9 + w10,
+        w6 + w7,
+        w10 - w9,
+        w8 - w0,
         slider_x,
         slider_y,
         slider_z,
-        slider_x + w11 * c69,
-        slider_y + w14 * c69,
-        slider_z + w15 * c69,
-        slider_x + w11 * c63,
-        slider_y + w14 * c63,
-        slider_z + w15 * c63,
+        1.0 - w11 - w12,
+        w14 + w16,
+        w17 - w18,
+        w16 - w14,
+        w19 - w12,
+        w20 + w21,
+        w17 + w18,
+        w21 - w20,
+        w19 - w11,
         right_rod_x,
         right_rod_y,
         right_rod_z,
-        right_rod_x + w16 * c70,
-        right_rod_y + w19 * c70,
-        right_rod_z + w20 * c70,
-        right_rod_x + w16 * c98,
-        right_rod_y + w19 * c98,
-        right_rod_z + w20 * c98,
+        1.0 - w22 - w23,
+        w25 + w27,
+        w28 - w29,
+        w27 - w25,
+        w30 - w23,
+        w31 + w32,
+        w28 + w29,
+        w32 - w31,
+        w30 - w22,
         left_rod_x,
         left_rod_y,
         left_rod_z,
-        left_rod_x + w21 * c64,
-        left_rod_y + w24 * c64,
-        left_rod_z + w25 * c64,
-        left_rod_x + w21 * c99,
-        left_rod_y + w24 * c99,
-        left_rod_z + w25 * c99,
+        1.0 - w33 - w34,
+        w36 + w38,
+        w39 - w40,
+        w38 - w36,
+        w41 - w34,
+        w42 + w43,
+        w39 + w40,
+        w43 - w42,
+        w41 - w33,
     )
-    xyz = ca.reshape(xyz, 3, 12)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+    poses = ca.reshape(poses, 12, 4)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -7499,7 +7514,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -7632,6 +7647,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
+    c98 = c[98]
+    c99 = c[99]
     c100 = c[100]
     c101 = c[101]
     c102 = c[102]
@@ -7652,8 +7669,6 @@ def dQ_hat_dq_i() -> ca.Function:
     c117 = c[117]
     c118 = c[118]
     c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
@@ -8284,7 +8299,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w627 = w230 * w625 - w226 * w626 + (w225 * w626 - w229 * w625) * c3
     w628 = w564 + w5 * w585 + w233 * (2 * -(w589 * c28 + w593 * c6)) + w4 * (w594 + w617) + w16 * w622 + 2 * (shaft_e1_dot * w624 + shaft_e2_dot * w627)
     w629 = w8 * (w1 * w8)
-    w630 = w203 * w619 - (w525 * (shaft_e3 * w629) * c100 + w237 * w525) - w202 * w603 + w114 * w566 - w115 * w587
+    w630 = w203 * w619 - (w525 * (shaft_e3 * w629) * c98 + w237 * w525) - w202 * w603 + w114 * w566 - w115 * w587
     w631 = w495 * w610 - w494 * w609 - w18 * w620 + w24 * w613 - w414 * w565 + w415 * w568 - w114 * w573 + w115 * w588
     w632 = w631 - w297 * w575 + w299 * w578 - w19 * w583 + w25 * w592
     w633 = w18 * w611 - w498 * w610 - w494 * w612 - w65 * w613 - w452 * w568 + w114 * w569 + w414 * w570 - w154 * w588
@@ -8385,7 +8400,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w728 = (w686 + (w220 * w726 - w221 * w719 - w287 * w727 + w217 * w696 + w288 * w708 - w282 * w713)) * c63
     w729 = w725 + w728
     w730 = 2 * (w711 + slider_e3_dot * w714 + slider_e2_dot * w715) + 2 * -(slider_e2 * w722) + 2 * (slider_e3 * w729)
-    w731 = w261 * w720 - w525 * (slider_e3 * w629) * c101 - w265 * w719 + w392 * w717 - w395 * w716 - w513 * w525
+    w731 = w261 * w720 - w525 * (slider_e3 * w629) * c99 - w265 * w719 + w392 * w717 - w395 * w716 - w513 * w525
     w732 = w731 + w218 * w635 + slider_e1_dot * w704 + slider_e0_dot * w705 + slider_e2_dot * w710 + slider_e0_dot * w714
     w733 = (w662 + (w221 * w717 - w215 * w723 + w220 * w724 - w217 * w697 - w279 * w706 + w282 * w707)) * c69
     w734 = (w680 + (w221 * w720 - w215 * w726 + w220 * w727 - w217 * w695 - w279 * w708 + w282 * w709)) * c63
@@ -8461,7 +8476,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w804 = w393 * w796 - w396 * w751 - w179 * w768 + (w126 * w771 - (w122 * w768 + w120 * w769 + w145 * w770)) * c41
     w805 = w804 + w466 * w545 + w125 * w738 - w130 * w792 + right_rod_e2_dot * w778 + right_rod_e3_dot * w788
     w806 = right_rod_e1 * w437
-    w807 = w542 * w806 * c102 - w396 * w747 + w399 * w795 - w464 * w542 + w193 * w760 - w188 * w763 + (w145 * w766 - (w119 * w763 + w150 * w765)) * c42
+    w807 = w542 * w806 * c100 - w396 * w747 + w399 * w795 - w464 * w542 + w193 * w760 - w188 * w763 + (w145 * w766 - (w119 * w763 + w150 * w765)) * c42
     w808 = w807 + w186 * w766 + w467 * w544 - w180 * w769 + w178 * w771 - w393 * w752 + w399 * w753 - w162 * w737
     w809 = w808 - w162 * w794 - w130 * w741 + w125 * w744 + right_rod_e0_dot * w777 + right_rod_e3_dot * w779
     w810 = 2 * (right_rod_e2 * w801) + w122 * (2 * (w802 + w803)) + w120 * w759 + 2 * w805 + (w809 + right_rod_e0_dot * w785 + right_rod_e2_dot * w789) * -2.0
@@ -8473,7 +8488,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w816 = w382 * w546 + (w814 - w126 * w744) * c36 + (w815 + w405 * w706 - w406 * w707 - w662) * c70
     w817 = w757 + w758
     w818 = right_rod_e2 * w437
-    w819 = w542 * w818 * c103 + w393 * w747 - w399 * w746 - w466 * w542 + w194 * w760 + w393 * w762 - w396 * w749
+    w819 = w542 * w818 * c101 + w393 * w747 - w399 * w746 - w466 * w542 + w194 * w760 + w393 * w762 - w396 * w749
     w820 = w819 + w187 * w766 - w178 * w768 + w179 * w771 + (w119 * w771 - (w126 * w768 + w140 * w769 + w120 * w770)) * c39
     w821 = w820 + w464 * w545 + w125 * w739 + w162 * w740 - w130 * w775 - w130 * w744 + right_rod_e1_dot * w778
     w822 = w122 * w801 + w150 * (2 * (w803 - w816)) + 2 * -(right_rod_e3 * w817) + (w821 + right_rod_e0_dot * w779 + right_rod_e3_dot * w785 + right_rod_e0_dot * w788) * -2.0
@@ -8483,7 +8498,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w826 = w399 * w749 - w393 * w748 - w186 * w763 + (w119 * w766 - (w140 * w763 + w120 * w765)) * c39 + w464 * w544
     w827 = w826 - w178 * w769 - w162 * w739 - w130 * w743 + right_rod_e1_dot * w779 + right_rod_e2_dot * w785
     w828 = right_rod_e3 * w437
-    w829 = w542 * w828 * c104 - w393 * w795 + w396 * w746 - w467 * w542 - w194 * w761 + w195 * w760 + (w126 * w760 - w145 * w761) * c41
+    w829 = w542 * w828 * c102 - w393 * w795 + w396 * w746 - w467 * w542 - w194 * w761 + w195 * w760 + (w126 * w760 - w145 * w761) * c41
     w830 = w829 + w466 * w543 - w187 * w765 + w188 * w766 + w396 * w750 - w399 * w796 - w179 * w770 + w180 * w771
     w831 = w830 - w125 * w740 + w162 * w792 + w130 * w794 + w125 * w742 + right_rod_e2_dot * w777 + right_rod_e0_dot * w778
     w832 = w120 * w756 + w140 * (2 * (w802 - w816)) + 2 * w827 - w150 * w817 + (w831 + right_rod_e1_dot * w788 + right_rod_e0_dot * w789) * -2.0
@@ -8559,7 +8574,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w902 = w262 * w894 - w266 * w849 - w91 * w866 + (w55 * w868 - (w32 * w866 + w30 * w867) + w36 * w869) * c18
     w903 = 2 * (w902 + w350 * w556 + w35 * w836 - w40 * w890 + left_rod_e2_dot * w876 + left_rod_e3_dot * w886)
     w904 = left_rod_e1 * w321
-    w905 = w553 * w904 * c105 - w266 * w845 + w270 * w893 - w348 * w553 + w105 * w859 - w100 * w861 + (w60 * w863 - w29 * w861 + w55 * w864) * c19
+    w905 = w553 * w904 * c103 - w266 * w845 + w270 * w893 - w348 * w553 + w105 * w859 - w100 * w861 + (w60 * w863 - w29 * w861 + w55 * w864) * c19
     w906 = w905 + w98 * w864 + w351 * w555 - w92 * w867 + w90 * w869 - w262 * w850 + w270 * w851 - w74 * w835
     w907 = w906 - w74 * w891 - w40 * w839 + w35 * w842 + left_rod_e0_dot * w875 + left_rod_e3_dot * w877 + left_rod_e0_dot * w883
     w908 = 2 * (left_rod_e2 * w899) + w32 * (2 * (w900 + w901)) + w30 * w857 + w903 + (w907 + left_rod_e2_dot * w887) * -2.0
@@ -8571,7 +8586,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w914 = w250 * w557 + w912 * c13 + (w913 + w283 * w708 - w284 * w709 - w680) * c64
     w915 = w855 + w856
     w916 = left_rod_e2 * w321
-    w917 = w553 * w916 * c106 + w262 * w845 - w270 * w844 - w350 * w553 + w106 * w859 - w262 * w860 + w266 * w847
+    w917 = w553 * w916 * c104 + w262 * w845 - w270 * w844 - w350 * w553 + w106 * w859 - w262 * w860 + w266 * w847
     w918 = w917 + w99 * w864 - w90 * w866 + w91 * w869 + (w30 * w868 - (w36 * w866 + w50 * w867) + w29 * w869) * c16
     w919 = w918 + w348 * w556 - w35 * w837 + w74 * w838 + w40 * w873 - w40 * w842 + left_rod_e1_dot * w876 + left_rod_e0_dot * w877
     w920 = w32 * w899 + w60 * (2 * (w901 - w914)) + 2 * -(left_rod_e3 * w915) + (w919 + left_rod_e3_dot * w883 + left_rod_e0_dot * w886) * -2.0
@@ -8581,7 +8596,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w924 = w262 * w846 - w270 * w847 - w98 * w861 + (w30 * w863 - w50 * w861 + w29 * w864) * c16 + w348 * w555
     w925 = 2 * (w924 - w90 * w867 + w74 * w837 - w40 * w841 + left_rod_e1_dot * w877 + left_rod_e2_dot * w883)
     w926 = left_rod_e3 * w321
-    w927 = w553 * w926 * c107 - w262 * w893 + w266 * w844 - w351 * w553 + w106 * w858 + w107 * w859 + (w55 * w858 + w36 * w859) * c18
+    w927 = w553 * w926 * c105 - w262 * w893 + w266 * w844 - w351 * w553 + w106 * w858 + w107 * w859 + (w55 * w858 + w36 * w859) * c18
     w928 = w927 - w350 * w554 + w99 * w863 + w100 * w864 + w266 * w848 - w270 * w894 + w91 * w868 + w92 * w869
     w929 = w928 - w35 * w838 + w74 * w890 + w40 * w891 + w35 * w840 + left_rod_e2_dot * w875 + left_rod_e0_dot * w876
     w930 = w30 * w854 + w50 * (2 * (w900 - w914)) + w925 - w60 * w915 + (w929 + left_rod_e1_dot * w886 + left_rod_e0_dot * w887) * -2.0
@@ -8759,7 +8774,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1102 = w1100 + 2 * -(right_rod_e2 * w1101)
     w1103 = 2 * (right_rod_e2 * w1096) + 2 * (right_rod_e2_dot * w1098) + (right_rod_e0_dot * w1097 + right_rod_e3_dot * w1099) * -2.0
     w1104 = w1103 + 2 * (right_rod_e3 * w1101)
-    w1105 = (w406 * w1081 - w405 * w1082 - w1063) * c108
+    w1105 = (w406 * w1081 - w405 * w1082 - w1063) * c106
     w1106 = w122 * w1096 + w150 * w1105 + (right_rod_e1_dot * w1098 + right_rod_e0_dot * w1099) * -2.0 + 2 * (right_rod_e3_dot * w1097)
     w1107 = w1106 - w120 * w1101
     w1108 = w120 * w1096 + w140 * w1105 + 2 * (right_rod_e1_dot * w1099) + (right_rod_e2_dot * w1097 + right_rod_e0_dot * w1098) * -2.0
@@ -8774,7 +8789,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1117 = w1115 + 2 * -(left_rod_e2 * w1116)
     w1118 = 2 * (left_rod_e2 * w1111) + 2 * (left_rod_e2_dot * w1113) + (left_rod_e0_dot * w1112 + left_rod_e3_dot * w1114) * -2.0
     w1119 = w1118 + 2 * (left_rod_e3 * w1116)
-    w1120 = (w284 * w1084 - w283 * w1083 - w1072) * c109
+    w1120 = (w284 * w1084 - w283 * w1083 - w1072) * c107
     w1121 = w32 * w1111 + w60 * w1120 + (left_rod_e1_dot * w1113 + left_rod_e0_dot * w1114) * -2.0 + 2 * (left_rod_e3_dot * w1112)
     w1122 = w1121 - w30 * w1116
     w1123 = w30 * w1111 + w50 * w1120 + 2 * (left_rod_e1_dot * w1114) + (left_rod_e2_dot * w1112 + left_rod_e0_dot * w1113) * -2.0
@@ -8824,7 +8839,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1167 = w1165 * c29
     w1168 = w1160 * c29
     w1169 = w452 * w1151 - w115 * w1155 - w415 * w1156 + w154 * w1159
-    w1170 = w1149 - w426 * w1150 + w5 * w1161 + w233 * (w1165 * c110) + w4 * (w1166 + w1167) + w16 * w1168 + 2 * (shaft_e1_dot * w1169)
+    w1170 = w1149 - w426 * w1150 + w5 * w1161 + w233 * (w1165 * c108) + w4 * (w1166 + w1167) + w16 * w1168 + 2 * (shaft_e1_dot * w1169)
     w1171 = w415 * w1154 - w414 * w1151 - w114 * w1159 + w115 * w1164
     w1172 = w114 * w1155 - w452 * w1154 + w414 * w1156 - w154 * w1164
     w1173 = w2 * (w1170 + (w114 * w1153 - w115 * w1163 + shaft_e0_dot * w1171 + shaft_e2_dot * w1172) * -2.0)
@@ -8856,7 +8871,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1199 = (w1189 + (w288 * w1191 - w282 * w1194)) * c69
     w1200 = w1173 - w525 * (w1175 + w1176) + w682 * w1188 + w688 * w1189 + w595 * w1190 - w525 * (w1198 + 2 * (slider_e3 * w1199))
     w1201 = (slider_e2_dot * w1193 + slider_e0_dot * w1195) * -2.0 + 2 * (slider_e1_dot * w1196) + w216 * w1197
-    w1202 = w1200 + w2 * (w1201 + w217 * w1199 + w277 * ((w1188 + (w282 * w1192 - w279 * w1191)) * c111)) - w546 * w1188
+    w1202 = w1200 + w2 * (w1201 + w217 * w1199 + w277 * ((w1188 + (w282 * w1192 - w279 * w1191)) * c109)) - w546 * w1188
     w1203 = w460 * w1143
     w1204 = w460 * w1144
     w1205 = w460 * w1145
@@ -8914,7 +8929,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1257 = w1249 + 2 * -(right_rod_e2 * w1256)
     w1258 = w393 * w1254 - w396 * w1217 - w179 * w1230 + (w126 * w1233 - (w122 * w1230 + w120 * w1231 + w145 * w1232)) * c41
     w1259 = w1258 + w466 * w1143 + w125 * w1204 - w130 * w1250 + right_rod_e2_dot * w1240 + right_rod_e3_dot * w1247
-    w1260 = w806 * w1142 * c102 - w396 * w1213 + w399 * w1253 - w464 * w1142 + w193 * w1222 - w188 * w1225 + (w145 * w1228 - (w119 * w1225 + w150 * w1227)) * c42
+    w1260 = w806 * w1142 * c100 - w396 * w1213 + w399 * w1253 - w464 * w1142 + w193 * w1222 - w188 * w1225 + (w145 * w1228 - (w119 * w1225 + w150 * w1227)) * c42
     w1261 = w1260 + w186 * w1228 + w467 * w1144 - w180 * w1231 + w178 * w1233 - w393 * w1218 + w399 * w1220 - w162 * w1203
     w1262 = w1261 - w162 * w1252 - w130 * w1207 + w125 * w1211 + right_rod_e0_dot * w1239 + right_rod_e3_dot * w1241
     w1263 = 2 * (right_rod_e2 * w1221) + 2 * w1259 + (w1262 + right_rod_e0_dot * w1245 + right_rod_e2_dot * w1248) * -2.0
@@ -8923,7 +8938,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1266 = w126 * w1213 - w145 * w1253 - w140 * w1214 + w126 * w1224 - w120 * w1216 + w122 * w1254 - w119 * w1218
     w1267 = (w1265 - w126 * w1211) * c36 + (w1266 + w120 * w1235 + w405 * w1191 - w406 * w1192 - w1188) * c70
     w1268 = 2 * -w1267
-    w1269 = w818 * w1142 * c103 + w393 * w1213 - w399 * w1212 - w466 * w1142 + w194 * w1222 + w393 * w1224 - w396 * w1215
+    w1269 = w818 * w1142 * c101 + w393 * w1213 - w399 * w1212 - w466 * w1142 + w194 * w1222 + w393 * w1224 - w396 * w1215
     w1270 = w1269 + w187 * w1228 - w178 * w1230 + w179 * w1233 + (w119 * w1233 - (w126 * w1230 + w140 * w1231 + w120 * w1232)) * c39
     w1271 = w1270 + w464 * w1143 + w125 * w1205 + w162 * w1206 - w130 * w1237 - w130 * w1211 + right_rod_e1_dot * w1240
     w1272 = w122 * w1221 + w150 * w1268 + (w1271 + right_rod_e0_dot * w1241 + right_rod_e3_dot * w1245 + right_rod_e0_dot * w1247) * -2.0
@@ -8932,7 +8947,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1275 = w1272 + 2 * w1274 - w120 * w1256
     w1276 = w399 * w1215 - w393 * w1214 - w186 * w1225 + (w119 * w1228 - (w140 * w1225 + w120 * w1227)) * c39
     w1277 = w1276 + w464 * w1144 - w178 * w1231 - w162 * w1205 - w130 * w1209 + right_rod_e1_dot * w1241 + right_rod_e2_dot * w1245
-    w1278 = w828 * w1142 * c104 - w393 * w1253 + w396 * w1212 - w467 * w1142 - w194 * w1223 + w195 * w1222 + (w126 * w1222 - w145 * w1223) * c41
+    w1278 = w828 * w1142 * c102 - w393 * w1253 + w396 * w1212 - w467 * w1142 - w194 * w1223 + w195 * w1222 + (w126 * w1222 - w145 * w1223) * c41
     w1279 = w1278 + w466 * w1145 - w187 * w1227 + w188 * w1228 + w396 * w1216 - w399 * w1254 - w179 * w1232 + w180 * w1233
     w1280 = w1279 - w125 * w1206 + w162 * w1250 + w130 * w1252 + w125 * w1208 + right_rod_e2_dot * w1239 + right_rod_e0_dot * w1240
     w1281 = w120 * w1221 + w140 * w1268 + 2 * w1277 + (w1280 + right_rod_e1_dot * w1247 + right_rod_e0_dot * w1248) * -2.0
@@ -8978,7 +8993,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1321 = w1319 * c7
     w1322 = w1314 * c7
     w1323 = w299 * w1310 - (w337 * w1306 + w25 * w1307) + w66 * w1313
-    w1324 = w1303 - w310 * w1304 + w5 * w1315 + w233 * (w1319 * c112) + w4 * (w1320 + w1321) + w16 * w1322 + 2 * (shaft_e1_dot * w1323)
+    w1324 = w1303 - w310 * w1304 + w5 * w1315 + w233 * (w1319 * c110) + w4 * (w1320 + w1321) + w16 * w1322 + 2 * (shaft_e1_dot * w1323)
     w1325 = w297 * w1306 - w299 * w1305 - w19 * w1313 + w25 * w1318
     w1326 = w337 * w1305 + w19 * w1307 - w297 * w1310 - w66 * w1318
     w1327 = w373 * w1019 + w369 * w1023 + w364 * w1025 - w358 * w1017 + w310 * w1300 - w306 * w1301 + w308 * w1302
@@ -9009,7 +9024,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1352 = 2 * (slider_e1_dot * w1347 + slider_e3_dot * w1349 + slider_e2_dot * w1350) + 2 * -(slider_e2 * w1351)
     w1353 = (w1343 + (w288 * w1345 - w282 * w1348)) * c63
     w1354 = (slider_e2_dot * w1347 + slider_e0_dot * w1349) * -2.0 + 2 * (slider_e1_dot * w1350) + w216 * w1351
-    w1355 = w1330 + w682 * w1342 + w688 * w1343 + w595 * w1344 - w525 * (w1352 + 2 * (slider_e3 * w1353)) + w2 * (w1354 + w217 * w1353 + w277 * ((w1342 + (w282 * w1346 - w279 * w1345)) * c113))
+    w1355 = w1330 + w682 * w1342 + w688 * w1343 + w595 * w1344 - w525 * (w1352 + 2 * (slider_e3 * w1353)) + w2 * (w1354 + w217 * w1353 + w277 * ((w1342 + (w282 * w1346 - w279 * w1345)) * c111))
     w1356 = w344 * w1299
     w1357 = w344 * w1298
     w1358 = w344 * w1297
@@ -9067,7 +9082,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1410 = w1402 + 2 * -(left_rod_e2 * w1409)
     w1411 = w262 * w1407 - w266 * w1370 - w91 * w1383 - (w32 * w1383 + w30 * w1384 + w55 * w1385 + w36 * w1386) * c18
     w1412 = w1411 + w350 * w1299 + w35 * w1357 - w40 * w1403 + left_rod_e2_dot * w1393 + left_rod_e3_dot * w1400
-    w1413 = w266 * w1365 - w904 * w1296 * c105 - w270 * w1406 + w348 * w1296 - w105 * w1376 - w100 * w1378 - (w29 * w1378 + w60 * w1380 + w55 * w1381) * c19
+    w1413 = w266 * w1365 - w904 * w1296 * c103 - w270 * w1406 + w348 * w1296 - w105 * w1376 - w100 * w1378 - (w29 * w1378 + w60 * w1380 + w55 * w1381) * c19
     w1414 = w1413 - w98 * w1381 + w351 * w1298 - w92 * w1384 - w90 * w1386 - w262 * w1371 + w270 * w1372 - w74 * w1356
     w1415 = w1414 + w74 * w1405 - w40 * w1360 + w35 * w1363 + left_rod_e0_dot * w1392 + left_rod_e3_dot * w1394
     w1416 = 2 * (left_rod_e2 * w1374) + 2 * w1412 + (w1415 + left_rod_e0_dot * w1398 + left_rod_e2_dot * w1401) * -2.0
@@ -9075,7 +9090,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1418 = w55 * w1406 - w36 * w1365 - w50 * w1367 + w36 * w1377 - w30 * w1369 + w32 * w1407 - w29 * w1371 + w30 * w1388
     w1419 = w30 * w1389 + w32 * w1403 + w36 * w1390 + w55 * w1405 + w29 * w1360 + w30 * w1361 + w50 * w1362 + w36 * w1363
     w1420 = 2 * -((w1418 + w283 * w1345 - w284 * w1346 - w1342) * c64 - w1419 * c13)
-    w1421 = w270 * w1366 - (w916 * w1296 * c106 + w262 * w1365) + w350 * w1296 - w106 * w1376 + w262 * w1377 - w266 * w1368
+    w1421 = w270 * w1366 - (w916 * w1296 * c104 + w262 * w1365) + w350 * w1296 - w106 * w1376 + w262 * w1377 - w266 * w1368
     w1422 = w1421 - w99 * w1381 - w90 * w1383 - w91 * w1386 - (w36 * w1383 + w50 * w1384 + w30 * w1385 + w29 * w1386) * c16
     w1423 = w1422 + w348 * w1299 + w35 * w1358 - w74 * w1359 - w40 * w1390 - w40 * w1363 + left_rod_e1_dot * w1393
     w1424 = w32 * w1374 + w60 * w1420 + (w1423 + left_rod_e0_dot * w1394 + left_rod_e3_dot * w1398 + left_rod_e0_dot * w1400) * -2.0
@@ -9084,7 +9099,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1427 = w1424 + 2 * w1426 - w30 * w1409
     w1428 = w270 * w1368 - w262 * w1367 - w98 * w1378 - (w50 * w1378 + w30 * w1380 + w29 * w1381) * c16 + w348 * w1298
     w1429 = w1428 - w90 * w1384 - w74 * w1358 - w40 * w1362 + left_rod_e1_dot * w1394 + left_rod_e2_dot * w1398
-    w1430 = w262 * w1406 - w926 * w1296 * c107 - w266 * w1366 + w351 * w1296 - w106 * w1375 - w107 * w1376 - (w55 * w1375 + w36 * w1376) * c18
+    w1430 = w262 * w1406 - w926 * w1296 * c105 - w266 * w1366 + w351 * w1296 - w106 * w1375 - w107 * w1376 - (w55 * w1375 + w36 * w1376) * c18
     w1431 = w1430 + w350 * w1297 - w99 * w1380 - w100 * w1381 + w266 * w1369 - w270 * w1407 - w91 * w1385 - w92 * w1386
     w1432 = w1431 + w35 * w1359 + w74 * w1403 - w40 * w1405 + w35 * w1361 + left_rod_e2_dot * w1392 + left_rod_e0_dot * w1393
     w1433 = w30 * w1374 + w50 * w1420 + 2 * w1429 + (w1432 + left_rod_e1_dot * w1400 + left_rod_e0_dot * w1401) * -2.0
@@ -9127,24 +9142,24 @@ def dQ_hat_dq_i() -> ca.Function:
     w1470 = w418 * w1466
     w1471 = w1470 * c33 * c32 - w1470 * c31 * c34
     w1472 = w418 * w1468
-    w1473 = w420 * c114
+    w1473 = w420 * c112
     w1474 = w1472 * c33 * c34 - w1472 * c31 * c32
-    w1475 = w424 * c115
+    w1475 = w424 * c113
     w1476 = w136 * 0.25
     w1477 = right_swing_angle_dot * w1476
-    w1478 = w136 * right_swing_angle_dot * c116
+    w1478 = w136 * right_swing_angle_dot * c114
     w1479 = w1477 * c31 * c34 - w1477 * c33 * c32
     w1480 = w134 * 0.25
     w1481 = right_swing_angle_dot * w1480
-    w1482 = w134 * right_swing_angle_dot * c117
+    w1482 = w134 * right_swing_angle_dot * c115
     w1483 = w1481 * c33 * c34 - w1481 * c31 * c32
     w1484 = shaft_e0_dot * w1478 + (shaft_e1_dot * w1479 + shaft_e2_dot * w1482 + shaft_e3_dot * w1483)
-    w1485 = w134 * c115
+    w1485 = w134 * c113
     w1486 = w1484 + (shaft_e1 * w1471 + shaft_e2 * w1473 + shaft_e3 * w1474 - shaft_e0 * w1475 + w1484) - w240 * w1485
     w1487 = w241 * w1469 - w1486
     w1488 = shaft_e0_dot * w1479 - shaft_e1_dot * w1478 + (shaft_e2_dot * w1483 - shaft_e3_dot * w1482)
     w1489 = w1488 + (shaft_e0 * w1471 + shaft_e1 * w1475 + (shaft_e2 * w1474 - shaft_e3 * w1473) + w1488) - w240 * w1467
-    w1490 = w136 * c114
+    w1490 = w136 * c112
     w1491 = w1489 - w241 * w1490
     w1492 = shaft_e3_dot * w1479 - shaft_e1_dot * w1483 - (shaft_e2_dot * w1478 - shaft_e0_dot * w1482)
     w1493 = w1492 + (shaft_e0 * w1473 + shaft_e2 * w1475 + (shaft_e3 * w1471 - shaft_e1 * w1474) + w1492) + w240 * w1490
@@ -9163,9 +9178,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w1506 = w475 * w1469 - w135 * w1502 - (w117 * w1499 + w157 * w1500 + w171 * w1501) - (w482 * w1490 - w143 * w1498)
     w1507 = w2 * (w1503 + (w488 * w1490 - w143 * w1504) - (w493 * w1469 - w135 * w1505)) - w525 * (w1506 + (w488 * w1467 - w142 * w1504) - (w137 * w1505 + w493 * w1485))
     w1508 = w1476 * c31 * c34 - w1476 * c33 * c32
-    w1509 = w136 * c116
+    w1509 = w136 * c114
     w1510 = w1480 * c33 * c34 - w1480 * c31 * c32
-    w1511 = w134 * c117
+    w1511 = w134 * c115
     w1512 = shaft_e0 * w1508 - shaft_e1 * w1509 + (shaft_e2 * w1510 - shaft_e3 * w1511)
     w1513 = w938 * w1490 - w935 * w1467 + right_swing_angle_dot * w1512
     w1514 = shaft_e0 * w1509 + (shaft_e1 * w1508 + shaft_e2 * w1511 + shaft_e3 * w1510)
@@ -9185,22 +9200,22 @@ def dQ_hat_dq_i() -> ca.Function:
     w1528 = w44 * 0.5
     w1529 = w302 * w1528
     w1530 = w1529 * c9 * c12 - w1529 * c11 * c10
-    w1531 = w309 * c118
-    w1532 = w307 * c119
+    w1531 = w309 * c116
+    w1532 = w307 * c117
     w1533 = w44 * 0.25
     w1534 = left_swing_angle_dot * w1533
     w1535 = w1534 * c11 * c12 - w1534 * c9 * c10
     w1536 = w46 * 0.25
     w1537 = left_swing_angle_dot * w1536
     w1538 = w1537 * c11 * c10 - w1537 * c9 * c12
-    w1539 = w44 * left_swing_angle_dot * c120
-    w1540 = w46 * left_swing_angle_dot * c121
+    w1539 = w44 * left_swing_angle_dot * c118
+    w1540 = w46 * left_swing_angle_dot * c119
     w1541 = shaft_e0_dot * w1535 - (shaft_e2_dot * w1538 - shaft_e1_dot * w1539 - shaft_e3_dot * w1540)
     w1542 = w1541 + (shaft_e0 * w1527 - (shaft_e2 * w1530 - shaft_e1 * w1531 + shaft_e3 * w1532) + w1541) - w240 * w1525
-    w1543 = w44 * c119
+    w1543 = w44 * c117
     w1544 = w1542 - w241 * w1543
     w1545 = shaft_e1_dot * w1535 - shaft_e0_dot * w1539 - (shaft_e2_dot * w1540 + shaft_e3_dot * w1538)
-    w1546 = w46 * c118
+    w1546 = w46 * c116
     w1547 = w1545 + (shaft_e1 * w1527 - shaft_e0 * w1531 - (shaft_e3 * w1530 - shaft_e2 * w1532) + w1545) - w240 * w1546
     w1548 = w1528 * c11 * c10 - w1528 * c9 * c12
     w1549 = w1547 + w241 * w1548
@@ -9222,8 +9237,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w1565 = w2 * (w1561 - (w369 * w1548 - w53 * w1562) + (w47 * w1563 + w373 * w1543)) - w525 * (w1564 + (w369 * w1546 - w52 * w1562) + (w373 * w1525 - w45 * w1563))
     w1566 = w1533 * c11 * c12 - w1533 * c9 * c10
     w1567 = w1536 * c11 * c10 - w1536 * c9 * c12
-    w1568 = w44 * c120
-    w1569 = w46 * c121
+    w1568 = w44 * c118
+    w1569 = w46 * c119
     w1570 = shaft_e0 * w1566 - (shaft_e2 * w1567 - shaft_e1 * w1568 - shaft_e3 * w1569)
     w1571 = left_swing_angle_dot * w1570 - (w935 * w1525 - w938 * w1543)
     w1572 = shaft_e1 * w1566 - shaft_e0 * w1568 - (shaft_e2 * w1569 + shaft_e3 * w1567)
@@ -9265,7 +9280,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -9364,12 +9379,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c69 = c[69]
     c70 = c[70]
     c72 = c[72]
-    c114 = c[114]
-    c115 = c[115]
-    c118 = c[118]
-    c119 = c[119]
-    c122 = c[122]
-    c123 = c[123]
+    c112 = c[112]
+    c113 = c[113]
+    c116 = c[116]
+    c117 = c[117]
+    c120 = c[120]
+    c121 = c[121]
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
@@ -9464,7 +9479,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w91 = w81 * w88
     w92 = w90 - (w91 + w68 * w83) + w48 * w84
     w93 = w89 * c13
-    w94 = w79 * w86 * c122 + w89 * w92 * c122
+    w94 = w79 * w86 * c120 + w89 * w92 * c120
     w95 = left_rod_e1 * w50
     w96 = left_rod_e3 * w73
     w97 = w95 + w96
@@ -9685,7 +9700,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w312 = w271 * w304
     w313 = w294 * w301 - w311 + w312 + w269 * w305
     w314 = w310 * c36
-    w315 = w300 * w307 * c123 + w310 * w313 * c123
+    w315 = w300 * w307 * c121 + w310 * w313 * c121
     w316 = right_rod_e1 * w271
     w317 = right_rod_e3 * w289
     w318 = w316 + w317
@@ -9907,7 +9922,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w534 = w292 * w309
     w535 = w271 * w295
     w536 = w287 * w294 - w534 + w535 + w269 * w298
-    w537 = w300 * w533 * c123 + w310 * w536 * c123
+    w537 = w300 * w533 * c121 + w310 * w536 * c121
     w538 = w271 * w287 - w292 * w297
     w539 = w538 + w295 * w319 + w298 * w309
     w540 = w320 * (w536 * c36) + w314 * w539
@@ -9921,10 +9936,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w548 = right_swing_angle_dot * 0.5
     w549 = w277 * w548
     w550 = w549 * c31 * c34 - w549 * c33 * c32
-    w551 = w277 * right_swing_angle_dot * c115
+    w551 = w277 * right_swing_angle_dot * c113
     w552 = w275 * w548
     w553 = w552 * c33 * c34 - w552 * c31 * c32
-    w554 = w275 * right_swing_angle_dot * c114
+    w554 = w275 * right_swing_angle_dot * c112
     w555 = w4 * w286 - w8 * w280
     w556 = w555 + (shaft_e0 * w550 - shaft_e1 * w551 + (shaft_e2 * w553 - shaft_e3 * w554) + w555)
     w557 = w4 * w285 - w8 * w281
@@ -9957,7 +9972,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w584 = w64 * w88
     w585 = w50 * w74
     w586 = w584 + w68 * w69 + w585 + w48 * w77
-    w587 = w79 * w583 * c122 + w89 * w586 * c122
+    w587 = w79 * w583 * c120 + w89 * w586 * c120
     w588 = w64 * w76 + w50 * w69
     w589 = w588 + w74 * w98 + w77 * w88
     w590 = w99 * (w586 * c13) + w93 * w589
@@ -9973,8 +9988,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w600 = w599 * c11 * c12 - w599 * c9 * c10
     w601 = w54 * w598
     w602 = w601 * c11 * c10 - w601 * c9 * c12
-    w603 = w60 * left_swing_angle_dot * c118
-    w604 = w54 * left_swing_angle_dot * c119
+    w603 = w60 * left_swing_angle_dot * c116
+    w604 = w54 * left_swing_angle_dot * c117
     w605 = w4 * w63 - w8 * w58
     w606 = w605 + (shaft_e0 * w600 - (shaft_e2 * w602 - shaft_e1 * w603 - shaft_e3 * w604) + w605)
     w607 = w8 * w59 + w4 * w62
@@ -10030,7 +10045,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -10102,27 +10117,27 @@ def dMa_dq_i() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    c98 = c[98]
+    c99 = c[99]
     c100 = c[100]
     c101 = c[101]
     c102 = c[102]
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
-    c106 = c[106]
-    c107 = c[107]
+    c108 = c[108]
     c110 = c[110]
     c112 = c[112]
+    c113 = c[113]
     c114 = c[114]
     c115 = c[115]
     c116 = c[116]
     c117 = c[117]
     c118 = c[118]
     c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
     c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
     w0 = spin_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
@@ -10454,14 +10469,14 @@ def dMa_dq_i() -> ca.Function:
     w328 = w32 * w301 - w16 * w300 - w13 * w319 + w24 * w320
     w329 = w327 + w328 * c7
     w330 = w326 * c28 + w328 * c6
-    w331 = w206 * (w206 * (shaft_e3 * spin_angle_ddot)) * c100 + w185 * w324 - w184 * w309 + w105 * w295 - w106 * w297
-    w332 = w205 * w206 * c124
+    w331 = w206 * (w206 * (shaft_e3 * spin_angle_ddot)) * c98 + w185 * w324 - w184 * w309 + w105 * w295 - w106 * w297
+    w332 = w205 * w206 * c122
     w333 = w292 + w14 * (w305 + w322) + w323 * (2 * -(w316 * c28 + w321 * c6)) + w24 * w329 + w16 * w330 + (w331 + w26 * w301 - w43 * w303 - w77 * w332) * -2.0
     w334 = w239 * w278 - w238 * w277 + w236 * w279 + w235 * w280 - w214 * w288 + w213 * w289 + w211 * w290 + w210 * w291
     w335 = w2 * w205
     w336 = w184 * w308 - w185 * w325 - w105 * w294 + w106 * w298 - w26 * w300 + w43 * w304 + w77 * w335 + (w16 * w335 - w32 * w332) * c5
     w337 = w334 + 2 * (shaft_e2 * (w322 - w305)) + 2 * -(shaft_e1 * w329) + 2 * (shaft_e3 * w330) + 2 * w336
-    w338 = w2 * w333 - w206 * w337 - w206 * (2 * (w200 * w335 + (w199 * w335 - w203 * w332) * c56)) + w2 * ((w206 * (w206 * (spin_angle_ddot * slider_e3)) * c101 - w200 * w332) * -2.0)
+    w338 = w2 * w333 - w206 * w337 - w206 * (2 * (w200 * w335 + (w199 * w335 - w203 * w332) * c56)) + w2 * ((w206 * (w206 * (spin_angle_ddot * slider_e3)) * c99 - w200 * w332) * -2.0)
     w339 = w251 * w273 + w247 * w274
     w340 = w251 * w272 + w245 * w274
     w341 = w251 * w270 + w243 * w274
@@ -10492,16 +10507,16 @@ def dMa_dq_i() -> ca.Function:
     w366 = (w364 - w124 * w365) * c36
     w367 = w362 + 2 * (right_rod_e3 * w366)
     w368 = w161 * w355 + (w110 * w355 + w109 * w356 + w108 * w357 - w125 * w358) * c41 - w111 * w340 + w113 * w344
-    w369 = w271 * (right_rod_e1 * w241) * c102 - w175 * w350 + w170 * w351 + (w124 * w351 + w135 * w352 - w108 * w353) * c42
+    w369 = w271 * (right_rod_e1 * w241) * c100 - w175 * w350 + w170 * w351 + (w124 * w351 + w135 * w352 - w108 * w353) * c42
     w370 = w369 - w168 * w353 + w162 * w356 - w160 * w358 + w141 * w339 + w141 * w346 - w113 * w363 - w111 * w365
     w371 = 2 * w368 + 2 * (right_rod_e3 * w348) + 2 * (right_rod_e2 * w366) + w370 * -2.0
     w372 = w177 * w349 + (w135 * w349 - w108 * w350) * c42 + w170 * w352 + w162 * w357 - w141 * w343 + w111 * w363
     w373 = w109 * w343 + w110 * w344 + w125 * w345 - w108 * w346 - w124 * w363 - w109 * w360 - w132 * w361 + w125 * w365
-    w374 = w373 * c125
-    w375 = w271 * (right_rod_e2 * w241) * c103 - w176 * w350 - w169 * w353 + w160 * w355 - w161 * w358 + (w125 * w355 + w132 * w356 + w109 * w357 - w124 * w358) * c39
+    w374 = w373 * c123
+    w375 = w271 * (right_rod_e2 * w241) * c101 - w176 * w350 - w169 * w353 + w160 * w355 - w161 * w358 + (w125 * w355 + w132 * w356 + w109 * w357 - w124 * w358) * c39
     w376 = 2 * w372 - w109 * w348 + w135 * w374 + (w375 - w111 * w341 - w141 * w342 + w113 * w345 + w113 * w365) * -2.0
     w377 = w376 + w110 * w366
-    w378 = w271 * (right_rod_e3 * w241) * c104 + w176 * w349 - w177 * w350 + (w108 * w349 - w125 * w350) * c41
+    w378 = w271 * (right_rod_e3 * w241) * c102 + w176 * w349 - w177 * w350 + (w108 * w349 - w125 * w350) * c41
     w379 = w378 + w169 * w352 - w170 * w353 + w161 * w357 - w162 * w358 + w111 * w342 - w141 * w344 - w113 * w346
     w380 = w168 * w351 + (w132 * w351 + w109 * w352 - w124 * w353) * c39 + w160 * w356 + w141 * w341 - w113 * w361
     w381 = w110 * w348 + (w379 + w111 * w360) * -2.0 + 2 * w380 + w132 * w374 + w109 * w366
@@ -10535,17 +10550,17 @@ def dMa_dq_i() -> ca.Function:
     w409 = w408 * c13
     w410 = w405 + 2 * (left_rod_e3 * w409)
     w411 = 2 * (w72 * w398 + (w7 * w398 + w8 * w399 + w54 * w400 + w10 * w401) * c18 - w11 * w383 + w37 * w387)
-    w412 = w68 * w392 - (w282 * (left_rod_e1 * w216) * c105 + w53 * w394) + (w52 * w392 + w56 * w395 + w54 * w396) * c19
+    w412 = w68 * w392 - (w282 * (left_rod_e1 * w216) * c103 + w53 * w394) + (w52 * w392 + w56 * w395 + w54 * w396) * c19
     w413 = (w412 + w66 * w396 + w73 * w399 + w71 * w401 + w9 * w382 - w9 * w389 - w37 * w406 + w11 * w407) * -2.0
     w414 = w411 + 2 * (left_rod_e3 * w391) + 2 * (left_rod_e2 * w409) + w413
     w415 = w68 * w395 - (w57 * w393 + (w56 * w393 + w54 * w394) * c19) + w73 * w400 - w9 * w386 + w11 * w406
     w416 = w8 * w386 + w7 * w387 + w10 * w388 + w54 * w389 - w52 * w406 - w8 * w403 - w6 * w404 - w10 * w407
-    w417 = w416 * c126
-    w418 = w67 * w396 - (w282 * (left_rod_e2 * w216) * c106 + w55 * w394) + w71 * w398 + w72 * w401 + (w10 * w398 + w6 * w399 + w8 * w400 + w52 * w401) * c16
+    w417 = w416 * c124
+    w418 = w67 * w396 - (w282 * (left_rod_e2 * w216) * c104 + w55 * w394) + w71 * w398 + w72 * w401 + (w10 * w398 + w6 * w399 + w8 * w400 + w52 * w401) * c16
     w419 = 2 * w415 - w8 * w391 + w56 * w417 + (w418 - w11 * w384 + w9 * w385 + w37 * w388 - w37 * w407) * -2.0
     w420 = w419 + w7 * w409
     w421 = w338 - w271 * w367 + w270 * w371 + w272 * w377 + w273 * w381 - w282 * w410 - w283 * w414 + w281 * w420
-    w422 = w67 * w395 - (w282 * (left_rod_e3 * w216) * c107 + w55 * w393 + w57 * w394 + (w54 * w393 + w10 * w394) * c18)
+    w422 = w67 * w395 - (w282 * (left_rod_e3 * w216) * c105 + w55 * w393 + w57 * w394 + (w54 * w393 + w10 * w394) * c18)
     w423 = (w422 + w68 * w396 + w72 * w400 + w73 * w401 - w11 * w385 - w9 * w387 + w37 * w389 + w11 * w403) * -2.0
     w424 = 2 * (w66 * w392 + (w6 * w392 + w8 * w395 + w52 * w396) * c16 + w71 * w399 + w9 * w384 - w37 * w404)
     w425 = w7 * w391 + w423 + w424 + w6 * w417 + w8 * w409
@@ -10577,7 +10592,7 @@ def dMa_dq_i() -> ca.Function:
     w451 = w205 * w449
     w452 = w16 * w447 - w32 * w446 + w31 * w450 - w13 * w451
     w453 = w452 * c29
-    w454 = w236 * w438 - w235 * w439 + w238 * w440 + w239 * w441 + w14 * (w448 + w453) + w323 * (w452 * c110)
+    w454 = w236 * w438 - w235 * w439 + w238 * w440 + w239 * w441 + w14 * (w448 + w453) + w323 * (w452 * c108)
     w455 = w32 * w444 - w16 * w443 - w13 * w450 + w24 * w451
     w456 = w455 * c29
     w457 = w455 * c28
@@ -10613,16 +10628,16 @@ def dMa_dq_i() -> ca.Function:
     w487 = (w485 - w124 * w486) * c36
     w488 = w483 + 2 * (right_rod_e3 * w487)
     w489 = w161 * w476 + (w110 * w476 + w109 * w477 + w108 * w478 - w125 * w479) * c41 - w111 * w461 + w113 * w465
-    w490 = w241 * (right_rod_e1 * w240) * c102 - w175 * w471 + w170 * w472 + (w124 * w472 + w135 * w473 - w108 * w474) * c42
+    w490 = w241 * (right_rod_e1 * w240) * c100 - w175 * w471 + w170 * w472 + (w124 * w472 + w135 * w473 - w108 * w474) * c42
     w491 = w490 - w168 * w474 + w162 * w477 - w160 * w479 + w141 * w460 + w141 * w467 - w113 * w484 - w111 * w486
     w492 = 2 * w489 + 2 * (right_rod_e3 * w469) + 2 * (right_rod_e2 * w487) + w491 * -2.0
     w493 = w177 * w470 + (w135 * w470 - w108 * w471) * c42 + w170 * w473 + w162 * w478 - w141 * w464 + w111 * w484
     w494 = w109 * w464 + w110 * w465 + w125 * w466 - w108 * w467 - w124 * w484 - w109 * w481 - w132 * w482 + w125 * w486
-    w495 = w494 * c125
-    w496 = w241 * (right_rod_e2 * w240) * c103 - w176 * w471 - w169 * w474 + w160 * w476 - w161 * w479 + (w125 * w476 + w132 * w477 + w109 * w478 - w124 * w479) * c39
+    w495 = w494 * c123
+    w496 = w241 * (right_rod_e2 * w240) * c101 - w176 * w471 - w169 * w474 + w160 * w476 - w161 * w479 + (w125 * w476 + w132 * w477 + w109 * w478 - w124 * w479) * c39
     w497 = 2 * w493 - w109 * w469 + w135 * w495 + (w496 - w111 * w462 - w141 * w463 + w113 * w466 + w113 * w486) * -2.0
     w498 = w497 + w110 * w487
-    w499 = w241 * (right_rod_e3 * w240) * c104 + w176 * w470 - w177 * w471 + (w108 * w470 - w125 * w471) * c41
+    w499 = w241 * (right_rod_e3 * w240) * c102 + w176 * w470 - w177 * w471 + (w108 * w470 - w125 * w471) * c41
     w500 = w499 + w169 * w473 - w170 * w474 + w161 * w478 - w162 * w479 + w111 * w463 - w141 * w465 - w113 * w467
     w501 = w168 * w472 + (w132 * w472 + w109 * w473 - w124 * w474) * c39 + w160 * w477 + w141 * w462 - w113 * w482
     w502 = w110 * w469 + (w500 + w111 * w481) * -2.0 + 2 * w501 + w132 * w495 + w109 * w487
@@ -10643,7 +10658,7 @@ def dMa_dq_i() -> ca.Function:
     w517 = w205 * w515
     w518 = w16 * w513 - w32 * w512 + w31 * w516 - w13 * w517
     w519 = w518 * c7
-    w520 = w210 * w504 + w211 * w505 - w213 * w506 + w214 * w507 + w14 * (w514 + w519) + w323 * (w518 * c112)
+    w520 = w210 * w504 + w211 * w505 - w213 * w506 + w214 * w507 + w14 * (w514 + w519) + w323 * (w518 * c110)
     w521 = w32 * w510 - w16 * w509 - w13 * w516 + w24 * w517
     w522 = w521 * c7
     w523 = w521 * c6
@@ -10679,15 +10694,15 @@ def dMa_dq_i() -> ca.Function:
     w553 = w552 * c13
     w554 = w549 + 2 * (left_rod_e3 * w553)
     w555 = 2 * (w72 * w542 + (w7 * w542 + w8 * w543 + w54 * w544 + w10 * w545) * c18 - w11 * w527 + w37 * w531)
-    w556 = w216 * (left_rod_e1 * w215) * c105 + w53 * w537 + w68 * w538 + (w52 * w538 + w56 * w539 + w54 * w540) * c19
+    w556 = w216 * (left_rod_e1 * w215) * c103 + w53 * w537 + w68 * w538 + (w52 * w538 + w56 * w539 + w54 * w540) * c19
     w557 = (w556 + w66 * w540 + w73 * w543 + w71 * w545 + w9 * w526 - w9 * w533 - w37 * w550 + w11 * w551) * -2.0
     w558 = w555 + 2 * (left_rod_e3 * w535) + 2 * (left_rod_e2 * w553) + w557
     w559 = 2 * (w57 * w536 + (w56 * w536 + w54 * w537) * c19 + w68 * w539 + w73 * w544 - w9 * w530 + w11 * w550)
     w560 = w8 * w530 + w7 * w531 + w10 * w532 + w54 * w533 - w52 * w550 - w8 * w547 - w6 * w548 - w10 * w551
-    w561 = w560 * c126
-    w562 = w216 * (left_rod_e2 * w215) * c106 + w55 * w537 + w67 * w540 + w71 * w542 + w72 * w545 + (w10 * w542 + w6 * w543 + w8 * w544 + w52 * w545) * c16
+    w561 = w560 * c124
+    w562 = w216 * (left_rod_e2 * w215) * c104 + w55 * w537 + w67 * w540 + w71 * w542 + w72 * w545 + (w10 * w542 + w6 * w543 + w8 * w544 + w52 * w545) * c16
     w563 = w559 - w8 * w535 + w56 * w561 + (w562 - w11 * w528 + w9 * w529 + w37 * w532 - w37 * w551) * -2.0 + w7 * w553
-    w564 = w216 * (left_rod_e3 * w215) * c107 + w55 * w536 + w57 * w537 + (w54 * w536 + w10 * w537) * c18 + w67 * w539
+    w564 = w216 * (left_rod_e3 * w215) * c105 + w55 * w536 + w57 * w537 + (w54 * w536 + w10 * w537) * c18 + w67 * w539
     w565 = (w564 + w68 * w540 + w72 * w544 + w73 * w545 - w11 * w529 - w9 * w531 + w37 * w533 + w11 * w547) * -2.0
     w566 = 2 * (w66 * w538 + (w6 * w538 + w8 * w539 + w52 * w540) * c16 + w71 * w543 + w9 * w528 - w37 * w548)
     w567 = w7 * w535 + w565 + w566 + w6 * w561 + w8 * w553
@@ -10704,19 +10719,19 @@ def dMa_dq_i() -> ca.Function:
     w578 = (w207 * w576 - w205 * w577) * c50
     w579 = w206 * (w187 * w571 + w258 * w569 + (w192 * w575 + w259 * w573) + (w195 * w578 + w260 * w576)) - w2 * (w186 * w571 + w258 * w570 + (w190 * w575 + w259 * w574) + (w194 * w578 + w260 * w577))
     w580 = w119 * 0.5
-    w581 = w119 * c114
+    w581 = w119 * c112
     w582 = w117 * 0.5
     w583 = w582 * c31 * c34 - w582 * c33 * c32
     w584 = w119 * 0.25
     w585 = w584 * c31 * c34 - w584 * c33 * c32
-    w586 = w119 * c116
+    w586 = w119 * c114
     w587 = w117 * 0.25
     w588 = w587 * c33 * c34 - w587 * c31 * c32
-    w589 = w117 * c117
+    w589 = w117 * c115
     w590 = shaft_e0 * w585 - shaft_e1 * w586 + (shaft_e2 * w588 - shaft_e3 * w589)
     w591 = w205 * w581 - w207 * w583 + right_swing_angle_ddot * w590
     w592 = w580 * c31 * c32 - w580 * c33 * c34
-    w593 = w117 * c115
+    w593 = w117 * c113
     w594 = shaft_e0 * w586 + (shaft_e1 * w585 + shaft_e2 * w589 + shaft_e3 * w588)
     w595 = w205 * w592 - w207 * w593 + right_swing_angle_ddot * w594
     w596 = shaft_e3 * w585 - shaft_e1 * w588 - (shaft_e2 * w586 - shaft_e0 * w589)
@@ -10738,16 +10753,16 @@ def dMa_dq_i() -> ca.Function:
     w612 = w611 * c11 * c12 - w611 * c9 * c10
     w613 = w4 * 0.25
     w614 = w613 * c11 * c10 - w613 * c9 * c12
-    w615 = w59 * c120
-    w616 = w4 * c121
+    w615 = w59 * c118
+    w616 = w4 * c119
     w617 = shaft_e0 * w612 - (shaft_e2 * w614 - shaft_e1 * w615 - shaft_e3 * w616)
     w618 = w4 * 0.5
     w619 = w618 * c9 * c10 - w618 * c11 * c12
     w620 = w59 * 0.5
-    w621 = w59 * c119
+    w621 = w59 * c117
     w622 = left_swing_angle_ddot * w617 - (w207 * w619 - w205 * w621)
     w623 = shaft_e1 * w612 - shaft_e0 * w615 - (shaft_e2 * w616 + shaft_e3 * w614)
-    w624 = w4 * c118
+    w624 = w4 * c116
     w625 = w620 * c11 * c10 - w620 * c9 * c12
     w626 = left_swing_angle_ddot * w623 - (w207 * w624 + w205 * w625)
     w627 = shaft_e0 * w614 + shaft_e2 * w612 + (shaft_e1 * w616 - shaft_e3 * w615)
@@ -10795,7 +10810,7 @@ def forward_dynamics() -> ca.Function:
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
-    c = ca.SX.sym("c", 127)
+    c = ca.SX.sym("c", 125)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -11466,6 +11481,187 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 169 operations."""
+    p = ca.SX.sym("p", 44)
+    shaft_right_x = p[22]
+    shaft_right_z = p[23]
+    shaft_left_x = p[28]
+    shaft_left_z = p[29]
+    right_rod_middle_x = p[32]
+    slider_right_x = p[33]
+    left_rod_middle_x = p[37]
+    slider_left_x = p[38]
+    right_rod_ball_x = p[42]
+    left_rod_ball_x = p[43]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        shaft_right_x,
+        0.0,
+        shaft_right_z,
+        shaft_left_x,
+        0.0,
+        shaft_left_z,
+        0.0,
+        0.0,
+        0.0,
+        slider_right_x,
+        0.0,
+        0.0,
+        slider_left_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        right_rod_middle_x,
+        0.0,
+        0.0,
+        right_rod_ball_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        left_rod_middle_x,
+        0.0,
+        0.0,
+        left_rod_ball_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 13)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 13)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -11476,9 +11672,10 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

@@ -927,10 +927,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 48 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 28)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -940,32 +939,54 @@ def drawing() -> ca.Function:
     rocker_x = q[6]
     rocker_y = q[7]
     rocker_theta = q[8]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c13 = c[13]
-    xy = ca.vertcat(
-        0.0,
-        0.0,
-        c13,
-        0.0,
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(coupler_theta)
+    w3 = ca.sin(coupler_theta)
+    w4 = ca.cos(rocker_theta)
+    w5 = ca.sin(rocker_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c0,
-        crank_y + ca.sin(crank_theta) * c0,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         coupler_x,
         coupler_y,
-        coupler_x + ca.cos(coupler_theta) * c3,
-        coupler_y + ca.sin(coupler_theta) * c3,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rocker_x,
         rocker_y,
-        rocker_x + ca.cos(rocker_theta) * c4,
-        rocker_y + ca.sin(rocker_theta) * c4,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 8)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1170,6 +1191,121 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 102 operations."""
+    p = ca.SX.sym("p", 15)
+    crank_tip_x = p[10]
+    coupler_tip_x = p[11]
+    rocker_tip_x = p[12]
+    ground_right_x = p[13]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        ground_right_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        coupler_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rocker_tip_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 8)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 8)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -1180,8 +1316,9 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "geometry": geometry,
 }

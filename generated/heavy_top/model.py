@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 71 operations."""
+    """c: everything that depends on the parameters p only. 69 operations."""
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
     top_mass = p[1]
@@ -43,7 +43,6 @@ def constants() -> ca.Function:
         w9,
         -top_foot_y,
         -w9,
-        2 * top_foot_y,
         2 * w3,
         -2.0 * w5,
         2 * w6,
@@ -63,7 +62,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 4)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -200,7 +199,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 40 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -235,7 +234,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -282,7 +281,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -337,7 +336,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 172 operations."""
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_x = q[0]
     top_y = q[1]
     top_z = q[2]
@@ -442,7 +441,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 381 operations."""
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -702,7 +701,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e0 = q[3]
     top_e1 = q[4]
     top_e2 = q[5]
@@ -775,7 +774,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 140 operations."""
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_z = q[2]
     top_e0 = q[3]
     top_e1 = q[4]
@@ -847,10 +846,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 34 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 46 operations."""
     q = ca.SX.sym("q", 7)
-    c = ca.SX.sym("c", 25)
     top_x = q[0]
     top_y = q[1]
     top_z = q[2]
@@ -858,20 +856,34 @@ def drawing() -> ca.Function:
     top_e1 = q[4]
     top_e2 = q[5]
     top_e3 = q[6]
-    c6 = c[6]
-    c17 = c[17]
-    xyz = ca.vertcat(
+    w0 = 2 * top_e2**2
+    w1 = 2 * top_e3**2
+    w2 = 2 * top_e0
+    w3 = top_e3 * w2
+    w4 = 2 * top_e1
+    w5 = top_e2 * w4
+    w6 = top_e3 * w4
+    w7 = top_e2 * w2
+    w8 = 1.0 - 2 * top_e1**2
+    w9 = w2 * top_e1
+    w10 = top_e3 * (2 * top_e2)
+    poses = ca.vertcat(
         top_x,
         top_y,
         top_z,
-        top_x + top_e1 * top_e2 * c17 - top_e0 * top_e3 * c17,
-        c6 + top_y - top_e1**2 * c17 - top_e3**2 * c17,
-        top_e2 * top_e3 * c17 + (top_z + top_e1 * top_e0 * c17),
+        1.0 - w0 - w1,
+        w3 + w5,
+        w6 - w7,
+        w5 - w3,
+        w8 - w1,
+        w9 + w10,
+        w6 + w7,
+        w10 - w9,
+        w8 - w0,
     )
-    xyz = ca.reshape(xyz, 3, 2)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -880,7 +892,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 4)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -901,13 +913,13 @@ def dQ_hat_dq_i() -> ca.Function:
     c10 = c[10]
     c12 = c[12]
     c14 = c[14]
+    c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
-    c24 = c[24]
     w0 = 2 * top_e0
     w1 = top_e2 * -2.0
     w2 = top_e0_dot * w1
@@ -945,7 +957,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w34 = (top_e2 * w5 - w0 * top_e3) * c6
     w35 = w33 - w22 * w34
     w36 = w32 * -2.0
-    w37 = top_e1 * c24
+    w37 = top_e1 * c23
     w38 = w10 * c6
     w39 = w1 * w38
     w40 = w36 - w11 * w37 - w39
@@ -1002,7 +1014,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w91 = w6 * w14 - w13 * w17
     w92 = w91 * -2.0
     w93 = w11 * c2
-    w94 = w11 * c21
+    w94 = w11 * c20
     w95 = w92 + w11 * w18 + w1 * w26 + w3 * w29 + w30 * (w93 * -2.0 + w94) - (w40 * w59 - w56 * w58) + (w75 * w77 + w68 * w78)
     w96 = w95 + (w85 * w87 + w84 * w88)
     w97 = w13 * w24 - w14 * w23
@@ -1022,7 +1034,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w111 = w28 + w13 * w110 - (w23 * w105 + w14 * w109)
     w112 = w17 * w109
     w113 = w23 * w107 + w112 - (w6 * w110 + w24 * w46)
-    w114 = w11 * c18
+    w114 = w11 * c17
     w115 = w11 * w31 + top_e2 * top_e3 * c8
     w116 = w30 / top_e0
     w117 = 2 * w32
@@ -1074,7 +1086,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w163 = top_e1_dot * w145 + top_e2_dot * w160 + top_e3_dot * w162
     w164 = top_e1_dot / top_e0 + w90 * w163
     w165 = w98 * -2.0
-    w166 = w3 * c22
+    w166 = w3 * c21
     w167 = w0 * w34
     w168 = w86 - w167
     w169 = w0 * w38
@@ -1085,7 +1097,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w174 = w62 - w5 * w32
     w175 = w170 + (w75 * w171 + w78 * (w172 + w5 * w38 - w173)) + (w85 * w174 + w88 * (w79 - (w117 - w5 * w37)))
     w176 = 2 * w97
-    w177 = w1 * c23
+    w177 = w1 * c22
     w178 = w0 * c4
     w179 = w1 * w178 + top_e3 * top_e1 * c10
     w180 = w0 * w118
@@ -1101,7 +1113,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w190 = w167 - w10 * w43
     w191 = w76 - w33
     w192 = 2 * w98
-    w193 = w3 * c20
+    w193 = w3 * c19
     w194 = w0 * c5
     w195 = top_e2 * top_e1 * c12 + w3 * w194
     w196 = w11 * w118
@@ -1130,7 +1142,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w219 = w65 + w120
     w220 = (w30 * w219 - (w71 + w51 * w217 - (w44 * w209 + w41 * w210))) * c7
     w221 = w97 * -2.0
-    w222 = w1 * c19
+    w222 = w1 * c18
     w223 = w11 * w203 + (w221 + w1 * w205) + w3 * w207 + w30 * (w99 * -2.0 + w222) - (w58 * w213 - w59 * w208)
     w224 = w223 + (w77 * w218 + w78 * w215) + (w87 * w220 + w88 * w219)
     w225 = w214 + (w63 * w218 + w78 * (w208 - w180)) + (w81 * w220 + w88 * (w119 - w36)) - w90 * w224 - w146 * w159
@@ -1144,7 +1156,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w233 = w46 * c3
     w234 = w206 + w13 * w233 - (w106 + w23 * w230)
     w235 = w23 * w231 + w17 * w46 - (w6 * w233 + w24 * w209)
-    w236 = top_e3 * c24
+    w236 = top_e3 * c23
     w237 = w82 - w11 * w236
     w238 = w216 - w41 * w49 - (w7 * w43 + w38 * w42)
     w239 = w73 + w121 - (w72 - w41 * w236)
@@ -1187,7 +1199,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -1348,7 +1360,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -1364,15 +1376,15 @@ def dMa_dq_i() -> ca.Function:
     c8 = c[8]
     c10 = c[10]
     c12 = c[12]
+    c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
-    c24 = c[24]
     w0 = 2 * top_e2
-    w1 = w0 * c22
+    w1 = w0 * c21
     w2 = top_e1 / top_e0
     w3 = top_e2 / top_e0
     w4 = top_e3 / top_e0
@@ -1386,7 +1398,7 @@ def dMa_dq_i() -> ca.Function:
     w12 = w0 * c5
     w13 = w7 * w9 + top_e2 * top_e3 * c8
     w14 = top_e1_ddot / top_e0
-    w15 = w11 * c23
+    w15 = w11 * c22
     w16 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
     w17 = w6 * w16
     w18 = 2 * top_e3
@@ -1394,7 +1406,7 @@ def dMa_dq_i() -> ca.Function:
     w20 = (top_e2 * w19 - top_e3 * w6) * c6
     w21 = w17 - w18 * w20
     w22 = w16 * -2.0
-    w23 = top_e1 * c24
+    w23 = top_e1 * c23
     w24 = w0 * c6
     w25 = w10 * w24
     w26 = w22 - w9 * w23 - w25
@@ -1451,16 +1463,16 @@ def dMa_dq_i() -> ca.Function:
     w77 = w53 - w17
     w78 = (w5 * w69 - top_e1_ddot * w66 - top_e2_ddot * w76 - top_e3_ddot * w77) * c7
     w79 = w9 * c2
-    w80 = w9 * c21
+    w80 = w9 * c20
     w81 = w10 * c4
     w82 = w11 * c5
     w83 = w9 * w79 + w10 * w81 + w11 * w82
     w84 = w18 * c2
-    w85 = w11 * c22
+    w85 = w11 * c21
     w86 = w84 * -2.0 + w85
     w87 = w10 * c2
     w88 = w87 * -2.0
-    w89 = w10 * c23
+    w89 = w10 * c22
     w90 = w88 + w89
     w91 = top_e1_ddot * w8 - (w5 * (w79 * -2.0 + w80) + w14 * w83) + top_e2_ddot * w86 + top_e3_ddot * w90 - (w28 * w38 + w26 * w43)
     w92 = w91 - (w54 * w61 + w52 * w64) - (w69 * w75 + w68 * w78)
@@ -1472,8 +1484,8 @@ def dMa_dq_i() -> ca.Function:
     w98 = top_e2 * top_e1 * c12 + w11 * w97
     w99 = top_e1_ddot * w13 - w5 * w83 + top_e2_ddot * w95 + top_e3_ddot * w98 - w28 * w43 - w54 * w64 - w69 * w78
     w100 = w99 / top_e0
-    w101 = w6 * c18
-    w102 = w9 * c18
+    w101 = w6 * c17
+    w102 = w9 * c17
     w103 = w2 / top_e0
     w104 = w3 / top_e0
     w105 = w4 / top_e0
@@ -1481,7 +1493,7 @@ def dMa_dq_i() -> ca.Function:
     w107 = 2 * w84
     w108 = w15 + w107
     w109 = 2 * w87
-    w110 = w0 * c20
+    w110 = w0 * c19
     w111 = w109 + w110
     w112 = top_e1_ddot * (2 * w7 + w101) - (w5 * w102 - w13 * w106) + top_e2_ddot * w108 + top_e3_ddot * w111
     w113 = w18 * c6
@@ -1510,29 +1522,29 @@ def dMa_dq_i() -> ca.Function:
     w136 = top_e1_ddot * w135
     w137 = w128 - w72
     w138 = (w5 * w134 - w69 * w106 - w136 - top_e2_ddot * w125 - top_e3_ddot * w137) * c7
-    w139 = w11 * c20
+    w139 = w11 * c19
     w140 = top_e1_ddot * w102 + w83 * w106 + top_e2_ddot * w89 + top_e3_ddot * w139 - (w28 * w121 + w43 * w114)
     w141 = w140 - (w54 * w133 - w64 * w129) - (w69 * w138 + w78 * w134)
     w142 = w112 - (w21 * w121 + w43 * w116) - (w46 * w133 - w64 * w126) - (w66 * w138 + w78 * w135) - (w2 * w141 - w99 * w103)
     w143 = w94 * -2.0
-    w144 = w6 * c23
+    w144 = w6 * c22
     w145 = w97 * -2.0
     w146 = w144 + w145
-    w147 = w1 * top_e1_ddot - (w5 * w86 + w14 * w95) + top_e2_ddot * (w143 + w9 * c22) + top_e3_ddot * w146 - (w38 * w41 - w34 * w43)
+    w147 = w1 * top_e1_ddot - (w5 * w86 + w14 * w95) + top_e2_ddot * (w143 + w9 * c21) + top_e3_ddot * w146 - (w38 * w41 - w34 * w43)
     w148 = 2 * w96
-    w149 = w148 + w9 * c20
+    w149 = w148 + w9 * c19
     w150 = top_e1_ddot * w108 - (w5 * w89 - w95 * w106) + top_e2_ddot * (w144 + 2 * w93) + top_e3_ddot * w149
     w151 = w150 - (w41 * w121 - w43 * w118) - (w62 * w133 - w64 * w131) - (w76 * w138 + w78 * w125) - (w3 * w141 - w99 * w104)
-    w152 = top_e1_ddot * w15 - (w5 * w90 + w14 * w98) + top_e2_ddot * w146 + top_e3_ddot * (w148 + w19 * c23)
+    w152 = top_e1_ddot * w15 - (w5 * w90 + w14 * w98) + top_e2_ddot * w146 + top_e3_ddot * (w148 + w19 * c22)
     w153 = 2 * w97
-    w154 = top_e1_ddot * w111 - (w5 * w139 - w98 * w106) + top_e2_ddot * w149 + top_e3_ddot * (w153 + w6 * c20)
+    w154 = top_e1_ddot * w111 - (w5 * w139 - w98 * w106) + top_e2_ddot * w149 + top_e3_ddot * (w153 + w6 * c19)
     w155 = w154 - (w42 * w121 + w43 * w119) - (w63 * w133 + w64 * w132) - (w77 * w138 + w78 * w137) - (w4 * w141 - w99 * w105)
     w156 = w152 - (w38 * w42 - w37 * w43) - (w61 * w63 + w60 * w64) - (w75 * w77 + w74 * w78) - w4 * w92 - w2 * w155
     w157 = w11 * c4 * -2.0
     w158 = w139 + w157
     w159 = top_e2_ddot / top_e0
     w160 = 2 * w94
-    w161 = w153 + w6 * c21
+    w161 = w153 + w6 * c20
     w162 = top_e1_ddot * (w110 + 2 * w12) - (w5 * w158 + w13 * w159) + top_e2_ddot * w160 + top_e3_ddot * w161
     w163 = w35 + w134
     w164 = w72 - w128
@@ -1545,22 +1557,22 @@ def dMa_dq_i() -> ca.Function:
     w171 = w48 + w114
     w172 = w115 - w22
     w173 = (w5 * w171 + w69 * w159 - top_e1_ddot * w172 - top_e2_ddot * w117 - w120) * c7
-    w174 = w10 * c19
+    w174 = w10 * c18
     w175 = w93 * -2.0
     w176 = w96 * -2.0
     w177 = w80 + w176
     w178 = top_e1_ddot * w158 - (w5 * (w81 * -2.0 + w174) + w83 * w159) + top_e2_ddot * w175 + top_e3_ddot * w177
     w179 = w178 - (w28 * w165 - w43 * w163) - (w54 * w170 + w64 * w166) - (w69 * w173 + w78 * w171)
     w180 = w162 - (w21 * w165 - w43 * w135) - (w46 * w170 + w64 * w167) - (w66 * w173 + w78 * w172) - w2 * w179
-    w181 = w18 * c21
+    w181 = w18 * c20
     w182 = top_e1_ddot * w160 - (w5 * w175 + w95 * w159) + top_e3_ddot * w181 - (w41 * w165 - w43 * w124) - (w62 * w170 + w64 * w168)
-    w183 = top_e1_ddot * w161 - (w5 * w177 + w98 * w159) + top_e2_ddot * w181 + top_e3_ddot * (w88 + w10 * c21)
+    w183 = top_e1_ddot * w161 - (w5 * w177 + w98 * w159) + top_e2_ddot * w181 + top_e3_ddot * (w88 + w10 * c20)
     w184 = w183 - (w42 * w165 + w43 * w164) - (w63 * w170 + w64 * w169) - (w77 * w173 + w78 * w119) - w4 * w179
     w185 = w174 + w12 * -2.0
     w186 = top_e3_ddot / top_e0
     w187 = w101 + w175
-    w188 = top_e1_ddot * (w157 + w11 * c19) - (w5 * w185 + w13 * w186) + top_e2_ddot * w187 + top_e3_ddot * w176
-    w189 = top_e3 * c24
+    w188 = top_e1_ddot * (w157 + w11 * c18) - (w5 * w185 + w13 * w186) + top_e2_ddot * w187 + top_e3_ddot * w176
+    w189 = top_e3 * c23
     w190 = w67 - w9 * w189
     w191 = w6 * w189
     w192 = w191 + (w57 - w70)
@@ -1582,7 +1594,7 @@ def dMa_dq_i() -> ca.Function:
     w208 = top_e1_ddot * w185 - (w5 * (w85 + w82 * -2.0) + w83 * w186) + top_e2_ddot * w207 + top_e3_ddot * w145
     w209 = w208 - (w28 * w196 + w43 * w190) - (w54 * w201 + w64 * w197) - (w69 * w206 + w78 * w202)
     w210 = w188 - (w21 * w196 - w43 * w192) - (w46 * w201 - w64 * w198) - (w66 * w206 + w78 * w203) - w2 * w209
-    w211 = top_e1_ddot * w187 - (w5 * w207 + w95 * w186) + top_e2_ddot * (w107 + w18 * c18) + top_e3_ddot * w109
+    w211 = top_e1_ddot * w187 - (w5 * w207 + w95 * w186) + top_e2_ddot * (w107 + w18 * c17) + top_e3_ddot * w109
     w212 = w211 - (w41 * w196 + w43 * w194) - (w62 * w201 - w64 * w199) - (w76 * w206 + w78 * w204) - w3 * w209
     w213 = top_e1_ddot * w176 - (w5 * w145 + w98 * w186) + top_e2_ddot * w109 - (w42 * w196 + w43 * w195) - (w63 * w201 - w64 * w200)
     dMa_dq_i = ca.vertcat(
@@ -1608,7 +1620,7 @@ def forward_dynamics() -> ca.Function:
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 4)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 24)
     top_e1 = q_i[0]
     top_e2 = q_i[1]
     top_e3 = q_i[2]
@@ -1734,6 +1746,58 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 39 operations."""
+    p = ca.SX.sym("p", 6)
+    top_foot_y = p[5]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        top_foot_y,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 3)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 3)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -1744,9 +1808,10 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

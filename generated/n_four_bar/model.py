@@ -1798,10 +1798,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 79 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 92 operations."""
     q = ca.SX.sym("q", 15)
-    c = ca.SX.sym("c", 36)
     upright0_x = q[0]
     upright0_y = q[1]
     upright0_theta = q[2]
@@ -1817,45 +1816,82 @@ def drawing() -> ca.Function:
     upright2_x = q[12]
     upright2_y = q[13]
     upright2_theta = q[14]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c8 = c[8]
-    c9 = c[9]
-    c21 = c[21]
-    c22 = c[22]
-    xy = ca.vertcat(
-        0.0,
-        0.0,
-        c21,
-        0.0,
-        c22,
-        0.0,
+    w0 = ca.cos(upright0_theta)
+    w1 = ca.sin(upright0_theta)
+    w2 = ca.cos(top1_theta)
+    w3 = ca.sin(top1_theta)
+    w4 = ca.cos(upright1_theta)
+    w5 = ca.sin(upright1_theta)
+    w6 = ca.cos(top2_theta)
+    w7 = ca.sin(top2_theta)
+    w8 = ca.cos(upright2_theta)
+    w9 = ca.sin(upright2_theta)
+    poses = ca.vertcat(
         upright0_x,
         upright0_y,
-        upright0_x + ca.cos(upright0_theta) * c0,
-        upright0_y + ca.sin(upright0_theta) * c0,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         top1_x,
         top1_y,
-        top1_x + ca.cos(top1_theta) * c3,
-        top1_y + ca.sin(top1_theta) * c3,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         upright1_x,
         upright1_y,
-        upright1_x + ca.cos(upright1_theta) * c4,
-        upright1_y + ca.sin(upright1_theta) * c4,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         top2_x,
         top2_y,
-        top2_x + ca.cos(top2_theta) * c8,
-        top2_y + ca.sin(top2_theta) * c8,
+        0.0,
+        w6,
+        w7,
+        0.0,
+        -w7,
+        w6,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         upright2_x,
         upright2_y,
-        upright2_x + ca.cos(upright2_theta) * c9,
-        upright2_y + ca.sin(upright2_theta) * c9,
+        0.0,
+        w8,
+        w9,
+        0.0,
+        -w9,
+        w8,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 13)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 5)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -2216,6 +2252,184 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 165 operations."""
+    p = ca.SX.sym("p", 18)
+    upright0_tip_x = p[11]
+    top1_tip_x = p[12]
+    upright1_tip_x = p[13]
+    ground_foot1_x = p[14]
+    top2_tip_x = p[15]
+    upright2_tip_x = p[16]
+    ground_foot2_x = p[17]
+    positions = ca.vertcat(
+        ground_foot1_x,
+        0.0,
+        0.0,
+        ground_foot2_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        upright0_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        top1_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        upright1_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        top2_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        upright2_tip_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 13)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 13)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2226,8 +2440,9 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "geometry": geometry,
 }

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 381 operations."""
+    """c: everything that depends on the parameters p only. 98 operations."""
     p = ca.SX.sym("p", 164)
     crank_mass = p[0]
     crank_inertia = p[1]
@@ -38,110 +38,6 @@ def constants() -> ca.Function:
     crank_tip_x = p[26]
     beam20_pinned_pinned2_1_0_H_0_0 = p[31]
     beam20_pinned_pinned2_1_0_H_1_1 = p[32]
-    beam20_pinned_pinned2_0_0625_at_0_0 = p[33]
-    beam20_pinned_pinned2_0_0625_shape_1_0 = p[34]
-    beam20_pinned_pinned2_0_0625_shape_1_1 = p[35]
-    beam20_pinned_pinned2_0_0625_H_0_0 = p[38]
-    beam20_pinned_pinned2_0_0625_H_0_1 = p[39]
-    beam20_pinned_pinned2_0_0625_H_1_0 = p[40]
-    beam20_pinned_pinned2_0_0625_H_1_1 = p[41]
-    beam20_pinned_pinned2_0_125_at_0_0 = p[42]
-    beam20_pinned_pinned2_0_125_shape_1_0 = p[43]
-    beam20_pinned_pinned2_0_125_shape_1_1 = p[44]
-    beam20_pinned_pinned2_0_125_H_0_0 = p[47]
-    beam20_pinned_pinned2_0_125_H_0_1 = p[48]
-    beam20_pinned_pinned2_0_125_H_1_0 = p[49]
-    beam20_pinned_pinned2_0_125_H_1_1 = p[50]
-    beam20_pinned_pinned2_0_1875_at_0_0 = p[51]
-    beam20_pinned_pinned2_0_1875_shape_1_0 = p[52]
-    beam20_pinned_pinned2_0_1875_shape_1_1 = p[53]
-    beam20_pinned_pinned2_0_1875_H_0_0 = p[56]
-    beam20_pinned_pinned2_0_1875_H_0_1 = p[57]
-    beam20_pinned_pinned2_0_1875_H_1_0 = p[58]
-    beam20_pinned_pinned2_0_1875_H_1_1 = p[59]
-    beam20_pinned_pinned2_0_25_at_0_0 = p[60]
-    beam20_pinned_pinned2_0_25_shape_1_0 = p[61]
-    beam20_pinned_pinned2_0_25_shape_1_1 = p[62]
-    beam20_pinned_pinned2_0_25_H_0_0 = p[64]
-    beam20_pinned_pinned2_0_25_H_0_1 = p[65]
-    beam20_pinned_pinned2_0_25_H_1_0 = p[66]
-    beam20_pinned_pinned2_0_25_H_1_1 = p[67]
-    beam20_pinned_pinned2_0_3125_at_0_0 = p[68]
-    beam20_pinned_pinned2_0_3125_shape_1_0 = p[69]
-    beam20_pinned_pinned2_0_3125_shape_1_1 = p[70]
-    beam20_pinned_pinned2_0_3125_H_0_0 = p[73]
-    beam20_pinned_pinned2_0_3125_H_0_1 = p[74]
-    beam20_pinned_pinned2_0_3125_H_1_0 = p[75]
-    beam20_pinned_pinned2_0_3125_H_1_1 = p[76]
-    beam20_pinned_pinned2_0_375_at_0_0 = p[77]
-    beam20_pinned_pinned2_0_375_shape_1_0 = p[78]
-    beam20_pinned_pinned2_0_375_shape_1_1 = p[79]
-    beam20_pinned_pinned2_0_375_H_0_0 = p[82]
-    beam20_pinned_pinned2_0_375_H_0_1 = p[83]
-    beam20_pinned_pinned2_0_375_H_1_0 = p[84]
-    beam20_pinned_pinned2_0_375_H_1_1 = p[85]
-    beam20_pinned_pinned2_0_4375_at_0_0 = p[86]
-    beam20_pinned_pinned2_0_4375_shape_1_0 = p[87]
-    beam20_pinned_pinned2_0_4375_shape_1_1 = p[88]
-    beam20_pinned_pinned2_0_4375_H_0_0 = p[91]
-    beam20_pinned_pinned2_0_4375_H_0_1 = p[92]
-    beam20_pinned_pinned2_0_4375_H_1_0 = p[93]
-    beam20_pinned_pinned2_0_4375_H_1_1 = p[94]
-    beam20_pinned_pinned2_0_5_at_0_0 = p[95]
-    beam20_pinned_pinned2_0_5_shape_1_0 = p[96]
-    beam20_pinned_pinned2_0_5_H_0_0 = p[98]
-    beam20_pinned_pinned2_0_5_H_0_1 = p[99]
-    beam20_pinned_pinned2_0_5_H_1_0 = p[100]
-    beam20_pinned_pinned2_0_5_H_1_1 = p[101]
-    beam20_pinned_pinned2_0_5625_at_0_0 = p[102]
-    beam20_pinned_pinned2_0_5625_shape_1_0 = p[103]
-    beam20_pinned_pinned2_0_5625_shape_1_1 = p[104]
-    beam20_pinned_pinned2_0_5625_H_0_0 = p[107]
-    beam20_pinned_pinned2_0_5625_H_0_1 = p[108]
-    beam20_pinned_pinned2_0_5625_H_1_0 = p[109]
-    beam20_pinned_pinned2_0_5625_H_1_1 = p[110]
-    beam20_pinned_pinned2_0_625_at_0_0 = p[111]
-    beam20_pinned_pinned2_0_625_shape_1_0 = p[112]
-    beam20_pinned_pinned2_0_625_shape_1_1 = p[113]
-    beam20_pinned_pinned2_0_625_H_0_0 = p[116]
-    beam20_pinned_pinned2_0_625_H_0_1 = p[117]
-    beam20_pinned_pinned2_0_625_H_1_0 = p[118]
-    beam20_pinned_pinned2_0_625_H_1_1 = p[119]
-    beam20_pinned_pinned2_0_6875_at_0_0 = p[120]
-    beam20_pinned_pinned2_0_6875_shape_1_0 = p[121]
-    beam20_pinned_pinned2_0_6875_shape_1_1 = p[122]
-    beam20_pinned_pinned2_0_6875_H_0_0 = p[125]
-    beam20_pinned_pinned2_0_6875_H_0_1 = p[126]
-    beam20_pinned_pinned2_0_6875_H_1_0 = p[127]
-    beam20_pinned_pinned2_0_6875_H_1_1 = p[128]
-    beam20_pinned_pinned2_0_75_at_0_0 = p[129]
-    beam20_pinned_pinned2_0_75_shape_1_0 = p[130]
-    beam20_pinned_pinned2_0_75_shape_1_1 = p[131]
-    beam20_pinned_pinned2_0_75_H_0_0 = p[133]
-    beam20_pinned_pinned2_0_75_H_0_1 = p[134]
-    beam20_pinned_pinned2_0_75_H_1_0 = p[135]
-    beam20_pinned_pinned2_0_75_H_1_1 = p[136]
-    beam20_pinned_pinned2_0_8125_at_0_0 = p[137]
-    beam20_pinned_pinned2_0_8125_shape_1_0 = p[138]
-    beam20_pinned_pinned2_0_8125_shape_1_1 = p[139]
-    beam20_pinned_pinned2_0_8125_H_0_0 = p[142]
-    beam20_pinned_pinned2_0_8125_H_0_1 = p[143]
-    beam20_pinned_pinned2_0_8125_H_1_0 = p[144]
-    beam20_pinned_pinned2_0_8125_H_1_1 = p[145]
-    beam20_pinned_pinned2_0_875_at_0_0 = p[146]
-    beam20_pinned_pinned2_0_875_shape_1_0 = p[147]
-    beam20_pinned_pinned2_0_875_shape_1_1 = p[148]
-    beam20_pinned_pinned2_0_875_H_0_0 = p[151]
-    beam20_pinned_pinned2_0_875_H_0_1 = p[152]
-    beam20_pinned_pinned2_0_875_H_1_0 = p[153]
-    beam20_pinned_pinned2_0_875_H_1_1 = p[154]
-    beam20_pinned_pinned2_0_9375_at_0_0 = p[155]
-    beam20_pinned_pinned2_0_9375_shape_1_0 = p[156]
-    beam20_pinned_pinned2_0_9375_shape_1_1 = p[157]
-    beam20_pinned_pinned2_0_9375_H_0_0 = p[160]
-    beam20_pinned_pinned2_0_9375_H_0_1 = p[161]
-    beam20_pinned_pinned2_0_9375_H_1_0 = p[162]
-    beam20_pinned_pinned2_0_9375_H_1_1 = p[163]
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
@@ -185,110 +81,6 @@ def constants() -> ca.Function:
         w14 * beam20_pinned_pinned2_kappa_lateral_1_1,
         crank_mass,
         slider_inertia,
-        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
-        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
-        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
-        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
-        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
-        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
-        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
-        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
         w10 - w11,
         w12 - w13,
         2 * w2,
@@ -308,7 +100,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -423,7 +215,7 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 43 operations."""
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -466,7 +258,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -509,7 +301,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -563,7 +355,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 200 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -741,7 +533,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 543 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1215,7 +1007,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     rod_theta = q[5]
     rod_q1 = q[6]
     rod_q2 = q[7]
@@ -1317,7 +1109,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 157 operations."""
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     rod_theta = q[5]
     rod_q1 = q[6]
     rod_q2 = q[7]
@@ -1396,210 +1188,66 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 509 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 11)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 138)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
-    rod_q1 = q[6]
-    rod_q2 = q[7]
     slider_x = q[8]
     slider_y = q[9]
-    c1 = c[1]
-    c2 = c[2]
-    c6 = c[6]
-    c7 = c[7]
-    c27 = c[27]
-    c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
-    c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
-    c34 = c[34]
-    c35 = c[35]
-    c36 = c[36]
-    c37 = c[37]
-    c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
-    c71 = c[71]
-    c72 = c[72]
-    c73 = c[73]
-    c74 = c[74]
-    c75 = c[75]
-    c76 = c[76]
-    c77 = c[77]
-    c78 = c[78]
-    c79 = c[79]
-    c80 = c[80]
-    c81 = c[81]
-    c82 = c[82]
-    c83 = c[83]
-    c84 = c[84]
-    c85 = c[85]
-    c86 = c[86]
-    c87 = c[87]
-    c88 = c[88]
-    c89 = c[89]
-    c90 = c[90]
-    c91 = c[91]
-    c92 = c[92]
-    c93 = c[93]
-    c94 = c[94]
-    c95 = c[95]
-    c96 = c[96]
-    c97 = c[97]
-    c98 = c[98]
-    c99 = c[99]
-    c100 = c[100]
-    c101 = c[101]
-    c102 = c[102]
-    c103 = c[103]
-    c104 = c[104]
-    c105 = c[105]
-    c106 = c[106]
-    c107 = c[107]
-    c108 = c[108]
-    c109 = c[109]
-    c110 = c[110]
-    c111 = c[111]
-    c112 = c[112]
-    c113 = c[113]
-    c114 = c[114]
-    c115 = c[115]
-    c116 = c[116]
-    c117 = c[117]
-    c118 = c[118]
-    c119 = c[119]
-    c120 = c[120]
-    c121 = c[121]
-    c122 = c[122]
-    c123 = c[123]
-    c124 = c[124]
-    c125 = c[125]
-    c126 = c[126]
-    c127 = c[127]
-    c128 = c[128]
-    c129 = c[129]
-    c130 = c[130]
-    w0 = ca.cos(rod_theta)
-    w1 = rod_q1 * exaggeration
-    w2 = exaggeration * rod_q2
-    w3 = c27 - (w1 * (w1 * c28 + w2 * c29) + w2 * (w1 * c30 + w2 * c31)) * 0.5
-    w4 = ca.sin(rod_theta)
-    w5 = w1 * c32 + w2 * c33
-    w6 = c34 - (w1 * (w1 * c35 + w2 * c36) + w2 * (w1 * c37 + w2 * c38)) * 0.5
-    w7 = w1 * c39 + w2 * c40
-    w8 = c41 - (w1 * (w1 * c42 + w2 * c43) + w2 * (w1 * c44 + w2 * c45)) * 0.5
-    w9 = w1 * c46 + w2 * c47
-    w10 = c48 - (w1 * (w1 * c49 + w2 * c50) + w2 * (w1 * c51 + w2 * c52)) * 0.5
-    w11 = w1 * c53 + w2 * c54
-    w12 = c55 - (w1 * (w1 * c56 + w2 * c57) + w2 * (w1 * c58 + w2 * c59)) * 0.5
-    w13 = w1 * c60 + w2 * c61
-    w14 = c62 - (w1 * (w1 * c63 + w2 * c64) + w2 * (w1 * c65 + w2 * c66)) * 0.5
-    w15 = w1 * c67 + w2 * c68
-    w16 = c69 - (w1 * (w1 * c70 + w2 * c71) + w2 * (w1 * c72 + w2 * c73)) * 0.5
-    w17 = w1 * c74 + w2 * c75
-    w18 = c76 - (w1 * (w1 * c77 + w2 * c78) + w2 * (w1 * c79 + w2 * c80)) * 0.5
-    w19 = w1 * c81
-    w20 = c82 - (w1 * (w1 * c83 + w2 * c84) + w2 * (w1 * c85 + w2 * c86)) * 0.5
-    w21 = w1 * c87 + w2 * c88
-    w22 = c89 - (w1 * (w1 * c90 + w2 * c91) + w2 * (w1 * c92 + w2 * c93)) * 0.5
-    w23 = w1 * c94 + w2 * c95
-    w24 = c96 - (w1 * (w1 * c97 + w2 * c98) + w2 * (w1 * c99 + w2 * c100)) * 0.5
-    w25 = w1 * c101 + w2 * c102
-    w26 = c103 - (w1 * (w1 * c104 + w2 * c105) + w2 * (w1 * c106 + w2 * c107)) * 0.5
-    w27 = w1 * c108 + w2 * c109
-    w28 = c110 - (w1 * (w1 * c111 + w2 * c112) + w2 * (w1 * c113 + w2 * c114)) * 0.5
-    w29 = w1 * c115 + w2 * c116
-    w30 = c117 - (w1 * (w1 * c118 + w2 * c119) + w2 * (w1 * c120 + w2 * c121)) * 0.5
-    w31 = w1 * c122 + w2 * c123
-    w32 = c124 - (w1 * (w1 * c125 + w2 * c126) + w2 * (w1 * c127 + w2 * c128)) * 0.5
-    w33 = w1 * c129 + w2 * c130
-    w34 = c2 - (w1 * (w1 * c6) + w2 * (w2 * c7)) * 0.5
-    xy = ca.vertcat(
+    slider_theta = q[10]
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(rod_theta)
+    w3 = ca.sin(rod_theta)
+    w4 = ca.cos(slider_theta)
+    w5 = ca.sin(slider_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c1,
-        crank_y + ca.sin(crank_theta) * c1,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rod_x,
         rod_y,
-        rod_x + (w0 * w3 - w4 * w5),
-        rod_y + (w3 * w4 + w0 * w5),
-        rod_x + (w0 * w6 - w4 * w7),
-        rod_y + (w4 * w6 + w0 * w7),
-        rod_x + (w0 * w8 - w4 * w9),
-        rod_y + (w4 * w8 + w0 * w9),
-        rod_x + (w0 * w10 - w4 * w11),
-        rod_y + (w4 * w10 + w0 * w11),
-        rod_x + (w0 * w12 - w4 * w13),
-        rod_y + (w4 * w12 + w0 * w13),
-        rod_x + (w0 * w14 - w4 * w15),
-        rod_y + (w4 * w14 + w0 * w15),
-        rod_x + (w0 * w16 - w4 * w17),
-        rod_y + (w4 * w16 + w0 * w17),
-        rod_x + (w0 * w18 - w4 * w19),
-        rod_y + (w4 * w18 + w0 * w19),
-        rod_x + (w0 * w20 - w4 * w21),
-        rod_y + (w4 * w20 + w0 * w21),
-        rod_x + (w0 * w22 - w4 * w23),
-        rod_y + (w4 * w22 + w0 * w23),
-        rod_x + (w0 * w24 - w4 * w25),
-        rod_y + (w4 * w24 + w0 * w25),
-        rod_x + (w0 * w26 - w4 * w27),
-        rod_y + (w4 * w26 + w0 * w27),
-        rod_x + (w0 * w28 - w4 * w29),
-        rod_y + (w4 * w28 + w0 * w29),
-        rod_x + (w0 * w30 - w4 * w31),
-        rod_y + (w4 * w30 + w0 * w31),
-        rod_x + (w0 * w32 - w4 * w33),
-        rod_y + (w4 * w32 + w0 * w33),
-        rod_x + w0 * w34,
-        rod_y + w4 * w34,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         slider_x,
         slider_y,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 20)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, exaggeration, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1608,7 +1256,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1640,8 +1288,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
-    c131 = c[131]
-    c132 = c[132]
+    c27 = c[27]
+    c28 = c[28]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.sin(rod_theta)
     w2 = rod_q1 * c9
@@ -1751,13 +1399,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w106 = w91 + w7 * w102
     w107 = (w10 * (w1 * w60) + w35 * w53 - (w20 * w105 - w36 * w68)) * c4
     w108 = w0 * (w53 * w103 + w10 * (w7 * w104) - (w14 * w105 - w68 * w106)) - w23 * (w68 * w103 + w9 * w105 - (w53 * w106 + w10 * (w1 * w104)) - w107)
-    w109 = w83 * (rod_q1_dot * c131 - rod_q2_dot * c19) - (w50 * w103 + w66 * w106 + (w68 * (w28 + rod_q1 * c131 - rod_q2 * c19) + w31 * w105))
+    w109 = w83 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w50 * w103 + w66 * w106 + (w68 * (w28 + rod_q1 * c27 - rod_q2 * c19) + w31 * w105))
     w110 = w109 + (w20 * w107 - w94)
     w111 = w35 * w40
     w112 = w1 * c6 / w21 + w35 * w38
     w113 = w35 * w45
     w114 = rod_q1_dot * w112 - crank_theta_dot * w111 + rod_q2_dot * w113 + w37 * w47
-    w115 = w53 * c131 - c23 - (w50 * (w7 * c9) + w66 * (w1 * c9) + w105 * c21) + (w35 * w107 + w79 * (w7 * c6))
+    w115 = w53 * c27 - c23 - (w50 * (w7 * c9) + w66 * (w1 * c9) + w105 * c21) + (w35 * w107 + w79 * (w7 * c6))
     w116 = w42 * w107 - (w53 * c19 + (w50 * (w7 * c11) + w66 * (w1 * c11) + w105 * c22)) + (w44 * w110 + w84 * w113)
     w117 = w56 + rod_q1_dot * c10
     w118 = (rod_q1 * c10 + (w4 + w5)) * 0.5
@@ -1766,14 +1414,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w121 = w7 * w118
     w122 = (w10 * (w1 * w61) + w42 * w53 - (w20 * w120 - w43 * w68)) * c4
     w123 = w0 * (w10 * (w7 * w117) - w53 * w119 - (w14 * w120 - w68 * w121)) - w23 * (w9 * w120 - w68 * w119 - (w53 * w121 + w10 * (w1 * w117)) - w122)
-    w124 = w83 * (rod_q2_dot * c132 - rod_q1_dot * c17) - (w66 * w121 - w50 * w119 + (w68 * (w29 + rod_q2 * c132 - rod_q1 * c17) + w31 * w120))
+    w124 = w83 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w66 * w121 - w50 * w119 + (w68 * (w29 + rod_q2 * c28 - rod_q1 * c17) + w31 * w120))
     w125 = w124 + (w20 * w122 - w99)
     w126 = w40 * w42
     w127 = w38 * w42
     w128 = w1 * c7 / w21 + w42 * w45
     w129 = rod_q1_dot * w127 - crank_theta_dot * w126 + rod_q2_dot * w128 + w44 * w47
     w130 = w35 * w122 - (w53 * c17 + (w50 * (w7 * c10) + w66 * (w1 * c10) + w120 * c21)) + (w37 * w125 + w84 * w127)
-    w131 = w53 * c132 - c24 - (w50 * (w7 * c12) + w66 * (w1 * c12) + w120 * c22) + (w42 * w122 + w79 * (w7 * c7))
+    w131 = w53 * c28 - c24 - (w50 * (w7 * c12) + w66 * (w1 * c12) + w120 * c22) + (w42 * w122 + w79 * (w7 * c7))
     dQ_hat_dq_i = ca.vertcat(
         w33 * w48 - (w80 + (w27 * w82 - w34 * w84) + w27 * w90),
         w35 * w71 - (w51 * c21 - w93) + w37 * w82 - w27 * w95 + w48 * w96,
@@ -1797,7 +1445,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1827,11 +1475,11 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c133 = c[133]
-    c134 = c[134]
-    c135 = c[135]
-    c136 = c[136]
-    c137 = c[137]
+    c29 = c[29]
+    c30 = c[30]
+    c31 = c[31]
+    c32 = c[32]
+    c33 = c[33]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c6
@@ -1878,15 +1526,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w43 = w3 * w7
     w44 = w43 / w5
     w45 = w19 * w25 - w29 * c22 + w30 * w42 + w32 * w44
-    w46 = rod_q1_dot * c135 + rod_q2_dot * c136
-    w47 = rod_q1_dot * c133
+    w46 = rod_q1_dot * c31 + rod_q2_dot * c32
+    w47 = rod_q1_dot * c29
     w48 = (w7 * w47 + w25 * w36) / w5
     w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
     w50 = rod_theta_dot * -2.0
     w51 = w18 * w50 - w20 * w48 + w22 * w49
     w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
-    w53 = rod_q2_dot * c137 + rod_q1_dot * c136
-    w54 = rod_q2_dot * c134
+    w53 = rod_q2_dot * c33 + rod_q1_dot * c32
+    w54 = rod_q2_dot * c30
     w55 = (w7 * w54 + w25 * w42) / w5
     w56 = (w25 * w43 - w1 * w54 - w22 * w55) * c4
     w57 = w19 * w50 - w20 * w55 + w22 * w56
@@ -1913,7 +1561,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -1942,8 +1590,8 @@ def dMa_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c131 = c[131]
-    c132 = c[132]
+    c27 = c[27]
+    c28 = c[28]
     w0 = ca.cos(crank_theta) * c1
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c9
@@ -2028,7 +1676,7 @@ def dMa_dq_i() -> ca.Function:
     w81 = w1 * c6
     w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * c4
     w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
-    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c131 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
+    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c27 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
     w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
     w86 = w43 * w53
     w87 = w43 * w55
@@ -2044,7 +1692,7 @@ def dMa_dq_i() -> ca.Function:
     w97 = w1 * c7
     w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * c4
     w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
-    w100 = w26 * (w49 + rod_q2 * c132 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
+    w100 = w26 * (w49 + rod_q2 * c28 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
     w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
     dMa_dq_i = ca.vertcat(
         w45 - (w23 * w51 - w15 * w52) - w23 * w62,
@@ -2069,7 +1717,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2200,7 +1848,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
-    c = ca.SX.sym("c", 138)
+    c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
@@ -2290,6 +1938,758 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 830 operations."""
+    p = ca.SX.sym("p", 164)
+    rod_length = p[2]
+    rod_area = p[4]
+    rod_second_moment = p[6]
+    crank_tip_x = p[26]
+    beam20_pinned_pinned2_0_0_slope_0_0 = p[27]
+    beam20_pinned_pinned2_0_0_slope_1_0 = p[28]
+    beam20_pinned_pinned2_1_0_slope_0_0 = p[29]
+    beam20_pinned_pinned2_1_0_slope_1_0 = p[30]
+    beam20_pinned_pinned2_1_0_H_0_0 = p[31]
+    beam20_pinned_pinned2_1_0_H_1_1 = p[32]
+    beam20_pinned_pinned2_0_0625_at_0_0 = p[33]
+    beam20_pinned_pinned2_0_0625_shape_1_0 = p[34]
+    beam20_pinned_pinned2_0_0625_shape_1_1 = p[35]
+    beam20_pinned_pinned2_0_0625_slope_0_0 = p[36]
+    beam20_pinned_pinned2_0_0625_slope_1_0 = p[37]
+    beam20_pinned_pinned2_0_0625_H_0_0 = p[38]
+    beam20_pinned_pinned2_0_0625_H_0_1 = p[39]
+    beam20_pinned_pinned2_0_0625_H_1_0 = p[40]
+    beam20_pinned_pinned2_0_0625_H_1_1 = p[41]
+    beam20_pinned_pinned2_0_125_at_0_0 = p[42]
+    beam20_pinned_pinned2_0_125_shape_1_0 = p[43]
+    beam20_pinned_pinned2_0_125_shape_1_1 = p[44]
+    beam20_pinned_pinned2_0_125_slope_0_0 = p[45]
+    beam20_pinned_pinned2_0_125_slope_1_0 = p[46]
+    beam20_pinned_pinned2_0_125_H_0_0 = p[47]
+    beam20_pinned_pinned2_0_125_H_0_1 = p[48]
+    beam20_pinned_pinned2_0_125_H_1_0 = p[49]
+    beam20_pinned_pinned2_0_125_H_1_1 = p[50]
+    beam20_pinned_pinned2_0_1875_at_0_0 = p[51]
+    beam20_pinned_pinned2_0_1875_shape_1_0 = p[52]
+    beam20_pinned_pinned2_0_1875_shape_1_1 = p[53]
+    beam20_pinned_pinned2_0_1875_slope_0_0 = p[54]
+    beam20_pinned_pinned2_0_1875_slope_1_0 = p[55]
+    beam20_pinned_pinned2_0_1875_H_0_0 = p[56]
+    beam20_pinned_pinned2_0_1875_H_0_1 = p[57]
+    beam20_pinned_pinned2_0_1875_H_1_0 = p[58]
+    beam20_pinned_pinned2_0_1875_H_1_1 = p[59]
+    beam20_pinned_pinned2_0_25_at_0_0 = p[60]
+    beam20_pinned_pinned2_0_25_shape_1_0 = p[61]
+    beam20_pinned_pinned2_0_25_shape_1_1 = p[62]
+    beam20_pinned_pinned2_0_25_slope_0_0 = p[63]
+    beam20_pinned_pinned2_0_25_H_0_0 = p[64]
+    beam20_pinned_pinned2_0_25_H_0_1 = p[65]
+    beam20_pinned_pinned2_0_25_H_1_0 = p[66]
+    beam20_pinned_pinned2_0_25_H_1_1 = p[67]
+    beam20_pinned_pinned2_0_3125_at_0_0 = p[68]
+    beam20_pinned_pinned2_0_3125_shape_1_0 = p[69]
+    beam20_pinned_pinned2_0_3125_shape_1_1 = p[70]
+    beam20_pinned_pinned2_0_3125_slope_0_0 = p[71]
+    beam20_pinned_pinned2_0_3125_slope_1_0 = p[72]
+    beam20_pinned_pinned2_0_3125_H_0_0 = p[73]
+    beam20_pinned_pinned2_0_3125_H_0_1 = p[74]
+    beam20_pinned_pinned2_0_3125_H_1_0 = p[75]
+    beam20_pinned_pinned2_0_3125_H_1_1 = p[76]
+    beam20_pinned_pinned2_0_375_at_0_0 = p[77]
+    beam20_pinned_pinned2_0_375_shape_1_0 = p[78]
+    beam20_pinned_pinned2_0_375_shape_1_1 = p[79]
+    beam20_pinned_pinned2_0_375_slope_0_0 = p[80]
+    beam20_pinned_pinned2_0_375_slope_1_0 = p[81]
+    beam20_pinned_pinned2_0_375_H_0_0 = p[82]
+    beam20_pinned_pinned2_0_375_H_0_1 = p[83]
+    beam20_pinned_pinned2_0_375_H_1_0 = p[84]
+    beam20_pinned_pinned2_0_375_H_1_1 = p[85]
+    beam20_pinned_pinned2_0_4375_at_0_0 = p[86]
+    beam20_pinned_pinned2_0_4375_shape_1_0 = p[87]
+    beam20_pinned_pinned2_0_4375_shape_1_1 = p[88]
+    beam20_pinned_pinned2_0_4375_slope_0_0 = p[89]
+    beam20_pinned_pinned2_0_4375_slope_1_0 = p[90]
+    beam20_pinned_pinned2_0_4375_H_0_0 = p[91]
+    beam20_pinned_pinned2_0_4375_H_0_1 = p[92]
+    beam20_pinned_pinned2_0_4375_H_1_0 = p[93]
+    beam20_pinned_pinned2_0_4375_H_1_1 = p[94]
+    beam20_pinned_pinned2_0_5_at_0_0 = p[95]
+    beam20_pinned_pinned2_0_5_shape_1_0 = p[96]
+    beam20_pinned_pinned2_0_5_slope_1_0 = p[97]
+    beam20_pinned_pinned2_0_5_H_0_0 = p[98]
+    beam20_pinned_pinned2_0_5_H_0_1 = p[99]
+    beam20_pinned_pinned2_0_5_H_1_0 = p[100]
+    beam20_pinned_pinned2_0_5_H_1_1 = p[101]
+    beam20_pinned_pinned2_0_5625_at_0_0 = p[102]
+    beam20_pinned_pinned2_0_5625_shape_1_0 = p[103]
+    beam20_pinned_pinned2_0_5625_shape_1_1 = p[104]
+    beam20_pinned_pinned2_0_5625_slope_0_0 = p[105]
+    beam20_pinned_pinned2_0_5625_slope_1_0 = p[106]
+    beam20_pinned_pinned2_0_5625_H_0_0 = p[107]
+    beam20_pinned_pinned2_0_5625_H_0_1 = p[108]
+    beam20_pinned_pinned2_0_5625_H_1_0 = p[109]
+    beam20_pinned_pinned2_0_5625_H_1_1 = p[110]
+    beam20_pinned_pinned2_0_625_at_0_0 = p[111]
+    beam20_pinned_pinned2_0_625_shape_1_0 = p[112]
+    beam20_pinned_pinned2_0_625_shape_1_1 = p[113]
+    beam20_pinned_pinned2_0_625_slope_0_0 = p[114]
+    beam20_pinned_pinned2_0_625_slope_1_0 = p[115]
+    beam20_pinned_pinned2_0_625_H_0_0 = p[116]
+    beam20_pinned_pinned2_0_625_H_0_1 = p[117]
+    beam20_pinned_pinned2_0_625_H_1_0 = p[118]
+    beam20_pinned_pinned2_0_625_H_1_1 = p[119]
+    beam20_pinned_pinned2_0_6875_at_0_0 = p[120]
+    beam20_pinned_pinned2_0_6875_shape_1_0 = p[121]
+    beam20_pinned_pinned2_0_6875_shape_1_1 = p[122]
+    beam20_pinned_pinned2_0_6875_slope_0_0 = p[123]
+    beam20_pinned_pinned2_0_6875_slope_1_0 = p[124]
+    beam20_pinned_pinned2_0_6875_H_0_0 = p[125]
+    beam20_pinned_pinned2_0_6875_H_0_1 = p[126]
+    beam20_pinned_pinned2_0_6875_H_1_0 = p[127]
+    beam20_pinned_pinned2_0_6875_H_1_1 = p[128]
+    beam20_pinned_pinned2_0_75_at_0_0 = p[129]
+    beam20_pinned_pinned2_0_75_shape_1_0 = p[130]
+    beam20_pinned_pinned2_0_75_shape_1_1 = p[131]
+    beam20_pinned_pinned2_0_75_slope_0_0 = p[132]
+    beam20_pinned_pinned2_0_75_H_0_0 = p[133]
+    beam20_pinned_pinned2_0_75_H_0_1 = p[134]
+    beam20_pinned_pinned2_0_75_H_1_0 = p[135]
+    beam20_pinned_pinned2_0_75_H_1_1 = p[136]
+    beam20_pinned_pinned2_0_8125_at_0_0 = p[137]
+    beam20_pinned_pinned2_0_8125_shape_1_0 = p[138]
+    beam20_pinned_pinned2_0_8125_shape_1_1 = p[139]
+    beam20_pinned_pinned2_0_8125_slope_0_0 = p[140]
+    beam20_pinned_pinned2_0_8125_slope_1_0 = p[141]
+    beam20_pinned_pinned2_0_8125_H_0_0 = p[142]
+    beam20_pinned_pinned2_0_8125_H_0_1 = p[143]
+    beam20_pinned_pinned2_0_8125_H_1_0 = p[144]
+    beam20_pinned_pinned2_0_8125_H_1_1 = p[145]
+    beam20_pinned_pinned2_0_875_at_0_0 = p[146]
+    beam20_pinned_pinned2_0_875_shape_1_0 = p[147]
+    beam20_pinned_pinned2_0_875_shape_1_1 = p[148]
+    beam20_pinned_pinned2_0_875_slope_0_0 = p[149]
+    beam20_pinned_pinned2_0_875_slope_1_0 = p[150]
+    beam20_pinned_pinned2_0_875_H_0_0 = p[151]
+    beam20_pinned_pinned2_0_875_H_0_1 = p[152]
+    beam20_pinned_pinned2_0_875_H_1_0 = p[153]
+    beam20_pinned_pinned2_0_875_H_1_1 = p[154]
+    beam20_pinned_pinned2_0_9375_at_0_0 = p[155]
+    beam20_pinned_pinned2_0_9375_shape_1_0 = p[156]
+    beam20_pinned_pinned2_0_9375_shape_1_1 = p[157]
+    beam20_pinned_pinned2_0_9375_slope_0_0 = p[158]
+    beam20_pinned_pinned2_0_9375_slope_1_0 = p[159]
+    beam20_pinned_pinned2_0_9375_H_0_0 = p[160]
+    beam20_pinned_pinned2_0_9375_H_0_1 = p[161]
+    beam20_pinned_pinned2_0_9375_H_1_0 = p[162]
+    beam20_pinned_pinned2_0_9375_H_1_1 = p[163]
+    w0 = beam20_pinned_pinned2_0_0_slope_0_0 / rod_length
+    w1 = beam20_pinned_pinned2_0_0_slope_1_0 / rod_length
+    w2 = beam20_pinned_pinned2_1_0_slope_0_0 / rod_length
+    w3 = beam20_pinned_pinned2_1_0_slope_1_0 / rod_length
+    w4 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
+    w5 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
+    w6 = ca.sqrt(12.0 * rod_second_moment / rod_area)
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
+        0.0,
+        0.0,
+        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
+        0.0,
+        0.0,
+        rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 23)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 23)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_shape_1_1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 38)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_0625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_1875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_25_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_3125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_4375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_5625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_625_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_6875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_75_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_8125_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_875_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_0_0 / rod_length,
+        0.0,
+        0.0,
+        beam20_pinned_pinned2_0_9375_slope_1_0 / rod_length,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+        0.0,
+        0.0,
+        w0,
+        0.0,
+        0.0,
+        w1,
+        0.0,
+        0.0,
+        w2,
+        0.0,
+        0.0,
+        w3,
+    )
+    turns = ca.reshape(turns, 3, 38)
+    turns = ca.densify(turns)
+    H = ca.vertcat(
+        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
+        w4,
+        0.0,
+        0.0,
+        w5,
+        w4,
+        0.0,
+        0.0,
+        w5,
+    )
+    H = ca.reshape(H, 1, 68)
+    H = ca.densify(H)
+    sections = ca.vertcat(
+        w6,
+        rod_area / w6,
+    )
+    sections = ca.densify(sections)
+    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2300,10 +2700,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

@@ -520,28 +520,49 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 18 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 38 operations."""
     q = ca.SX.sym("q", 6)
-    c = ca.SX.sym("c", 21)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
     finger_x = q[3]
     finger_y = q[4]
-    c7 = c[7]
-    xy = ca.vertcat(
+    finger_theta = q[5]
+    w0 = ca.cos(rod_theta)
+    w1 = ca.sin(rod_theta)
+    w2 = ca.cos(finger_theta)
+    w3 = ca.sin(finger_theta)
+    poses = ca.vertcat(
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * c7,
-        rod_y + ca.sin(rod_theta) * c7,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         finger_x,
         finger_y,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 3)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 2)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -751,6 +772,70 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_i_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 51 operations."""
+    p = ca.SX.sym("p", 10)
+    rod_tip_x = p[7]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 4)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 4)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -761,11 +846,12 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

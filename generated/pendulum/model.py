@@ -303,24 +303,31 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 14 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 20 operations."""
     q = ca.SX.sym("q", 3)
-    c = ca.SX.sym("c", 9)
     rod_x = q[0]
     rod_y = q[1]
     rod_theta = q[2]
-    c7 = c[7]
-    xy = ca.vertcat(
+    w0 = ca.cos(rod_theta)
+    w1 = ca.sin(rod_theta)
+    poses = ca.vertcat(
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * c7,
-        rod_y + ca.sin(rod_theta) * c7,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 2)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -372,6 +379,58 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 39 operations."""
+    p = ca.SX.sym("p", 3)
+    length = p[0]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        length,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 3)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 3)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -383,9 +442,10 @@ FUNCTIONS = {
     "reactions": reactions,
     "energy": energy,
     "measures": measures,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 162 operations."""
+    """c: everything that depends on the parameters p only. 96 operations."""
     p = ca.SX.sym("p", 68)
     omega = p[0]
     crank_mass = p[1]
@@ -44,39 +44,6 @@ def constants() -> ca.Function:
     crank_tip_x = p[32]
     rod_end_x = p[33]
     rod_end_shape_0_3 = p[34]
-    rod_at1_x = p[35]
-    rod_at1_shape_0_2 = p[36]
-    rod_at1_shape_0_3 = p[37]
-    rod_at1_shape_1_0 = p[38]
-    rod_at1_shape_1_1 = p[39]
-    rod_at2_x = p[40]
-    rod_at2_shape_0_2 = p[41]
-    rod_at2_shape_0_3 = p[42]
-    rod_at2_shape_1_0 = p[43]
-    rod_at2_shape_1_1 = p[44]
-    rod_at3_x = p[45]
-    rod_at3_shape_0_2 = p[46]
-    rod_at3_shape_0_3 = p[47]
-    rod_at3_shape_1_0 = p[48]
-    rod_at3_shape_1_1 = p[49]
-    rod_at4_x = p[50]
-    rod_at4_shape_0_2 = p[51]
-    rod_at4_shape_1_0 = p[52]
-    rod_at5_x = p[53]
-    rod_at5_shape_0_2 = p[54]
-    rod_at5_shape_0_3 = p[55]
-    rod_at5_shape_1_0 = p[56]
-    rod_at5_shape_1_1 = p[57]
-    rod_at6_x = p[58]
-    rod_at6_shape_0_2 = p[59]
-    rod_at6_shape_0_3 = p[60]
-    rod_at6_shape_1_0 = p[61]
-    rod_at6_shape_1_1 = p[62]
-    rod_at7_x = p[63]
-    rod_at7_shape_0_2 = p[64]
-    rod_at7_shape_0_3 = p[65]
-    rod_at7_shape_1_0 = p[66]
-    rod_at7_shape_1_1 = p[67]
     c = ca.vertcat(
         rod_M_ff_0_0,
         rod_end_shape_0_3,
@@ -121,39 +88,6 @@ def constants() -> ca.Function:
         rod_rho_dot_phi_2_0 + rod_rho_dot_phi_2_0,
         rod_rho_dot_phi_3_0 + rod_rho_dot_phi_3_0,
         rod_K_ff_2_3 + rod_K_ff_2_3,
-        rod_at1_x,
-        rod_at1_shape_0_2,
-        rod_at1_shape_0_3,
-        rod_at1_shape_1_0,
-        rod_at1_shape_1_1,
-        rod_at2_x,
-        rod_at2_shape_0_2,
-        rod_at2_shape_0_3,
-        rod_at2_shape_1_0,
-        rod_at2_shape_1_1,
-        rod_at3_x,
-        rod_at3_shape_0_2,
-        rod_at3_shape_0_3,
-        rod_at3_shape_1_0,
-        rod_at3_shape_1_1,
-        rod_at4_x,
-        rod_at4_shape_0_2,
-        rod_at4_shape_1_0,
-        rod_at5_x,
-        rod_at5_shape_0_2,
-        rod_at5_shape_0_3,
-        rod_at5_shape_1_0,
-        rod_at5_shape_1_1,
-        rod_at6_x,
-        rod_at6_shape_0_2,
-        rod_at6_shape_0_3,
-        rod_at6_shape_1_0,
-        rod_at6_shape_1_1,
-        rod_at7_x,
-        rod_at7_shape_0_2,
-        rod_at7_shape_0_3,
-        rod_at7_shape_1_0,
-        rod_at7_shape_1_1,
         2 * rod_phi_cross_phi_1_3,
         2 * rod_phi_cross_phi_2_0,
         -rod_phi_cross_phi_0_2,
@@ -169,7 +103,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -283,7 +217,7 @@ def closure() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q4 = q_i[3]
     rod_theta = q_d[5]
     c1 = c[1]
@@ -326,7 +260,7 @@ def velocities() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -365,7 +299,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q4 = q_i[3]
     crank_theta = q_d[2]
     rod_theta = q_d[5]
@@ -409,7 +343,7 @@ def constraints() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     t = ca.SX.sym("t", 1)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -617,7 +551,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 698 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1249,7 +1183,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1378,7 +1312,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 222 operations."""
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     crank_theta = q[2]
     rod_theta = q[5]
     rod_q1 = q[6]
@@ -1482,110 +1416,66 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 192 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 13)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 79)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
     rod_x = q[3]
     rod_y = q[4]
     rod_theta = q[5]
-    rod_q1 = q[6]
-    rod_q2 = q[7]
-    rod_q3 = q[8]
-    rod_q4 = q[9]
     slider_x = q[10]
     slider_y = q[11]
-    c1 = c[1]
-    c2 = c[2]
-    c21 = c[21]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    c50 = c[50]
-    c51 = c[51]
-    c52 = c[52]
-    c53 = c[53]
-    c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
-    c61 = c[61]
-    c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
-    c65 = c[65]
-    c66 = c[66]
-    c67 = c[67]
-    c68 = c[68]
-    c69 = c[69]
-    c70 = c[70]
-    c71 = c[71]
-    c72 = c[72]
-    c73 = c[73]
-    c74 = c[74]
-    c75 = c[75]
-    w0 = ca.cos(rod_theta)
-    w1 = rod_q3 * exaggeration
-    w2 = exaggeration * rod_q4
-    w3 = c43 + (w1 * c44 + w2 * c45)
-    w4 = ca.sin(rod_theta)
-    w5 = exaggeration * rod_q1
-    w6 = exaggeration * rod_q2
-    w7 = w5 * c46 + w6 * c47
-    w8 = c48 + (w1 * c49 + w2 * c50)
-    w9 = w5 * c51 + w6 * c52
-    w10 = c53 + (w1 * c54 + w2 * c55)
-    w11 = w5 * c56 + w6 * c57
-    w12 = c58 + w1 * c59
-    w13 = w5 * c60
-    w14 = c61 + (w1 * c62 + w2 * c63)
-    w15 = w5 * c64 + w6 * c65
-    w16 = c66 + (w1 * c67 + w2 * c68)
-    w17 = w5 * c69 + w6 * c70
-    w18 = c71 + (w1 * c72 + w2 * c73)
-    w19 = w5 * c74 + w6 * c75
-    w20 = c2 + w2 * c1
-    xy = ca.vertcat(
+    slider_theta = q[12]
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(rod_theta)
+    w3 = ca.sin(rod_theta)
+    w4 = ca.cos(slider_theta)
+    w5 = ca.sin(slider_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c21,
-        crank_y + ca.sin(crank_theta) * c21,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rod_x,
         rod_y,
-        rod_x + (w0 * w3 - w4 * w7),
-        rod_y + (w3 * w4 + w0 * w7),
-        rod_x + (w0 * w8 - w4 * w9),
-        rod_y + (w4 * w8 + w0 * w9),
-        rod_x + (w0 * w10 - w4 * w11),
-        rod_y + (w4 * w10 + w0 * w11),
-        rod_x + (w0 * w12 - w4 * w13),
-        rod_y + (w4 * w12 + w0 * w13),
-        rod_x + (w0 * w14 - w4 * w15),
-        rod_y + (w4 * w14 + w0 * w15),
-        rod_x + (w0 * w16 - w4 * w17),
-        rod_y + (w4 * w16 + w0 * w17),
-        rod_x + (w0 * w18 - w4 * w19),
-        rod_y + (w4 * w18 + w0 * w19),
-        rod_x + w0 * w20,
-        rod_y + w4 * w20,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         slider_x,
         slider_y,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 12)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, exaggeration, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1594,7 +1484,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1638,9 +1528,9 @@ def dQ_hat_dq_i() -> ca.Function:
     c28 = c[28]
     c29 = c[29]
     c38 = c[38]
-    c76 = c[76]
-    c77 = c[77]
-    c78 = c[78]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
     w0 = rod_theta_dot**2
     w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
@@ -1687,7 +1577,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w43 = w15 * (w19 - w30 * w34) - (w13 * c5 + w30 * w36) + (w1 * w20 + 2 * (rod_q3_dot * c4 + rod_q4_dot * c5) + w30 * w37) * w42
     w44 = c7 - rod_q4 * c8
     w45 = rod_q1 * c11
-    w46 = w22 + w36 * w45 + w15 * (w34 * w45 - (w24 - w23)) + w42 * (w1 * w27 + rod_q1_dot * c77 - w37 * w45)
+    w46 = w22 + w36 * w45 + w15 * (w34 * w45 - (w24 - w23)) + w42 * (w1 * w27 + rod_q1_dot * c44 - w37 * w45)
     w47 = rod_q1 * c14 + rod_q2 * c15
     w48 = (w13 * w14 - w7 * w36 - w0 * w35) * c13
     w49 = w18 * (w5 * c27)
@@ -1720,12 +1610,12 @@ def dQ_hat_dq_i() -> ca.Function:
         w0 * c6 - c22,
         0.0,
         -(w13 * c15 + w15 * (w16 * (rod_q2_dot * c6) + w13 * (2 * w21))),
-        w13 * c78,
+        w13 * c45,
         0.0,
         w0 * c9 - c23,
         w29,
         w43,
-        w42 * (w1 * w21 + rod_q4_dot * c76 + w37 * w44) - (w13 * c8 + w36 * w44 + w15 * (w34 * w44)),
+        w42 * (w1 * w21 + rod_q4_dot * c43 + w37 * w44) - (w13 * c8 + w36 * w44 + w15 * (w34 * w44)),
         w46,
         w67 + w42 * w69,
     )
@@ -1740,7 +1630,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1824,7 +1714,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -1917,7 +1807,7 @@ def blocks() -> ca.Function:
     q_d = ca.SX.sym("q_d", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -2048,7 +1938,7 @@ def substep_2() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_L_ddot = ca.SX.sym("q_L_ddot", 2)
-    c = ca.SX.sym("c", 79)
+    c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
@@ -2138,6 +2028,437 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 410 operations."""
+    p = ca.SX.sym("p", 68)
+    crank_tip_x = p[32]
+    rod_end_x = p[33]
+    rod_end_shape_0_3 = p[34]
+    rod_at1_x = p[35]
+    rod_at1_shape_0_2 = p[36]
+    rod_at1_shape_0_3 = p[37]
+    rod_at1_shape_1_0 = p[38]
+    rod_at1_shape_1_1 = p[39]
+    rod_at2_x = p[40]
+    rod_at2_shape_0_2 = p[41]
+    rod_at2_shape_0_3 = p[42]
+    rod_at2_shape_1_0 = p[43]
+    rod_at2_shape_1_1 = p[44]
+    rod_at3_x = p[45]
+    rod_at3_shape_0_2 = p[46]
+    rod_at3_shape_0_3 = p[47]
+    rod_at3_shape_1_0 = p[48]
+    rod_at3_shape_1_1 = p[49]
+    rod_at4_x = p[50]
+    rod_at4_shape_0_2 = p[51]
+    rod_at4_shape_1_0 = p[52]
+    rod_at5_x = p[53]
+    rod_at5_shape_0_2 = p[54]
+    rod_at5_shape_0_3 = p[55]
+    rod_at5_shape_1_0 = p[56]
+    rod_at5_shape_1_1 = p[57]
+    rod_at6_x = p[58]
+    rod_at6_shape_0_2 = p[59]
+    rod_at6_shape_0_3 = p[60]
+    rod_at6_shape_1_0 = p[61]
+    rod_at6_shape_1_1 = p[62]
+    rod_at7_x = p[63]
+    rod_at7_shape_0_2 = p[64]
+    rod_at7_shape_0_3 = p[65]
+    rod_at7_shape_1_0 = p[66]
+    rod_at7_shape_1_1 = p[67]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        rod_at1_x,
+        0.0,
+        0.0,
+        rod_at2_x,
+        0.0,
+        0.0,
+        rod_at3_x,
+        0.0,
+        0.0,
+        rod_at4_x,
+        0.0,
+        0.0,
+        rod_at5_x,
+        0.0,
+        0.0,
+        rod_at6_x,
+        0.0,
+        0.0,
+        rod_at7_x,
+        0.0,
+        0.0,
+        rod_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 13)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 13)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        rod_at1_shape_1_0,
+        0.0,
+        0.0,
+        rod_at1_shape_1_1,
+        0.0,
+        rod_at1_shape_0_2,
+        0.0,
+        0.0,
+        rod_at1_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at2_shape_1_0,
+        0.0,
+        0.0,
+        rod_at2_shape_1_1,
+        0.0,
+        rod_at2_shape_0_2,
+        0.0,
+        0.0,
+        rod_at2_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at3_shape_1_0,
+        0.0,
+        0.0,
+        rod_at3_shape_1_1,
+        0.0,
+        rod_at3_shape_0_2,
+        0.0,
+        0.0,
+        rod_at3_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at4_shape_1_0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_at4_shape_0_2,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_at5_shape_1_0,
+        0.0,
+        0.0,
+        rod_at5_shape_1_1,
+        0.0,
+        rod_at5_shape_0_2,
+        0.0,
+        0.0,
+        rod_at5_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at6_shape_1_0,
+        0.0,
+        0.0,
+        rod_at6_shape_1_1,
+        0.0,
+        rod_at6_shape_0_2,
+        0.0,
+        0.0,
+        rod_at6_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_at7_shape_1_0,
+        0.0,
+        0.0,
+        rod_at7_shape_1_1,
+        0.0,
+        rod_at7_shape_0_2,
+        0.0,
+        0.0,
+        rod_at7_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_end_shape_0_3,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 36)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    turns = ca.reshape(turns, 3, 36)
+    turns = ca.densify(turns)
+    inputs, outputs = [p], [positions, axes, shapes, turns]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -2148,10 +2469,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

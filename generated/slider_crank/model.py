@@ -847,10 +847,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 32 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 56 operations."""
     q = ca.SX.sym("q", 9)
-    c = ca.SX.sym("c", 25)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -859,24 +858,55 @@ def drawing() -> ca.Function:
     rod_theta = q[5]
     slider_x = q[6]
     slider_y = q[7]
-    c1 = c[1]
-    c5 = c[5]
-    xy = ca.vertcat(
+    slider_theta = q[8]
+    w0 = ca.cos(crank_theta)
+    w1 = ca.sin(crank_theta)
+    w2 = ca.cos(rod_theta)
+    w3 = ca.sin(rod_theta)
+    w4 = ca.cos(slider_theta)
+    w5 = ca.sin(slider_theta)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
-        crank_x + ca.cos(crank_theta) * c1,
-        crank_y + ca.sin(crank_theta) * c1,
+        0.0,
+        w0,
+        w1,
+        0.0,
+        -w1,
+        w0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         rod_x,
         rod_y,
-        rod_x + ca.cos(rod_theta) * c5,
-        rod_y + ca.sin(rod_theta) * c5,
+        0.0,
+        w2,
+        w3,
+        0.0,
+        -w3,
+        w2,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
         slider_x,
         slider_y,
+        0.0,
+        w4,
+        w5,
+        0.0,
+        -w5,
+        w4,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
     )
-    xy = ca.reshape(xy, 2, 5)
-    xy = ca.densify(xy)
-    inputs, outputs = [q, c], [xy]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xy"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -1033,6 +1063,95 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 76 operations."""
+    p = ca.SX.sym("p", 11)
+    crank_tip_x = p[9]
+    rod_tip_x = p[10]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_tip_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 6)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 6)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -1043,8 +1162,9 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "geometry": geometry,
 }

@@ -7,7 +7,7 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 134 operations."""
+    """c: everything that depends on the parameters p only. 132 operations."""
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
     link1_mass = p[1]
@@ -27,7 +27,6 @@ def constants() -> ca.Function:
     link3_inertia_zz = p[15]
     link1_end_x = p[16]
     link2_end_x = p[17]
-    link3_end_x = p[18]
     w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
     w1 = w0 - link1_inertia_yy
     w2 = w0 - link1_inertia_zz
@@ -92,7 +91,6 @@ def constants() -> ca.Function:
         link1_mass,
         w25,
         link1_mass * gravity_z,
-        link3_end_x,
         w8 + w17,
         2.0,
         2 * w8,
@@ -116,7 +114,7 @@ def condensed() -> ca.Function:
     """M_hat and Q_hat (Eq. 38). 737 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -452,7 +450,7 @@ def condensed() -> ca.Function:
 def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 39 operations."""
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -484,7 +482,7 @@ def velocities() -> ca.Function:
     """q_d_dot (Eq. 36). 65 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -527,7 +525,7 @@ def accelerations() -> ca.Function:
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -625,7 +623,7 @@ def constraints() -> ca.Function:
     """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 440 operations."""
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -925,7 +923,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 1443 operations."""
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -2061,7 +2059,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
     q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -2232,7 +2230,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 299 operations."""
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
@@ -2372,62 +2370,100 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 72 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 129 operations."""
     q = ca.SX.sym("q", 18)
-    c = ca.SX.sym("c", 51)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
+    link1_theta3 = q[5]
     link2_x = q[6]
     link2_y = q[7]
     link2_z = q[8]
     link2_theta1 = q[9]
     link2_theta2 = q[10]
+    link2_theta3 = q[11]
     link3_x = q[12]
     link3_y = q[13]
     link3_z = q[14]
     link3_theta1 = q[15]
     link3_theta2 = q[16]
-    c6 = c[6]
-    c13 = c[13]
-    c37 = c[37]
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.cos(link2_theta2)
-    w2 = ca.cos(link3_theta2)
-    xyz = ca.vertcat(
+    link3_theta3 = q[17]
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
+    w2 = ca.sin(link1_theta1)
+    w3 = ca.sin(link1_theta2)
+    w4 = ca.sin(link1_theta3)
+    w5 = ca.cos(link1_theta3)
+    w6 = w2 * w5
+    w7 = w0 * w5
+    w8 = ca.cos(link2_theta1)
+    w9 = ca.cos(link2_theta2)
+    w10 = ca.sin(link2_theta1)
+    w11 = ca.sin(link2_theta2)
+    w12 = ca.sin(link2_theta3)
+    w13 = ca.cos(link2_theta3)
+    w14 = w10 * w13
+    w15 = w8 * w13
+    w16 = ca.cos(link3_theta1)
+    w17 = ca.cos(link3_theta2)
+    w18 = ca.sin(link3_theta1)
+    w19 = ca.sin(link3_theta2)
+    w20 = ca.sin(link3_theta3)
+    w21 = ca.cos(link3_theta3)
+    w22 = w18 * w21
+    w23 = w16 * w21
+    poses = ca.vertcat(
         link1_x,
         link1_y,
         link1_z,
-        link1_x + ca.cos(link1_theta1) * w0 * c6,
-        link1_y + w0 * ca.sin(link1_theta1) * c6,
-        link1_z - ca.sin(link1_theta2) * c6,
+        w0 * w1,
+        w1 * w2,
+        -w3,
+        w0 * w3 * w4 - w6,
+        w7 + w4 * (w2 * w3),
+        w1 * w4,
+        w2 * w4 + w3 * w7,
+        w3 * w6 - w0 * w4,
+        w1 * w5,
         link2_x,
         link2_y,
         link2_z,
-        link2_x + ca.cos(link2_theta1) * w1 * c13,
-        link2_y + w1 * ca.sin(link2_theta1) * c13,
-        link2_z - ca.sin(link2_theta2) * c13,
+        w8 * w9,
+        w9 * w10,
+        -w11,
+        w8 * w11 * w12 - w14,
+        w15 + w12 * (w10 * w11),
+        w9 * w12,
+        w10 * w12 + w11 * w15,
+        w11 * w14 - w8 * w12,
+        w9 * w13,
         link3_x,
         link3_y,
         link3_z,
-        link3_x + ca.cos(link3_theta1) * w2 * c37,
-        link3_y + w2 * ca.sin(link3_theta1) * c37,
-        link3_z - ca.sin(link3_theta2) * c37,
+        w16 * w17,
+        w17 * w18,
+        -w19,
+        w16 * w19 * w20 - w22,
+        w23 + w20 * (w18 * w19),
+        w17 * w20,
+        w18 * w20 + w19 * w23,
+        w19 * w22 - w16 * w20,
+        w17 * w21,
     )
-    xyz = ca.reshape(xyz, 3, 6)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1702 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2474,10 +2510,10 @@ def dQ_hat_dq_i() -> ca.Function:
     c31 = c[31]
     c32 = c[32]
     c33 = c[33]
+    c37 = c[37]
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
-    c41 = c[41]
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
@@ -2707,7 +2743,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w226 = w31 * w212 - w214 * w215 - (w1 * (w207 * w216 - w206 * w217 + w7 * c2) + w4 * w221) + (w32 * w223 - w202 * w225)
     w227 = w1 * w7 - w4 * w220 - (w18 * w215 + w31 * w211) - (w32 * w222 - w26 * w202)
     w228 = w85 * c6
-    w229 = w18 * (w2 * w15) - w86 * w211 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c39 - (w26 * (w1 * w20) + w88 * w222)
+    w229 = w18 * (w2 * w15) - w86 * w211 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c38 - (w26 * (w1 * w20) + w88 * w222)
     w230 = link1_theta3_dot * w19
     w231 = w19 * c6
     w232 = w41 * w183 - w5 * w230 - (w11 * w34 + w37 * w231)
@@ -2717,7 +2753,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w236 = w235 * c8
     w237 = w235 * c7 + w236
     w238 = w38 * w183 - w5 * w233 - (w3 * w11 + w37 * w228)
-    w239 = w18 * (w9 * w15) - w21 * w211 + w8 * (link1_theta2_dot * (link1_theta1_dot * (w1 * w4))) * c39 - (w26 * (w1 * w28) + w156 * w222)
+    w239 = w18 * (w9 * w15) - w21 * w211 + w8 * (link1_theta2_dot * (link1_theta1_dot * (w1 * w4))) * c38 - (w26 * (w1 * w28) + w156 * w222)
     w240 = w41 * w234 - w42 * w230 - (w37 * w238 - w11 * w39) - (w5 * w239 + w157 * w183 + (w34 * w227 - w33 * w231))
     w241 = w240 * c8
     w242 = w240 * c7 + w241
@@ -2762,7 +2798,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w281 = w277 * c12 + (w71 * (w279 * c12) + w59 * w280)
     w282 = w50 * w63
     w283 = link2_theta1_dot * w282
-    w284 = w63 * (w54 * (link2_theta1_dot * w50)) * c40 + w63 * (w58 * (link2_theta1_dot * w52)) * c40
+    w284 = w63 * (w54 * (link2_theta1_dot * w50)) * c39 + w63 * (w58 * (link2_theta1_dot * w52)) * c39
     w285 = w47 * w75
     w286 = link2_theta1_dot * (w50 * w144 + w52 * (w47 * link2_theta2_dot))
     w287 = w71 * (w283 * c12) + w55 * w280 - w286 * c12
@@ -2771,7 +2807,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w290 = w137 * c13
     w291 = w52 * w135
     w292 = w47 * w62
-    w293 = w82 * w291 - w138 * w286 + w63 * (w61 * (link2_theta2_dot * w280)) * c39 - (w70 * w292 + w140 * w277)
+    w293 = w82 * w291 - w138 * w286 + w63 * (w61 * (link2_theta2_dot * w280)) * c38 - (w70 * w292 + w140 * w277)
     w294 = w64 * link2_theta3_dot
     w295 = w64 * c13
     w296 = w146 * w192 - w142 * w294 - (w66 * w147 + w145 * w295)
@@ -2781,7 +2817,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w300 = w299 * c8
     w301 = w73 * w276 + w65 * w281 - (w60 * w64 + w49 * w284) + (w84 * w285 + w78 * w287) - w300
     w302 = w149 * w192 - w142 * w297 - (w66 * w136 + w145 * w290)
-    w303 = w82 * w276 - w65 * w286 + w63 * (link2_theta2_dot * (w49 * link2_theta1_dot)) * c39 - (w70 * w285 + w78 * w277)
+    w303 = w82 * w276 - w65 * w286 + w63 * (link2_theta2_dot * (w49 * link2_theta1_dot)) * c38 - (w70 * w285 + w78 * w277)
     w304 = w146 * w298 - w150 * w294 - (w145 * w302 - w66 * w166) - (w142 * w303 + w170 * w192 + (w147 * w289 - w134 * w295))
     w305 = w304 * c8
     w306 = w73 * w291 + w138 * w281 - (w60 * w137 + w135 * w284) + (w84 * w292 + w140 * w287) - w305
@@ -2837,7 +2873,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w356 = w352 * c14 + (w118 * (w354 * c14) + w106 * w355)
     w357 = w97 * w110
     w358 = link3_theta1_dot * w357
-    w359 = w110 * (w101 * (link3_theta1_dot * w97)) * c41 + w110 * (w105 * (link3_theta1_dot * w99)) * c41
+    w359 = w110 * (w101 * (link3_theta1_dot * w97)) * c40 + w110 * (w105 * (link3_theta1_dot * w99)) * c40
     w360 = link3_theta1_dot * (w97 * w351 + w99 * (w94 * link3_theta2_dot))
     w361 = w118 * (w358 * c14) + w102 * w355 - w360 * c14
     w362 = w120 * (w96 * w99) + w112 * w356 - (w107 * w111 + w96 * w359) + (w131 * (w94 * w122) + w125 * w361)
@@ -2876,7 +2912,7 @@ def dQ_hat_dq_i() -> ca.Function:
         w177 * w178 + w174 * w179 - (w154 * w178 - w46 * w179 - w183 * (w185 * c7 + w185 * c8)),
         0.0,
         w147 * w176 - (w44 * w186 - w175 * w187 + w45 * w136),
-        w63 * (w44 * w48) * c38 + (w47 * w185 * c38 + w137 * w175 * c38),
+        w63 * (w44 * w48) * c37 + (w47 * w185 * c37 + w137 * w175 * c37),
         0.0,
         -(w44 * w195 - w175 * w196),
         w175 * w198 + w44 * w199 + w185 * w200,
@@ -2885,7 +2921,7 @@ def dQ_hat_dq_i() -> ca.Function:
         w245,
         w221,
         w147 * w241 - (w186 * w235 - w187 * w240 + w136 * w236),
-        w64 * w235 * c38 + (w47 * w243 * c38 + w137 * w240 * c38),
+        w64 * w235 * c37 + (w47 * w243 * c37 + w137 * w240 * c37),
         0.0,
         -(w195 * w235 - w196 * w240),
         w198 * w240 + w199 * w235 + w200 * w243,
@@ -2893,8 +2929,8 @@ def dQ_hat_dq_i() -> ca.Function:
         w32 * w214 + w31 * w248 - w4 * w250 + (w32 * w252 - w31 * w225) - w3 * w257 - w34 * w261,
         w263 - w178 * w261,
         w250,
-        -(w135 * w255 * c38 + w49 * w259 * c38),
-        w190 * w255 - w189 * w259 + w47 * w262 * c38 + w193 * w256 - w194 * w260,
+        -(w135 * w255 * c37 + w49 * w259 * c37),
+        w190 * w255 - w189 * w259 + w47 * w262 * c37 + w193 * w256 - w194 * w260,
         0.0,
         -(w195 * w255 + w196 * w259),
         w199 * w255 - w198 * w259 + w200 * w262,
@@ -2964,7 +3000,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     """Total derivative of Q_hat by q_i_dot, through q_d_dot. 1230 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -3007,9 +3043,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
-    c38 = c[38]
+    c37 = c[37]
+    c39 = c[39]
     c40 = c[40]
-    c41 = c[41]
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta3)
     w2 = w0 * w1
@@ -3136,7 +3172,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w123 = w57 * w121
     w124 = w119 * link2_theta2_dot
     w125 = link2_theta1_dot * w123 + w124
-    w126 = w120 * w122 * c40 + w123 * w125 * c40
+    w126 = w120 * w122 * c39 + w123 * w125 * c39
     w127 = w56 * w119
     w128 = w127 + w102 * w121
     w129 = w57 * link2_theta3_dot
@@ -3177,7 +3213,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w164 = w125 * c15
     w165 = w125 * w160 + w123 * w161 - (w122 * w163 + w120 * w164) + w137 * c17
     w166 = w131 * w163 - w65 * w164 - (w123 * w158 - w125 * w159) + w130 * c20
-    w167 = w119 * w125 * c40 - w121 * w122 * c40
+    w167 = w119 * w125 * c39 - w121 * w122 * c39
     w168 = link2_theta1_dot * (w65 * w119) + w119 * link2_theta3_dot
     w169 = w168 * c12 - w131 * (w119 * c12)
     w170 = link2_theta1_dot * (w65 * w121) + w121 * link2_theta3_dot
@@ -3221,7 +3257,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w208 = w72 * w206
     w209 = w204 * link3_theta2_dot
     w210 = link3_theta1_dot * w208 + w209
-    w211 = w205 * w207 * c41 + w208 * w210 * c41
+    w211 = w205 * w207 * c40 + w208 * w210 * c40
     w212 = w71 * w204
     w213 = w212 + w206 * (w75 * w78)
     w214 = w72 * link3_theta3_dot
@@ -3246,7 +3282,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w233 = w210 * c23
     w234 = w210 * w229 + w208 * w230 - (w207 * w232 + w205 * w233) + w72 * link3_theta2_dot * c25
     w235 = w216 * w232 - w78 * w233 - (w208 * w227 - w210 * w228) + w215 * c28
-    w236 = w204 * w210 * c41 - w206 * w207 * c41
+    w236 = w204 * w210 * c40 - w206 * w207 * c40
     w237 = link3_theta1_dot * (w78 * w204) + w204 * link3_theta3_dot
     w238 = w237 * c14 - w216 * (w204 * c14)
     w239 = link3_theta1_dot * (w78 * w206) + w206 * link3_theta3_dot
@@ -3265,8 +3301,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         w2 * w14 - w3 * w20 + w7 * w22 - w25 * w42 - w37 * w51,
         w6 * w14 - w1 * w22 + w52 * (w53 * c7 + w53 * c8) + w42 * w54 - w51 * w55,
         w20,
-        -(w57 * (w40 * w56) * c38 + w60 * (w49 * w57) * c38),
-        w40 * (w60 * w66) - w49 * (w56 * w66) + w53 * w57 * c38 + w41 * w69 - w50 * w70,
+        -(w57 * (w40 * w56) * c37 + w60 * (w49 * w57) * c37),
+        w40 * (w60 * w66) - w49 * (w56 * w66) + w53 * w57 * c37 + w41 * w69 - w50 * w70,
         0.0,
         -(w40 * w74 + w49 * w77),
         w40 * w80 - w49 * w81 + w53 * w82,
@@ -3275,7 +3311,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         w6 * w85 - w1 * w90 + w52 * (w101 * c7 + w101 * c8) + w54 * w96 + w55 * w100,
         w88,
         w64 * w99 - (w59 * w94 - w62 * w98 + w63 * w95),
-        w94 * w102 * c38 + (w57 * w101 * c38 + w98 * w103 * c38),
+        w94 * w102 * c37 + (w57 * w101 * c37 + w98 * w103 * c37),
         0.0,
         -(w74 * w94 - w77 * w98),
         w81 * w98 + w80 * w94 + w82 * w101,
@@ -3284,7 +3320,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
         w6 * w104 - w1 * w105 + w52 * (w118 * c7 + w118 * c8) + w54 * w112 + w55 * w117,
         0.0,
         w64 * w116 - (w59 * w110 - w62 * w115 + w63 * w111),
-        w102 * w110 * c38 + (w57 * w118 * c38 + w103 * w115 * c38),
+        w102 * w110 * c37 + (w57 * w118 * c37 + w103 * w115 * c37),
         0.0,
         -(w74 * w110 - w77 * w115),
         w81 * w115 + w80 * w110 + w82 * w118,
@@ -3354,7 +3390,7 @@ def dMa_dq_i() -> ca.Function:
     """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 660 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -3388,7 +3424,8 @@ def dMa_dq_i() -> ca.Function:
     c25 = c[25]
     c27 = c[27]
     c28 = c[28]
-    c38 = c[38]
+    c37 = c[37]
+    c41 = c[41]
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
@@ -3397,7 +3434,6 @@ def dMa_dq_i() -> ca.Function:
     c47 = c[47]
     c48 = c[48]
     c49 = c[49]
-    c50 = c[50]
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
     w2 = w0 * w1 * c6
@@ -3476,7 +3512,7 @@ def dMa_dq_i() -> ca.Function:
     w75 = w71 * c5
     w76 = w73 * c4
     w77 = w5 * w73 * w75 - w5 * w71 * w76
-    w78 = link1_theta1_ddot * (w70 * c42 - w71 * (w70 * w71) * c43 - w73 * (w70 * w73) * c44) + link1_theta2_ddot * w77
+    w78 = link1_theta1_ddot * (w70 * c41 - w71 * (w70 * w71) * c42 - w73 * (w70 * w73) * c43) + link1_theta2_ddot * w77
     w79 = w3 * w5 * c6
     w80 = w1 * w60
     w81 = link1_theta1_ddot * w79 + link1_theta2_ddot * w80
@@ -3523,7 +3559,7 @@ def dMa_dq_i() -> ca.Function:
     w122 = w15 * w121
     w123 = ca.cos(link2_theta3)
     w124 = w15 * w123
-    w125 = link2_theta1_ddot * (w120 * c45 - w121 * (w120 * w121) * c46 - w123 * (w120 * w123) * c47) - (w13 * w103 + w8 * w110)
+    w125 = link2_theta1_ddot * (w120 * c44 - w121 * (w120 * w121) * c45 - w123 * (w120 * w123) * c46) - (w13 * w103 + w8 * w110)
     w126 = w121 * c20
     w127 = w123 * c19
     w128 = w21 * w123 * w126 - w21 * w121 * w127
@@ -3547,7 +3583,7 @@ def dMa_dq_i() -> ca.Function:
     w146 = w31 * w145
     w147 = ca.cos(link3_theta3)
     w148 = w31 * w147
-    w149 = link3_theta1_ddot * (w144 * c48 - w145 * (w144 * w145) * c49 - w147 * (w144 * w147) * c50) - (w30 * w137 + w53 * w139)
+    w149 = link3_theta1_ddot * (w144 * c47 - w145 * (w144 * w145) * c48 - w147 * (w144 * w147) * c49) - (w30 * w137 + w53 * w139)
     w150 = w145 * c28
     w151 = w147 * c27
     w152 = w36 * w147 * w150 - w36 * w145 * w151
@@ -3559,7 +3595,7 @@ def dMa_dq_i() -> ca.Function:
         w11 * w12 - w7 * w41 - (w12 * w59 - w7 * w43),
         0.0,
         w67 - w68 - w42 * w49 + w10 * w25,
-        w21 * (w13 * w16) * c38 + w21 * (w8 * w20) * c38,
+        w21 * (w13 * w16) * c37 + w21 * (w8 * w20) * c37,
         0.0,
         w8 * w33 - w13 * w54,
         w8 * w38 + w13 * w56,
@@ -3573,8 +3609,8 @@ def dMa_dq_i() -> ca.Function:
         w33 * w86 - w54 * w81,
         w38 * w86 + w56 * w81 - w65 * w89,
         0.0,
-        link1_theta1_ddot * (w92 * c43 - w92 * c44) + link1_theta2_ddot * w93,
-        link1_theta1_ddot * w93 + link1_theta2_ddot * (w94 * c44 - w94 * c43),
+        link1_theta1_ddot * (w92 * c42 - w92 * c43) + link1_theta2_ddot * w93,
+        link1_theta1_ddot * w93 + link1_theta2_ddot * (w94 * c43 - w94 * c42),
         0.0,
         0.0,
         0.0,
@@ -3603,8 +3639,8 @@ def dMa_dq_i() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        link2_theta1_ddot * (w131 * c46 - w131 * c47) + link2_theta2_ddot * w132,
-        link2_theta1_ddot * w132 + link2_theta2_ddot * (w133 * c47 - w133 * c46),
+        link2_theta1_ddot * (w131 * c45 - w131 * c46) + link2_theta2_ddot * w132,
+        link2_theta1_ddot * w132 + link2_theta2_ddot * (w133 * c46 - w133 * c45),
         0.0,
         0.0,
         0.0,
@@ -3633,8 +3669,8 @@ def dMa_dq_i() -> ca.Function:
         0.0,
         0.0,
         0.0,
-        link3_theta1_ddot * (w153 * c49 - w153 * c50) + link3_theta2_ddot * w154,
-        link3_theta1_ddot * w154 + link3_theta2_ddot * (w155 * c50 - w155 * c49),
+        link3_theta1_ddot * (w153 * c48 - w153 * c49) + link3_theta2_ddot * w154,
+        link3_theta1_ddot * w154 + link3_theta2_ddot * (w155 * c49 - w155 * c48),
         0.0,
     )
     dMa_dq_i = ca.reshape(dMa_dq_i, 9, 9)
@@ -3647,7 +3683,7 @@ def forward_dynamics() -> ca.Function:
     """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 853 operations."""
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 51)
+    c = ca.SX.sym("c", 50)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -3945,6 +3981,108 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 89 operations."""
+    p = ca.SX.sym("p", 19)
+    link1_end_x = p[16]
+    link2_end_x = p[17]
+    link3_end_x = p[18]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link1_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link2_end_x,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        link3_end_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 7)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 7)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -3955,9 +4093,10 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

@@ -9334,11 +9334,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 161 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 136 operations."""
     q = ca.SX.sym("q", 31)
-    exaggeration = ca.SX.sym("exaggeration", 1)
-    c = ca.SX.sym("c", 335)
     crank_x = q[0]
     crank_y = q[1]
     crank_z = q[2]
@@ -9349,6 +9347,10 @@ def drawing() -> ca.Function:
     slider_x = q[7]
     slider_y = q[8]
     slider_z = q[9]
+    slider_e0 = q[10]
+    slider_e1 = q[11]
+    slider_e2 = q[12]
+    slider_e3 = q[13]
     rod_x = q[14]
     rod_y = q[15]
     rod_z = q[16]
@@ -9356,82 +9358,81 @@ def drawing() -> ca.Function:
     rod_e1 = q[18]
     rod_e2 = q[19]
     rod_e3 = q[20]
-    rod_q1 = q[21]
-    rod_q2 = q[22]
-    rod_q3 = q[23]
-    rod_q4 = q[24]
-    rod_q5 = q[25]
-    c20 = c[20]
-    c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    c27 = c[27]
-    c28 = c[28]
-    c29 = c[29]
-    c30 = c[30]
-    c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
-    c34 = c[34]
-    c180 = c[180]
-    c185 = c[185]
-    w0 = 2 * crank_e0
-    w1 = 2 * rod_e1
-    w2 = w1 * rod_e2
-    w3 = 2 * rod_e0
-    w4 = w3 * rod_e3
-    w5 = w2 - w4
-    w6 = rod_q2 * exaggeration
-    w7 = exaggeration * rod_q4
-    w8 = w6 * c24 + w7 * c25
-    w9 = rod_e2 * w3
-    w10 = w1 * rod_e3
-    w11 = w9 + w10
-    w12 = exaggeration * rod_q1
-    w13 = exaggeration * rod_q3
-    w14 = exaggeration * rod_q5
-    w15 = w12 * c26 + w13 * c27 + w14 * c28
-    w16 = 1.0 - 2 * rod_e1**2
-    w17 = 2 * rod_e3**2
-    w18 = w16 - w17
-    w19 = rod_e3 * (2 * rod_e2)
-    w20 = rod_e1 * w3
-    w21 = w19 - w20
-    w22 = w19 + w20
-    w23 = 2 * rod_e2**2
-    w24 = w16 - w23
-    w25 = w6 * c30 + w7 * c31
-    w26 = w12 * c32 + w13 * c33 + w14 * c34
-    xyz = ca.vertcat(
-        0.0,
-        0.0,
-        c180,
-        0.0,
-        c185,
-        0.0,
+    w0 = 2 * crank_e2**2
+    w1 = 2 * crank_e3**2
+    w2 = 2 * crank_e0
+    w3 = crank_e3 * w2
+    w4 = 2 * crank_e1
+    w5 = crank_e2 * w4
+    w6 = crank_e3 * w4
+    w7 = crank_e2 * w2
+    w8 = 1.0 - 2 * crank_e1**2
+    w9 = w2 * crank_e1
+    w10 = crank_e3 * (2 * crank_e2)
+    w11 = 2 * slider_e2**2
+    w12 = 2 * slider_e3**2
+    w13 = 2 * slider_e0
+    w14 = slider_e3 * w13
+    w15 = 2 * slider_e1
+    w16 = slider_e2 * w15
+    w17 = slider_e3 * w15
+    w18 = slider_e2 * w13
+    w19 = 1.0 - 2 * slider_e1**2
+    w20 = w13 * slider_e1
+    w21 = slider_e3 * (2 * slider_e2)
+    w22 = 2 * rod_e2**2
+    w23 = 2 * rod_e3**2
+    w24 = 2 * rod_e0
+    w25 = rod_e3 * w24
+    w26 = 2 * rod_e1
+    w27 = rod_e2 * w26
+    w28 = rod_e3 * w26
+    w29 = rod_e2 * w24
+    w30 = 1.0 - 2 * rod_e1**2
+    w31 = w24 * rod_e1
+    w32 = rod_e3 * (2 * rod_e2)
+    poses = ca.vertcat(
         crank_x,
         crank_y,
         crank_z,
-        crank_x + (2 * crank_e1 * crank_e2 - w0 * crank_e3) * c20,
-        crank_y + (1.0 - 2 * crank_e1**2 - 2 * crank_e3**2) * c20,
-        crank_z + (crank_e1 * w0 + crank_e3 * (2 * crank_e2)) * c20,
+        1.0 - w0 - w1,
+        w3 + w5,
+        w6 - w7,
+        w5 - w3,
+        w8 - w1,
+        w9 + w10,
+        w6 + w7,
+        w10 - w9,
+        w8 - w0,
         slider_x,
         slider_y,
         slider_z,
-        slider_x,
-        slider_y,
-        slider_z,
-        rod_x + (w5 * w8 + w11 * w15),
-        rod_y + (w8 * w18 + w15 * w21),
-        rod_z + (w8 * w22 + w15 * w24),
-        rod_x + ((1.0 - w23 - w17) * c29 + w5 * w25 + w11 * w26),
-        rod_y + ((w2 + w4) * c29 + w18 * w25 + w21 * w26),
-        rod_z + ((w10 - w9) * c29 + w22 * w25 + w24 * w26),
+        1.0 - w11 - w12,
+        w14 + w16,
+        w17 - w18,
+        w16 - w14,
+        w19 - w12,
+        w20 + w21,
+        w17 + w18,
+        w21 - w20,
+        w19 - w11,
+        rod_x,
+        rod_y,
+        rod_z,
+        1.0 - w22 - w23,
+        w25 + w27,
+        w28 - w29,
+        w27 - w25,
+        w30 - w23,
+        w31 + w32,
+        w28 + w29,
+        w32 - w31,
+        w30 - w22,
     )
-    xyz = ca.reshape(xyz, 3, 8)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, exaggeration, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "exaggeration", "c"], ["xyz"])
+    poses = ca.reshape(poses, 12, 3)
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -24867,6 +24868,223 @@ def substep_2() -> ca.Function:
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 197 operations."""
+    p = ca.SX.sym("p", 176)
+    ground_axle_z = p[133]
+    ground_guide_y = p[142]
+    rod_small_end_x = p[152]
+    rod_small_end_shape_1_1 = p[153]
+    rod_small_end_shape_1_3 = p[154]
+    rod_small_end_shape_2_0 = p[155]
+    rod_small_end_shape_2_2 = p[156]
+    rod_small_end_shape_2_4 = p[157]
+    rod_small_end_rotation_0_5 = p[158]
+    rod_small_end_rotation_1_0 = p[159]
+    rod_small_end_rotation_1_2 = p[160]
+    rod_small_end_rotation_1_4 = p[161]
+    rod_small_end_rotation_2_1 = p[162]
+    rod_small_end_rotation_2_3 = p[163]
+    crank_pin_y = p[164]
+    rod_big_end_shape_1_1 = p[165]
+    rod_big_end_shape_1_3 = p[166]
+    rod_big_end_shape_2_0 = p[167]
+    rod_big_end_shape_2_2 = p[168]
+    rod_big_end_shape_2_4 = p[169]
+    rod_big_end_rotation_0_5 = p[170]
+    rod_big_end_rotation_1_0 = p[171]
+    rod_big_end_rotation_1_2 = p[172]
+    rod_big_end_rotation_1_4 = p[173]
+    rod_big_end_rotation_2_1 = p[174]
+    rod_big_end_rotation_2_3 = p[175]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        ground_axle_z,
+        0.0,
+        ground_guide_y,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        crank_pin_y,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_x,
+        0.0,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 8)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        -1.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 8)
+    axes = ca.densify(axes)
+    shapes = ca.vertcat(
+        0.0,
+        0.0,
+        rod_big_end_shape_2_0,
+        0.0,
+        rod_big_end_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        rod_big_end_shape_2_2,
+        0.0,
+        rod_big_end_shape_1_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_big_end_shape_2_4,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_shape_2_0,
+        0.0,
+        rod_small_end_shape_1_1,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_shape_2_2,
+        0.0,
+        rod_small_end_shape_1_3,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_shape_2_4,
+        0.0,
+        0.0,
+        0.0,
+    )
+    shapes = ca.reshape(shapes, 3, 12)
+    shapes = ca.densify(shapes)
+    turns = ca.vertcat(
+        0.0,
+        rod_big_end_rotation_1_0,
+        0.0,
+        0.0,
+        0.0,
+        rod_big_end_rotation_2_1,
+        0.0,
+        rod_big_end_rotation_1_2,
+        0.0,
+        0.0,
+        0.0,
+        rod_big_end_rotation_2_3,
+        0.0,
+        rod_big_end_rotation_1_4,
+        0.0,
+        rod_big_end_rotation_0_5,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_rotation_1_0,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_rotation_2_1,
+        0.0,
+        rod_small_end_rotation_1_2,
+        0.0,
+        0.0,
+        0.0,
+        rod_small_end_rotation_2_3,
+        0.0,
+        rod_small_end_rotation_1_4,
+        0.0,
+        rod_small_end_rotation_0_5,
+        0.0,
+        0.0,
+    )
+    turns = ca.reshape(turns, 3, 12)
+    turns = ca.densify(turns)
+    inputs, outputs = [p], [positions, axes, shapes, turns]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -24877,10 +25095,11 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "blocks": blocks,
     "substep_2": substep_2,
+    "geometry": geometry,
 }

@@ -7,14 +7,12 @@ import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 62 operations."""
+    """c: everything that depends on the parameters p only. 58 operations."""
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
     body_inertia_yy = p[2]
     body_inertia_zz = p[3]
-    body_tip_x_x = p[4]
-    body_tip_y_y = p[5]
     w0 = (body_inertia_xx + body_inertia_yy + body_inertia_zz) / 2.0
     w1 = w0 - body_inertia_yy
     w2 = w0 - body_inertia_zz
@@ -38,8 +36,6 @@ def constants() -> ca.Function:
         4.0 * w6 + -4.0 * w3,
         4.0 * w3 + w8,
         w7 + 4.0 * w5,
-        body_tip_x_x,
-        body_tip_y_y,
         2 * w3,
         -2.0 * w5,
         2 * w6,
@@ -58,7 +54,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -289,7 +285,7 @@ def augmented() -> ca.Function:
     """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 274 operations."""
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -503,7 +499,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -553,7 +549,7 @@ def energy() -> ca.Function:
     """Energies in J and powers in W. 137 operations."""
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -623,10 +619,9 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
-def drawing() -> ca.Function:
-    """World points of the polylines that show the bodies. 51 operations."""
+def poses() -> ca.Function:
+    """Origin and rotation matrix of each body, for pictures. 46 operations."""
     q = ca.SX.sym("q", 7)
-    c = ca.SX.sym("c", 21)
     body_x = q[0]
     body_y = q[1]
     body_z = q[2]
@@ -634,25 +629,34 @@ def drawing() -> ca.Function:
     body_e1 = q[4]
     body_e2 = q[5]
     body_e3 = q[6]
-    c13 = c[13]
-    c14 = c[14]
-    w0 = 2 * body_e3**2
-    w1 = 2 * body_e0
-    w2 = body_e3 * w1
-    w3 = 2 * body_e1
-    w4 = body_e2 * w3
-    xyz = ca.vertcat(
-        body_x + (1.0 - 2 * body_e2**2 - w0) * c13,
-        body_y + (w2 + w4) * c13,
-        body_z + (body_e3 * w3 - body_e2 * w1) * c13,
-        body_x + (w4 - w2) * c14,
-        body_y + (1.0 - 2 * body_e1**2 - w0) * c14,
-        body_z + (w1 * body_e1 + body_e3 * (2 * body_e2)) * c14,
+    w0 = 2 * body_e2**2
+    w1 = 2 * body_e3**2
+    w2 = 2 * body_e0
+    w3 = body_e3 * w2
+    w4 = 2 * body_e1
+    w5 = body_e2 * w4
+    w6 = body_e3 * w4
+    w7 = body_e2 * w2
+    w8 = 1.0 - 2 * body_e1**2
+    w9 = w2 * body_e1
+    w10 = body_e3 * (2 * body_e2)
+    poses = ca.vertcat(
+        body_x,
+        body_y,
+        body_z,
+        1.0 - w0 - w1,
+        w3 + w5,
+        w6 - w7,
+        w5 - w3,
+        w8 - w1,
+        w9 + w10,
+        w6 + w7,
+        w10 - w9,
+        w8 - w0,
     )
-    xyz = ca.reshape(xyz, 3, 2)
-    xyz = ca.densify(xyz)
-    inputs, outputs = [q, c], [xyz]
-    return ca.Function("drawing", inputs, outputs, ["q", "c"], ["xyz"])
+    poses = ca.densify(poses)
+    inputs, outputs = [q], [poses]
+    return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
@@ -661,7 +665,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -679,12 +683,12 @@ def dQ_hat_dq_i() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
     w0 = 2 * body_e0
     w1 = body_e2 * -2.0
     w2 = body_e3 * -2.0
@@ -716,7 +720,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w28 = w4 * w10 - w9 * w13
     w29 = w28 * -2.0
     w30 = w8 * c3
-    w31 = w8 * c18
+    w31 = w8 * c16
     w32 = w29 + w8 * w14 + w1 * w21 + w2 * w24 + w25 * (w30 * -2.0 + w31)
     w33 = w9 * w19 - w10 * w18
     w34 = w13 * w18 - w4 * w19
@@ -736,7 +740,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w48 = w23 + w9 * w47 - (w18 * w41 + w10 * w46)
     w49 = w13 * w46
     w50 = w18 * w44 + w49 - (w4 * w47 + w19 * w42)
-    w51 = w8 * c15
+    w51 = w8 * c13
     w52 = w8 * w26 + body_e2 * body_e3 * c7
     w53 = w25 / body_e0
     w54 = w8 * w45 + w1 * w48 + w2 * w50 - w37 * w53
@@ -758,16 +762,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w70 = body_e1_dot * w55 + body_e2_dot * w67 + body_e3_dot * w69
     w71 = body_e1_dot / body_e0 + w27 * w70
     w72 = w34 * -2.0
-    w73 = w2 * c19
+    w73 = w2 * c17
     w74 = 2 * w33
-    w75 = w1 * c20
+    w75 = w1 * c18
     w76 = w0 * c5
     w77 = w1 * w76 + body_e3 * body_e1 * c9
     w78 = w17 * w45 + (w74 + w0 * w48) + w8 * w50 + (w25 * w75 - w53 * w77) - (w54 * w66 - w38 * w67)
     w79 = w17 * w59 + w0 * w61 + w8 * w62 + w63 * w77 - w64 * w66
     w80 = w14 * w17 + w0 * w21 + (w72 + w8 * w24) + w25 * (w17 * c3 * -2.0 + w73) - w32 * w66 - w27 * w78 - w71 * w79
     w81 = 2 * w34
-    w82 = w2 * c17
+    w82 = w2 * c15
     w83 = w0 * c6
     w84 = body_e2 * body_e1 * c11 + w2 * w83
     w85 = w1 * w45 + w3 * w48 + (w81 + w0 * w50) + (w25 * w82 - w53 * w84) - (w54 * w68 - w38 * w69)
@@ -782,7 +786,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w94 = w15 * w19
     w95 = w18 * w89 + w13 * w91 - (w4 * w92 + w94)
     w96 = w33 * -2.0
-    w97 = w1 * c16
+    w97 = w1 * c14
     w98 = w8 * w90 + (w96 + w1 * w93) + w2 * w95 + w25 * (w35 * -2.0 + w97)
     w99 = body_e2_dot / body_e0 + w66 * w70
     w100 = w0 * w90 + w2 * w93 + (w81 + w7 * w95) + w25 * (w82 + w2 * c5 * -2.0) - w27 * w98 - w56 * w66 - w65 * w99
@@ -848,7 +852,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -969,7 +973,7 @@ def dMa_dq_i() -> ca.Function:
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_ddot = ca.SX.sym("q_i_ddot", 6)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -983,14 +987,14 @@ def dMa_dq_i() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c11 = c[11]
+    c13 = c[13]
+    c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
     w0 = 2 * body_e2
-    w1 = w0 * c19
+    w1 = w0 * c17
     w2 = body_e1 / body_e0
     w3 = body_e2 / body_e0
     w4 = body_e3 / body_e0
@@ -1004,19 +1008,19 @@ def dMa_dq_i() -> ca.Function:
     w12 = w0 * c6
     w13 = w7 * w9 + body_e2 * body_e3 * c7
     w14 = body_e1_ddot / body_e0
-    w15 = w11 * c20
+    w15 = w11 * c18
     w16 = w9 * c3
-    w17 = w9 * c18
+    w17 = w9 * c16
     w18 = w10 * c5
     w19 = w11 * c6
     w20 = w9 * w16 + w10 * w18 + w11 * w19
     w21 = 2 * body_e3
     w22 = w21 * c3
-    w23 = w11 * c19
+    w23 = w11 * c17
     w24 = w22 * -2.0 + w23
     w25 = w10 * c3
     w26 = w25 * -2.0
-    w27 = w10 * c20
+    w27 = w10 * c18
     w28 = w26 + w27
     w29 = body_e1_ddot * w8 - (w5 * (w16 * -2.0 + w17) + w14 * w20) + body_e2_ddot * w24 + body_e3_ddot * w28
     w30 = w6 * c5
@@ -1028,8 +1032,8 @@ def dMa_dq_i() -> ca.Function:
     w36 = body_e2 * body_e1 * c11 + w11 * w35
     w37 = body_e1_ddot * w13 - w5 * w20 + body_e2_ddot * w32 + body_e3_ddot * w36
     w38 = w37 / body_e0
-    w39 = w6 * c15
-    w40 = w9 * c15
+    w39 = w6 * c13
+    w40 = w9 * c13
     w41 = w2 / body_e0
     w42 = w3 / body_e0
     w43 = w4 / body_e0
@@ -1037,44 +1041,44 @@ def dMa_dq_i() -> ca.Function:
     w45 = 2 * w22
     w46 = w15 + w45
     w47 = 2 * w25
-    w48 = w0 * c17
+    w48 = w0 * c15
     w49 = w47 + w48
-    w50 = w11 * c17
+    w50 = w11 * c15
     w51 = body_e1_ddot * w40 + w20 * w44 + body_e2_ddot * w27 + body_e3_ddot * w50
     w52 = body_e1_ddot * (2 * w7 + w39) - (w5 * w40 - w13 * w44) + body_e2_ddot * w46 + body_e3_ddot * w49 - (w2 * w51 - w37 * w41)
     w53 = w31 * -2.0
-    w54 = w6 * c20
+    w54 = w6 * c18
     w55 = w35 * -2.0
     w56 = w54 + w55
-    w57 = w1 * body_e1_ddot - (w5 * w24 + w14 * w32) + body_e2_ddot * (w53 + w9 * c19) + body_e3_ddot * w56
+    w57 = w1 * body_e1_ddot - (w5 * w24 + w14 * w32) + body_e2_ddot * (w53 + w9 * c17) + body_e3_ddot * w56
     w58 = 2 * w34
-    w59 = w58 + w9 * c17
+    w59 = w58 + w9 * c15
     w60 = body_e1_ddot * w46 - (w5 * w27 - w32 * w44) + body_e2_ddot * (w54 + 2 * w30) + body_e3_ddot * w59
     w61 = w60 - (w3 * w51 - w37 * w42)
-    w62 = body_e1_ddot * w15 - (w5 * w28 + w14 * w36) + body_e2_ddot * w56 + body_e3_ddot * (w58 + w33 * c20)
+    w62 = body_e1_ddot * w15 - (w5 * w28 + w14 * w36) + body_e2_ddot * w56 + body_e3_ddot * (w58 + w33 * c18)
     w63 = 2 * w35
-    w64 = body_e1_ddot * w49 - (w5 * w50 - w36 * w44) + body_e2_ddot * w59 + body_e3_ddot * (w63 + w6 * c17)
+    w64 = body_e1_ddot * w49 - (w5 * w50 - w36 * w44) + body_e2_ddot * w59 + body_e3_ddot * (w63 + w6 * c15)
     w65 = w64 - (w4 * w51 - w37 * w43)
     w66 = w11 * c5 * -2.0
     w67 = w50 + w66
     w68 = body_e2_ddot / body_e0
     w69 = 2 * w31
-    w70 = w63 + w6 * c18
+    w70 = w63 + w6 * c16
     w71 = body_e1_ddot * (w48 + 2 * w12) - (w5 * w67 + w13 * w68) + body_e2_ddot * w69 + body_e3_ddot * w70
-    w72 = w10 * c16
+    w72 = w10 * c14
     w73 = w30 * -2.0
     w74 = w34 * -2.0
     w75 = w17 + w74
     w76 = body_e1_ddot * w67 - (w5 * (w18 * -2.0 + w72) + w20 * w68) + body_e2_ddot * w73 + body_e3_ddot * w75
-    w77 = w21 * c18
-    w78 = body_e1_ddot * w70 - (w5 * w75 + w36 * w68) + body_e2_ddot * w77 + body_e3_ddot * (w26 + w10 * c18)
+    w77 = w21 * c16
+    w78 = body_e1_ddot * w70 - (w5 * w75 + w36 * w68) + body_e2_ddot * w77 + body_e3_ddot * (w26 + w10 * c16)
     w79 = w72 + w12 * -2.0
     w80 = body_e3_ddot / body_e0
     w81 = w39 + w73
-    w82 = body_e1_ddot * (w66 + w11 * c16) - (w5 * w79 + w13 * w80) + body_e2_ddot * w81 + body_e3_ddot * w74
+    w82 = body_e1_ddot * (w66 + w11 * c14) - (w5 * w79 + w13 * w80) + body_e2_ddot * w81 + body_e3_ddot * w74
     w83 = w40 + w53
     w84 = body_e1_ddot * w79 - (w5 * (w23 + w19 * -2.0) + w20 * w80) + body_e2_ddot * w83 + body_e3_ddot * w55
-    w85 = body_e1_ddot * w81 - (w5 * w83 + w32 * w80) + body_e2_ddot * (w45 + w21 * c15) + body_e3_ddot * w47
+    w85 = body_e1_ddot * w81 - (w5 * w83 + w32 * w80) + body_e2_ddot * (w45 + w21 * c13) + body_e3_ddot * w47
     dMa_dq_i = ca.vertcat(
         0.0,
         0.0,
@@ -1125,7 +1129,7 @@ def forward_dynamics() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 21)
+    c = ca.SX.sym("c", 19)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -1205,6 +1209,59 @@ def forward_dynamics() -> ca.Function:
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["q_i_ddot"])
 
 
+def geometry() -> ca.Function:
+    """Points of the bodies as functions of the parameters, for pictures. 40 operations."""
+    p = ca.SX.sym("p", 6)
+    body_tip_x_x = p[4]
+    body_tip_y_y = p[5]
+    positions = ca.vertcat(
+        0.0,
+        0.0,
+        0.0,
+        body_tip_x_x,
+        0.0,
+        0.0,
+        0.0,
+        body_tip_y_y,
+        0.0,
+    )
+    positions = ca.reshape(positions, 3, 3)
+    positions = ca.densify(positions)
+    axes = ca.vertcat(
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        1.0,
+    )
+    axes = ca.reshape(axes, 9, 3)
+    axes = ca.densify(axes)
+    inputs, outputs = [p], [positions, axes]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
+
+
 FUNCTIONS = {
     "constants": constants,
     "condensed": condensed,
@@ -1215,9 +1272,10 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
-    "drawing": drawing,
+    "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
     "forward_dynamics": forward_dynamics,
+    "geometry": geometry,
 }

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.model import Group, Model, ModelError, Parameter
 
-FORMAT = 1
+FORMAT = 2
 
 
 class _CheckedSource(InspectLoader):
@@ -112,7 +112,6 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, s
         constraints=manifest["constraints"],
         joints=manifest["joints"],
         measures=manifest["measures"],
-        outlines=[(body, count) for body, count in manifest["outlines"]],
         parameters=parameters,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
@@ -123,4 +122,5 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, s
         digest=manifest["sha256"],
         scene_toml=scene_toml,
         redundant=manifest["redundant"],
+        drawing=manifest["drawing"],
     )

@@ -47,6 +47,7 @@ class Model:
     redundant: constraint rows that the others imply; nothing is solved from them, their multipliers are a choice.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     digest: SHA-256 of the manifest; scene_toml: the scene that the model was generated from; "" if not known.
+    drawing: what the columns of the functions `poses` and `geometry` belong to, joints and loads with their markers.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -61,7 +62,6 @@ class Model:
     constraints: list[str]
     joints: list[str]
     measures: list[str]
-    outlines: list[tuple[str, int]]
     parameters: list[Parameter]
     initial_q: np.ndarray
     initial_q_dot: np.ndarray
@@ -72,6 +72,7 @@ class Model:
     digest: str = ""
     scene_toml: str = ""
     redundant: list[str] = field(default_factory=list)
+    drawing: Mapping[str, Any] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 

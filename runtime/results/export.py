@@ -102,7 +102,6 @@ def run_header(solution: Samples) -> dict[str, Any]:
         "model": {
             **{key: getattr(model, key) for key in NAMES},
             "groups": [asdict(group) for group in model.groups],
-            "outlines": [list(entry) for entry in model.outlines],
             "parameters": [asdict(parameter) for parameter in model.parameters],
             "initial_q": model.initial_q.tolist(),
             "initial_q_dot": model.initial_q_dot.tolist(),
@@ -137,7 +136,6 @@ def _recorded_model(header: dict[str, Any]) -> Model:
     return Model(
         **{key: header[key] for key in NAMES},
         groups=[Group(**entry) for entry in header["groups"]],
-        outlines=[(body, count) for body, count in header["outlines"]],
         parameters=[Parameter(**entry) for entry in header["parameters"]],
         initial_q=np.array(header["initial_q"], dtype=float),
         initial_q_dot=np.array(header["initial_q_dot"], dtype=float),

@@ -19,13 +19,13 @@ from matplotlib.ticker import MaxNLocator
 
 from runtime.contract.files import OutputError, replacing
 from runtime.contract.units import unit
+from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from runtime.results.solution import Solution
 
-COLOURS = ("#0b6fa4", "#d1495b", "#2e8b57", "#e3a008", "#6a4c93", "#4b5563", "#c2571a", "#1b998b")
 MAX_PANELS = 12
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
 

@@ -10,14 +10,14 @@ AZIMUTH, ELEVATION = np.radians(-60.0), np.radians(22.0)
 
 
 def is_spatial(model: Model) -> bool:
-    """Has the model's drawing three dimensions?"""
-    return bool(model.has("drawing")) and model.kernel("drawing").name_out()[0] == "xyz"
+    """Does the mechanism move in three dimensions?"""
+    return bool(model.drawing.get("space") == "spatial")
 
 
 def projected(model: Model, points: np.ndarray) -> np.ndarray:
-    """Picture coordinates (2, ...) of world points (2 or 3, ...)."""
-    if points.shape[0] == 2:
-        return points
+    """Picture coordinates (2, ...) of world points (3, ...)."""
+    if not is_spatial(model):
+        return points[:2]
     return np.tensordot(view_axes(up_axis(model)), points, axes=1)
 
 
@@ -27,9 +27,11 @@ def axis_labels(model: Model) -> tuple[str, str]:
 
 
 def up_axis(model: Model) -> int:
-    """The world axis that gravity is along, z without gravity."""
+    """The world axis that gravity is along; without gravity z, y in a planar mechanism."""
     gravity = {parameter.name: abs(parameter.default) for parameter in model.parameters}
     weights = [gravity.get(f"gravity.{axis}", 0.0) for axis in "xyz"]
+    if not is_spatial(model):
+        return 1
     return int(np.argmax(weights)) if any(weights) else 2
 
 

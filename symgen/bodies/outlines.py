@@ -1,36 +1,65 @@
-"""Which points of each body an animation draws."""
+"""The points of each body that a picture needs: stations along a beam, and the markers that something refers to."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import casadi as ca
 import numpy as np
 
-from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.points import marker_shape
-from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point
+from symgen.algebra.vectors import Vector
+from symgen.bodies.spatial_moments import Matrix
 from symgen.scene import BeamBody, Scene
 
 BEAM_FRACTIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 17))
 
 
-def outline_references(scene: Scene, table: ParameterTable) -> list[tuple[str, list[PointShape]]]:
-    """(body, points): a beam at equal fractions, any other body through its markers, the ground one by one."""
-    result: list[tuple[str, list[PointShape]]] = []
-    for body in scene.bodies:
-        if isinstance(body, BeamBody):
-            data = beam_integrals_of(body)
-            result.append((body.name, [beam_point(body, data, at, table) for at in BEAM_FRACTIONS]))
-            continue
-        references = drawn_references(scene, body.name, list(body.markers))
-        points = [marker_shape(scene, reference, table)[1] for reference in references]
-        if body.type == "ground":
-            result += [(body.name, [point]) for point in points]
-        else:
-            result.append((body.name, points))
-    return result
+@dataclass(frozen=True)
+class DrawnPoint:
+    """A point of a body, in the body's axes, also of a planar one: rho = position + shapes q_f - 1/2 q_f^T H q_f e_x.
+
+    name: the marker's, or "" for a station of a beam. position (3) [m]; axes (3 x 3): columns are the marker's axes;
+    shapes[a], turns[a] (3): displacement and rotation by mode a; H (nf x nf) [1/m], or empty without foreshortening.
+    """
+
+    body: str
+    name: str
+    position: Vector
+    axes: Matrix
+    shapes: list[Vector]
+    turns: list[Vector]
+    H: Matrix
 
 
-def drawn_references(scene: Scene, body: str, declared: list[str]) -> list[str]:
-    """The body's markers that joints and loads use or the scene declares; its origin first."""
-    used = [ref for joint in scene.joints for ref in (joint.marker_a, joint.marker_b)]
-    names = ["origin"] if f"{body}.origin" in used or len(declared) < 2 else []
-    return [f"{body}.{name}" for name in dict.fromkeys(names + declared)]
+@dataclass(frozen=True)
+class Picture:
+    """All drawn points, the pose (origin and rotation matrix) of each body that moves, and the sections of beams.
+
+    sections[beam]: height along y and width along z [m] of a rectangle with the beam's area and second moments.
+    """
+
+    points: list[DrawnPoint]
+    poses: dict[str, tuple[Vector, Matrix]]
+    sections: dict[str, tuple[ca.SX, ca.SX]]
+
+
+def drawn_references(scene: Scene) -> Iterator[str]:
+    """References "body.marker": what joints, loads and measures use, and what the scene declares; origins first."""
+    used = [
+        getattr(part, key)
+        for part in (*scene.joints, *scene.loads, *scene.measures)
+        for key in ("marker_a", "marker_b", "marker", "reaction")
+        if getattr(part, key, None)
+    ]
+    for body in (scene.ground, *scene.moving_bodies):
+        named = [reference for reference in used if reference.partition(".")[0] == body.name]
+        lone = [f"{body.name}.origin"] if len(body.markers) < 2 and not isinstance(body, BeamBody) else []
+        declared = [f"{body.name}.{marker}" for marker in body.markers]
+        yield from dict.fromkeys([*lone, *declared, *named])
+
+
+def rectangle(area: ca.SX, second_moment: ca.SX, second_moment_z: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Height along y and width along z of a rectangular section; without a second moment about y, area / height."""
+    height = ca.sqrt(12 * second_moment / area)
+    return height, area / height if second_moment_z.is_zero() else ca.sqrt(12 * second_moment_z / area)

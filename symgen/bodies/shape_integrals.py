@@ -204,6 +204,16 @@ def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterT
     )
 
 
+def beam_section(body: BeamBody, table: ParameterTable) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Area [m^2] and second moments [m^4] of a beam's section for bending in the xy- and the xz-plane."""
+    area = table.quantity(body.area, f"{body.name}.area", "m^2", "cross-section area")
+    second = [
+        table.quantity(value, f"{body.name}.{label}", "m^4", "second moment of area")
+        for label, value in (("second_moment", body.second_moment), ("second_moment_z", body.second_moment_z))
+    ]
+    return area, second[0], second[1]
+
+
 def body_integrals(scene: Scene, name: str, table: ParameterTable) -> ShapeIntegrals:
     """Shape integrals of the named body of the scene."""
     body = scene.body(name)

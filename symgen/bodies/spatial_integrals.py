@@ -13,9 +13,9 @@ from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
 from symgen.bodies.marker_axes import marker_rotation, quaternion_of
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
-from symgen.modes import AxialModes, LateralModes, axial_modes, lateral_modes
+from symgen.modes import BarModes, BeamModes, axial_modes, lateral_modes
 from symgen.modes.spatial_beam import SpatialBeam, spatial_beam
-from symgen.scene import BeamBody, BeamMarker, FlexibleBody, FlexibleMarker, MarkerDirections, RigidBody, Scene
+from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, Scene, SpatialModalBody
 
 
 def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> SpatialIntegrals:
@@ -23,7 +23,7 @@ def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> Spatial
     body = scene.body(name)
     if isinstance(body, RigidBody):
         return _rigid(body, table)
-    if isinstance(body, FlexibleBody):
+    if isinstance(body, SpatialModalBody):
         return _flexible(body, table)
     assert isinstance(body, BeamBody)
     return _beam(body, table)
@@ -56,7 +56,7 @@ def _rigid(body: RigidBody, table: ParameterTable) -> SpatialIntegrals:
     return SpatialIntegrals(mass, scaled(mass, center), J0, [], [], [], [], [], [], [], [])
 
 
-def _flexible(body: FlexibleBody, table: ParameterTable) -> SpatialIntegrals:
+def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals:
     """The body's own numbers; symmetric matrices share their entries."""
     name, nf = body.name, body.nf
 
@@ -163,7 +163,7 @@ def spatial_beam_of(body: BeamBody) -> SpatialBeam:
 
 @lru_cache(maxsize=64)
 def _mesh(elements: int, lateral: tuple[tuple[int, str, int], ...], axial: tuple[str, int] | None) -> SpatialBeam:
-    sets: list[tuple[int, LateralModes | AxialModes]] = [
+    sets: list[tuple[int, BeamModes | BarModes]] = [
         (axis, lateral_modes(elements, ends, modes)) for axis, ends, modes in lateral
     ]
     if axial:

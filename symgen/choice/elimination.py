@@ -23,7 +23,7 @@ RANK_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
-class Choice:
+class Elimination:
     """q_d in the order it is computed: loop unknowns first, then structural (row, column) pairs.
 
     redundant: rows that the others imply at every position; nothing is solved from them.
@@ -118,7 +118,7 @@ def choose_loops(
     loop_rows: list[int],
     jacobian: np.ndarray,
     redundant: list[int],
-) -> Choice:
+) -> Elimination:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
 
     loop_rows: independent rows, without the `redundant` ones. Raises DerivationError when the user's q_i cannot be
@@ -140,7 +140,7 @@ def choose_loops(
     if keep:
         independent = [equations.names.index(name) for name in requested]
     dependent = loop_columns + [column for _, column in structural]
-    return Choice(structural, loop_rows, loop_columns, independent, dependent, redundant)
+    return Elimination(structural, loop_rows, loop_columns, independent, dependent, redundant)
 
 
 def _free_columns(equations: Equations, structural: list[tuple[int, int]]) -> list[int]:

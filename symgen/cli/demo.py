@@ -56,7 +56,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     with Progress("symgen") as progress:
         progress.note("drawing ...")
         files = leave_results(solution, folder) | leave_pictures(solution, folder)
-        if model.has("drawing"):
+        if model.has("geometry"):
             animate(solution, folder / "motion.gif")
             files["motion.gif"] = str(folder / "motion.gif")
         files |= _compared(model, arguments, folder, progress)

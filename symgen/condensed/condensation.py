@@ -15,7 +15,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
-from symgen.choice.elimination import Choice
+from symgen.choice.elimination import Elimination
 from symgen.condensed.loops import Loops, ReducedRow, order_blocks, solve_block
 from symgen.system.equations import Equations, matrix_times
 
@@ -35,7 +35,7 @@ class Condensed:
     """A system with its substitutions, in the order of evaluation (independent coordinates to the tips)."""
 
     equations: Equations
-    choice: Choice
+    choice: Elimination
     substitutions: list[Substitution]
     loops: Loops
 
@@ -115,7 +115,7 @@ def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
         M[j][i] = M[i][j]
 
 
-def condense(equations: Equations, choice: Choice) -> Condensed:
+def condense(equations: Equations, choice: Elimination) -> Condensed:
     """Substitutions for every dependent coordinate of the choice."""
     structural = [_structural(equations, row, column) for row, column in choice.structural]
     rows = _reduced_rows(equations, choice, structural)
@@ -131,7 +131,7 @@ def _structural(equations: Equations, row: int, column: int) -> Substitution:
     return Substitution(column, e, div(neg(constraint.C_t), pivot), div(constraint.gamma, pivot))
 
 
-def _reduced_rows(equations: Equations, choice: Choice, structural: list[Substitution]) -> dict[int, ReducedRow]:
+def _reduced_rows(equations: Equations, choice: Elimination, structural: list[Substitution]) -> dict[int, ReducedRow]:
     """Loop rows of C_q, nu and gamma in the coordinates that are not structurally eliminated."""
     result = {}
     for row in choice.loop_rows:

@@ -11,7 +11,7 @@ from runtime.contract.loading import manifest_digest
 from symgen.emission.model_text import meaning
 from symgen.pipeline import Derived
 
-FORMAT = 1
+FORMAT = 2
 
 
 def data_text(derived: Derived) -> str:
@@ -53,7 +53,7 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "redundant": [eq.constraints[row].label for row in derived.redundant],
         "joints": eq.joints,
         "measures": list(eq.measures),
-        "outlines": [[outline.body, len(outline.points)] for outline in eq.outlines],
+        "drawing": drawing_record(derived),
         "simulation": scene.simulation.model_dump(mode="json"),
         "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
         "parameters": [
@@ -68,6 +68,29 @@ def manifest_text(derived: Derived, operations: Mapping[str, int], files: Mappin
         "versions": {package: version(package) for package in ("casadi", "sympy", "symgen")},
     }
     return json.dumps({**manifest, "sha256": manifest_digest(manifest)}, indent=1) + "\n"
+
+
+def drawing_record(derived: Derived) -> dict[str, object]:
+    """What the columns of `poses` and `geometry` belong to, and what is drawn between the points."""
+    scene, picture = derived.scene, derived.system.equations.picture
+    markers = ("marker_a", "marker_b", "marker", "reaction")
+    parts = {
+        kind: [
+            {"name": part.name, "type": part.type, **{key: getattr(part, key) for key in markers if hasattr(part, key)}}
+            for part in listed
+        ]
+        for kind, listed in (("joints", scene.joints), ("loads", scene.loads))
+    }
+    return {
+        "space": scene.space,
+        "poses": list(picture.poses),
+        "points": [
+            {"body": point.body, "name": point.name, "modes": len(point.shapes), "stiffened": bool(point.H)}
+            for point in picture.points
+        ],
+        "sections": list(picture.sections),
+        **parts,
+    }
 
 
 def sha256(text: str) -> str:

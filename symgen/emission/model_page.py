@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from symgen.emission.model_text import meaning
 from symgen.pipeline import Derived
-from symgen.scene import BeamBody, FlexibleBody, Joint, ModalBody, RigidBody
+from symgen.scene import BeamBody, Joint, ModalBody, RigidBody, SpatialModalBody
 
 JOINT_EQUATIONS = {
     "revolute": "r_b - r_a = 0",
@@ -78,7 +78,7 @@ def _bodies(derived: Derived) -> str:
             ]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
             lines.append(f"| {body.name} | beam, {body.elements} elements, lumped mass | {', '.join(sets)}; {extra} |")
-        elif isinstance(body, ModalBody | FlexibleBody):
+        elif isinstance(body, ModalBody | SpatialModalBody):
             lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
     return "\n".join(lines)
 

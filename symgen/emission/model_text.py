@@ -23,7 +23,8 @@ MEANING = {
     "reactions": "Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b",
     "energy": "Energies in J and powers in W",
     "measures": "The scene's measures and their rates",
-    "drawing": "World points of the polylines that show the bodies",
+    "poses": "Origin and rotation matrix of each body, for pictures",
+    "geometry": "Points of the bodies as functions of the parameters, for pictures",
     "dQ_hat_dq_i": "Total derivative of Q_hat by q_i, through q_d = f(q_i, t)",
     "dQ_hat_dq_i_dot": "Total derivative of Q_hat by q_i_dot, through q_d_dot",
     "dMa_dq_i": "Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot",
@@ -38,7 +39,9 @@ def meaning(name: str, redundant: bool = False) -> str:
 
 
 WITH_REDUNDANT_ROWS = "; lam_R: multipliers of the redundant rows, which the others go with"
-RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs|exaggeration)$")
+RESERVED = re.compile(
+    r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs|poses|positions|axes|shapes|turns|H|sections)$"
+)
 
 
 def local_names(names: list[str]) -> list[str]:
@@ -81,7 +84,7 @@ def _labels(derived: Derived) -> dict[str, list[str]]:
     eq, choice = derived.system.equations, derived.system.choice
     names = local_names(eq.names)
     q_i, q_d = [names[c] for c in choice.independent], [names[c] for c in derived.dependent]
-    labels = {"q": names, "q_i": q_i, "q_d": q_d, "t": ["t"], "exaggeration": ["exaggeration"]}
+    labels = {"q": names, "q_i": q_i, "q_d": q_d, "t": ["t"]}
     for source in ("q", "q_i", "q_d"):
         labels[f"{source}_dot"] = [f"{name}_dot" for name in labels[source]]
         labels[f"{source}_ddot"] = [f"{name}_ddot" for name in labels[source]]
@@ -112,7 +115,7 @@ def _function_text(name: str, tape: Tape, labels: Mapping[str, list[str]], purpo
 
 
 def _unpack(argument: str, entries: list[int], labels: list[str]) -> list[str]:
-    if argument in ("t", "exaggeration"):
+    if argument == "t":
         return []
     return [f"    {labels[entry]} = {argument}[{entry}]" for entry in entries]
 

@@ -1,13 +1,22 @@
 """Bodies from finite elements: numbers for a spatial modal body of a scene (Eqs. 15-20).
 
 `FlexibleBody` reads matrices of other programs or assembles a mesh, finds modes, and integrates. The steps, one
-module each: reading or assembling a `Structure`, checking that it is one free body, interfaces, mode set, integrals.
+module each: reading or assembling a `FEStructure`, checking that it is one free body, interfaces, mode set, integrals.
 """
+
+from warnings import warn
 
 from symgen.fe.body import FlexibleBody, Marker
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, Section
 from symgen.fe.material import STEEL, Material
-from symgen.fe.structure import Structure
+from symgen.fe.structure import FEStructure
 
-__all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "Structure"]
+__all__ = ["STEEL", "FiniteElementError", "FlexibleBody", "LineMesh", "Marker", "Material", "Section", "FEStructure"]
+
+
+def __getattr__(name: str) -> type[FEStructure]:
+    if name == "Structure":
+        warn("symgen.fe.Structure is FEStructure since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
+        return FEStructure
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

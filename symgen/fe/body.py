@@ -23,7 +23,7 @@ from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix,
 from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
-from symgen.fe.structure import AXES, Structure, structure
+from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.modes.cleaning import Array, fixed
 
 MASSES = ("consistent", "lumped")
@@ -45,7 +45,7 @@ class FlexibleBody:
     structure: the model the modes are those of.  interfaces, markers: by name.  integrals: about `origin` (3,) [m].
     """
 
-    structure: Structure
+    structure: FEStructure
     interfaces: Mapping[str, Interface]
     markers: Mapping[str, Marker]
     mode_set: str
@@ -100,7 +100,7 @@ class FlexibleBody:
     @classmethod
     def from_structure(
         cls,
-        body: Structure,
+        body: FEStructure,
         *,
         interface: Mapping[str, NodeSet],
         modes: int,
@@ -110,7 +110,7 @@ class FlexibleBody:
         origin: str | ArrayLike = (0.0, 0.0, 0.0),
         marker_positions: Mapping[str, ArrayLike] | None = None,
     ) -> FlexibleBody:
-        """From a checked Structure.
+        """From a checked FEStructure.
 
         interface: named node sets (ids, or a function of all positions), each becomes a marker.
         marker_positions: where a marker is [m], if not at the mean of its nodes; it moves with their average.
@@ -224,7 +224,7 @@ def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
         raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
 
 
-def _interfaces(body: Structure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
+def _interfaces(body: FEStructure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:
     if not sets:
         raise FiniteElementError("interface", "no interface is named", "name the node sets where joints and loads act")
     for name in at:

@@ -9,7 +9,7 @@ import scipy.sparse.linalg as spla
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.static import Solve
-from symgen.fe.structure import Structure
+from symgen.fe.structure import FEStructure
 from symgen.modes.cleaning import Array
 
 SEED = 20080703  # start vector of the iteration: results repeat
@@ -65,7 +65,7 @@ def rayleigh_ritz(K: sp.csr_matrix, M: sp.csr_matrix, basis: Array) -> tuple[Arr
     return value, basis @ mix
 
 
-def signed(body: Structure, shapes: Array) -> Array:
+def signed(body: FEStructure, shapes: Array) -> Array:
     """Shapes with the largest entry positive.
 
     Of entries equal in size (a symmetric body has such pairs) the one at the largest z, y, x decides, so that

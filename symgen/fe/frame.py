@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.structure import AXES, RIGID_MOTIONS, Integers, Structure, structure
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Integers, structure
 from symgen.modes.cleaning import Array
 
 PARALLEL = 1e-6
@@ -48,7 +48,7 @@ class LineMesh:
     section: Section | Sequence[Section]
 
 
-def frame_structure(mesh: LineMesh, material: Material) -> Structure:
+def frame_structure(mesh: LineMesh, material: Material) -> FEStructure:
     """Stiffness and consistent mass of a frame; node ids are the places 0, 1, ... in the mesh.
 
     Raises FiniteElementError for lines without length, wrong numbers of sections, and a section axis along its beam.

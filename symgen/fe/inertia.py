@@ -9,7 +9,7 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from symgen.fe.errors import FiniteElementError
-from symgen.fe.structure import AXES, RIGID_MOTIONS, Structure
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
 from symgen.modes.cleaning import RELATIVE_ZERO, Array, clean, fixed, symmetric
 
 DUST = 1e-9  # entries below this share of what they could be are round-off of the mode shapes
@@ -35,7 +35,7 @@ class InertiaIntegrals:
     phi_phi: Array
 
 
-def inertia_integrals(body: Structure, shapes: Array, origin: Array) -> InertiaIntegrals:
+def inertia_integrals(body: FEStructure, shapes: Array, origin: Array) -> InertiaIntegrals:
     """Integrals for mass-orthonormal shapes (n_dof, nf) about `origin` (3,) [m].
 
     What is linear in the shapes or free of them and belongs to rigid motion comes from M itself: mass, first
@@ -67,7 +67,7 @@ def inertia_integrals(body: Structure, shapes: Array, origin: Array) -> InertiaI
     )
 
 
-def scalar_mass(body: Structure) -> sp.csr_matrix | None:
+def scalar_mass(body: FEStructure) -> sp.csr_matrix | None:
     """The (n, n) mass that x, y and z have in common, or None where M is not of that kind."""
     if body.n_dof != AXES * len(body.ids) or np.any(body.component >= AXES):
         return None
@@ -81,7 +81,7 @@ def scalar_mass(body: Structure) -> sp.csr_matrix | None:
     return scalar
 
 
-def _scalar_products(body: Structure, shapes: Array, origin: Array) -> tuple[Array, Array] | None:
+def _scalar_products(body: FEStructure, shapes: Array, origin: Array) -> tuple[Array, Array] | None:
     """rho_phi and phi_phi by the common scalar mass, exact."""
     scalar = scalar_mass(body)
     if scalar is None:
@@ -94,7 +94,7 @@ def _scalar_products(body: Structure, shapes: Array, origin: Array) -> tuple[Arr
     return rho_phi, phi_phi
 
 
-def nodal_inertia(body: Structure) -> tuple[Array, Array, Array]:
+def nodal_inertia(body: FEStructure) -> tuple[Array, Array, Array]:
     """Mass (n,) [kg], first moment (n, 3) [kg m], rotary inertia (n, 3, 3) [kg m^2] of the nodes: rows of M summed.
 
     The first moment says that the mass of a node at the end of a beam lies a sixth of an element inwards, the
@@ -108,7 +108,7 @@ def nodal_inertia(body: Structure) -> tuple[Array, Array, Array]:
     return mass, _vector(coupling), symmetric(body.nodal(massed[:, AXES:], AXES))
 
 
-def _nodal_products(body: Structure, shapes: Array, origin: Array) -> tuple[Array, Array]:
+def _nodal_products(body: FEStructure, shapes: Array, origin: Array) -> tuple[Array, Array]:
     """rho_phi and phi_phi from the mass, the first moment and the rotary inertia of the nodes."""
     mass, first, inertia = nodal_inertia(body)
     spread = 0.5 * np.einsum("kii->k", inertia)[:, None, None] * np.eye(AXES) - inertia  # int s_i s_j dm of a node

@@ -9,7 +9,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from symgen.fe.errors import FiniteElementError
-from symgen.fe.structure import AXES, RIGID_MOTIONS, Flags, Integers, Structure
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Flags, Integers
 from symgen.modes.cleaning import Array
 
 NodeSet = Sequence[int] | Callable[[Array], Flags]
@@ -31,13 +31,13 @@ class Interface:
     position: Array
     average: sp.csr_matrix
 
-    def rows(self, body: Structure) -> Integers:
+    def rows(self, body: FEStructure) -> Integers:
         """All rows of the nodes, ascending."""
         rows = body.rows[self.places]
         return np.sort(rows[rows >= 0])
 
 
-def interface(body: Structure, name: str, nodes: NodeSet, position: Array | None = None) -> Interface:
+def interface(body: FEStructure, name: str, nodes: NodeSet, position: Array | None = None) -> Interface:
     """The interface of these nodes: ids, or a function of all positions (n, 3) [m] that says which, (n,) of bool.
 
     position (3,) [m]: of the marker, which moves with the average; the mean position of the nodes unless given.
@@ -77,12 +77,12 @@ def interface(body: Structure, name: str, nodes: NodeSet, position: Array | None
     return Interface(name, places, position, sp.csr_matrix(average))
 
 
-def spider(body: Structure, at: Interface) -> Array:
+def spider(body: FEStructure, at: Interface) -> Array:
     """Motion of the interface as one rigid piece: (rows of the interface, 6), about its position."""
     return body.rigid(at.position)[at.rows(body)]
 
 
-def check_apart(body: Structure, interfaces: list[Interface]) -> None:
+def check_apart(body: FEStructure, interfaces: list[Interface]) -> None:
     """Raises FiniteElementError if a node belongs to two interfaces: as rigid pieces they would be one."""
     owner: dict[int, str] = {}
     for one in interfaces:

@@ -10,7 +10,7 @@ import scipy.sparse as sp
 
 from symgen.fe.interfaces import Interface
 from symgen.fe.mode_sets import ModeSet
-from symgen.fe.structure import AXES, Structure
+from symgen.fe.structure import AXES, FEStructure
 from symgen.modes.cleaning import Array
 
 RIGID_DIRECTION = 1e-9  # flexibilities below this share of the largest count as none
@@ -30,7 +30,7 @@ class FlexibilityLoss:
 
 
 def flexibility_losses(
-    body: Structure, modes: ModeSet, interfaces: Sequence[Interface], clamp: Interface | None
+    body: FEStructure, modes: ModeSet, interfaces: Sequence[Interface], clamp: Interface | None
 ) -> list[FlexibilityLoss]:
     """Per interface: the static elastic displacement at the load, in the full model and in the modes.
 
@@ -60,7 +60,7 @@ def _loss(full: Array, modal: Array) -> Array:
     return np.where(seen, 1.0 - modal / np.where(seen, full, 1.0), 0.0)
 
 
-def effective_masses(body: Structure, shapes: Array) -> Array:
+def effective_masses(body: FEStructure, shapes: Array) -> Array:
     """Effective modal mass over total mass, (nf, 3): (phi^T M r)^2 / mass for mass-orthonormal phi, r along x, y, z."""
     moved = body.rigid(np.zeros(AXES))[:, :AXES]
     massed = body.M @ moved

@@ -9,10 +9,10 @@ import scipy.sparse as sp
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.inertia import nodal_inertia, scalar_mass
-from symgen.fe.structure import AXES, Structure
+from symgen.fe.structure import AXES, FEStructure
 
 
-def lumped(body: Structure) -> Structure:
+def lumped(body: FEStructure) -> FEStructure:
     """The same structure with its mass at the nodes; total mass and, for straight-sided elements, its centre stay.
 
     The rows of M are summed. Quadratic elements whose row sums are not positive (tetrahedra) take their diagonal

@@ -11,7 +11,7 @@ from symgen.fe.eigen import lowest_modes, rayleigh_ritz, signed
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.interfaces import Interface, check_apart, spider
 from symgen.fe.static import Solve, held_solve, inertia_relief
-from symgen.fe.structure import RIGID_MOTIONS, Integers, Structure
+from symgen.fe.structure import RIGID_MOTIONS, FEStructure, Integers
 from symgen.modes.cleaning import Array
 
 MODE_SETS = ("free", "fixed_interface", "mixed")
@@ -35,14 +35,14 @@ class ModeSet:
     held_eigenvalues: Array
 
 
-def free_modes(body: Structure, rigid: Array, count: int) -> ModeSet:
+def free_modes(body: FEStructure, rigid: Array, count: int) -> ModeSet:
     """The `count` lowest modes of the free body, without the rigid ones: they are M-orthogonal to these."""
     elastic = inertia_relief(body.K, body.M, rigid)
     _enough(body, count, RIGID_MOTIONS)
     return _modes(body, elastic, count, RIGID_MOTIONS)
 
 
-def mixed_modes(body: Structure, fixed: Sequence[Interface], count: int) -> ModeSet:
+def mixed_modes(body: FEStructure, fixed: Sequence[Interface], count: int) -> ModeSet:
     """The `count` lowest modes with the nodes of `fixed` held, the other interfaces free.
 
     An interface tells a rotation, so that holding one leaves no rigid motion.
@@ -59,7 +59,7 @@ def mixed_modes(body: Structure, fixed: Sequence[Interface], count: int) -> Mode
     return _modes(body, held_solve(body.K, held), count, len(held))
 
 
-def fixed_interface_modes(body: Structure, rigid: Array, interfaces: Sequence[Interface], count: int) -> ModeSet:
+def fixed_interface_modes(body: FEStructure, rigid: Array, interfaces: Sequence[Interface], count: int) -> ModeSet:
     """Craig-Bampton: six constraint modes per interface and `count` normal modes with all interfaces held.
 
     Each interface moves as one rigid piece. The reduced problem is made orthonormal in the mass and its six
@@ -82,14 +82,14 @@ def fixed_interface_modes(body: Structure, rigid: Array, interfaces: Sequence[In
     )
 
 
-def _constraint_modes(body: Structure, at: Interface, solve: Solve) -> Array:
+def _constraint_modes(body: FEStructure, at: Interface, solve: Solve) -> Array:
     """Static displacements (n_dof, 6) for the six unit motions of one interface, the others held."""
     moved = np.zeros((body.n_dof, RIGID_MOTIONS))
     moved[at.rows(body)] = spider(body, at)
     return moved - solve(body.K @ moved)
 
 
-def _without_rigid(body: Structure, rigid: Array, basis: Array) -> tuple[Array, Array]:
+def _without_rigid(body: FEStructure, rigid: Array, basis: Array) -> tuple[Array, Array]:
     """Elastic modes of the reduced body: eigenvalues and shapes, the six rigid ones taken out."""
     value, shapes = rayleigh_ritz(body.K, body.M, basis / np.sqrt(np.sum(basis * (body.M @ basis), axis=0)))
     if len(value) <= RIGID_MOTIONS:
@@ -112,7 +112,7 @@ def _without_rigid(body: Structure, rigid: Array, basis: Array) -> tuple[Array, 
     return rayleigh_ritz(body.K, body.M, kept)
 
 
-def _modes(body: Structure, solve: Solve, count: int, lost: int) -> ModeSet:
+def _modes(body: FEStructure, solve: Solve, count: int, lost: int) -> ModeSet:
     """The lowest modes of K on the subspace that `solve` maps to, refined once, signed."""
     nothing = np.zeros((body.n_dof, 0))
     if count == 0:
@@ -131,12 +131,12 @@ def _modes(body: Structure, solve: Solve, count: int, lost: int) -> ModeSet:
     return ModeSet(shapes, value, solve, nothing, np.zeros(0))
 
 
-def _massive(body: Structure) -> int:
+def _massive(body: FEStructure) -> int:
     """Number of rows that carry mass."""
     return int(np.sum(body.M.diagonal() > 0.0))
 
 
-def _enough(body: Structure, count: int, lost: int) -> None:
+def _enough(body: FEStructure, count: int, lost: int) -> None:
     available = _massive(body) - lost
     if count < 0 or count > available:
         raise FiniteElementError(
@@ -150,6 +150,6 @@ def _hertz(values: Array) -> list[float]:
     return [float(f"{np.sqrt(abs(value)) / (2.0 * np.pi):.3g}") for value in values]
 
 
-def held_rows(body: Structure, interfaces: Sequence[Interface]) -> Integers:
+def held_rows(body: FEStructure, interfaces: Sequence[Interface]) -> Integers:
     """All rows of the nodes of these interfaces, ascending."""
     return np.unique(np.concatenate([one.rows(body) for one in interfaces]))

@@ -11,7 +11,7 @@ import scipy.sparse as sp
 from symgen.fe.eigen import lowest_modes
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.static import factorised
-from symgen.fe.structure import RIGID_MOTIONS, Structure
+from symgen.fe.structure import RIGID_MOTIONS, FEStructure
 from symgen.modes.cleaning import Array
 
 ROUND_OFF = 1e4 * np.finfo(np.float64).eps  # strain energy below this share of its terms is none
@@ -30,7 +30,7 @@ class RigidCheck:
     lowest_elastic: float
 
 
-def check_free_body(body: Structure, rigid: Array) -> RigidCheck:
+def check_free_body(body: FEStructure, rigid: Array) -> RigidCheck:
     """Check that `body` has exactly the six zero modes spanned by `rigid` (n_dof, 6).
 
     Raises FiniteElementError: a mass that is singular, supports in the matrices (fewer than six zero modes),
@@ -63,7 +63,7 @@ def check_free_body(body: Structure, rigid: Array) -> RigidCheck:
     return RigidCheck(found, residual, float(hertz[zero].max()), float(hertz[~zero].min(initial=np.inf)))
 
 
-def _check_mass(body: Structure, rigid: Array) -> None:
+def _check_mass(body: FEStructure, rigid: Array) -> None:
     size = float(np.max(np.abs(body.M.diagonal()), initial=0.0))
     inertia = rigid.T @ (body.M @ rigid)
     scale = np.sqrt(np.maximum(np.diag(inertia), np.finfo(np.float64).tiny))
@@ -78,7 +78,7 @@ def _check_mass(body: Structure, rigid: Array) -> None:
     factorised(part, "mass", "inertia is never negative or lost: check the export of the mass matrix")
 
 
-def _lowest_shifted(body: Structure) -> tuple[Array, Array]:
+def _lowest_shifted(body: FEStructure) -> tuple[Array, Array]:
     """The lowest modes of a free structure by a small negative shift: lambda ascending, shapes."""
     massive = body.M.diagonal() > 0.0
     shift = SHIFT * float(np.median(body.K.diagonal()[massive] / body.M.diagonal()[massive]))
@@ -103,7 +103,7 @@ def _left_by(K: sp.csr_matrix, rigid: Array) -> tuple[float, float]:
     return float(np.max(force.max(axis=0) / terms.max(axis=0))), float(np.max(_share(K, rigid)))
 
 
-def _loose_node(body: Structure, rigid: Array, shapes: Array) -> int:
+def _loose_node(body: FEStructure, rigid: Array, shapes: Array) -> int:
     """Id of the node that moves most in what strain-free motion is left beyond the six rigid ones."""
     basis = la.qr(rigid, mode="economic")[0]
     rest = shapes - basis @ (basis.T @ shapes)

@@ -9,13 +9,13 @@ import scipy.sparse as sp
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.structure import AXES, Structure, structure
+from symgen.fe.structure import AXES, FEStructure, structure
 
 # Quadrature of this degree integrates the mass of each element exactly (per direction for hexahedra).
 DEGREE = {"P1": 2, "P2": 4, "Q1": 3, "Q2": 5}
 
 
-def solid_structure(mesh: Any, material: Material, order: int = 2) -> Structure:
+def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructure:
     """Stiffness and consistent mass of a scikit-fem MeshTet or MeshHex; elements P1/Q1 (order 1) or P2/Q2 (order 2).
 
     The first node ids are the mesh's vertices 0, 1, ...; order 2 adds nodes on edges, faces and in cells.

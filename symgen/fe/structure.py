@@ -22,7 +22,7 @@ SYMMETRY_TOLERANCE = 1e-6  # matrices written with 7 digits pass; a triangle or 
 
 
 @dataclass(frozen=True, eq=False)
-class Structure:
+class FEStructure:
     """An unsupported structure: K u = f - M u'' in n_dof rows.
 
     K [N/m], M [kg]: sparse (n_dof, n_dof), symmetric.  ids (n,): names of the nodes.  positions (n, 3) [m].
@@ -88,8 +88,8 @@ class Structure:
 
 def structure(
     K: sp.spmatrix, M: sp.spmatrix, ids: Integers, positions: Array, node: Integers, component: Integers
-) -> Structure:
-    """A checked Structure; arguments as its fields.
+) -> FEStructure:
+    """A checked FEStructure; arguments as its fields.
 
     Raises FiniteElementError for wrong sizes, NaN, unsymmetric matrices, doubled rows of the dof map,
     rows without stiffness and mass, and negative diagonals.
@@ -115,7 +115,7 @@ def structure(
             f"{component[row] + 1} of node {ids[node[row]]}",
             "leave these rows out of the matrices and of the dof map",
         )
-    return Structure(
+    return FEStructure(
         stiffness,
         mass,
         np.asarray(ids, dtype=np.int64),

@@ -18,7 +18,7 @@ from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerat
 from symgen.condensed.loops import solve_forward
 from symgen.kernels.all_coordinates import augmented, constraints, energy, measures, reactions
 from symgen.kernels.arguments import Arguments, arguments_of
-from symgen.kernels.drawing import drawing
+from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
 from symgen.system.errors import DerivationError
@@ -46,7 +46,7 @@ def build_kernels(
         "reactions": partial(reactions, system),
         "energy": partial(energy, system),
         "measures": partial(measures, system),
-        "drawing": lambda: drawing(system.equations),
+        "poses": lambda: poses(system.equations),
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build

@@ -1,4 +1,4 @@
-"""Points to draw: a polyline per body, with the deformation scaled by an exaggeration factor."""
+"""What pictures are made of: the pose of each body as a function of q, and its points as functions of p."""
 
 from __future__ import annotations
 
@@ -8,17 +8,32 @@ from symgen.kernels.kernel import Kernel
 from symgen.system.equations import Equations
 
 
-def drawing(equations: Equations) -> Kernel:
-    """xy (2 x points) or xyz (3 x points) of all polylines in turn; the manifest's `outlines` say how many each has."""
-    exaggeration = ca.SX.sym("exaggeration")
-    scaled = ca.vertcat(
-        *(
-            value * exaggeration if column in equations.elastic_columns else value
-            for column, value in enumerate(equations.q)
-        )
-    )
-    columns = [ca.vertcat(*point) for outline in equations.outlines for point in outline.points]
-    points = ca.horzcat(*columns) if columns else ca.SX(2, 0)
-    q = ca.vertcat(*equations.q)
-    drawn = ca.substitute(points, q, scaled)
-    return Kernel({"q": q, "exaggeration": exaggeration, "t": equations.t}, {"xyz"[: points.shape[0]]: drawn})
+def poses(equations: Equations) -> Kernel:
+    """(12 x bodies): origin r [m], then the columns of A, of each body that moves; a planar one in the xy-plane."""
+    columns = [
+        ca.vertcat(*r, *(A[i][j] for j in range(3) for i in range(3))) for r, A in equations.picture.poses.values()
+    ]
+    return Kernel({"q": ca.vertcat(*equations.q)}, {"poses": ca.horzcat(*columns) if columns else ca.SX(12, 0)})
+
+
+def geometry(equations: Equations, p: ca.SX) -> Kernel:
+    """The points of the manifest's `drawing` in turn, in body axes, as functions of the parameters.
+
+    positions (3 x points) [m]; axes (9 x points): columns of the marker's rotation; shapes, turns (3 x modes of each
+    point's body): displacement and rotation by each mode; H: nf x nf of each point that has it [1/m]; sections
+    (2 x beams): height and width [m].
+    """
+    points, sections = equations.picture.points, equations.picture.sections.values()
+
+    def columns(rows: int, vectors: list[list[ca.SX]]) -> ca.SX:
+        return ca.horzcat(*(ca.vertcat(*vector) for vector in vectors)) if vectors else ca.SX(rows, 0)
+
+    outputs = {
+        "positions": columns(3, [point.position for point in points]),
+        "axes": columns(9, [[point.axes[i][j] for j in range(3) for i in range(3)] for point in points]),
+        "shapes": columns(3, [shape for point in points for shape in point.shapes]),
+        "turns": columns(3, [turn for point in points for turn in point.turns]),
+        "H": columns(1, [[value] for point in points for row in point.H for value in row]),
+        "sections": columns(2, [list(section) for section in sections]),
+    }
+    return Kernel({"p": p}, {name: value for name, value in outputs.items() if value.numel()})

@@ -16,7 +16,7 @@ from symgen.loads.effect import LoadEffect
 
 
 @dataclass(frozen=True)
-class Motion:
+class StateVector:
     """The symbols of all coordinates and rates: what potentials are differentiated by."""
 
     q: ca.SX
@@ -76,7 +76,7 @@ def turning_spring_damper(angle: Angle, stiffness: ca.SX, damping: ca.SX, free_a
     return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * angle.rate**2)
 
 
-def angle_about_z(a: SpatialMarker, b: SpatialMarker, motion: Motion) -> Angle:
+def angle_about_z(a: SpatialMarker, b: SpatialMarker, motion: StateVector) -> Angle:
     """Angle of b's x-axis in the xy-plane of marker a, between -pi and pi."""
     value = ca.atan2(dot(b.axes[0], a.axes[1]), dot(b.axes[0], a.axes[0]))
     return Angle(value, ca.jtimes(value, motion.q, motion.q_dot), gradient(value, motion.q))
@@ -93,7 +93,7 @@ def hinge_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX) -> LoadEf
     return LoadEffect(row, dissipated=damping * rate**2)
 
 
-def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, motion: Motion) -> LoadEffect:
+def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, motion: StateVector) -> LoadEffect:
     """Viscous friction of the travel of b along marker a's z-axis."""
     travel = dot(a.axes[2], minus(b.r, a.r))
     rate = ca.jtimes(travel, motion.q, motion.q_dot)
@@ -103,7 +103,7 @@ def slide_friction(a: SpatialMarker, b: SpatialMarker, damping: ca.SX, motion: M
 
 
 def bushing(
-    a: SpatialMarker, b: SpatialMarker, stiffness: Sequence[Vector], damping: Sequence[Vector], motion: Motion
+    a: SpatialMarker, b: SpatialMarker, stiffness: Sequence[Vector], damping: Sequence[Vector], motion: StateVector
 ) -> LoadEffect:
     """Springs and dampers along and about marker a's axes: (translation, rotation) constants, three each.
 

@@ -17,7 +17,7 @@ AXIAL_ENDS = {"fixed-free": 1, "free-free": 1, "fixed-fixed": 2}
 
 
 @dataclass(frozen=True, eq=False)
-class AxialModes:
+class BarModes:
     """Longitudinal modes for L = 1, EA = 1, rho A = 1; n elements. Arrays are read-only.
 
     xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
@@ -56,7 +56,7 @@ class AxialModes:
         return clean((1.0 - local) * self.u[element] + local * self.u[element + 1], 1.0)
 
 
-def axial_modes(elements: int, ends: str, modes: int) -> AxialModes:
+def axial_modes(elements: int, ends: str, modes: int) -> BarModes:
     """First `modes` elastic longitudinal modes of the bar in `elements` equal elements (Eqs. 15-20).
 
     ends: "fixed-free", "free-free" (the rigid mode removed) or "fixed-fixed", start first.
@@ -75,7 +75,7 @@ def axial_modes(elements: int, ends: str, modes: int) -> AxialModes:
     u = np.zeros((elements + 1, modes))
     u[free] = clean(normalised(shapes))
     mass = np.diag(np.einsum("k,ka,ka->a", mu, u, u))
-    return AxialModes(
+    return BarModes(
         ends,
         fixed(xi),
         fixed(mu),

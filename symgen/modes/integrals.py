@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symgen.modes.axial import AxialModes
+from symgen.modes.axial import BarModes
 from symgen.modes.cleaning import Array, clean, fixed, symmetric
-from symgen.modes.lateral import LateralModes
+from symgen.modes.lateral import BeamModes
 from symgen.modes.mesh import check_fraction
 
 Nodal = tuple[Array, Array, Array]  # Phi_x (n+1, nf), Phi_y (n+1, nf), eta (n+1, nf, nf)
@@ -59,8 +59,8 @@ class BeamIntegrals:
     kappa_axial: Array
     H: Array
     xH: Array
-    lateral: LateralModes | None
-    axial: AxialModes | None
+    lateral: BeamModes | None
+    axial: BarModes | None
 
     @property
     def nf(self) -> int:
@@ -80,7 +80,7 @@ class BeamIntegrals:
         return BeamPoint(fixed(shape_x), fixed(shape_y), fixed(slope), fixed(foreshortening))
 
 
-def beam_integrals(lateral: LateralModes | None, axial: AxialModes | None) -> BeamIntegrals:
+def beam_integrals(lateral: BeamModes | None, axial: BarModes | None) -> BeamIntegrals:
     """Shape integrals of a beam with these modes: sums over the lumped nodal masses (Eqs. 15-20).
 
     Without any modes the beam is a rigid uniform rod (nf = 0, i0 = 1/3).
@@ -115,7 +115,7 @@ def beam_integrals(lateral: LateralModes | None, axial: AxialModes | None) -> Be
     )
 
 
-def _nodal(lateral: LateralModes | None, axial: AxialModes | None) -> Nodal:
+def _nodal(lateral: BeamModes | None, axial: BarModes | None) -> Nodal:
     """Phi_x, Phi_y and eta at the nodes over all modal coordinates, lateral first."""
     meshed = lateral or axial
     nodes = len(meshed.xi) if meshed else 0

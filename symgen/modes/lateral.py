@@ -32,7 +32,7 @@ class LateralPoint(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class LateralModes:
+class BeamModes:
     """Bending modes for L = 1, EI = 1, rho A = 1; n elements. Arrays are read-only.
 
     xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
@@ -82,7 +82,7 @@ class LateralModes:
         )
 
 
-def lateral_modes(elements: int, ends: str, modes: int) -> LateralModes:
+def lateral_modes(elements: int, ends: str, modes: int) -> BeamModes:
     """First `modes` elastic bending modes of the beam in `elements` equal elements (Eqs. 15-20).
 
     ends: "pinned-pinned", "clamped-free", "free-free" (the two rigid modes removed), "clamped-pinned" or
@@ -110,7 +110,7 @@ def lateral_modes(elements: int, ends: str, modes: int) -> LateralModes:
         slope = 0.5 * (slope - parity * slope[::-1])
     slope = clean(slope)
     mass = np.diag(np.einsum("k,ka,ka->a", mu, phi, phi))
-    return LateralModes(
+    return BeamModes(
         ends,
         fixed(xi),
         fixed(mu),

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symgen.modes.axial import AxialModes
+from symgen.modes.axial import BarModes
 from symgen.modes.cleaning import Array, clean, fixed
-from symgen.modes.lateral import LateralModes
+from symgen.modes.lateral import BeamModes
 
 ALONG = 0
 TURN = {1: (2, 1.0), 2: (1, -1.0)}  # deflection along y turns about z, along z about -y
@@ -41,7 +41,7 @@ class SpatialBeam:
     kappa: Array
     H: Array
     xH: Array
-    sets: tuple[tuple[int, LateralModes | AxialModes], ...]
+    sets: tuple[tuple[int, BeamModes | BarModes], ...]
 
     def point(self, at: float) -> SpatialBeamPoint:
         """Shapes at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
@@ -50,7 +50,7 @@ class SpatialBeam:
         first = 0
         for axis, modes in self.sets:
             own = slice(first, first + modes.modes)
-            if isinstance(modes, LateralModes):
+            if isinstance(modes, BeamModes):
                 about, sign = TURN[axis]
                 shape[axis, own], slope, H[own, own] = modes.interpolate(at)
                 turn[about, own] = sign * slope
@@ -60,7 +60,7 @@ class SpatialBeam:
         return SpatialBeamPoint(fixed(shape), fixed(turn), fixed(H))
 
 
-def spatial_beam(sets: tuple[tuple[int, LateralModes | AxialModes], ...]) -> SpatialBeam:
+def spatial_beam(sets: tuple[tuple[int, BeamModes | BarModes], ...]) -> SpatialBeam:
     """Sums over the lumped nodal masses. sets: (axis, modes on the same mesh), at least one."""
     xi, mu = sets[0][1].xi, sets[0][1].mu
     axes = tuple(axis for axis, modes in sets for _ in range(modes.modes))
@@ -69,7 +69,7 @@ def spatial_beam(sets: tuple[tuple[int, LateralModes | AxialModes], ...]) -> Spa
     first = 0
     for axis, modes in sets:
         own = slice(first, first + modes.modes)
-        if isinstance(modes, LateralModes):
+        if isinstance(modes, BeamModes):
             nodal[:, axis, own], eta[:, own, own] = modes.phi, modes.eta
         else:
             nodal[:, axis, own] = modes.u

@@ -4,6 +4,9 @@ A `Scene` is immutable and checked: whatever is wrong in it surfaces as a `Scene
 and remedy.
 """
 
+from typing import Any
+from warnings import warn
+
 from symgen.scene.bodies import (
     AxialModes,
     BeamBody,
@@ -18,7 +21,7 @@ from symgen.scene.builder import SceneBuilder
 from symgen.scene.errors import SceneError
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Quantity
-from symgen.scene.flexible import FlexibleBody, FlexibleMarker, FlexibleStiffening
+from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody
 from symgen.scene.joints import (
     CylindricalJoint,
     DistanceJoint,
@@ -45,24 +48,39 @@ from symgen.scene.measures import (
     ZMeasure,
 )
 from symgen.scene.modal import Foreshortening, ModalBody, ModalMarker
-from symgen.scene.parameters import Parameter
+from symgen.scene.parameters import DeclaredParameter
 from symgen.scene.parts import AnyBody, AnyMarker, Body
-from symgen.scene.places import Place
+from symgen.scene.placing import Placement
 from symgen.scene.scene import Scene
-from symgen.scene.simulation import Baumgarte, Group, Initial, InitialValue, Partition, Simulation
+from symgen.scene.simulation import Baumgarte, CoordinateGroup, Initial, InitialValue, Partition, Simulation
 from symgen.scene.structure import Structure
 
 __all__ = [
     "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
     "Bushing", "CoordinateMeasure", "CylindricalJoint",
-    "DistanceJoint", "DistanceMeasure", "Expression", "FlexibleBody", "FlexibleMarker", "FlexibleStiffening",
-    "Force", "Foreshortening", "Group", "GroundBody", "Initial",
+    "DistanceJoint", "DistanceMeasure", "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
+    "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
     "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
-    "Parameter", "Partition", "Place", "PlanarJoint",
+    "DeclaredParameter", "Partition", "Placement", "PlanarJoint",
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
     "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "UniversalJoint", "WeldJoint", "XMeasure",
     "YMeasure", "ZMeasure", "parse_expression",
 ]  # fmt: skip
+
+_RENAMED = {
+    "FlexibleBody": SpatialModalBody,
+    "Group": CoordinateGroup,
+    "Parameter": DeclaredParameter,
+    "Place": Placement,
+}
+
+
+def __getattr__(name: str) -> type[Any]:
+    if name in _RENAMED:
+        new = _RENAMED[name]
+        warn(f"symgen.scene.{name} is {new.__name__} since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
+        return new
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Strict
 
-from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Model, Name, Number, Quantity
+from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
 
 LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
 AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed"]
@@ -19,7 +19,7 @@ Orientation = Literal[
 ]
 
 
-class MarkerDirections(Model):
+class MarkerDirections(StrictModel):
     """How a marker is turned in its body: by ``angle`` [rad] in a planar scene, by its axes in a spatial one.
 
     axis: direction of the marker's z-axis in the body frame, of any length; x_axis: a direction in its xz-plane, on the
@@ -37,7 +37,7 @@ class RigidMarker(MarkerDirections):
     position: Position = (0.0, 0.0)
 
 
-class GroundBody(Model):
+class GroundBody(StrictModel):
     """The fixed frame. A scene has one even when it does not mention it."""
 
     type: Literal["ground"] = "ground"
@@ -54,7 +54,7 @@ class GroundBody(Model):
         return {"origin": RigidMarker()}
 
 
-class RigidBody(Model):
+class RigidBody(StrictModel):
     """A rigid body with coordinates R_o, theta of its frame.
 
     mass [kg]; inertia [kg m^2] about the centre of mass: one number in a planar scene, the entries xx, yy, zz of the
@@ -83,14 +83,14 @@ class RigidBody(Model):
         return {"origin": RigidMarker(), "center": RigidMarker(position=self.center_of_mass)}
 
 
-class LateralModes(Model):
+class LateralModes(StrictModel):
     """Which bending modes of the free-vibration problem are kept (Eq. 19)."""
 
     ends: LATERAL_ENDS
     modes: Modes
 
 
-class AxialModes(Model):
+class AxialModes(StrictModel):
     """Which axial modes of the free-vibration problem are kept (Eq. 19)."""
 
     ends: AXIAL_ENDS
@@ -103,7 +103,7 @@ class BeamMarker(MarkerDirections):
     at: Number
 
 
-class BeamBody(Model):
+class BeamBody(StrictModel):
     """A uniform beam meshed into elements with lumped nodal masses (Eq. 15-20).
 
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of

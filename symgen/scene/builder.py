@@ -50,7 +50,7 @@ class SceneBuilder:
         return self._add("bodies", "modal", name, fields)
 
     def flexible(self, name: str, **fields: Any) -> Self:
-        """A `FlexibleBody`."""
+        """A `SpatialModalBody`."""
         return self._add("bodies", "flexible", name, fields)
 
     def joint(self, type: str, name: str, marker_a: str, marker_b: str, **fields: Any) -> Self:

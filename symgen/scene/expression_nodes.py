@@ -13,7 +13,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Symbol:
+class NamedValue:
     """A declared name, or ``t``."""
 
     name: str
@@ -36,7 +36,7 @@ class Binary:
 
 
 @dataclass(frozen=True)
-class Call:
+class FunctionCall:
     """A function of the table in `expression_values` with its arguments."""
 
     function: str
@@ -60,4 +60,4 @@ class Where:
     otherwise: Node
 
 
-Node = Constant | Symbol | Negative | Binary | Call | Where
+Node = Constant | NamedValue | Negative | Binary | FunctionCall | Where

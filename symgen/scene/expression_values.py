@@ -14,7 +14,7 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.scene.expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
+from symgen.scene.expression_nodes import Binary, Condition, Constant, FunctionCall, NamedValue, Negative, Node, Where
 
 ARITY: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"), (1, 1)),
@@ -73,13 +73,13 @@ def float_value(node: Node, env: Mapping[str, float]) -> float:
     match node:
         case Constant(value):
             return value
-        case Symbol(name):
+        case NamedValue(name):
             return float(env[name])
         case Negative(operand):
             return -float_value(operand, env)
         case Binary(sign, left, right):
             return FLOAT_ARITHMETIC[sign](float_value(left, env), float_value(right, env))
-        case Call(function, arguments):
+        case FunctionCall(function, arguments):
             return FLOAT_FUNCTIONS[function](*(float_value(part, env) for part in arguments))
         case Where(condition, chosen, otherwise):
             return float_value(chosen if _float_condition(condition, env) else otherwise, env)
@@ -96,13 +96,13 @@ def casadi_value(node: Node, env: Mapping[str, ca.SX]) -> ca.SX:
     match node:
         case Constant(value):
             return ca.SX(value)
-        case Symbol(name):
+        case NamedValue(name):
             return env[name]
         case Negative(operand):
             return -casadi_value(operand, env)
         case Binary(sign, left, right):
             return ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env))
-        case Call(function, arguments):
+        case FunctionCall(function, arguments):
             return CASADI_FUNCTIONS[function](*(casadi_value(part, env) for part in arguments))
         case Where(condition, chosen, otherwise):
             holds = _casadi_condition(condition, env)

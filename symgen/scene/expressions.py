@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.scene.errors import SceneError, did_you_mean, show
-from symgen.scene.expression_nodes import Binary, Call, Condition, Constant, Negative, Node, Symbol, Where
+from symgen.scene.expression_nodes import Binary, Condition, Constant, FunctionCall, NamedValue, Negative, Node, Where
 from symgen.scene.expression_values import ARITY, casadi_value, float_value
 
 MAX_CHARACTERS = 10_000
@@ -149,7 +149,7 @@ class _Reader:
         if name == "pi":
             return Constant(math.pi)
         if name in self.names:
-            return Symbol(name)
+            return NamedValue(name)
         if name == "t":
             raise self._error("t is not available here", "this quantity must be constant in time")
         if name in ARITY:
@@ -168,7 +168,7 @@ class _Reader:
         if function == "where":
             condition = self._condition(arguments[0], depth + 1)
             return Where(condition, *(self.node(part, depth + 1) for part in arguments[1:]))
-        return Call(function, tuple(self.node(part, depth + 1) for part in arguments))
+        return FunctionCall(function, tuple(self.node(part, depth + 1) for part in arguments))
 
     def _condition(self, tree: ast.expr, depth: int) -> Condition:
         if not isinstance(tree, ast.Compare) or any(type(sign) not in _COMPARISONS for sign in tree.ops):
@@ -182,13 +182,13 @@ class _Reader:
 
 def _names(node: Node | Condition) -> set[str]:
     match node:
-        case Symbol(name):
+        case NamedValue(name):
             return {name}
         case Negative(operand):
             return _names(operand)
         case Binary(_, left, right):
             return _names(left) | _names(right)
-        case Call(_, parts) | Condition(_, parts):
+        case FunctionCall(_, parts) | Condition(_, parts):
             return set().union(*(_names(part) for part in parts))
         case Where(condition, chosen, otherwise):
             return _names(condition) | _names(chosen) | _names(otherwise)

@@ -29,7 +29,7 @@ def refuse(problem: str, remedy: str, key: str = "") -> PydanticCustomError:
     return PydanticCustomError("scene", "{problem}; {remedy}", {"problem": problem, "remedy": remedy, "key": key})
 
 
-class Model(BaseModel):
+class StrictModel(BaseModel):
     """Base of every part of a scene: immutable, and an unknown key is an error with a suggestion."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -174,7 +174,7 @@ def quantities(model: BaseModel, path: str) -> Iterator[tuple[str, float | str, 
         value = getattr(model, key)
         meaning = next((entry for entry in field.metadata if isinstance(entry, Meaning)), None)
         if meaning is not None:
-            yield from ((place, entry, meaning) for place, entry in _entries(value, f"{path}.{key}"))
+            yield from ((item, entry, meaning) for item, entry in _entries(value, f"{path}.{key}"))
         elif isinstance(value, BaseModel):
             yield from quantities(value, f"{path}.{key}")
         elif isinstance(value, dict):

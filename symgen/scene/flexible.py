@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from symgen.scene.bodies import MarkerDirections, Orientation
-from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Model, Name, Number, Quantity
+from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 Point = Annotated[tuple[Quantity, Quantity, Quantity], Meaning("position in the body frame, (x, y, z)", "m")]
@@ -24,7 +24,7 @@ class FlexibleMarker(MarkerDirections):
     rotation: Annotated[Matrix, Meaning("rotation of the point, 3 x nf", "rad per unit of q_f")] = ()
 
 
-class FlexibleStiffening(Model):
+class FlexibleStiffening(StrictModel):
     """Second-order displacement -1/2 q_f^T H_i q_f along axis i: H[i] = int H_i dm, xH[i][j] = int x_i H_j dm, nf x nf.
 
     They give centrifugal and other geometric stiffness.
@@ -34,7 +34,7 @@ class FlexibleStiffening(Model):
     xH: tuple[tuple[tuple[tuple[Number, ...], ...], ...], ...] = ()
 
 
-class FlexibleBody(Model):
+class SpatialModalBody(StrictModel):
     """A flexible body in space: modal mass, stiffness, damping and shape integrals over the undeformed position rho0.
 
     mass [kg]; first_moment: int rho0 dm [kg m]; inertia_moments: int rho0_i rho0_j dm [kg m^2], 3 x 3 about the frame

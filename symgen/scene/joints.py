@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
+from symgen.scene.fields import Bound, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
 
 
-class _Joint(Model):
+class _Joint(StrictModel):
     name: Name
     marker_a: MarkerRef
     marker_b: MarkerRef

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Bound, MarkerRef, Meaning, Model, Name, Quantity, Scope
+from symgen.scene.fields import Bound, MarkerRef, Meaning, Name, Quantity, Scope, StrictModel
 
 Stiffness = Annotated[Quantity, Meaning("stiffness", "N/m", Bound.NON_NEGATIVE)]
 Damping = Annotated[Quantity, Meaning("damping", "N s/m", Bound.NON_NEGATIVE)]
@@ -20,7 +20,7 @@ TurningStiffnesses = Annotated[tuple[Quantity, ...], Meaning("stiffness about x,
 TurningDampings = Annotated[tuple[Quantity, ...], Meaning("damping about x, y, z", "N m s/rad", Bound.NON_NEGATIVE)]
 
 
-class Force(Model):
+class Force(StrictModel):
     """A force at a marker; components [N] along the world's axes or the body's."""
 
     type: Literal["force"] = "force"
@@ -30,7 +30,7 @@ class Force(Model):
     frame: Literal["world", "body"] = "world"
 
 
-class Torque(Model):
+class Torque(StrictModel):
     """A torque [N m] about a marker's z-axis, counter-clockwise; its opposite acts at ``reaction`` if given."""
 
     type: Literal["torque"] = "torque"
@@ -40,7 +40,7 @@ class Torque(Model):
     reaction: MarkerRef | None = None
 
 
-class SpringDamper(Model):
+class SpringDamper(StrictModel):
     """A spring and damper along the line between two markers."""
 
     type: Literal["spring_damper"] = "spring_damper"
@@ -52,7 +52,7 @@ class SpringDamper(Model):
     free_length: FreeLength = 0.0
 
 
-class RotationalSpringDamper(Model):
+class RotationalSpringDamper(StrictModel):
     """A spring and damper on the angle phi_b - phi_a; in space on the angle about marker a's z-axis.
 
     In space the angle is that of the joint between the two markers, or else one between -pi and pi.
@@ -67,7 +67,7 @@ class RotationalSpringDamper(Model):
     free_angle: Annotated[Quantity, Meaning("angle without torque", "rad")] = 0.0
 
 
-class Bushing(Model):
+class Bushing(StrictModel):
     """Springs and dampers along and about marker a's axes on the displacement and small rotation of b (spatial).
 
     stiffness [N/m], damping [N s/m], rotational_stiffness [N m/rad], rotational_damping [N m s/rad]: three each.

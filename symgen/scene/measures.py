@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Coordinate, MarkerRef, Model, Name
+from symgen.scene.fields import Coordinate, MarkerRef, Name, StrictModel
 
 
-class _Measure(Model):
+class _Measure(StrictModel):
     name: Name
     marker_a: MarkerRef = "ground.origin"
     marker_b: MarkerRef
@@ -48,7 +48,7 @@ class ZMeasure(_Measure):
     type: Literal["z"] = "z"
 
 
-class CoordinateMeasure(Model):
+class CoordinateMeasure(StrictModel):
     """A coordinate itself [m, rad], for instance a mode or the second angle of a universal joint."""
 
     type: Literal["coordinate"] = "coordinate"

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, field_validator
 
 from symgen.scene.bodies import Position
-from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Model, Name, Quantity, Vector
+from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Matrix, Meaning, Name, Quantity, StrictModel, Vector
 
 
 def _zeros(rows: int) -> Any:
@@ -21,7 +21,7 @@ def _zeros(rows: int) -> Any:
     return Field(default_factory=make)
 
 
-class ModalMarker(Model):
+class ModalMarker(StrictModel):
     """A point of a modal body: rho = position + Phi q_f, marker angle = theta + angle + slope.q_f.
 
     position [m]; angle [rad]; shape_x, shape_y: the rows of Phi at the point, nf each; slope: nf;
@@ -41,14 +41,14 @@ class ModalMarker(Model):
         return self.model_copy(update={key: (0.0,) * nf for key in missing})
 
 
-class Foreshortening(Model):
+class Foreshortening(StrictModel):
     """Integrals of the foreshortening matrix: H [int H dm] and xH [int x H dm], nf x nf each."""
 
     H: Annotated[Matrix, Meaning("int H dm", "kg m per unit of q_f^2")]
     xH: Annotated[Matrix, Meaning("int x H dm", "kg m^2 per unit of q_f^2")]
 
 
-class ModalBody(Model):
+class ModalBody(StrictModel):
     """A flexible body with given modal mass, stiffness, damping and inertia shape integrals (Eq. 20).
 
     mass [kg]; first_moment: int rho0 dm [kg m]; inertia: int |rho0|^2 dm [kg m^2], about the frame origin;

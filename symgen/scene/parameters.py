@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from symgen.scene.fields import Model, Number, Text
+from symgen.scene.fields import Number, StrictModel, Text
 
 
-class Parameter(Model):
+class DeclaredParameter(StrictModel):
     """A number that stays an input of the emitted functions.
 
     ``default`` is in SI units (``unit`` names them for people). Expressions use the parameter by its name.

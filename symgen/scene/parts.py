@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 from typing import Annotated, Literal
+from warnings import warn
 
 from pydantic import Field
 
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.expressions import Expression, parse_expression
-from symgen.scene.fields import Meaning, Model, Name, Quantity, Text
-from symgen.scene.flexible import FlexibleBody, FlexibleMarker
+from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
+from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
 from symgen.scene.modal import ModalBody, ModalMarker
-from symgen.scene.parameters import Parameter
-from symgen.scene.places import Place, joint_places
+from symgen.scene.parameters import DeclaredParameter
+from symgen.scene.placing import Placement, placements_of
 from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
 from symgen.scene.structure import Structure
 
-AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | FlexibleBody
+AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
 Body = Annotated[AnyBody, Field(discriminator="type")]
 
 
-class SceneParts(Model):
+class SceneParts(StrictModel):
     """The parts of a scene: each sound by itself. `Scene` adds the checks across them."""
 
     name: Name
@@ -36,7 +37,7 @@ class SceneParts(Model):
         0.0,
         0.0,
     )
-    parameters: dict[Name, Parameter] = Field(default_factory=dict)
+    parameters: dict[Name, DeclaredParameter] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     loads: tuple[Load, ...] = ()
@@ -53,7 +54,7 @@ class SceneParts(Model):
         return next((body for body in self.bodies if isinstance(body, GroundBody)), GroundBody())
 
     @property
-    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | FlexibleBody, ...]:
+    def moving_bodies(self) -> tuple[RigidBody | BeamBody | ModalBody | SpatialModalBody, ...]:
         """All bodies but the ground, in the scene's order."""
         return tuple(body for body in self.bodies if not isinstance(body, GroundBody))
 
@@ -83,7 +84,7 @@ class SceneParts(Model):
             for body in self.moving_bodies
             for part in (*self.frame_coordinates(body), *(f"q{k + 1}" for k in range(body.nf)))
         ]
-        return names + [name for place in self.places() for name in place.coordinates]
+        return names + [name for placement in self.placements() for name in placement.coordinates]
 
     @property
     def dimension(self) -> int:
@@ -97,12 +98,17 @@ class SceneParts(Model):
         angles = getattr(body, "orientation", "zyx") != "euler_parameters"
         return ("x", "y", "z", *(("theta1", "theta2", "theta3") if angles else ("e0", "e1", "e2", "e3")))
 
-    def places(self) -> list[Place]:
-        """The joints that orient a body by coordinates of their own, in scene order (spatial scenes)."""
-        return joint_places(self.moving_bodies, self.joints) if self.space == "spatial" else []
+    def placements(self) -> list[Placement]:
+        """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""
+        return placements_of(self.moving_bodies, self.joints) if self.space == "spatial" else []
+
+    def places(self) -> list[Placement]:
+        """The old name of `placements`."""
+        warn("Scene.places is placements since 0.4; the old name goes with 0.5", DeprecationWarning, 2)
+        return self.placements()
 
     def parameter_defaults(self) -> dict[str, float]:
-        """Parameter names and their default values, in SI units."""
+        """DeclaredParameter names and their default values, in SI units."""
         return {name: parameter.default for name, parameter in self.parameters.items()}
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:

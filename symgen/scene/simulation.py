@@ -7,26 +7,26 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, Strict
 
 from runtime.contract.scheme_names import SchemeName
-from symgen.scene.fields import Coordinate, Flag, Model, Name, Number
+from symgen.scene.fields import Coordinate, Flag, Name, Number, StrictModel
 
 MAX_STEPS = 10**9
 
 
-class Group(Model):
+class CoordinateGroup(StrictModel):
     """Coordinates that share a step size; names, or patterns with * and ? such as ``rod.q*``."""
 
     name: Name
     coordinates: tuple[Coordinate, ...]
 
 
-class Partition(Model):
+class Partition(StrictModel):
     """Which coordinates are independent (Eq. 29) and how they are grouped, from slow to fast (Eq. 39, 72)."""
 
     independent: tuple[Coordinate, ...] | None = None
-    groups: tuple[Group, ...] | None = None
+    groups: tuple[CoordinateGroup, ...] | None = None
 
 
-class InitialValue(Model):
+class InitialValue(StrictModel):
     """A starting value; ``fixed`` keeps it as it is when the initial state is made consistent."""
 
     value: Number
@@ -40,7 +40,7 @@ def _as_initial_value(value: Any) -> Any:
 InitialEntry = Annotated[InitialValue, BeforeValidator(_as_initial_value, json_schema_input_type=float | InitialValue)]
 
 
-class Initial(Model):
+class Initial(StrictModel):
     """Starting values by coordinate name: coordinates [m, rad] and rates [m/s, rad/s]; may be partial.
 
     A number ``v`` is short for ``{value = v, fixed = false}`` and is stored in that form.
@@ -50,14 +50,14 @@ class Initial(Model):
     rates: dict[Coordinate, InitialEntry] = Field(default_factory=dict)
 
 
-class Baumgarte(Model):
+class Baumgarte(StrictModel):
     """Stabilisation terms of the augmented form: gamma - 2 alpha C_dot - beta^2 C, alpha and beta [1/s]."""
 
     alpha: Annotated[float, Strict(), Field(ge=0, le=1e12)]
     beta: Annotated[float, Strict(), Field(ge=0, le=1e12)]
 
 
-class Simulation(Model):
+class Simulation(StrictModel):
     """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
 
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into equilibrium with it.

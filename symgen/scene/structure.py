@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from symgen.scene.fields import Matrix, Meaning, Model, Name, Scope, Vector
+from symgen.scene.fields import Matrix, Meaning, Name, Scope, StrictModel, Vector
 
 
-class Structure(Model):
+class Structure(StrictModel):
     """Coordinates x (n names) and the matrices mass, damping, stiffness (n x n); force: n entries."""
 
     coordinates: tuple[Name, ...]

@@ -13,15 +13,8 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
+from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
-
-
-@dataclass(frozen=True)
-class Outline:
-    """Polyline that shows a body: world points as lists of two or three SX."""
-
-    body: str
-    points: list[list[ca.SX]]
 
 
 @dataclass
@@ -50,7 +43,7 @@ class Equations:
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()
     at_rest: dict[int, float] = field(default_factory=dict)
-    outlines: list[Outline] = field(default_factory=list)
+    picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
 
     @cached_property

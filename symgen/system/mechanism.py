@@ -13,12 +13,13 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import add
+from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LoadEffect
 from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.system.equations import Equations, Outline
+from symgen.system.equations import Equations
 from symgen.system.topology import Topology
 
 
@@ -76,8 +77,8 @@ class Space(Protocol[Marker]):
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Effect of a load; value(text, item) reads an expression."""
 
-    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
-        """World points that show each body."""
+    def picture(self) -> Picture:
+        """What shows the bodies."""
 
 
 class Mechanism(Generic[Marker]):
@@ -101,7 +102,7 @@ class Mechanism(Generic[Marker]):
         self._add_measures()
         for load in scene.loads:
             self._add_effect(space.load(load, self._expression))
-        equations.outlines = [Outline(body, points) for body, points in space.outlines()]
+        equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (
                 table.quantity(scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors"),

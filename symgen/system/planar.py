@@ -7,16 +7,17 @@ from typing import Any
 import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.bodies.outlines import outline_references
+from symgen.algebra.scalar import ONE, ZERO, entries
+from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.planar_body import MarkerMotion, PlanarBody
 from symgen.bodies.planar_coordinates import BodyCoordinates
 from symgen.bodies.points import marker_shape
-from symgen.bodies.shape_integrals import body_integrals
+from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point, beam_section, body_integrals
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.planar_rows import planar_rows
 from symgen.loads import planar_effects as effects
 from symgen.loads.effect import LoadEffect
-from symgen.scene import Scene
+from symgen.scene import BeamBody, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.system.mechanism import components, friction, spring_values
@@ -89,9 +90,37 @@ class PlanarSpace:
         effect = effects.rotational_spring_damper if turning else effects.spring_damper
         return effect(self.marker(load.marker_a), self.marker(load.marker_b), *spring_values(load, self.table))
 
-    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
-        """Points of beams and markers."""
-        return [
-            (body, [self.bodies[body].marker(shape).r for shape in shapes])
-            for body, shapes in outline_references(self.scene, self.table)
-        ]
+    def picture(self) -> Picture:
+        """Stations of beams, markers, poses."""
+        points: list[DrawnPoint] = []
+        sections = {}
+        for body in self.scene.bodies:
+            if isinstance(body, BeamBody):
+                data = beam_integrals_of(body)
+                shapes = [beam_point(body, data, at, self.table) for at in BEAM_FRACTIONS]
+                points += [_drawn(body.name, "", shape) for shape in shapes]
+                sections[body.name] = rectangle(*beam_section(body, self.table))
+        for reference in drawn_references(self.scene):
+            name, shape = marker_shape(self.scene, reference, self.table)
+            points.append(_drawn(name, reference.partition(".")[2], shape))
+        poses = {}
+        for name, placed in self.bodies.items():
+            if placed.coordinates.columns:
+                c, s = placed.cosine, placed.sine
+                poses[name] = ([*placed.coordinates.R_o, ZERO], [[c, -s, ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]])
+        return Picture(points, poses, sections)
+
+
+def _drawn(body: str, name: str, shape: PointShape) -> DrawnPoint:
+    """A planar point with a third component."""
+    c, s = ca.cos(shape.angle), ca.sin(shape.angle)
+    modes = range(shape.Phi.shape[1])
+    return DrawnPoint(
+        body,
+        name,
+        [shape.position[0], shape.position[1], ZERO],
+        [[c, -s, ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]],
+        [[shape.Phi[0, a], shape.Phi[1, a], ZERO] for a in modes],
+        [[ZERO, ZERO, shape.slope[a]] for a in modes],
+        [] if shape.H.nnz() == 0 else entries(shape.H),
+    )

@@ -11,19 +11,21 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, dot
 from symgen.algebra.vectors import minus
-from symgen.bodies.outlines import BEAM_FRACTIONS, drawn_references
+from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
+from symgen.bodies.shape_integrals import beam_section
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
+from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.bodies.spatial_orientation import orientation
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_rows, spatial_rows, unit_length
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
-from symgen.loads.spatial_effects import Angle, Motion
+from symgen.loads.spatial_effects import Angle, StateVector
 from symgen.scene import BeamBody, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.scene.places import PLACING
+from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.system.topology import Topology
@@ -36,7 +38,7 @@ class SpatialSpace:
 
     def __init__(self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology) -> None:
         self.scene, self.table, self.topology = scene, table, topology
-        self.motion = Motion(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
+        self.motion = StateVector(ca.vertcat(*equations.q), ca.vertcat(*equations.q_dot))
         self.bodies = {"ground": SpatialBody.ground()}
         self._markers: dict[str, SpatialMarker] = {}
         self._coordinates: dict[str, JointCoordinate] = {}
@@ -171,18 +173,24 @@ class SpatialSpace:
         values: Sequence[float | str] = getattr(load, key)
         return three(values, f"{load.name}.{key}", unit, self.table, key.replace("_", " "))
 
-    def outlines(self) -> list[tuple[str, list[list[ca.SX]]]]:
-        """Points of beams and markers."""
-        found: list[tuple[str, list[list[ca.SX]]]] = []
+    def picture(self) -> Picture:
+        """Stations of beams, markers, poses."""
+        points: list[DrawnPoint] = []
+        sections = {}
         for body in self.scene.bodies:
             if isinstance(body, BeamBody):
-                points = [beam_spatial_point(body, at, self.table) for at in BEAM_FRACTIONS]
-                found.append((body.name, [self.bodies[body.name].marker(point).r for point in points]))
-                continue
-            drawn = drawn_references(self.scene, body.name, list(body.markers))
-            markers = [self.marker(reference).r for reference in drawn]
-            found += [(body.name, [point]) for point in markers] if body.type == "ground" else [(body.name, markers)]
-        return found
+                stations = [beam_spatial_point(body, at, self.table) for at in BEAM_FRACTIONS]
+                points += [_drawn(body.name, "", station) for station in stations]
+                sections[body.name] = rectangle(*beam_section(body, self.table))
+        for reference in drawn_references(self.scene):
+            name, point = spatial_point(self.scene, reference, self.table)
+            points.append(_drawn(name, reference.partition(".")[2], point))
+        placed = [body for body in self.bodies.values() if body.coordinates.columns]
+        return Picture(points, {body.name: (body.coordinates.R_o, body.orientation.A) for body in placed}, sections)
+
+
+def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
+    return DrawnPoint(body, name, point.position, point.axes, point.shapes, point.turns, point.H[0] if point.H else [])
 
 
 def _angle(own: JointCoordinate) -> Angle:

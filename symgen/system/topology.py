@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from symgen.scene import Place, Scene
+from symgen.scene import Placement, Scene
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Topology:
     links: tuple[Link, ...]
     tree: Mapping[str, Link]
     distance: Mapping[str, int]
-    placements: Mapping[str, Place]
+    placements: Mapping[str, Placement]
     rings: tuple[Ring, ...]
 
     @property
@@ -74,7 +74,7 @@ def topology_of(scene: Scene) -> Topology:
         Link(joint.name, joint.marker_a.partition(".")[0], joint.marker_b.partition(".")[0]) for joint in scene.joints
     )
     tree, distance = _spanning_tree(["ground", *(body.name for body in scene.bodies)], links)
-    placements = {place.joint: place for place in scene.places()}
+    placements = {placement.joint: placement for placement in scene.placements()}
     return Topology(links, tree, distance, placements, _rings(links, tree))
 
 

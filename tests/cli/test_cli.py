@@ -189,7 +189,7 @@ MISTAKES = [
     ["simulate", "{code}", "--plots"],
     ["simulate", "{place}"],
     ["simulate", "{code}", "--t-end", "0.001", "--out", "/proc/nowhere"],
-    ["animate", "{code}", "--t-end", "0.001", "--out", "a.mp4"],
+    ["animate", "{code}", "--t-end", "0.001", "--out", "a.avi"],
     ["animate", "{code}", "--t-end", "0.001", "--frames", "0"],
     ["demo", "no_such_scene"],
     ["new", "class-9", "--out", "/proc/nowhere/a.toml"],

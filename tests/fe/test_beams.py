@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from symgen.fe import FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
-from symgen.fe.structure import Structure
+from symgen.fe.structure import FEStructure
 
 LENGTH, WIDE, FLAT = 0.8, 0.016, 0.008
 MATERIAL = Material(E=2.0e11, nu=0.25, rho=8000.0)
@@ -62,7 +62,7 @@ def test_torsion_constant_of_a_square() -> None:
     assert_allclose(Section.rectangle(2.0, 2.0).torsion, 0.140577 * 16.0, rtol=2e-3)
 
 
-def deflections(structure: Structure, force: np.ndarray) -> np.ndarray:
+def deflections(structure: FEStructure, force: np.ndarray) -> np.ndarray:
     """The full model clamped at node 0."""
     K = structure.K.toarray()[6:, 6:]
     return np.concatenate([np.zeros(6), np.linalg.solve(K, force[6:])])

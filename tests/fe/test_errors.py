@@ -14,7 +14,7 @@ import skfem
 
 from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Material, Section
 from symgen.fe.frame import frame_structure
-from symgen.fe.structure import Structure
+from symgen.fe.structure import FEStructure
 
 N = 11
 SECTION = Section.rectangle(0.02, 0.01)
@@ -46,7 +46,7 @@ def changed(matrix: sp.csr_matrix, entries: dict[tuple[int, int], float]) -> sp.
     return result.tocsr()
 
 
-def hinged(directions: int) -> Structure:
+def hinged(directions: int) -> FEStructure:
     """Two beams of which the second repeats node 2; the two nodes share translations and 3 - `directions` rotations."""
     nodes = [*NODES[:3], *NODES[2:]]
     two = frame_structure(LineMesh(nodes, [(k, k + 1) for k in range(N) if k != 2], SECTION), STEEL)

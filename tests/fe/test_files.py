@@ -16,7 +16,7 @@ from pyyeti.nastran import op4
 
 from symgen.fe import STEEL, FiniteElementError, FlexibleBody, LineMesh, Section
 from symgen.fe.frame import frame_structure
-from symgen.fe.structure import Structure
+from symgen.fe.structure import FEStructure
 
 N = 8
 MESH = LineMesh(
@@ -27,7 +27,7 @@ ENDS = {"pin": [10], "slot": [40]}
 
 
 @pytest.fixture
-def model() -> Structure:
+def model() -> FEStructure:
     return frame_structure(MESH, STEEL)
 
 
@@ -54,7 +54,7 @@ def node_file(folder: Path, separator: str = " ") -> Path:
 
 
 @pytest.mark.parametrize("symmetry", ["symmetric", "general"])
-def test_matrix_market(tmp_path: Path, model: Structure, expected: dict[str, Any], symmetry: str) -> None:
+def test_matrix_market(tmp_path: Path, model: FEStructure, expected: dict[str, Any], symmetry: str) -> None:
     for name, matrix in (("K", model.K), ("M", model.M)):
         scipy.io.mmwrite(tmp_path / f"{name}.mtx", matrix, symmetry=symmetry, precision=17)
     same(
@@ -65,7 +65,7 @@ def test_matrix_market(tmp_path: Path, model: Structure, expected: dict[str, Any
     )
 
 
-def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: Structure, expected: dict[str, Any]) -> None:
+def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
     """As CalculiX writes: `row column value` of one triangle, `node.component`, here in another order of rows."""
     order = np.random.default_rng(2).permutation(model.n_dof)
     for name, matrix in (("job.sti", model.K), ("job.mas", model.M)):
@@ -88,7 +88,7 @@ def test_rows_of_one_triangle_and_a_dof_file(tmp_path: Path, model: Structure, e
     )
 
 
-def test_arrays(model: Structure, expected: dict[str, Any]) -> None:
+def test_arrays(model: FEStructure, expected: dict[str, Any]) -> None:
     table = np.column_stack([IDS, np.array(MESH.nodes)])
     dofs = np.column_stack([IDS[model.node], model.component + 1])
     same(FlexibleBody.from_matrices(model.K.toarray(), model.M, table, dofs=dofs, interface=ENDS, modes=4), expected)
@@ -99,7 +99,7 @@ def test_arrays(model: Structure, expected: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("choices", [{"binary": True}, {"binary": False, "digits": 17}])
-def test_nastran_op4(tmp_path: Path, model: Structure, expected: dict[str, Any], choices: dict[str, Any]) -> None:
+def test_nastran_op4(tmp_path: Path, model: FEStructure, expected: dict[str, Any], choices: dict[str, Any]) -> None:
     path = str(tmp_path / "model.op4")
     op4.write(path, ["KGG", "MGG"], [model.K.toarray(), model.M.toarray()], **choices)
     grids = "".join(
@@ -134,7 +134,7 @@ def op2_text(matrices: dict[str, np.ndarray]) -> bytes:
     return content + keys(0)
 
 
-def test_nastran_op2(tmp_path: Path, model: Structure, expected: dict[str, Any]) -> None:
+def test_nastran_op2(tmp_path: Path, model: FEStructure, expected: dict[str, Any]) -> None:
     (tmp_path / "model.op2").write_bytes(op2_text({"KAA": model.K.toarray(), "MAA": model.M.toarray()}))
     same(FlexibleBody.from_nastran(tmp_path / "model.op2", node_file(tmp_path), interface=ENDS, modes=4), expected)
 

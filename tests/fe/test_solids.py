@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from symgen.fe import FlexibleBody, Material
 from symgen.fe.inertia import inertia_integrals, nodal_inertia, scalar_mass
 from symgen.fe.solids import solid_structure
-from symgen.fe.structure import Structure, structure
+from symgen.fe.structure import FEStructure, structure
 
 SIZE = np.array([0.3, 0.024, 0.012])
 MATERIAL = Material(E=2.1e11, nu=0.3, rho=7850.0)
@@ -108,7 +108,7 @@ def test_lumped_mass_is_positive_and_keeps_mass_and_centre(mesh: object, order: 
     assert_allclose(made.frequencies, exact.frequencies, rtol=0.02)
 
 
-def permuted(made: Structure, seed: int) -> Structure:
+def permuted(made: FEStructure, seed: int) -> FEStructure:
     """The same model with its nodes and its rows in another order; ids stay with their nodes."""
     rng = np.random.default_rng(seed)
     nodes, rows = rng.permutation(len(made.ids)), rng.permutation(made.n_dof)

@@ -17,14 +17,23 @@ from runtime.views.report import as_json, as_markdown, run_report, write_report
 def rod_model() -> Model:
     """A rod on a hinge with one elastic coordinate; its outline bends by q1 at the tip."""
 
-    def drawing() -> ca.Function:
-        q, exaggeration, c = ca.SX.sym("q", 4), ca.SX.sym("exaggeration"), ca.SX.sym("c", 1)
-        points = []
-        for part in np.linspace(0.0, 1.0, 5):
-            x, y = c[0] * part, exaggeration * q[3] * part**2
-            points.append(q[:2] + ca.vertcat(ca.cos(q[2]) * x - ca.sin(q[2]) * y, ca.sin(q[2]) * x + ca.cos(q[2]) * y))
-        xy = ca.densify(ca.horzcat(*points, ca.SX([0.0, 0.0])))
-        return ca.Function("drawing", [q, exaggeration, c], [xy], ["q", "exaggeration", "c"], ["xy"])
+    def poses() -> ca.Function:
+        q = ca.SX.sym("q", 4)
+        c, s = ca.cos(q[2]), ca.sin(q[2])
+        return ca.Function(
+            "poses", [q], [ca.densify(ca.vertcat(q[:2], 0, c, s, 0, -s, c, 0, 0, 0, 1))], ["q"], ["poses"]
+        )
+
+    def geometry() -> ca.Function:
+        p, parts = ca.SX.sym("p", 2), np.append(np.linspace(0.0, 1.0, 5), 0.0)
+        outputs = {
+            "positions": ca.vertcat(p[0] * ca.DM(parts).T, ca.SX.zeros(2, 6)),
+            "axes": ca.repmat(ca.SX(ca.DM(np.eye(3).ravel())), 1, 6),
+            "shapes": ca.DM(np.stack([0 * parts, parts**2, 0 * parts])[:, :5]),
+            "turns": ca.DM(np.stack([0 * parts, 0 * parts, 2 * parts])[:, :5]) / p[0],
+            "sections": ca.DM([0.1, 0.2]),
+        }
+        return ca.Function("geometry", [p], [ca.densify(value) for value in outputs.values()], ["p"], list(outputs))
 
     def constants() -> ca.Function:
         p = ca.SX.sym("p", 2)
@@ -42,14 +51,22 @@ def rod_model() -> Model:
         constraints=["hinge.x", "hinge.y"],
         joints=["hinge"],
         measures=["tip", "tip_dot"],
-        outlines=[("rod", 5), ("ground", 1)],
         parameters=[
             Parameter("length", "m", "of the rod", "declared", 2.0),
             Parameter("rod.data.1", "", "", "data", 3.0),
         ],
         initial_q=np.zeros(4),
         initial_q_dot=np.zeros(4),
-        builders={"drawing": drawing, "constants": constants},
+        builders={"poses": poses, "geometry": geometry, "constants": constants},
+        drawing={
+            "space": "planar",
+            "poses": ["rod"],
+            "points": [{"body": "rod", "name": "", "modes": 1, "stiffened": False}] * 5
+            + [{"body": "ground", "name": "origin", "modes": 0, "stiffened": False}],
+            "sections": ["rod"],
+            "joints": [],
+            "loads": [],
+        },
         simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "save_every": 1},
         operations={"condensed": 55},
     )

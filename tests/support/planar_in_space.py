@@ -35,7 +35,7 @@ def posed(scene: Scene, planar: Model) -> Scene:
     for load in data.get("loads", []):
         if load["type"] == "force":
             load["components"] = [*load["components"], 0.0]
-    hinges = [place.joint for place in Scene.from_dict(data).places() if place.type == "revolute"]
+    hinges = [place.joint for place in Scene.from_dict(data).placements() if place.type == "revolute"]
     start = {f"{hinge}.angle": _angle(scene, planar, planar.initial_q, hinge) for hinge in hinges}
     return Scene.from_dict({**data, "initial": {"coordinates": start}})
 
@@ -77,8 +77,8 @@ def posed_state(scene: Scene, planar: Model, in_space: Scene, spatial: Model, st
             v[at[f"{body}.e0"]], v[at[f"{body}.e3"]] = -math.sin(half) * rate, math.cos(half) * rate
         else:
             x[at[name]], v[at[name]] = value, q_dot[name]
-    first = len(x) - sum(len(place.coordinates) for place in in_space.places())
-    for place in in_space.places():
+    first = len(x) - sum(len(place.coordinates) for place in in_space.placements())
+    for place in in_space.placements():
         for name in place.coordinates:
             x[at[name]] = _angle(scene, planar, state.q, place.joint) if name.endswith(".angle") else 0.0
     _give_signs(in_space, spatial, x, v, state.t)
@@ -92,8 +92,8 @@ def posed_state(scene: Scene, planar: Model, in_space: Scene, spatial: Model, st
 
 def _give_signs(in_space: Scene, spatial: Model, x: Array, v: Array, t: float) -> None:
     """Euler parameters e and -e are one orientation: take the sign that the placing joints give, from the ground on."""
-    for _ in in_space.places():
-        for place in in_space.places():
+    for _ in in_space.placements():
+        for place in in_space.placements():
             C = evaluate(spatial, "constraints", q=x, q_dot=v, t=t)["C"]
             gap = C[[spatial.constraints.index(f"{place.joint}.e{k}") for k in range(4)]]
             if np.linalg.norm(gap) > 1.0:

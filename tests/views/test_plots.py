@@ -15,7 +15,8 @@ from runtime.contract.model import ModelError
 from runtime.contract.status import Status
 from runtime.results.solution import Solution
 from runtime.views import plots
-from runtime.views.animation import animate, film
+from runtime.views.animation import animate
+from runtime.views.film import film
 from tests.running.test_solution import rod_solution
 
 
@@ -76,20 +77,22 @@ def test_unknown_picture_formats_are_refused(tmp_path) -> None:
         plots.coordinates(rod_solution(), tmp_path / "picture.xyz")
 
 
-def test_film_follows_the_drawing_function() -> None:
+def test_film_follows_the_motion() -> None:
     solution = rod_solution()
     shown = film(solution, frames=11, exaggeration=3.0)
-    assert shown.xy.shape == (11, 2, 6) and shown.t[-1] == 2.0
+    rod, ghost = shown.line("rod", "beam"), shown.line("rod", "ghost")
+    assert rod.xy.shape == (11, 2, 5) and shown.t[-1] == 2.0
     theta, q1 = solution.interpolate(shown.t, "rod.theta"), solution.interpolate(shown.t, "rod.q1")
     tip = np.stack([2.0 * np.cos(theta) - 3.0 * q1 * np.sin(theta), 2.0 * np.sin(theta) + 3.0 * q1 * np.cos(theta)])
-    assert np.allclose(shown.xy[:, :, 4], tip.T, atol=1e-14)
-    assert np.allclose(shown.ghost[:, 0, 4], 2.0 * np.cos(theta), atol=1e-14)
+    assert np.allclose(rod.xy[:, :, 4], tip.T, atol=1e-14)
+    assert np.allclose(ghost.xy[:, 0, 4], 2.0 * np.cos(theta), atol=1e-14)
 
 
 def test_automatic_exaggeration_shows_five_per_cent() -> None:
     shown = film(rod_solution())
-    size = np.ptp(shown.ghost, axis=(0, 2)).max()
-    seen = np.abs(shown.xy - shown.ghost).max() / size
+    rod, ghost = shown.line("rod", "beam").xy, shown.line("rod", "ghost").xy
+    size = np.ptp(np.append(ghost, np.zeros((60, 2, 1)), axis=2), axis=(0, 2)).max()
+    seen = np.linalg.norm(rod - ghost, axis=1).max() / size
     assert 0.04 <= seen <= 0.05 and shown.exaggeration > 1.0
     still = rod_solution()
     still.q[:, 3] = still.q_dot[:, 3] = 0.0
@@ -119,4 +122,4 @@ def test_what_cannot_be_animated_is_refused(tmp_path) -> None:
     with pytest.raises(ValueError, match="fps"):
         animate(solution, tmp_path / "a.gif", fps=1000)
     with pytest.raises(OutputError, match="gif"):
-        animate(solution, tmp_path / "a.mp4")
+        animate(solution, tmp_path / "a.avi")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from symgen.scene.bodies import RigidBody
 from symgen.scene.errors import SceneError
 from symgen.scene.fields import Matrix, Vector
-from symgen.scene.flexible import FlexibleBody
+from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
@@ -28,13 +28,13 @@ def matrix_errors(scene: SceneParts) -> Iterator[SceneError]:
     for index, body in enumerate(scene.bodies):
         if isinstance(body, ModalBody):
             yield from _modal(scene, body, item_path("bodies", index, body.name))
-        elif isinstance(body, FlexibleBody):
+        elif isinstance(body, SpatialModalBody):
             yield from _flexible(scene, body, item_path("bodies", index, body.name))
         elif isinstance(body, RigidBody) and isinstance(body.inertia, tuple):
             yield from _inertia(scene, body, item_path("bodies", index, body.name))
 
 
-def _modal_matrices(scene: SceneParts, body: ModalBody | FlexibleBody, path: str) -> Iterator[SceneError]:
+def _modal_matrices(scene: SceneParts, body: ModalBody | SpatialModalBody, path: str) -> Iterator[SceneError]:
     """M_ff, K_ff and D_ff as mechanics demands."""
     mass = _array(scene, body.M_ff)
     yield from _symmetric(f"{path}.M_ff", mass) or _definite(f"{path}.M_ff", mass)
@@ -63,7 +63,7 @@ def _modal(scene: SceneParts, body: ModalBody, path: str) -> Iterator[SceneError
             yield from _symmetric(f"{path}.{key}", _array(scene, given))
 
 
-def _flexible(scene: SceneParts, body: FlexibleBody, path: str) -> Iterator[SceneError]:
+def _flexible(scene: SceneParts, body: SpatialModalBody, path: str) -> Iterator[SceneError]:
     yield from (bad := list(_modal_matrices(scene, body, path)))
     moments = _array(scene, body.inertia_moments)
     bad_moments = _symmetric(f"{path}.inertia_moments", moments)
@@ -76,7 +76,7 @@ def _flexible(scene: SceneParts, body: FlexibleBody, path: str) -> Iterator[Scen
         )
 
 
-def _spatial_mass_matrix(scene: SceneParts, body: FlexibleBody, moments: Array) -> Array:
+def _spatial_mass_matrix(scene: SceneParts, body: SpatialModalBody, moments: Array) -> Array:
     """The (6 + nf) x (6 + nf) mass matrix of Eq. 20 at q_f = 0, in body axes."""
     matrix = np.zeros((6 + body.nf, 6 + body.nf))
     x, y, z = _array(scene, body.first_moment)

@@ -46,8 +46,8 @@ def _groups(scene: SceneParts, names: list[str]) -> Iterator[SceneError]:
         path = item_path("partition.groups", index, group.name)
         if not group.coordinates:
             yield SceneError(f"{path}.coordinates", "is empty", "name at least one coordinate, or remove the group")
-        for place, pattern in enumerate(group.coordinates):
-            item = f"{path}.coordinates[{place}]"
+        for position, pattern in enumerate(group.coordinates):
+            item = f"{path}.coordinates[{position}]"
             found = matching(pattern, names)
             if not found:
                 yield _unknown(item, pattern, names)

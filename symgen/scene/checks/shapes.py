@@ -7,7 +7,7 @@ from typing import Any
 
 from symgen.scene.bodies import BeamBody
 from symgen.scene.errors import SceneError, show
-from symgen.scene.flexible import FlexibleBody
+from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.structure import Structure
@@ -34,7 +34,7 @@ def shape_errors(scene: SceneParts) -> Iterator[SceneError]:
             yield from _beam(body, path)
         elif isinstance(body, ModalBody):
             yield from _modal(body, path)
-        elif isinstance(body, FlexibleBody):
+        elif isinstance(body, SpatialModalBody):
             yield from _flexible(body, path)
     if scene.structure is not None:
         yield from _structure(scene.structure)
@@ -82,7 +82,7 @@ def _modal(body: ModalBody, path: str) -> Iterator[SceneError]:
         yield from _size(f"{path}.markers.{name}.foreshortening", marker.foreshortening, nf, nf)
 
 
-def _flexible(body: FlexibleBody, path: str) -> Iterator[SceneError]:
+def _flexible(body: SpatialModalBody, path: str) -> Iterator[SceneError]:
     nf = body.nf
     if nf == 0:
         yield SceneError(f"{path}.M_ff", "the body has no modes", "give M_ff and K_ff, or describe a rigid body")

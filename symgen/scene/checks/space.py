@@ -7,7 +7,7 @@ from typing import Any
 
 from symgen.scene.bodies import BeamBody, MarkerDirections, RigidBody
 from symgen.scene.errors import SceneError
-from symgen.scene.flexible import FlexibleBody
+from symgen.scene.flexible import SpatialModalBody
 from symgen.scene.modal import ModalBody
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
@@ -44,7 +44,7 @@ def space_errors(scene: SceneParts) -> Iterator[SceneError]:
 
 def screw_errors(scene: SceneParts) -> Iterator[SceneError]:
     """A screw needs an angle of its own, which counts turns; so it must place a body."""
-    placing = {place.joint for place in scene.places()}
+    placing = {placement.joint for placement in scene.placements()}
     for index, joint in enumerate(scene.joints):
         if joint.type == "screw" and scene.space == "spatial" and joint.name not in placing:
             yield SceneError(
@@ -69,7 +69,7 @@ def _components(path: str, values: tuple[Any, ...], scene: SceneParts) -> Iterat
 
 def _body(body: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
     spatial = scene.space == "spatial"
-    if isinstance(body, FlexibleBody) and not spatial:
+    if isinstance(body, SpatialModalBody) and not spatial:
         yield SceneError(f"{path}.type", "a flexible body needs three dimensions", 'use type = "modal" or "beam"')
     if isinstance(body, ModalBody) and spatial:
         yield SceneError(f"{path}.type", "a modal body is planar", 'use type = "flexible" in a spatial scene')

@@ -13,7 +13,7 @@ from symgen.scene.translate import SECTIONS, item_path
 
 def value_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Expressions that do not parse, have no finite value at t = 0, or a value of the wrong sign."""
-    reader = _Reader(scene)
+    reader = _QuantityCheck(scene)
     for path, value, meaning in scene_quantities(scene):
         try:
             reader.check(path, value, meaning)
@@ -30,7 +30,7 @@ def scene_quantities(scene: SceneParts) -> Iterator[tuple[str, float | str, Mean
             yield from quantities(entry, item_path(section, index, entry.name))
 
 
-class _Reader:
+class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
         self.defaults = scene.parameter_defaults()
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]

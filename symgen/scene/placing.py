@@ -35,7 +35,7 @@ PLACING: dict[str, tuple[str, ...]] = {
 
 
 @dataclass(frozen=True)
-class Place:
+class Placement:
     """Joint `joint` places body `child` relative to body `parent`; forward: the child is the body of marker b."""
 
     joint: str
@@ -50,9 +50,9 @@ class Place:
         return [f"{self.joint}.{name}" for name in PLACING[self.type]]
 
 
-def joint_places(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Place]:
+def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Placement]:
     """The placing joints, in scene order. What placing joints do not reach from the ground is oriented by itself."""
-    found: dict[str, Place] = {}
+    found: dict[str, Placement] = {}
     reached, queue = {"ground"}, ["ground"]
     roots = [body.name for body in bodies]
     angles = {body.name for body in bodies if getattr(body, "orientation", "euler_parameters") != "euler_parameters"}
@@ -69,7 +69,7 @@ def joint_places(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Place
             if child not in reached:
                 reached.add(child)
                 queue.append(child)
-                found[joint.name] = Place(joint.name, joint.type, parent, child, forward)
+                found[joint.name] = Placement(joint.name, joint.type, parent, child, forward)
     return [found[joint.name] for joint in joints if joint.name in found]
 
 

@@ -1,0 +1,135 @@
+"""The mechanism over time as lines in the picture's plane: bodies, undeformed bodies, springs, rods, joints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from runtime.views.mechanism.points import GROUND, Body
+from runtime.views.mechanism.scenery import Scenery, scenery
+from runtime.views.mechanism.tree import shortest_tree
+from runtime.views.projection import axis_labels, projected
+
+if TYPE_CHECKING:
+    from runtime.results.solution import Solution
+
+Kind = Literal["beam", "body", "ghost", "spring", "rod", "joint", "slide", "ground"]
+COILS = 6
+MAX_FRAMES = 2000
+KINDS: dict[str, Kind] = {"prismatic": "slide", "point_on_line": "slide", "distance": "rod"}
+HIDDEN = ("prescribed_angle", "prescribed_displacement", "weld")  # joints that stand where another is drawn
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """xy (frames, 2, n) [m] of one thing; NaN where the pen is lifted. colour: number of its body, -1 for none."""
+
+    kind: Kind
+    name: str
+    colour: int
+    xy: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Film:
+    """Lines at the times t (frames,) [s], the exaggeration used, labels of the picture's axes.
+
+    A spatial mechanism is shown from a fixed direction, see projection.py; axes are the world's in a planar one.
+    """
+
+    t: np.ndarray
+    lines: list[Line]
+    exaggeration: float
+    axes: tuple[str, str]
+
+    def line(self, name: str, kind: Kind) -> Line:
+        """The line of that name and kind. Raises KeyError."""
+        found = [line for line in self.lines if (line.name, line.kind) == (name, kind)]
+        if not found:
+            raise KeyError(f"the film shows no {kind} {name!r}")
+        return found[0]
+
+    @property
+    def limits(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper corner of everything drawn, ghosts included [m]."""
+        points = np.concatenate([line.xy for line in self.lines], axis=2)
+        return np.nanmin(points, axis=(0, 2)), np.nanmax(points, axis=(0, 2))
+
+
+def film(solution: Solution, frames: int = 60, exaggeration: float | None = None) -> Film:
+    """Where everything drawn is at `frames` equally spaced times.
+
+    exaggeration multiplies the deformation; None chooses it so that the largest one drawn becomes 5 % of the
+    mechanism's size (at least 1). Raises ModelError if the model has nothing to draw.
+    """
+    if not 1 <= frames <= MAX_FRAMES:
+        raise ValueError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
+    if exaggeration is not None and not np.isfinite(exaggeration):
+        raise ValueError(f"exaggeration must be finite, not {exaggeration}")
+    scene = scenery(solution, np.linspace(solution.t[0], solution.t[-1], frames))
+    factor = scene.automatic() if exaggeration is None else float(exaggeration)
+    lines = [*_bodies(scene, factor), *_between(scene, factor)]
+    return Film(scene.t, lines, factor, axis_labels(solution.model))
+
+
+def _bodies(scene: Scenery, factor: float) -> list[Line]:
+    found, colour = [], 0
+    for body in scene.bodies:
+        if body.name == GROUND:
+            continue
+        kind: Kind = "beam" if body.section else "body"
+        if body.elastic and factor != 0.0:
+            found.append(Line("ghost", body.name, colour, _body(scene, body, 0.0)))
+        found.append(Line(kind, body.name, colour, _body(scene, body, factor)))
+        colour += 1
+    used = {part.get(key) for part in (*scene.joints, *scene.loads) for key in ("marker_a", "marker_b")}
+    for body in scene.bodies:
+        fixed = [k for k, name in enumerate(body.markers.names) if f"{body.name}.{name}" in used]
+        if body.name == GROUND and fixed:
+            found.append(Line("ground", GROUND, -1, _flat(scene, scene.world(body, body.markers, 1.0)[:, fixed])))
+    return found
+
+
+def _body(scene: Scenery, body: Body, factor: float) -> np.ndarray:
+    """A beam's stations, or the rods between a body's markers with the pen lifted between them."""
+    if body.section:
+        return _flat(scene, scene.world(body, body.stations, factor))
+    points = scene.world(body, body.markers, factor)
+    edges = shortest_tree(body.markers.position)
+    if not edges:
+        return _flat(scene, points[:, :1])
+    lifted = np.full_like(points[:, :1], np.nan)
+    strokes = [part for a, b in edges for part in (points[:, a : a + 1], points[:, b : b + 1], lifted)]
+    return _flat(scene, np.concatenate(strokes[:-1], axis=1))
+
+
+def _between(scene: Scenery, factor: float) -> list[Line]:
+    found = []
+    for joint in scene.joints:
+        if joint["type"] in HIDDEN:
+            continue
+        a, b = (_flat(scene, scene.place(joint[key], factor)[:, None]) for key in ("marker_a", "marker_b"))
+        kind = KINDS.get(joint["type"], "joint")
+        found.append(Line(kind, joint["name"], -1, np.concatenate([a, b], axis=2) if kind == "rod" else b))
+    for load in scene.loads:
+        if load["type"] == "spring_damper":
+            a, b = (_flat(scene, scene.place(load[key], factor)[:, None]) for key in ("marker_a", "marker_b"))
+            found.append(Line("spring", load["name"], -1, _coil(a, b, 0.02 * scene.size())))
+    return found
+
+
+def _coil(a: np.ndarray, b: np.ndarray, width: float) -> np.ndarray:
+    """(frames, 2, n) a zigzag between the points a and b (frames, 2, 1)."""
+    along = b - a
+    length = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    across = np.concatenate([-along[:, 1:], along[:, :1]], axis=1) / length
+    share = np.concatenate([[0.0, 0.2], np.linspace(0.2, 0.8, 2 * COILS + 1), [0.8, 1.0]])
+    side = np.concatenate([[0.0, 0.0], [0.0, *(1.0 if k % 2 else -1.0 for k in range(2 * COILS - 1)), 0.0], [0.0, 0.0]])
+    return np.asarray(a + along * share + across * (width * side))
+
+
+def _flat(scene: Scenery, points: np.ndarray) -> np.ndarray:
+    """(frames, 2, n) picture coordinates of world points (frames, n, 3)."""
+    return projected(scene.model, np.moveaxis(points, 2, 0)).transpose(1, 0, 2)
