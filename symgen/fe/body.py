@@ -120,14 +120,7 @@ class FlexibleBody:
         origin: of the body's frame, a point [m] or the name of an interface; the axes are those of the mesh.
         Raises FiniteElementError.
         """
-        _known("mode_set", mode_set, MODE_SETS)
-        _known("mass", mass, MASSES)
-        if fixed and mode_set != "mixed":
-            raise FiniteElementError(
-                "fixed",
-                f"interfaces are held in a mixed set, not in '{mode_set}'",
-                "take mode_set='mixed', or leave fixed out",
-            )
+        _check_choices(mode_set, mass, fixed)
         body = lumped(body) if mass == "lumped" else body
         parts = _interfaces(body, interface, marker_positions or {})
         for name in fixed:
@@ -142,16 +135,8 @@ class FlexibleBody:
         else:
             found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
         at = _origin(origin, parts)
-        return cls(
-            body,
-            parts,
-            {name: _marker(part, found.shapes, at) for name, part in parts.items()},
-            mode_set,
-            at,
-            found,
-            inertia_integrals(body, found.shapes, at),
-            check,
-        )
+        markers = {name: _marker(part, found.shapes, at) for name, part in parts.items()}
+        return cls(body, parts, markers, mode_set, at, found, inertia_integrals(body, found.shapes, at), check)
 
     @property
     def nf(self) -> int:
@@ -222,6 +207,17 @@ class FlexibleBody:
 def _known(item: str, value: str, choices: tuple[str, ...]) -> None:
     if value not in choices:
         raise FiniteElementError(item, f"{value!r} is not known", f"choose one of {list(choices)}")
+
+
+def _check_choices(mode_set: str, mass: str, fixed: Sequence[str]) -> None:
+    _known("mode_set", mode_set, MODE_SETS)
+    _known("mass", mass, MASSES)
+    if fixed and mode_set != "mixed":
+        raise FiniteElementError(
+            "fixed",
+            f"interfaces are held in a mixed set, not in '{mode_set}'",
+            "take mode_set='mixed', or leave fixed out",
+        )
 
 
 def _interfaces(body: FEStructure, sets: Mapping[str, NodeSet], at: Mapping[str, ArrayLike]) -> dict[str, Interface]:

@@ -22,6 +22,27 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
     Linear hexahedra bend too stiffly; take them for compact parts only.
     Raises FiniteElementError without scikit-fem, for other meshes and orders, and for cells turned inside out.
     """
+    skfem, scalar = _checked_basis(mesh, order)
+    gradients = _gradient_products(skfem, scalar)
+    mass = material.rho * skfem.BilinearForm(lambda u, v, _: u * v).assemble(scalar)
+    K = _elastic(gradients, material)
+    n = scalar.N
+    # Rows so far: all x, all y, all z. Sort them node by node.
+    order_rows = np.arange(AXES * n).reshape(AXES, n).T.ravel()
+    K = sp.csr_matrix(K)[order_rows][:, order_rows]
+    M = sp.kron(mass, sp.eye(AXES), format="csr")
+    return structure(
+        K,
+        M,
+        np.arange(n),
+        np.array(scalar.doflocs.T, dtype=np.float64),
+        np.repeat(np.arange(n), AXES),
+        np.tile(np.arange(AXES), n),
+    )
+
+
+def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:
+    """(scikit-fem, the scalar basis of the mesh with its quadrature); raises FiniteElementError."""
     try:
         import skfem
     except ImportError as error:
@@ -41,8 +62,8 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
         )
     name, element = found[0]
     with np.errstate(divide="ignore", invalid="ignore"):  # flat cells are refused below
-        scalar = skfem.Basis(mesh, element(), intorder=DEGREE[name])
-    volume = np.asarray(scalar.mapping.detDF(scalar.X))
+        basis = skfem.Basis(mesh, element(), intorder=DEGREE[name])
+    volume = np.asarray(basis.mapping.detDF(basis.X))
     bad = np.flatnonzero(volume.min(axis=-1) * volume.max(axis=-1) <= 0.0)
     if bad.size:
         raise FiniteElementError(
@@ -50,22 +71,7 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
             f"{bad.size} cells have no volume or are turned inside out, the first is {bad[0]}",
             "repair the mesh",
         )
-    gradients = _gradient_products(skfem, scalar)
-    mass = material.rho * skfem.BilinearForm(lambda u, v, _: u * v).assemble(scalar)
-    K = _elastic(gradients, material)
-    n = scalar.N
-    # Rows so far: all x, all y, all z. Sort them node by node.
-    order_rows = np.arange(AXES * n).reshape(AXES, n).T.ravel()
-    K = sp.csr_matrix(K)[order_rows][:, order_rows]
-    M = sp.kron(mass, sp.eye(AXES), format="csr")
-    return structure(
-        K,
-        M,
-        np.arange(n),
-        np.array(scalar.doflocs.T, dtype=np.float64),
-        np.repeat(np.arange(n), AXES),
-        np.tile(np.arange(AXES), n),
-    )
+    return skfem, basis
 
 
 def _gradient_products(skfem: Any, basis: Any) -> list[list[sp.csr_matrix]]:

@@ -10,7 +10,8 @@ import numpy as np
 from symgen.modes import elements as fe
 from symgen.modes.cleaning import Array, clean, fixed, symmetric
 from symgen.modes.flexibility import lateral_flexibility
-from symgen.modes.mesh import centred_positions, check_request, locate, lumped_masses, node_positions
+from symgen.modes.mesh import centred_positions, locate
+from symgen.modes.uniform import UniformModes, mesh_for
 from symgen.modes.vibration import check_rigid_modes, free_vibration, normalised
 
 # Ends -> node motions that are not elastic modes (held deflections, or rigid motions).
@@ -32,37 +33,19 @@ class LateralPoint(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class BeamModes:
-    """Bending modes for L = 1, EI = 1, rho A = 1; n elements. Arrays are read-only.
+class BeamModes(UniformModes):
+    """Bending modes for L = 1, EI = 1, rho A = 1.
 
-    xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
     phi (n+1, modes): nodal deflection per unit modal coordinate, largest magnitude 1 (coordinate in m).
     slope (n+1, modes): d phi / d xi; the rotation per metre of coordinate is slope / L.
-    kappa (modes, modes): Phi^T K Phi, diagonal; K_ff = EI / L^3 kappa.
-    mass (modes, modes): sum mu phi phi^T, diagonal; M_ff = rho A L mass (Eq. 20).
+    kappa: Phi^T K Phi; K_ff = EI / L^3 kappa.  mass: sum mu phi phi^T.
     eta (n+1, modes, modes): integral of phi'^T phi' from 0 to xi; the foreshortening matrix is H = eta / L.
-    frequencies (modes,): omega = frequencies sqrt(EI / (rho A L^4)), in rad/s.
+    frequencies: omega = frequencies sqrt(EI / (rho A L^4)), in rad/s.
     """
 
-    ends: str
-    xi: Array
-    mu: Array
     phi: Array
     slope: Array
-    kappa: Array
-    mass: Array
     eta: Array
-    frequencies: Array
-
-    @property
-    def elements(self) -> int:
-        """Number of elements."""
-        return len(self.xi) - 1
-
-    @property
-    def modes(self) -> int:
-        """Number of modes."""
-        return self.phi.shape[1]
 
     def interpolate(self, at: float) -> LateralPoint:
         """Values at the fraction `at` of the length: Hermite cubic with its exact eta; nodal on a node.
@@ -91,31 +74,29 @@ def lateral_modes(elements: int, ends: str, modes: int) -> BeamModes:
     Raises ValueError for unknown ends or a mesh too coarse for the modes, RuntimeError if a free beam lacks
     its two rigid modes.
     """
-    check_request("lateral", elements, ends, modes, LATERAL_ENDS)
-    xi, mu = node_positions(elements), lumped_masses(elements)
-    start, end = ends.split("-")
-    free = np.arange(int(start != "free"), elements + 1 - int(end != "free"))
+    mesh = mesh_for("lateral", elements, ends, modes, LATERAL_ENDS)
     rigid = None
     if ends == "free-free":
-        check_rigid_modes(fe.condensed_beam_stiffness(elements), mu, 2)
+        check_rigid_modes(fe.condensed_beam_stiffness(elements), mesh.mu, 2)
         rigid = np.stack([np.ones(elements + 1), centred_positions(elements)], axis=1)
-    mirrored = start == end
-    values, shapes = free_vibration(lateral_flexibility(xi[free], ends), mu[free], modes, mirrored, rigid)
+    mirrored = mesh.start == mesh.end
+    flexibility = lateral_flexibility(mesh.xi[mesh.free], ends)
+    values, shapes = free_vibration(flexibility, mesh.mu[mesh.free], modes, mirrored, rigid)
     phi = np.zeros((elements + 1, modes))
-    phi[free] = clean(normalised(shapes))
-    slope = fe.condensed_slopes(elements, (start == "clamped", end == "clamped")) @ phi
+    phi[mesh.free] = clean(normalised(shapes))
+    slope = fe.condensed_slopes(elements, (mesh.start == "clamped", mesh.end == "clamped")) @ phi
     if mirrored:
         # The slope of a symmetric shape is antisymmetric and the other way round; make that exact too.
         parity = np.where(np.all(phi == phi[::-1], axis=0), 1.0, -1.0)
         slope = 0.5 * (slope - parity * slope[::-1])
     slope = clean(slope)
-    mass = np.diag(np.einsum("k,ka,ka->a", mu, phi, phi))
+    mass = np.diag(np.einsum("k,ka,ka->a", mesh.mu, phi, phi))
     return BeamModes(
-        ends,
-        fixed(xi),
-        fixed(mu),
-        fixed(phi),
-        fixed(slope),
+        ends=ends,
+        xi=fixed(mesh.xi),
+        mu=fixed(mesh.mu),
+        phi=fixed(phi),
+        slope=fixed(slope),
         kappa=fixed(np.diag(values * np.diag(mass))),
         mass=fixed(mass),
         eta=fixed(_cumulative_eta(phi, slope)),

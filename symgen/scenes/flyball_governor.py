@@ -12,6 +12,26 @@ def flyball_governor() -> Scene:
     """Case A05 of the IFToMM benchmark library: the shaft turns about z, the rods hang on hinges beside it."""
     builder = SceneBuilder("flyball_governor", space="spatial", title="Stiff flyball governor")
     builder.gravity(0.0, 0.0, -GRAVITY)
+    _bodies(builder)
+    builder.joint("revolute", "spin", "ground.origin", "shaft.origin")
+    builder.joint("prismatic", "height", "shaft.origin", "slider.origin")
+    for side in ("right", "left"):
+        builder.joint("revolute", f"{side}_swing", f"shaft.{side}", f"{side}_rod.hinge")
+        builder.spring_damper(
+            f"{side}_spring",
+            f"{side}_rod.middle",
+            f"slider.{side}",
+            stiffness=STIFFNESS,
+            damping=DAMPING,
+            free_length=FREE,
+        )
+    builder.initial({"height.travel": 0.5, "right_swing.angle": pi / 6, "left_swing.angle": pi / 6})
+    builder.rates({"spin.angle": 2 * pi})
+    return builder.simulation(t_end=10.0, dt=1e-3, scheme="radau", save_every=10).build()
+
+
+def _bodies(builder: SceneBuilder) -> None:
+    """Shaft, slider, and two rods with a ball at the end."""
     rod = DENSITY * WIDTH**2 * LENGTH
     across, along = rod * (LENGTH**2 + WIDTH**2) / 12, rod * WIDTH**2 / 6
     builder.rigid(
@@ -46,18 +66,3 @@ def flyball_governor() -> Scene:
                 "ball": {"position": [LENGTH, 0, 0]},
             },
         )
-    builder.joint("revolute", "spin", "ground.origin", "shaft.origin")
-    builder.joint("prismatic", "height", "shaft.origin", "slider.origin")
-    for side in ("right", "left"):
-        builder.joint("revolute", f"{side}_swing", f"shaft.{side}", f"{side}_rod.hinge")
-        builder.spring_damper(
-            f"{side}_spring",
-            f"{side}_rod.middle",
-            f"slider.{side}",
-            stiffness=STIFFNESS,
-            damping=DAMPING,
-            free_length=FREE,
-        )
-    builder.initial({"height.travel": 0.5, "right_swing.angle": pi / 6, "left_swing.angle": pi / 6})
-    builder.rates({"spin.angle": 2 * pi})
-    return builder.simulation(t_end=10.0, dt=1e-3, scheme="radau", save_every=10).build()
