@@ -23,7 +23,7 @@ from symgen.system.equations import Equations
 from symgen.system.topology import Topology
 
 
-class Body(Protocol):
+class MovingBody(Protocol):
     """What the assembly asks of a body that moves."""
 
     def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
@@ -56,7 +56,7 @@ class Space(Protocol[Marker]):
 
     axes: str
 
-    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Body, int]:
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[MovingBody, int]:
         """Build a body from the columns that begin with its own; (body, how many are its own)."""
 
     def marker(self, reference: str) -> Marker:
@@ -125,7 +125,7 @@ class Mechanism(Generic[Marker]):
         eq.joint_columns = frozenset(range(first, len(eq.names)))
         eq.at_rest = {column: 1.0 for column, name in enumerate(eq.names) if name.endswith(".e0")}
 
-    def _add_inertia(self, body: Body) -> None:
+    def _add_inertia(self, body: MovingBody) -> None:
         eq = self.equations
         for row, column, value in body.mass_entries():
             add_to(eq.M[row], column, value)
