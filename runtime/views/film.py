@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from runtime.contract.errors import ArgumentError
 from runtime.views.mechanism.points import GROUND, Body
 from runtime.views.mechanism.scenery import Scenery, scenery
 from runtime.views.mechanism.tree import shortest_tree
@@ -65,9 +66,9 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
     mechanism's size (at least 1). Raises ModelError if the model has nothing to draw.
     """
     if not 1 <= frames <= MAX_FRAMES:
-        raise ValueError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
+        raise ArgumentError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
     if exaggeration is not None and not np.isfinite(exaggeration):
-        raise ValueError(f"exaggeration must be finite, not {exaggeration}")
+        raise ArgumentError(f"exaggeration must be finite, not {exaggeration}")
     scene = scenery(solution, np.linspace(solution.t[0], solution.t[-1], frames))
     factor = scene.automatic() if exaggeration is None else float(exaggeration)
     lines = [*_bodies(scene, factor), *_between(scene, factor)]
