@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -12,6 +13,52 @@ from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
 from symgen.scenes import generated_folder
+
+# What `pytest -m fast` runs: folders and files whose tests together take less than 40 s on two cores.
+TESTS = Path(__file__).parent
+FAST = (
+    "bad_scenes",
+    "cases/test_published.py",
+    "derivation",
+    "fe/test_beams.py",
+    "fe/test_errors.py",
+    "hand_derived/test_generated_flexible.py",
+    "hand_derived/test_generated_rigid.py",
+    "hand_derived/spatial/test_spatial_twins_selfcheck.py",
+    "house/test_architecture.py",
+    "house/test_from_scratch.py",
+    "house/test_inside_pages.py",
+    "house/test_packaging.py",
+    "house/test_words.py",
+    "laws/test_augmented_form.py",
+    "laws/test_condensation_laws.py",
+    "laws/test_invariants.py",
+    "laws/test_linear_sub_steps.py",
+    "laws/test_loop_blocks.py",
+    "laws/test_predictor_laws.py",
+    "laws/test_printed_scheme_laws.py",
+    "laws/test_quasi_static.py",
+    "laws/test_redundant_constraints.py",
+    "laws/test_single_rate_laws.py",
+    "laws/test_spatial_loads.py",
+    "laws/test_step_limits.py",
+    "laws/test_sub_cycling_matrices.py",
+    "running/test_solution.py",
+    "scene/test_scene.py",
+    "scene/test_spatial_use.py",
+    "views",
+)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark what is fast. A place on the list that is not there is a mistake in the list."""
+    places = [TESTS / place for place in FAST]
+    missing = [str(place) for place in places if not place.exists()]
+    if missing:
+        raise pytest.UsageError(f"tests/conftest.py lists as fast what is not there: {', '.join(missing)}")
+    for item in items:
+        if any(item.path.is_relative_to(place) for place in places):
+            item.add_marker("fast")
 
 
 @pytest.fixture(scope="session", autouse=True)
