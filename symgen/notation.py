@@ -67,6 +67,34 @@ SYMBOLS: tuple[Symbol, ...] = (
     Symbol("dMa_dq_i", "", "", "n_i x n_i", "SI", "total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot"),
     Symbol("C_loop", "C", "31", "loops", "m, rad", "loop closure error before a Newton step"),
     Symbol("det_loop", "det C_qd", "31", "loop blocks", "SI", "determinants of the loop blocks, zero if singular"),
+    # what functions take and give beside these
+    Symbol("q_dot", "q'", "16", "n", "mixed", "rates of all coordinates"),
+    Symbol("q_ddot", "q''", "23", "n", "mixed", "accelerations of all coordinates"),
+    Symbol("q_d_next", "q_d", "31", "n_d", "mixed", "dependent coordinates after one Newton step"),
+    Symbol("K", "K", "20", "n x n", "SI", "stiffness matrix in all coordinates"),
+    Symbol("Q_v", "Q_v", "20", "n", "N, N m", "quadratic velocity force in all coordinates"),
+    Symbol("Q_F", "Q_F", "28", "n", "N, N m", "force of loads, weight and damping in all coordinates"),
+    Symbol("gamma_b", "gamma", "28", "n_c", "m/s^2, rad/s^2", "gamma with Baumgarte terms"),
+    Symbol("lam_R", "", "", "n_R", "N, N m", "multipliers of the redundant rows, which no equation determines"),
+    Symbol(
+        "joint_forces", "", "", "3 or 6 x joints", "N, N m", "world force and moment of a joint on its body b, at b"
+    ),
+    Symbol("kinetic", "", "", "1", "J", "kinetic energy"),
+    Symbol("elastic", "", "", "1", "J", "energy stored in bodies and springs"),
+    Symbol("potential", "", "", "1", "J", "potential energy of the weight"),
+    Symbol("power_dissipated", "", "", "1", "W", "power lost in dampers, at least zero"),
+    Symbol("power_applied", "", "", "1", "W", "power of the loads"),
+    Symbol("measures", "", "", "measures", "mixed", "measures of the scene and their rates"),
+    Symbol(
+        "poses", "", "", "12 x bodies", "m, 1", "origin, then columns of the rotation matrix, of each body that moves"
+    ),
+    Symbol("positions", "", "", "3 x points", "m", "drawn points in body axes"),
+    Symbol("axes", "", "", "9 x points", "1", "columns of the rotation matrix of the marker at a drawn point"),
+    Symbol("shapes", "", "", "3 x modes", "1", "displacement of a drawn point by each mode of its body"),
+    Symbol("turns", "", "", "3 x modes", "1/m", "rotation at a drawn point by each mode of its body"),
+    Symbol("H", "", "", "1 x entries", "1/m", "foreshortening of the drawn points that have it, nf x nf each"),
+    Symbol("sections", "", "", "2 x beams", "m", "height and width of a rectangle that stands for a beam's section"),
+    Symbol("bounded", "", "", "expressions", "SI", "expressions of the scene that must keep their sign"),
     # groups and steps
     Symbol("M_hat_SS", "M^_SS", "39", "n_S x n_S", "SI", "block of M_hat of the groups that take a sub-step"),
     Symbol("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),
@@ -77,6 +105,9 @@ SYMBOLS: tuple[Symbol, ...] = (
     Symbol("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
     Symbol("eps", "epsilon_L, epsilon_S", "56-57", "groups", "mixed", "tolerances of the sweep, slow to fast"),
 )
+
+
+BY_NAME = {symbol.code: symbol for symbol in SYMBOLS}
 
 
 def table() -> str:

@@ -28,14 +28,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from warnings import warn
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.model import Group
+from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
 from runtime.contract.tape import Tape
-from symgen.algebra.parameters import ParameterEntry
 from symgen.choice.assembly import ConstraintNumbers, assembled
 from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, structural_pivots
 from symgen.choice.groups import choose_groups
@@ -45,6 +46,8 @@ from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.arguments import arguments_of
 from symgen.kernels.catalogue import build_kernels
 from symgen.kernels.drawing import geometry
+from symgen.kernels.kernel import Kernel
+from symgen.kernels.specification import specification
 from symgen.scene import Scene, SceneError
 from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
@@ -63,13 +66,20 @@ class Derived:
     dependent: list[int]
     groups: list[Group]
     initial: ConsistentState
-    parameters: list[ParameterEntry]
+    parameters: list[Parameter]
+    bounded: list[BoundedQuantity]
     tapes: dict[str, Tape]
 
     @property
     def redundant(self) -> list[int]:
         """Constraint rows that the others imply, in scene order."""
         return self.system.choice.redundant
+
+    @cached_property
+    def functions(self) -> dict[str, FunctionSpec]:
+        """What each function is, by name."""
+        redundant = bool(self.redundant)
+        return {name: specification(name, tape, self.groups, redundant) for name, tape in self.tapes.items()}
 
 
 @dataclass(frozen=True)
@@ -117,8 +127,12 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
     tapes = hoist(kernels, table.vector())
     if equations.picture.points and (functions is None or "geometry" in functions):
         tapes["geometry"] = geometry(equations, table.vector()).tape()
+    if table.bounded:
+        values = ca.vertcat(*(value for _, value in table.bounded))
+        tapes["bounded"] = Kernel({"p": table.vector()}, {"bounded": values}).tape()
+    bounded = [quantity for quantity, _ in table.bounded]
     dependent = arguments_of(condensed).dependent
-    return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, tapes)
+    return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, bounded, tapes)
 
 
 def _state_at(configuration: Configuration, equations: Equations) -> ConsistentState:

@@ -1,13 +1,30 @@
 """Bricard mechanism: equations of motion, emitted by symgen from the scene `bricard`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 hinge0.angle [rad]
+
+q_d, the dependent coordinates by index:
+    0 bar1.x [m], 1 bar1.y [m], 2 bar1.z [m], 3 bar1.e0 [1], 4 bar1.e1 [1], 5 bar1.e2 [1], 6 bar1.e3 [1],
+    7 bar2.x [m], 8 bar2.y [m], 9 bar2.z [m], 10 bar2.e0 [1], 11 bar2.e1 [1], 12 bar2.e2 [1],
+    13 bar2.e3 [1], 14 bar3.x [m], 15 bar3.y [m], 16 bar3.z [m], 17 bar3.e0 [1], 18 bar3.e1 [1],
+    19 bar3.e2 [1], 20 bar3.e3 [1], 21 bar4.x [m], 22 bar4.y [m], 23 bar4.z [m], 24 bar4.e0 [1],
+    25 bar4.e1 [1], 26 bar4.e2 [1], 27 bar4.e3 [1], 28 bar5.x [m], 29 bar5.y [m], 30 bar5.z [m],
+    31 bar5.e0 [1], 32 bar5.e1 [1], 33 bar5.e2 [1], 34 bar5.e3 [1], 35 hinge1.angle [rad],
+    36 hinge2.angle [rad], 37 hinge4.angle [rad], 38 hinge5.angle [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 485 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    485 operations.
+    """
     p = ca.SX.sym("p", 48)
     gravity_y = p[0]
     bar1_mass = p[1]
@@ -53,6 +70,7 @@ def constants() -> ca.Function:
     ground_P5_quaternion_1_0_0 = p[45]
     ground_P5_quaternion_3_0_0 = p[46]
     ground_P5_z = p[47]
+    # intermediate terms (74)
     w0 = (bar1_inertia_xx + bar1_inertia_yy + bar1_inertia_zz) / 2.0
     w1 = w0 - bar1_inertia_yy
     w2 = w0 - bar1_inertia_zz
@@ -127,169 +145,179 @@ def constants() -> ca.Function:
     w71 = w48 * w54
     w72 = w48 * w55
     w73 = w48**2
+    # outputs
     c = ca.vertcat(
-        bar1_start_quaternion_0_0_0,
-        ground_P0_quaternion_0_0_0,
-        ground_P0_quaternion_1_0_0,
-        bar1_start_quaternion_1_0_0,
-        w1,
-        w2,
-        w3,
-        w4,
-        w5,
-        w6,
-        bar1_end_x,
-        bar2_mass,
-        bar3_mass,
-        bar2_mass + bar3_mass,
-        w7,
-        bar2_end_y,
-        bar2_end_quaternion_1_0_0,
-        bar3_start_quaternion_1_0_0,
-        bar2_end_quaternion_3_0_0,
-        bar3_start_quaternion_3_0_0,
-        w10,
-        w11,
-        w12 + w13,
-        w15,
-        w16,
-        w17,
-        w18,
-        w19,
-        w20,
-        w22,
-        w23,
-        w24,
-        w25,
-        w26,
-        w27,
-        4.0 * w26 + w28,
-        4.0 * w27 + -4.0 * w24,
-        4.0 * w24 + w29,
-        4.0 * w24 + w29,
-        4.0 * w27 + -4.0 * w24,
-        w28 + 4.0 * w26,
-        4.0 * w17 + w30,
-        w33,
-        w34 + -4.0 * w6,
-        4.0 * w19 + w35,
-        4.0 * w20 + -4.0 * w17,
-        4.0 * w20 + -4.0 * w17,
-        4.0 * w19 + w35,
-        w30 + 4.0 * w17,
-        w36 + w37,
-        4.0 * w3 + w38,
-        w41,
-        4.0 * w3 + w38,
-        w37 + 4.0 * w6,
-        4.0 * w5 + w42,
-        bar4_end_x,
-        bar5_end_y,
-        ground_P5_quaternion_3_0_0,
-        bar5_end_quaternion_1_0_0,
-        ground_P5_quaternion_1_0_0,
-        bar5_end_quaternion_3_0_0,
-        w45,
-        w48,
-        bar3_end_z,
-        bar5_mass,
-        w50,
-        w51,
-        w52,
-        w53,
-        w54,
-        w55,
-        w57,
-        w58,
-        w59,
-        bar4_mass,
-        w60,
-        w61,
-        w62,
-        w63,
-        4.0 * w59 + w64,
-        w65,
-        bar5_mass + bar4_mass,
-        4.0 * w54 + w66,
-        4.0 * w61 + w67,
-        4.0 * w62 + -4.0 * w59,
-        4.0 * w62 + -4.0 * w59,
-        w67 + 4.0 * w61,
-        w64 + 4.0 * w59,
-        4.0 * w55 + -4.0 * w52,
-        4.0 * w52 + w68,
-        4.0 * w52 + w68,
-        4.0 * w55 + -4.0 * w52,
-        w66 + 4.0 * w54,
-        bar1_mass * bar1_center_of_mass_x,
-        gravity_y,
-        bar2_mass * gravity_y,
-        bar3_mass * gravity_y,
-        bar4_mass * gravity_y,
-        bar5_mass * gravity_y,
-        ground_P5_z,
-        -w41,
-        -w48,
-        bar1_mass,
-        w36 + -4.0 * w3,
-        w34 + w42,
-        bar1_mass * gravity_y,
-        -w10,
-        4.0 * bar3_end_z,
-        0.5 * w39 + 0.5 * w40,
-        0.5 * w31 + 0.5 * w32,
-        0.25 * w31 + 0.25 * w32,
-        0.25 * w39 + 0.25 * w40,
-        -2.0 * (w3 * w69) + -2.0 * (w41 * (w3 * w41)),
-        -2.0 * (w5 * w69) + -2.0 * (w41 * (w5 * w41)),
-        -2.0 * (w6 * w69) + -2.0 * (w41 * (w6 * w41)),
-        -4.0 * w17,
-        -4.0 * w19,
-        -4.0 * w20,
-        -4.0 * w24,
-        -4.0 * w26,
-        -4.0 * w27,
-        -4.0 * w61,
-        -4.0 * w70,
-        -4.0 * w71,
-        -4.0 * w72,
-        4.0 * bar1_end_x,
-        4.0 * bar2_end_y,
-        4.0 * bar4_end_x,
-        4.0 * bar5_end_y,
-        0.5 * w12 + 0.5 * w13,
-        0.5 * w8 + 0.5 * w9,
-        0.25 * w8 + 0.25 * w9,
-        0.25 * w12 + 0.25 * w13,
-        0.25 * w43 + 0.25 * w44,
-        0.25 * w46 + 0.25 * w47,
-        2 * w7,
-        2.0,
-        2 * w41,
-        2 * w48,
-        2 * w45,
-        2 * w33,
-        0.5 * w43 + 0.5 * w44,
-        0.5 * w46 + 0.5 * w47,
-        2 * w11,
-        2 * w63,
-        2 * w65,
-        2 * (w33 * w41),
-        -(2 * bar1_end_x),
-        -4.0 * w59,
-        -4.0 * w62,
-        2 * (w45 * w48),
-        -2.0 * (w52 * w73) + -2.0 * (w48 * w70),
-        -2.0 * (w54 * w73) + -2.0 * (w48 * w71),
-        -2.0 * (w55 * w73) + -2.0 * (w48 * w72),
+        bar1_start_quaternion_0_0_0,  # bar1_start_quaternion_0_0_0
+        ground_P0_quaternion_0_0_0,  # ground_P0_quaternion_0_0_0
+        ground_P0_quaternion_1_0_0,  # ground_P0_quaternion_1_0_0
+        bar1_start_quaternion_1_0_0,  # bar1_start_quaternion_1_0_0
+        w1,  # c4
+        w2,  # c5
+        w3,  # c6
+        w4,  # c7
+        w5,  # c8
+        w6,  # c9
+        bar1_end_x,  # bar1_end_x
+        bar2_mass,  # bar2_mass
+        bar3_mass,  # bar3_mass
+        bar2_mass + bar3_mass,  # c13
+        w7,  # c14
+        bar2_end_y,  # bar2_end_y
+        bar2_end_quaternion_1_0_0,  # bar2_end_quaternion_1_0_0
+        bar3_start_quaternion_1_0_0,  # bar3_start_quaternion_1_0_0
+        bar2_end_quaternion_3_0_0,  # bar2_end_quaternion_3_0_0
+        bar3_start_quaternion_3_0_0,  # bar3_start_quaternion_3_0_0
+        w10,  # c20
+        w11,  # c21
+        w12 + w13,  # c22
+        w15,  # c23
+        w16,  # c24
+        w17,  # c25
+        w18,  # c26
+        w19,  # c27
+        w20,  # c28
+        w22,  # c29
+        w23,  # c30
+        w24,  # c31
+        w25,  # c32
+        w26,  # c33
+        w27,  # c34
+        4.0 * w26 + w28,  # c35
+        4.0 * w27 + -4.0 * w24,  # c36
+        4.0 * w24 + w29,  # c37
+        4.0 * w24 + w29,  # c38
+        4.0 * w27 + -4.0 * w24,  # c39
+        w28 + 4.0 * w26,  # c40
+        4.0 * w17 + w30,  # c41
+        w33,  # c42
+        w34 + -4.0 * w6,  # c43
+        4.0 * w19 + w35,  # c44
+        4.0 * w20 + -4.0 * w17,  # c45
+        4.0 * w20 + -4.0 * w17,  # c46
+        4.0 * w19 + w35,  # c47
+        w30 + 4.0 * w17,  # c48
+        w36 + w37,  # c49
+        4.0 * w3 + w38,  # c50
+        w41,  # c51
+        4.0 * w3 + w38,  # c52
+        w37 + 4.0 * w6,  # c53
+        4.0 * w5 + w42,  # c54
+        bar4_end_x,  # bar4_end_x
+        bar5_end_y,  # bar5_end_y
+        ground_P5_quaternion_3_0_0,  # ground_P5_quaternion_3_0_0
+        bar5_end_quaternion_1_0_0,  # bar5_end_quaternion_1_0_0
+        ground_P5_quaternion_1_0_0,  # ground_P5_quaternion_1_0_0
+        bar5_end_quaternion_3_0_0,  # bar5_end_quaternion_3_0_0
+        w45,  # c61
+        w48,  # c62
+        bar3_end_z,  # bar3_end_z
+        bar5_mass,  # bar5_mass
+        w50,  # c65
+        w51,  # c66
+        w52,  # c67
+        w53,  # c68
+        w54,  # c69
+        w55,  # c70
+        w57,  # c71
+        w58,  # c72
+        w59,  # c73
+        bar4_mass,  # bar4_mass
+        w60,  # c75
+        w61,  # c76
+        w62,  # c77
+        w63,  # c78
+        4.0 * w59 + w64,  # c79
+        w65,  # c80
+        bar5_mass + bar4_mass,  # c81
+        4.0 * w54 + w66,  # c82
+        4.0 * w61 + w67,  # c83
+        4.0 * w62 + -4.0 * w59,  # c84
+        4.0 * w62 + -4.0 * w59,  # c85
+        w67 + 4.0 * w61,  # c86
+        w64 + 4.0 * w59,  # c87
+        4.0 * w55 + -4.0 * w52,  # c88
+        4.0 * w52 + w68,  # c89
+        4.0 * w52 + w68,  # c90
+        4.0 * w55 + -4.0 * w52,  # c91
+        w66 + 4.0 * w54,  # c92
+        bar1_mass * bar1_center_of_mass_x,  # c93
+        gravity_y,  # gravity_y
+        bar2_mass * gravity_y,  # c95
+        bar3_mass * gravity_y,  # c96
+        bar4_mass * gravity_y,  # c97
+        bar5_mass * gravity_y,  # c98
+        ground_P5_z,  # ground_P5_z
+        -w41,  # c100
+        -w48,  # c101
+        bar1_mass,  # bar1_mass
+        w36 + -4.0 * w3,  # c103
+        w34 + w42,  # c104
+        bar1_mass * gravity_y,  # c105
+        -w10,  # c106
+        4.0 * bar3_end_z,  # c107
+        0.5 * w39 + 0.5 * w40,  # c108
+        0.5 * w31 + 0.5 * w32,  # c109
+        0.25 * w31 + 0.25 * w32,  # c110
+        0.25 * w39 + 0.25 * w40,  # c111
+        -2.0 * (w3 * w69) + -2.0 * (w41 * (w3 * w41)),  # c112
+        -2.0 * (w5 * w69) + -2.0 * (w41 * (w5 * w41)),  # c113
+        -2.0 * (w6 * w69) + -2.0 * (w41 * (w6 * w41)),  # c114
+        -4.0 * w17,  # c115
+        -4.0 * w19,  # c116
+        -4.0 * w20,  # c117
+        -4.0 * w24,  # c118
+        -4.0 * w26,  # c119
+        -4.0 * w27,  # c120
+        -4.0 * w61,  # c121
+        -4.0 * w70,  # c122
+        -4.0 * w71,  # c123
+        -4.0 * w72,  # c124
+        4.0 * bar1_end_x,  # c125
+        4.0 * bar2_end_y,  # c126
+        4.0 * bar4_end_x,  # c127
+        4.0 * bar5_end_y,  # c128
+        0.5 * w12 + 0.5 * w13,  # c129
+        0.5 * w8 + 0.5 * w9,  # c130
+        0.25 * w8 + 0.25 * w9,  # c131
+        0.25 * w12 + 0.25 * w13,  # c132
+        0.25 * w43 + 0.25 * w44,  # c133
+        0.25 * w46 + 0.25 * w47,  # c134
+        2 * w7,  # c135
+        2.0,  # c136
+        2 * w41,  # c137
+        2 * w48,  # c138
+        2 * w45,  # c139
+        2 * w33,  # c140
+        0.5 * w43 + 0.5 * w44,  # c141
+        0.5 * w46 + 0.5 * w47,  # c142
+        2 * w11,  # c143
+        2 * w63,  # c144
+        2 * w65,  # c145
+        2 * (w33 * w41),  # c146
+        -(2 * bar1_end_x),  # c147
+        -4.0 * w59,  # c148
+        -4.0 * w62,  # c149
+        2 * (w45 * w48),  # c150
+        -2.0 * (w52 * w73) + -2.0 * (w48 * w70),  # c151
+        -2.0 * (w54 * w73) + -2.0 * (w48 * w71),  # c152
+        -2.0 * (w55 * w73) + -2.0 * (w48 * w72),  # c153
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 5082 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
+    5082 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -345,26 +373,26 @@ def condensed() -> ca.Function:
     hinge2_angle_dot = q_d_dot[36]
     hinge4_angle_dot = q_d_dot[37]
     hinge5_angle_dot = q_d_dot[38]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -400,16 +428,16 @@ def condensed() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
@@ -419,7 +447,7 @@ def condensed() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c75 = c[75]
     c76 = c[76]
     c77 = c[77]
@@ -439,15 +467,16 @@ def condensed() -> ca.Function:
     c91 = c[91]
     c92 = c[92]
     c93 = c[93]
-    c94 = c[94]
+    gravity_y = c[94]
     c95 = c[95]
     c96 = c[96]
     c97 = c[97]
     c98 = c[98]
+    # intermediate terms (1104)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
-    w3 = w2 * c1 * c0 - w2 * c2 * c3
+    w3 = w2 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w2 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w4 = bar1_e2 * -2.0
     w5 = w4 * c6
     w6 = 2 * bar1_e1
@@ -456,15 +485,15 @@ def condensed() -> ca.Function:
     w9 = w8 * c9
     w10 = w4 * w5 + w6 * w7 + w8 * w9
     w11 = 2 * bar1_e2
-    w12 = (w8 * bar1_e3 + bar1_e2 * w6) * c10
+    w12 = (w8 * bar1_e3 + bar1_e2 * w6) * bar1_end_x
     w13 = bar1_e1 * -2.0
     w14 = 1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2
-    w15 = w14 * c10
+    w15 = w14 * bar1_end_x
     w16 = w11 * w12 - w13 * w15
     w17 = w16 * c13
     w18 = w8 * w15
     w19 = w6 * bar1_e3 - bar1_e2 * w8
-    w20 = w19 * c10
+    w20 = w19 * bar1_end_x
     w21 = w18 - w11 * w20
     w22 = w21 * c13
     w23 = w13 * w20
@@ -486,10 +515,10 @@ def condensed() -> ca.Function:
     w39 = w36 - w38
     w40 = w39 * c14
     w41 = w29 * w33 - w34 * w40
-    w42 = w32 * c15
-    w43 = w39 * c15
+    w42 = w32 * bar2_end_y
+    w43 = w39 * bar2_end_y
     w44 = w29 * w42 - w34 * w43
-    w45 = w44 * c12
+    w45 = w44 * bar3_mass
     w46 = hinge2_angle / 2.0
     w47 = ca.cos(w46)
     w48 = w47 * c20
@@ -512,11 +541,11 @@ def condensed() -> ca.Function:
     w65 = w54 * w64
     w66 = w51 * w60
     w67 = w65 - w66
-    w68 = w47 * c16 * c19 - w47 * c18 * c17
+    w68 = w47 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w47 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w69 = w51 * w54
     w70 = 2 * bar3_e3
     w71 = w69 - w60 * w70
-    w72 = w62 * c18 * c19 - w62 * c16 * c17
+    w72 = w62 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w62 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w73 = bar3_e2 * -2.0
     w74 = w60 * w73
     w75 = w54 * w55 - w74
@@ -528,9 +557,9 @@ def condensed() -> ca.Function:
     w81 = w80 * c14
     w82 = w77 - w29 * w81
     w83 = w37 * w43
-    w84 = w80 * c15
+    w84 = w80 * bar2_end_y
     w85 = w83 - w29 * w84
-    w86 = w85 * c12
+    w86 = w85 * bar3_mass
     w87 = 1.0 - 2 * bar3_e1**2
     w88 = 2 * bar3_e2**2
     w89 = w87 - w88
@@ -548,7 +577,7 @@ def condensed() -> ca.Function:
     w101 = w34 * w84
     w102 = w37 * w42
     w103 = w101 - w102
-    w104 = w103 * c12
+    w104 = w103 * bar3_mass
     w105 = w95 - w69
     w106 = w93 - w54 * w57
     w107 = w70 * w90 - w54 * w73
@@ -592,18 +621,18 @@ def condensed() -> ca.Function:
     w145 = w33 * w34 - w144
     w146 = w43 * w111
     w147 = w34 * w42 - w146
-    w148 = w147 * c12
+    w148 = w147 * bar3_mass
     w149 = w145 + w148 + w61 * w72 + w67 * w68 + w63 * w71 + w48 * w75
     w150 = bar2_e3 * -2.0
     w151 = w40 * w150 - w98
     w152 = w43 * w150 - w101
-    w153 = w152 * c12
+    w153 = w152 * bar3_mass
     w154 = w151 + w153 + w72 * w91 + w68 * w92 + w63 * w94 + w48 * w96
     w155 = w33 * w150
     w156 = w81 * w111 - w155
     w157 = w42 * w150
     w158 = w84 * w111 - w157
-    w159 = w158 * c12
+    w159 = w158 * bar3_mass
     w160 = w156 + w159 + w72 * w105 + w68 * w106 + w63 * w107 + w48 * w108
     w161 = bar2_e2 * bar2_e1 * c41 + w114 * w150
     w162 = w61 * w147 + w91 * w152 + w105 * w158
@@ -630,17 +659,17 @@ def condensed() -> ca.Function:
     w183 = w76 * w179 + w97 * w180 + w109 * w182
     w184 = w155 - w77
     w185 = w157 - w83
-    w186 = w185 * c12
+    w186 = w185 * bar3_mass
     w187 = w184 + w186 - w61 * w63 + w48 * w67 + w71 * w72 - w68 * w75
     w188 = w35 * w40 - w81 * w150
     w189 = w35 * w43 - w84 * w150
-    w190 = w189 * c12
+    w190 = w189 * bar3_mass
     w191 = w188 + w190 - w63 * w91 + w48 * w92 + w72 * w94 - w68 * w96
     w192 = w37 * w81
     w193 = w192 - w33 * w35
     w194 = w37 * w84
     w195 = w194 - w35 * w42
-    w196 = w195 * c12
+    w196 = w195 * bar3_mass
     w197 = w193 + w196 - w63 * w105 + w48 * w106 + w72 * w107 - w68 * w108
     w198 = 2 * bar2_e3
     w199 = w112 * w198 + bar2_e1 * bar2_e0 * c44
@@ -653,15 +682,15 @@ def condensed() -> ca.Function:
     w206 = w16 * w187 + w21 * w191 + w25 * w197 + w28 * w205
     w207 = w99 - w40 * w198
     w208 = w102 - w43 * w198
-    w209 = w208 * c12
+    w209 = w208 * bar3_mass
     w210 = w207 + w209 + w61 * w68 - w67 * w72 + w48 * w71 - w63 * w75
     w211 = w144 - w192
     w212 = w146 - w194
-    w213 = w212 * c12
+    w213 = w212 * bar3_mass
     w214 = w211 + w213 + w68 * w91 - w72 * w92 + w48 * w94 - w63 * w96
     w215 = w81 * w198 - w33 * w111
     w216 = w84 * w198 - w42 * w111
-    w217 = w216 * c12
+    w217 = w216 * bar3_mass
     w218 = w215 + w217 + w68 * w105 - w72 * w106 + w48 * w107 - w63 * w108
     w219 = w113 * w150 + bar2_e2 * bar2_e0 * c45
     w220 = w61 * w208 + w91 * w212 + w105 * w216
@@ -713,7 +742,7 @@ def condensed() -> ca.Function:
     w266 = w249 + w179 * w250 + w180 * w251 + w182 * w252 + (w28 * w257 + w28 * w253) + (w143 * w265 + w143 * w261)
     w267 = ca.sin(w0)
     w268 = w267 / 2.0
-    w269 = w268 * c1 * c3 - w268 * c2 * c0
+    w269 = w268 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w268 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w270 = w7 * w177 + bar1_e2 * bar1_e0 * c49
     w271 = w24 - w15 * w175
     w272 = w4 * w15
@@ -757,12 +786,12 @@ def condensed() -> ca.Function:
     w310 = 2 * bar4_e0
     w311 = w310 * bar4_e2
     w312 = w309 - w311
-    w313 = w312 * c55
+    w313 = w312 * bar4_end_x
     w314 = bar4_e2 * -2.0
     w315 = bar4_e3 * w310
     w316 = w308 * bar4_e2
     w317 = w315 + w316
-    w318 = w317 * c55
+    w318 = w317 * bar4_end_x
     w319 = w307 * w313 - w314 * w318
     w320 = hinge4_angle / 2.0
     w321 = ca.sin(w320)
@@ -774,19 +803,19 @@ def condensed() -> ca.Function:
     w327 = 2 * bar5_e2
     w328 = w327 * bar5_e3
     w329 = w326 + w328
-    w330 = w329 * c56
+    w330 = w329 * bar5_end_y
     w331 = w325 * w330
     w332 = 2 * bar5_e1
     w333 = 1.0 - 2 * bar5_e1**2
     w334 = 2 * bar5_e3**2
     w335 = w333 - w334
-    w336 = w335 * c56
+    w336 = w335 * bar5_end_y
     w337 = w331 - w332 * w336
     w338 = w319 * w321 - w323 * w324 - w337
     w339 = hinge5_angle / 2.0
     w340 = ca.sin(w339)
     w341 = w340 / 2.0
-    w342 = w341 * c57 * c58 - w341 * c59 * c60
+    w342 = w341 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w341 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w343 = bar4_e1 * -2.0
     w344 = w313 * w343
     w345 = w310 * w318
@@ -801,7 +830,7 @@ def condensed() -> ca.Function:
     w354 = w324 * w346 + w321 * w349 + w353
     w355 = ca.cos(w339)
     w356 = w355 / 2.0
-    w357 = w356 * c59 * c58 - w356 * c57 * c60
+    w357 = w356 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w356 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w358 = 2 * bar5_e3
     w359 = bar5_e2 * -2.0
     w360 = w330 * w358 - w336 * w359
@@ -813,8 +842,8 @@ def condensed() -> ca.Function:
     w366 = w321 * w346 - w324 * w349 - w365
     w367 = w341 * c62
     w368 = w338 * w342 - w354 * w357 + w361 * w362 - w366 * w367
-    w369 = w89 * c63
-    w370 = w53 * c63
+    w369 = w89 * bar3_end_z
+    w370 = w53 * bar3_end_z
     w371 = w70 * w369 - w73 * w370
     w372 = w55 * w369
     w373 = w51 * w370
@@ -834,7 +863,7 @@ def condensed() -> ca.Function:
     w387 = w158 + w72 * w374 + w68 * w376 + w63 * w371 + w48 * w378
     w388 = bar1_e0 * w381 + bar1_e3 * w380
     w389 = w379 * w382 - w383 * w384 + w385 * w386 + w387 * w388
-    w390 = w59 * c63
+    w390 = w59 * bar3_end_z
     w391 = w73 * w390
     w392 = w391 - w375
     w393 = w51 * w390
@@ -891,14 +920,14 @@ def condensed() -> ca.Function:
     w444 = w389 / w443
     w445 = 2 * bar4_e2**2
     w446 = 1.0 - w445 - w421
-    w447 = w446 * c55
+    w447 = w446 * bar4_end_x
     w448 = w314 * w447
     w449 = w448 - w322
     w450 = w308 * w447 - w313 * w347
     w451 = bar5_e2 * w332
     w452 = w325 * bar5_e3
     w453 = w451 - w452
-    w454 = w453 * c56
+    w454 = w453 * bar5_end_y
     w455 = w332 * w454 - w330 * w363
     w456 = w321 * w449 - w324 * w450 - w455
     w457 = w310 * w447
@@ -947,8 +976,8 @@ def condensed() -> ca.Function:
     w500 = w499 * c20
     w501 = w47 / 2.0
     w502 = w501 * c22
-    w503 = w499 * c18 * c17 - w499 * c16 * c19
-    w504 = w501 * c18 * c19 - w501 * c16 * c17
+    w503 = w499 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w499 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w504 = w501 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w501 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w505 = bar2_e0 * w500 + (bar2_e1 * w502 + bar2_e2 * w503 + bar2_e3 * w504)
     w506 = bar2_e0 * w504 - bar2_e3 * w500 + (bar2_e1 * w503 - bar2_e2 * w502)
     w507 = bar2_e0 * w503 - bar2_e2 * w500 + (bar2_e3 * w502 - bar2_e1 * w504)
@@ -1042,15 +1071,15 @@ def condensed() -> ca.Function:
     w595 = w317 * c78
     w596 = w446 * c78
     w597 = w415 * w595 - w343 * w596
-    w598 = w597 - w474 * c74
+    w598 = w597 - w474 * bar4_mass
     w599 = w310 * w596
     w600 = w312 * c78
     w601 = w599 - w415 * w600
-    w602 = w601 - w458 * c74
+    w602 = w601 - w458 * bar4_mass
     w603 = w343 * w600
     w604 = w310 * w595
     w605 = w603 - w604
-    w606 = w605 - w346 * c74
+    w606 = w605 - w346 * bar4_mass
     w607 = w594 - (w474 * w598 + w474 * w597) - (w458 * w602 + w458 * w601) - (w346 * w606 + w346 * w605)
     w608 = w324 * w607
     w609 = bar4_e1 * bar4_e2 * c79 + w347 * w593
@@ -1062,9 +1091,9 @@ def condensed() -> ca.Function:
     w615 = w609 - (w475 * w598 + w474 * w611) - (w459 * w602 + w458 * w612) - (w349 * w606 + w346 * w614)
     w616 = w324 * w615
     w617 = w343 * (w343 * c73) + w314 * (w314 * c76) + w347 * (w347 * c77)
-    w618 = w611 - w475 * c74
-    w619 = w612 - w459 * c74
-    w620 = w614 - w349 * c74
+    w618 = w611 - w475 * bar4_mass
+    w619 = w612 - w459 * bar4_mass
+    w620 = w614 - w349 * bar4_mass
     w621 = w617 - (w475 * w618 + w475 * w611) - (w459 * w619 + w459 * w612) - (w349 * w620 + w349 * w614)
     w622 = w616 + w321 * w621
     w623 = w335 * c80
@@ -1100,15 +1129,15 @@ def condensed() -> ca.Function:
     w653 = w310 * c76
     w654 = w343 * c77
     w655 = w314 * w653 + bar4_e3 * bar4_e1 * c85
-    w656 = w641 - w471 * c74
-    w657 = w642 - w450 * c74
-    w658 = w644 - w323 * c74
+    w656 = w641 - w471 * bar4_mass
+    w657 = w642 - w450 * bar4_mass
+    w658 = w644 - w323 * bar4_mass
     w659 = w655 - (w475 * w656 + w471 * w611) - (w459 * w657 + w450 * w612) - (w349 * w658 + w323 * w614)
     w660 = w310 * c73
     w661 = w343 * w660 + bar4_e3 * bar4_e2 * c86
-    w662 = w648 - w470 * c74
-    w663 = w649 - w449 * c74
-    w664 = w650 - w319 * c74
+    w662 = w648 - w470 * bar4_mass
+    w663 = w649 - w449 * bar4_mass
+    w664 = w650 - w319 * bar4_mass
     w665 = w661 - (w475 * w662 + w470 * w611) - (w459 * w663 + w449 * w612) - (w349 * w664 + w319 * w614)
     w666 = w324 * w659 - w321 * w665
     w667 = w363 * w623
@@ -1248,12 +1277,12 @@ def condensed() -> ca.Function:
     w801 = hinge0_angle_dot / 2.0
     w802 = w801**2
     w803 = w1 * w802
-    w804 = w803 * c1 * c3 - w803 * c2 * c0
+    w804 = w803 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w803 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w805 = w801 * (w1 * w801) * c51
     w806 = w267 * w802
     w807 = w801 * (w267 * w801) * c42
-    w808 = w806 * c2 * c3 - w806 * c1 * c0
-    w809 = w4 * w793 + w6 * w797 + w8 * w798 + (w8 * w799 - w11 * w800) * c94 - (w270 * w804 - w291 * w805 + w176 * w807 + w10 * w808)
+    w808 = w806 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w806 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w809 = w4 * w793 + w6 * w797 + w8 * w798 + (w8 * w799 - w11 * w800) * gravity_y - (w270 * w804 - w291 * w805 + w176 * w807 + w10 * w808)
     w810 = w34 * bar2_e0_dot + w37 * bar2_e1_dot
     w811 = w810 + w198 * bar2_e2_dot + w111 * bar2_e3_dot
     w812 = w811 * c14
@@ -1303,16 +1332,16 @@ def condensed() -> ca.Function:
     w856 = hinge2_angle_dot / 2.0
     w857 = w856**2
     w858 = w62 * w857
-    w859 = w858 * c16 * c17 - w858 * c18 * c19
+    w859 = w858 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w858 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
     w860 = w47 * w857
     w861 = w856 * (w47 * w856) * c20
-    w862 = w860 * c18 * c17 - w860 * c16 * c19
+    w862 = w860 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w860 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w863 = w856 * (w62 * w856) * c22
     w864 = w501 * hinge2_angle_dot
-    w865 = w864 * c18 * c19 - w864 * c16 * c17
+    w865 = w864 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w864 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w866 = w499 * hinge2_angle_dot
     w867 = w866 * c20
-    w868 = w866 * c18 * c17 - w866 * c16 * c19
+    w868 = w866 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w866 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w869 = w864 * c22
     w870 = bar2_e0_dot * w865 - bar2_e3_dot * w867 + (bar2_e1_dot * w868 - bar2_e2_dot * w869)
     w871 = w870 + (bar2_e0 * w859 - bar2_e3 * w861 + (bar2_e1 * w862 + bar2_e2 * w863) + w870)
@@ -1370,9 +1399,9 @@ def condensed() -> ca.Function:
     w923 = hinge5_angle_dot / 2.0
     w924 = w923**2
     w925 = w340 * w924
-    w926 = w925 * c57 * c60 - w925 * c59 * c58
+    w926 = w925 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w925 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
     w927 = w355 * w924
-    w928 = w927 * c57 * c58 - w927 * c59 * c60
+    w928 = w927 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w927 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w929 = w923 * (w340 * w923) * c61
     w930 = w923 * (w355 * w923) * c62
     w931 = w911 + w922 + w354 * w926 - w338 * w928 + w361 * w929 + w366 * w930 - w563 * w808 - w564 * w807 - w565 * w804
@@ -1416,7 +1445,7 @@ def condensed() -> ca.Function:
     w969 = w910 + w28 * w804 + w143 * w807 + w386 * w967
     w970 = w908 - w143 * w804 + w28 * w807 - w384 * w967
     w971 = w906 - w143 * w805 + w28 * w808 + w382 * w967
-    w972 = w80 * w817 - (w818 - w819) * w823 - (w30 - w824) * w825 - (w832 * c11 + w145 * w968 + w207 * w969 + w184 * w970 + w41 * w971)
+    w972 = w80 * w817 - (w818 - w819) * w823 - (w30 - w824) * w825 - (w832 * bar2_mass + w145 * w968 + w207 * w969 + w184 * w970 + w41 * w971)
     w973 = w841 + (w840 + w64 * bar3_e1_dot) + w57 * bar3_e3_dot
     w974 = w973 * c21
     w975 = w843 + w70 * bar3_e2_dot + w73 * bar3_e3_dot
@@ -1430,17 +1459,17 @@ def condensed() -> ca.Function:
     w983 = w875 + w63 * w968 + w48 * w969 + w72 * w970 - w68 * w971 + w508 * w966
     w984 = w873 + w68 * w968 - w72 * w969 + w48 * w970 + w63 * w971 + w507 * w966
     w985 = w871 + w72 * w968 + w68 * w969 - w63 * w970 + w48 * w971 + w506 * w966
-    w986 = w89 * w977 - (w419 * w979 + (w50 + w52) * w980) - (w981 * c12 + w75 * w982 + w71 * w983 + w67 * w984 + w61 * w985)
+    w986 = w89 * w977 - (w419 * w979 + (w50 + w52) * w980) - (w981 * bar3_mass + w75 * w982 + w71 * w983 + w67 * w984 + w61 * w985)
     w987 = w972 + w986
     w988 = w939 - w293 * w805 + w273 * w804 + w180 * w807 + w21 * w808
-    w989 = w32 * w817 - w823 * (w36 + w38) - w825 * (w79 - w78) + c95 - (w988 * c11 + w151 * w968 + w211 * w969 + w188 * w970 + w82 * w971)
+    w989 = w32 * w817 - w823 * (w36 + w38) - w825 * (w79 - w78) + c95 - (w988 * bar2_mass + w151 * w968 + w211 * w969 + w188 * w970 + w82 * w971)
     w990 = w935 + w988 + w152 * w968 + w212 * w969 + w189 * w970 + w85 * w971
-    w991 = w53 * w977 - (w413 * w979 + w980 * (w87 - w427)) + c96 - (w990 * c12 + w96 * w982 + w94 * w983 + w92 * w984 + w91 * w985)
+    w991 = w53 * w977 - (w413 * w979 + w980 * (w87 - w427)) + c96 - (w990 * bar3_mass + w96 * w982 + w94 * w983 + w92 * w984 + w91 * w985)
     w992 = w989 + w991
     w993 = w904 - w294 * w805 + w274 * w804 + w182 * w807 + w25 * w808
-    w994 = w39 * w817 - w823 * (1.0 - w824 - w31) - w825 * (w818 + w819) - (w993 * c11 + w156 * w968 + w215 * w969 + w193 * w970 + w100 * w971)
+    w994 = w39 * w817 - w823 * (1.0 - w824 - w31) - w825 * (w818 + w819) - (w993 * bar2_mass + w156 * w968 + w215 * w969 + w193 * w970 + w100 * w971)
     w995 = w855 + w993 + w158 * w968 + w216 * w969 + w195 * w970 + w103 * w971
-    w996 = w59 * w977 - (w428 * w979 + w980 * (w412 - w411)) - (w995 * c12 + w108 * w982 + w107 * w983 + w106 * w984 + w105 * w985)
+    w996 = w59 * w977 - (w428 * w979 + w980 * (w412 - w411)) - (w995 * bar3_mass + w108 * w982 + w107 * w983 + w106 * w984 + w105 * w985)
     w997 = w994 + w996
     w998 = w815 * c24
     w999 = w822 * c23
@@ -1448,28 +1477,28 @@ def condensed() -> ca.Function:
     w1001 = w811 * c26
     w1002 = w815 * w1001 - w811 * w998
     w1003 = w811 * w999 - w822 * w1001
-    w1004 = w111 * w1000 + w35 * w1002 + w37 * w1003 + w82 * c94 - (w100 * w993 + w82 * w988 + w41 * w832 + w161 * w968 + w219 * w969 + w199 * w970 + w115 * w971)
+    w1004 = w111 * w1000 + w35 * w1002 + w37 * w1003 + w82 * gravity_y - (w100 * w993 + w82 * w988 + w41 * w832 + w161 * w968 + w219 * w969 + w199 * w970 + w115 * w971)
     w1005 = w978 * c30
     w1006 = w973 * c29
     w1007 = w973 * w1005 - w978 * w1006
     w1008 = w975 * c32
     w1009 = w978 * w1008 - w975 * w1005
     w1010 = w975 * w1006 - w973 * w1008
-    w1011 = w73 * w1007 + w57 * w1009 + w51 * w1010 + w91 * c94 - (w105 * w995 + w91 * w990 + w61 * w981 + w135 * w982 + w129 * w983 + w122 * w984 + w120 * w985)
-    w1012 = w70 * w1007 + w51 * w1009 + w55 * w1010 + w92 * c94 - (w106 * w995 + w92 * w990 + w67 * w981 + w136 * w982 + w130 * w983 + w126 * w984 + w122 * w985)
-    w1013 = w51 * w1007 + w64 * w1009 + w49 * w1010 + w94 * c94 - (w107 * w995 + w94 * w990 + w71 * w981 + w137 * w982 + w133 * w983 + w130 * w984 + w129 * w985)
-    w1014 = w55 * w1007 + w73 * w1009 + w64 * w1010 + w96 * c94 - (w108 * w995 + w96 * w990 + w75 * w981 + w139 * w982 + w137 * w983 + w136 * w984 + w135 * w985)
+    w1011 = w73 * w1007 + w57 * w1009 + w51 * w1010 + w91 * gravity_y - (w105 * w995 + w91 * w990 + w61 * w981 + w135 * w982 + w129 * w983 + w122 * w984 + w120 * w985)
+    w1012 = w70 * w1007 + w51 * w1009 + w55 * w1010 + w92 * gravity_y - (w106 * w995 + w92 * w990 + w67 * w981 + w136 * w982 + w130 * w983 + w126 * w984 + w122 * w985)
+    w1013 = w51 * w1007 + w64 * w1009 + w49 * w1010 + w94 * gravity_y - (w107 * w995 + w94 * w990 + w71 * w981 + w137 * w982 + w133 * w983 + w130 * w984 + w129 * w985)
+    w1014 = w55 * w1007 + w73 * w1009 + w64 * w1010 + w96 * gravity_y - (w108 * w995 + w96 * w990 + w75 * w981 + w139 * w982 + w137 * w983 + w136 * w984 + w135 * w985)
     w1015 = w1004 + w44 * w986 + w85 * w991 + w103 * w996 + w48 * w1011 + w63 * w1012 - w68 * w1013 - w72 * w1014
-    w1016 = w34 * w1000 + w111 * w1002 + w150 * w1003 + w151 * c94 - (w156 * w993 + w151 * w988 + w145 * w832 + w169 * w968 + w237 * w969 + w229 * w970 + w161 * w971)
+    w1016 = w34 * w1000 + w111 * w1002 + w150 * w1003 + w151 * gravity_y - (w156 * w993 + w151 * w988 + w145 * w832 + w169 * w968 + w237 * w969 + w229 * w970 + w161 * w971)
     w1017 = w1016 + w147 * w986 + w152 * w991 + w158 * w996 + w72 * w1011 + w68 * w1012 + w63 * w1013 + w48 * w1014
-    w1018 = w175 * w793 + w8 * w797 + w13 * w798 + (w6 * w799 - w177 * w800) * c94 - (w278 * w804 - w298 * w805 + w249 * w807 + w176 * w808)
-    w1019 = w198 * w1000 + w37 * w1002 + w34 * w1003 + w188 * c94 - (w193 * w993 + w188 * w988 + w184 * w832 + w229 * w968 + w258 * w969 + w254 * w970 + w199 * w971)
+    w1018 = w175 * w793 + w8 * w797 + w13 * w798 + (w6 * w799 - w177 * w800) * gravity_y - (w278 * w804 - w298 * w805 + w249 * w807 + w176 * w808)
+    w1019 = w198 * w1000 + w37 * w1002 + w34 * w1003 + w188 * gravity_y - (w193 * w993 + w188 * w988 + w184 * w832 + w229 * w968 + w258 * w969 + w254 * w970 + w199 * w971)
     w1020 = w1019 + w185 * w986 + w189 * w991 + w195 * w996 - w63 * w1011 + w48 * w1012 + w72 * w1013 - w68 * w1014
-    w1021 = w37 * w1000 + w150 * w1002 + w29 * w1003 + w211 * c94 - (w215 * w993 + w211 * w988 + w207 * w832 + w237 * w968 + w262 * w969 + w258 * w970 + w219 * w971)
+    w1021 = w37 * w1000 + w150 * w1002 + w29 * w1003 + w211 * gravity_y - (w215 * w993 + w211 * w988 + w207 * w832 + w237 * w968 + w262 * w969 + w258 * w970 + w219 * w971)
     w1022 = w1021 + w208 * w986 + w212 * w991 + w216 * w996 + w68 * w1011 - w72 * w1012 + w48 * w1013 - w63 * w1014
     w1023 = w3 * (w809 + w16 * w987 + w21 * w992 + w25 * w997 + w28 * w1015 - w143 * w1017) - w174 * (w1018 + w179 * w987 + w180 * w992 + w182 * w997 + w28 * w1020 + w143 * w1022)
-    w1024 = w8 * w793 + w177 * w797 + w11 * w798 + (w4 * w799 - w8 * w800) * c94 - (w284 * w804 - w302 * w805 + w278 * w807 + w270 * w808)
-    w1025 = w13 * w793 + w4 * w797 + w177 * w798 + (w177 * w799 - w13 * w800) * c94 - (w302 * w804 - w305 * w805 + w298 * w807 + w291 * w808)
+    w1024 = w8 * w793 + w177 * w797 + w11 * w798 + (w4 * w799 - w8 * w800) * gravity_y - (w284 * w804 - w302 * w805 + w278 * w807 + w270 * w808)
+    w1025 = w13 * w793 + w4 * w797 + w177 * w798 + (w177 * w799 - w13 * w800) * gravity_y - (w302 * w804 - w305 * w805 + w298 * w807 + w291 * w808)
     w1026 = w1023 + w269 * (w1024 + w271 * w987 + w273 * w992 + w274 * w997 - w143 * w1020 + w28 * w1022) - w290 * (w1025 + w292 * w987 + w293 * w992 + w294 * w997 + w143 * w1015 + w28 * w1017)
     w1027 = w919 + (w918 + w327 * bar5_e1_dot + w350 * bar5_e2_dot)
     w1028 = w1027 * c66
@@ -1510,54 +1539,62 @@ def condensed() -> ca.Function:
     w1063 = w1044 * w1061 + w1046 * w1062
     w1064 = w1049 * w1062
     w1065 = w1049 * w1061
-    w1066 = w312 * w1063 - w417 * w1064 - (w420 - w445) * w1065 - (w1059 * c74 + w611 * w1053 + w648 * w1054 + w641 * w1055 + w597 * w1056)
-    w1067 = w317 * w1063 - w422 * w1064 - w1065 * (w416 - w414) + c97 - (w1058 * c74 + w612 * w1053 + w649 * w1054 + w642 * w1055 + w601 * w1056)
-    w1068 = w446 * w1063 - w425 * w1064 - w1065 * (w309 + w311) - (w1057 * c74 + w614 * w1053 + w650 * w1054 + w644 * w1055 + w605 * w1056)
-    w1069 = w314 * w1048 + w308 * w1051 + w310 * w1052 + w601 * c94 - w1060 - w474 * w1066 - w458 * w1067 - w346 * w1068
-    w1070 = w614 * w1057 + w612 * w1058 + w611 * w1059 + w617 * w1053 + w661 * w1054 + w655 * w1055 + w609 * w1056
-    w1071 = w343 * w1048 + w314 * w1051 + w347 * w1052 + w612 * c94 - w1070 - w475 * w1066 - w459 * w1067 - w349 * w1068
-    w1072 = w1032 * c80
-    w1073 = w1027 * c80
-    w1074 = w1032 * w1072 + w1027 * w1073
-    w1075 = bar5_e3 * w332
-    w1076 = w325 * bar5_e2
-    w1077 = w1029 * w1072
-    w1078 = 2 * bar5_e2**2
-    w1079 = w1029 * w1073
-    w1080 = w329 * w1074 - (w1075 - w1076) * w1077 - (w333 - w1078) * w1079 - (w1042 * c64 - w717 * w1036 + w696 * w1037 + w668 * w1038 + w625 * w1039)
-    w1081 = w1066 + w1080
-    w1082 = w359 * w1031 + w332 * w1034 + w325 * w1035 + w630 * c94 - w1043 + w324 * w1069 + w321 * w1071 - w476 * w1081
-    w1083 = w335 * w1074 - w1077 * (w451 + w452) - w1079 * (w328 - w326) + c98 - (w1041 * c64 - w719 * w1036 + w699 * w1037 + w670 * w1038 + w630 * w1039)
-    w1084 = w1067 + w1083
-    w1085 = w453 * w1074 - w1077 * (1.0 - w1078 - w334) - w1079 * (w1075 + w1076) - (w1040 * c64 - w722 * w1036 + w702 * w1037 + w674 * w1038 + w636 * w1039)
-    w1086 = w1068 + w1085
-    w1087 = w674 * w1040 + w670 * w1041 + w668 * w1042 - w724 * w1036 + w704 * w1037 + w679 * w1038 + w639 * w1039
-    w1088 = w644 * w1057 + w642 * w1058 + w641 * w1059 + w655 * w1053 + w683 * w1054 + w680 * w1055 + w640 * w1056
-    w1089 = w307 * w1048 + w310 * w1051 + w343 * w1052 + w642 * c94 - w1088 - w471 * w1066 - w450 * w1067 - w323 * w1068
-    w1090 = w650 * w1057 + w649 * w1058 + w648 * w1059 + w661 * w1053 + w686 * w1054 + w683 * w1055 + w647 * w1056
-    w1091 = w310 * w1048 + w347 * w1051 + w415 * w1052 + w649 * c94 - w1090 - w470 * w1066 - w449 * w1067 - w319 * w1068
-    w1092 = w358 * w1031 + w325 * w1034 + w350 * w1035 + w670 * c94 - w1087 + w324 * w1089 - w321 * w1091 - w472 * w1081
-    w1093 = w702 * w1040 + w699 * w1041 + w696 * w1042 - w728 * w1036 + w709 * w1037 + w704 * w1038 + w694 * w1039
-    w1094 = w325 * w1031 + w363 * w1034 + w327 * w1035 + w699 * c94 - w1093 + w321 * w1089 + w324 * w1091 - w478 * w1081
-    w1095 = w357 * (w1082 - w461 * w1084 - w353 * w1086) + w342 * (w1092 - w455 * w1084 - w337 * w1086) - w362 * (w1094 - w464 * w1084 - w360 * w1086)
-    w1096 = w722 * w1040 + w719 * w1041 + w717 * w1042 - w731 * w1036 + w728 * w1037 + w724 * w1038 + w715 * w1039
-    w1097 = w350 * w1031 + w359 * w1034 + w363 * w1035 + w719 * c94 - w1096 - w321 * w1069 + w324 * w1071 - w480 * w1081
-    w1098 = w1026 - w586 * (w1095 - w367 * (w1097 - w466 * w1084 - w365 * w1086)) + w735 * (w531 * w1089 - w530 * w1069 - w532 * w1091 + w533 * w1071)
-    w1099 = w1098 + w752 * (w506 * w1011 + w507 * w1012 + w508 * w1013 - w505 * w1014) + w771 * (w382 * w1015 - w384 * w1020 + w386 * w1022 - w388 * w1017)
-    M_hat = ca.vertcat(
-        w784,
-    )
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        w1099,
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    w1066 = w312 * w1063 - w417 * w1064 - (w420 - w445) * w1065 - (w1059 * bar4_mass + w611 * w1053 + w648 * w1054 + w641 * w1055 + w597 * w1056)
+    w1067 = w317 * w1063 - w422 * w1064 - w1065 * (w416 - w414) + c97 - (w1058 * bar4_mass + w612 * w1053 + w649 * w1054 + w642 * w1055 + w601 * w1056)
+    w1068 = w314 * w1048 + w308 * w1051 + w310 * w1052 + w601 * gravity_y - w1060 - w474 * w1066 - w458 * w1067
+    w1069 = w446 * w1063 - w425 * w1064 - w1065 * (w309 + w311) - (w1057 * bar4_mass + w614 * w1053 + w650 * w1054 + w644 * w1055 + w605 * w1056)
+    w1070 = w1068 - w346 * w1069
+    w1071 = w614 * w1057 + w612 * w1058 + w611 * w1059 + w617 * w1053 + w661 * w1054 + w655 * w1055 + w609 * w1056
+    w1072 = w343 * w1048 + w314 * w1051 + w347 * w1052 + w612 * gravity_y - w1071 - w475 * w1066 - w459 * w1067
+    w1073 = w1072 - w349 * w1069
+    w1074 = w359 * w1031 + w332 * w1034 + w325 * w1035 + w630 * gravity_y - w1043 + w324 * w1070 + w321 * w1073
+    w1075 = w1032 * c80
+    w1076 = w1027 * c80
+    w1077 = w1032 * w1075 + w1027 * w1076
+    w1078 = bar5_e3 * w332
+    w1079 = w325 * bar5_e2
+    w1080 = w1029 * w1075
+    w1081 = 2 * bar5_e2**2
+    w1082 = w1029 * w1076
+    w1083 = w329 * w1077 - (w1078 - w1079) * w1080 - (w333 - w1081) * w1082 - (w1042 * bar5_mass - w717 * w1036 + w696 * w1037 + w668 * w1038 + w625 * w1039)
+    w1084 = w1066 + w1083
+    w1085 = w335 * w1077 - w1080 * (w451 + w452) - w1082 * (w328 - w326) + c98 - (w1041 * bar5_mass - w719 * w1036 + w699 * w1037 + w670 * w1038 + w630 * w1039)
+    w1086 = w1067 + w1085
+    w1087 = w453 * w1077 - w1080 * (1.0 - w1081 - w334) - w1082 * (w1078 + w1079) - (w1040 * bar5_mass - w722 * w1036 + w702 * w1037 + w674 * w1038 + w636 * w1039)
+    w1088 = w1069 + w1087
+    w1089 = w674 * w1040 + w670 * w1041 + w668 * w1042 - w724 * w1036 + w704 * w1037 + w679 * w1038 + w639 * w1039
+    w1090 = w644 * w1057 + w642 * w1058 + w641 * w1059 + w655 * w1053 + w683 * w1054 + w680 * w1055 + w640 * w1056
+    w1091 = w307 * w1048 + w310 * w1051 + w343 * w1052 + w642 * gravity_y - w1090 - w471 * w1066 - w450 * w1067
+    w1092 = w1091 - w323 * w1069
+    w1093 = w650 * w1057 + w649 * w1058 + w648 * w1059 + w661 * w1053 + w686 * w1054 + w683 * w1055 + w647 * w1056
+    w1094 = w310 * w1048 + w347 * w1051 + w415 * w1052 + w649 * gravity_y - w1093 - w470 * w1066 - w449 * w1067
+    w1095 = w1094 - w319 * w1069
+    w1096 = w358 * w1031 + w325 * w1034 + w350 * w1035 + w670 * gravity_y - w1089 + w324 * w1092 - w321 * w1095
+    w1097 = w357 * (w1074 - w476 * w1084 - w461 * w1086 - w353 * w1088) + w342 * (w1096 - w472 * w1084 - w455 * w1086 - w337 * w1088)
+    w1098 = w702 * w1040 + w699 * w1041 + w696 * w1042 - w728 * w1036 + w709 * w1037 + w704 * w1038 + w694 * w1039
+    w1099 = w325 * w1031 + w363 * w1034 + w327 * w1035 + w699 * gravity_y - w1098 + w321 * w1092 + w324 * w1095
+    w1100 = w722 * w1040 + w719 * w1041 + w717 * w1042 - w731 * w1036 + w728 * w1037 + w724 * w1038 + w715 * w1039
+    w1101 = w350 * w1031 + w359 * w1034 + w363 * w1035 + w719 * gravity_y - w1100 - w321 * w1070 + w324 * w1073
+    w1102 = w1097 - w362 * (w1099 - w478 * w1084 - w464 * w1086 - w360 * w1088) - w367 * (w1101 - w480 * w1084 - w466 * w1086 - w365 * w1088)
+    w1103 = w1026 - w586 * w1102 + w735 * (w531 * w1092 - w530 * w1070 - w532 * w1095 + w533 * w1073) + w752 * (w506 * w1011 + w507 * w1012 + w508 * w1013 - w505 * w1014)
+    # outputs
+    M_hat = ca.vertcat(w784)
+    Q_hat = ca.vertcat(w1103 + w771 * (w382 * w1015 - w384 * w1020 + w386 * w1022 - w388 * w1017))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 1263 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 39) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    1263 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     c = ca.SX.sym("c", 154)
@@ -1566,42 +1603,43 @@ def closure() -> ca.Function:
     hinge2_angle = q_d[36]
     hinge4_angle = q_d[37]
     hinge5_angle = q_d[38]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c10 = c[10]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
+    bar1_end_x = c[10]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c22 = c[22]
     c42 = c[42]
     c51 = c[51]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c99 = c[99]
+    bar3_end_z = c[63]
+    ground_P5_z = c[99]
+    # intermediate terms (317)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 * c51
-    w3 = w1 * c2 * c0 - w1 * c1 * c3
+    w3 = w1 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0 - w1 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
     w4 = ca.sin(w0)
     w5 = w4 * c42
-    w6 = w4 * c1 * c0 - w4 * c2 * c3
-    w7 = (1.0 - 2 * w5**2 - 2 * w6**2) * c10
+    w6 = w4 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w4 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w7 = (1.0 - 2 * w5**2 - 2 * w6**2) * bar1_end_x
     w8 = 2 * w2
     w9 = 2 * w3
-    w10 = (w6 * w8 - w5 * w9) * c10
-    w11 = (w6 * w9 + w5 * w8) * c10
+    w10 = (w6 * w8 - w5 * w9) * bar1_end_x
+    w11 = (w6 * w9 + w5 * w8) * bar1_end_x
     w12 = hinge1_angle / 2.0
     w13 = ca.cos(w12)
     w14 = ca.sin(w12)
@@ -1613,28 +1651,28 @@ def closure() -> ca.Function:
     w20 = ca.sin(w16)
     w21 = w20 * c22
     w22 = w5 * w13 + w3 * w14
-    w23 = w17 * c16 * c19 - w17 * c18 * c17
+    w23 = w17 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w17 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w24 = w2 * w14 + w6 * w13
-    w25 = w20 * c18 * c19 - w20 * c16 * c17
+    w25 = w20 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w20 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w26 = 2 * (w15 * w18 - (w19 * w21 - w22 * w23 + w24 * w25))
     w27 = w15 * w23 - w18 * w22 + (w21 * w24 - w19 * w25)
     w28 = 2 * w27
     w29 = w15 * w25 + w18 * w24 + (w19 * w23 + w21 * w22)
     w30 = w15 * w21 + w18 * w19 - (w22 * w25 + w23 * w24)
-    w31 = (w28 * w29 - w26 * w30) * c63
+    w31 = (w28 * w29 - w26 * w30) * bar3_end_z
     w32 = w26 * w31
     w33 = 2 * w29
     w34 = w26 * w27
     w35 = 2 * w30
     w36 = w29 * w35
-    w37 = (w34 + w36) * c63
+    w37 = (w34 + w36) * bar3_end_z
     w38 = w32 - w33 * w37
     w39 = 2 * -w22
-    w40 = (1.0 - 2 * w19**2 - 2 * w24**2) * c15
+    w40 = (1.0 - 2 * w19**2 - 2 * w24**2) * bar2_end_y
     w41 = w19 * -2.0
     w42 = 2 * w19
     w43 = 2 * w15
-    w44 = (w22 * w42 + w24 * w43) * c15
+    w44 = (w22 * w42 + w24 * w43) * bar2_end_y
     w45 = w30 * -2.0
     w46 = w28 * w31 - w37 * w45
     w47 = w29 * -2.0
@@ -1660,9 +1698,9 @@ def closure() -> ca.Function:
     w67 = w2 * w55 + w6 * w54
     w68 = w61 - (w25 * w50 - (w62 + w44 * w63 + w23 * w46) - w18 * w38 + w21 * w53) * w64 + (w40 * w41 - w66 + w25 * w46 + w23 * w50 + w21 * w38 + w18 * w53) * w67
     w69 = 2 * w27**2
-    w70 = (1.0 - 2 * w30**2 - w69) * c63
+    w70 = (1.0 - 2 * w30**2 - w69) * bar3_end_z
     w71 = w33 * w70 - w31 * w51
-    w72 = (w19 * w43 + w24 * w39) * c15
+    w72 = (w19 * w43 + w24 * w39) * bar2_end_y
     w73 = w41 * w72
     w74 = w45 * w70
     w75 = w74 - w32
@@ -1683,13 +1721,13 @@ def closure() -> ca.Function:
     w90 = ca.cos(w89)
     w91 = hinge5_angle / 2.0
     w92 = ca.cos(w91)
-    w93 = w92 * c59 * c60 - w92 * c57 * c58
+    w93 = w92 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0 - w92 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
     w94 = ca.sin(w91)
     w95 = w94 * c61
     w96 = ca.sin(w89)
     w97 = w90 * w93 - w95 * w96
     w98 = 2 * w97
-    w99 = w94 * c59 * c58 - w94 * c57 * c60
+    w99 = w94 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w94 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w100 = w92 * c62
     w101 = w90 * w99 - w96 * w100
     w102 = 2 * (w90 * w100 + w96 * w99)
@@ -1722,17 +1760,17 @@ def closure() -> ca.Function:
     w129 = w68 / w128
     w130 = 2 * w93
     w131 = 2 * w100
-    w132 = (w99 * w130 - w95 * w131) * c56
-    w133 = (w101 * w111 - w97 * w102) * c55
-    w134 = c99 - w132 - w133 - (w70 + (w11 + w72))
+    w132 = (w99 * w130 - w95 * w131) * bar5_end_y
+    w133 = (w101 * w111 - w97 * w102) * bar4_end_x
+    w134 = ground_P5_z - w132 - w133 - (w70 + (w11 + w72))
     w135 = w81 / w128
     w136 = 2 * -w95
-    w137 = (w93 * w136 - w99 * w131) * c56
-    w138 = (1.0 - 2 * w97**2 - w107) * c55
+    w137 = (w93 * w136 - w99 * w131) * bar5_end_y
+    w138 = (1.0 - 2 * w97**2 - w107) * bar4_end_x
     w139 = w137 + w138 + (w37 + (w7 - w44))
     w140 = w87 / w128
-    w141 = (1.0 - 2 * w95**2 - 2 * w99**2) * c56
-    w142 = (w112 + w113) * c55
+    w141 = (1.0 - 2 * w95**2 - 2 * w99**2) * bar5_end_y
+    w142 = (w112 + w113) * bar4_end_x
     w143 = w141 + w142 + (w31 + (w10 + w40))
     w144 = w127 / w128
     w145 = w114 * w116 + w88 * w108 + w104 * w106
@@ -1743,7 +1781,7 @@ def closure() -> ca.Function:
     w150 = w149 - w111 * w142
     w151 = w131 * w132
     w152 = w94 / 2.0
-    w153 = w152 * c57 * c58 - w152 * c59 * c60
+    w153 = w152 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w152 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w154 = w101 * -2.0
     w155 = w142 * w154
     w156 = w133 * w147 - w155
@@ -1755,7 +1793,7 @@ def closure() -> ca.Function:
     w162 = w132 * w161
     w163 = w131 * w141
     w164 = w92 / 2.0
-    w165 = w164 * c59 * c58 - w164 * c57 * c60
+    w165 = w164 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w164 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w166 = (w96 * w148 - w90 * w150 - (w151 - w136 * w141)) * w153 - (w96 * w156 - w90 * w160 - (w162 + w163)) * w165
     w167 = 2 * w99
     w168 = w93 * -2.0
@@ -1796,8 +1834,8 @@ def closure() -> ca.Function:
     w203 = w202 * c20
     w204 = w17 / 2.0
     w205 = w204 * c22
-    w206 = w202 * c18 * c17 - w202 * c16 * c19
-    w207 = w204 * c18 * c19 - w204 * c16 * c17
+    w206 = w202 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w202 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w207 = w204 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w204 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w208 = w15 * w203 + (w19 * w205 - w22 * w206 + w24 * w207)
     w209 = w15 * w207 - w24 * w203 + (w19 * w206 + w22 * w205)
     w210 = w15 * w206 + w22 * w203 + (w24 * w205 - w19 * w207)
@@ -1874,31 +1912,31 @@ def closure() -> ca.Function:
     w281 = w280 * c20
     w282 = ca.sin(w279)
     w283 = w282 * c22
-    w284 = w280 * c16 * c19 - w280 * c18 * c17
-    w285 = w282 * c18 * c19 - w282 * c16 * c17
+    w284 = w280 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w280 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
+    w285 = w282 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w282 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w286 = hinge5_angle - w264
     w287 = w286 / 2.0
     w288 = ca.sin(w287)
     w289 = w288 * c61
     w290 = -w289
     w291 = ca.cos(w287)
-    w292 = w291 * c59 * c60 - w291 * c57 * c58
+    w292 = w291 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0 - w291 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
     w293 = w291 * c62
     w294 = 2 * w293
-    w295 = w288 * c59 * c58 - w288 * c57 * c60
-    w296 = (2 * w290 * w292 - w294 * w295) * c56
+    w295 = w288 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w288 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w296 = (2 * w290 * w292 - w294 * w295) * bar5_end_y
     w297 = hinge4_angle - w265
     w298 = w297 / 2.0
     w299 = ca.cos(w298)
     w300 = ca.sin(w298)
     w301 = w292 * w299 - w289 * w300
     w302 = w295 * w299 - w293 * w300
-    w303 = (1.0 - 2 * w289**2 - 2 * w295**2) * c56
+    w303 = (1.0 - 2 * w289**2 - 2 * w295**2) * bar5_end_y
     w304 = w293 * w299 + w295 * w300
     w305 = 2 * w304
     w306 = -(w289 * w299 + w292 * w300)
     w307 = 2 * w306
-    w308 = c99 - (w295 * (2 * w292) - w289 * w294) * c56
+    w308 = ground_P5_z - (w295 * (2 * w292) - w289 * w294) * bar5_end_y
     w309 = w198 * w239 - w189 * w240
     w310 = w198 * w214 - w189 * w215
     w311 = w214 * w240 - w215 * w239
@@ -1907,65 +1945,69 @@ def closure() -> ca.Function:
     w314 = w81 * (w213 * w309 - w238 * w310 + w183 * w311) - w212 * (w87 * w309 - w238 * w312 + w183 * w313)
     w315 = w68 * w215 - w127 * w214
     w316 = w314 + w237 * (w87 * w310 - w213 * w312 + w183 * w315) - w173 * (w87 * w311 - w213 * w313 + w238 * w315)
+    # outputs
     q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w3,
-        -w5,
-        w6,
-        w7,
-        w10,
-        w11,
-        w272,
-        w273,
-        w275,
-        w276,
-        w7 - (w274 * (2 * w273) + w276 * w277) * c15,
-        w10 + (1.0 - 2 * w273**2 - 2 * w276**2) * c15,
-        w11 + (w273 * w277 + w276 * (2 * w275)) * c15,
-        w272 * w281 - (w273 * w283 - w274 * w284 + w276 * w285),
-        w272 * w283 + w273 * w281 - (w274 * w285 + w276 * w284),
-        w272 * w284 - w274 * w281 + (w276 * w283 - w273 * w285),
-        w272 * w285 + w276 * w281 + (w273 * w284 + w274 * w283),
-        -(w296 + (1.0 - 2 * w301**2 - 2 * w302**2) * c55),
-        -(w303 + (w302 * w305 + w301 * w307) * c55),
-        w308 - (w302 * w307 - w301 * w305) * c55,
-        w304,
-        w306,
-        w301,
-        w302,
-        -w296,
-        -w303,
-        w308,
-        w293,
-        w290,
-        w292,
-        w295,
-        w268,
-        w278,
-        w297,
-        w286,
+        0.0,  # bar1.x
+        0.0,  # bar1.y
+        0.0,  # bar1.z
+        w2,  # bar1.e0
+        w3,  # bar1.e1
+        -w5,  # bar1.e2
+        w6,  # bar1.e3
+        w7,  # bar2.x
+        w10,  # bar2.y
+        w11,  # bar2.z
+        w272,  # bar2.e0
+        w273,  # bar2.e1
+        w275,  # bar2.e2
+        w276,  # bar2.e3
+        w7 - (w274 * (2 * w273) + w276 * w277) * bar2_end_y,  # bar3.x
+        w10 + (1.0 - 2 * w273**2 - 2 * w276**2) * bar2_end_y,  # bar3.y
+        w11 + (w273 * w277 + w276 * (2 * w275)) * bar2_end_y,  # bar3.z
+        w272 * w281 - (w273 * w283 - w274 * w284 + w276 * w285),  # bar3.e0
+        w272 * w283 + w273 * w281 - (w274 * w285 + w276 * w284),  # bar3.e1
+        w272 * w284 - w274 * w281 + (w276 * w283 - w273 * w285),  # bar3.e2
+        w272 * w285 + w276 * w281 + (w273 * w284 + w274 * w283),  # bar3.e3
+        -(w296 + (1.0 - 2 * w301**2 - 2 * w302**2) * bar4_end_x),  # bar4.x
+        -(w303 + (w302 * w305 + w301 * w307) * bar4_end_x),  # bar4.y
+        w308 - (w302 * w307 - w301 * w305) * bar4_end_x,  # bar4.z
+        w304,  # bar4.e0
+        w306,  # bar4.e1
+        w301,  # bar4.e2
+        w302,  # bar4.e3
+        -w296,  # bar5.x
+        -w303,  # bar5.y
+        w308,  # bar5.z
+        w293,  # bar5.e0
+        w290,  # bar5.e1
+        w292,  # bar5.e2
+        w295,  # bar5.e3
+        w268,  # hinge1.angle
+        w278,  # hinge2.angle
+        w297,  # hinge4.angle
+        w286,  # hinge5.angle
     )
-    q_d_next = ca.densify(q_d_next)
     C_loop = ca.vertcat(
-        -w139,
-        -w143,
-        w134,
-        w145,
+        -w139,  # hinge3.x
+        -w143,  # hinge3.y
+        w134,  # hinge3.z
+        w145,  # hinge3.parallel_x
     )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        w316,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    det_loop = ca.vertcat(w316)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 1297 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
+    1297 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -1996,46 +2038,47 @@ def velocities() -> ca.Function:
     hinge4_angle = q_d[37]
     hinge5_angle = q_d[38]
     hinge0_angle_dot = q_i_dot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c10 = c[10]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
+    bar1_end_x = c[10]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c22 = c[22]
     c42 = c[42]
     c51 = c[51]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
+    bar3_end_z = c[63]
+    # intermediate terms (340)
     w0 = hinge0_angle / 2.0
     w1 = ca.sin(w0) / 2.0
     w2 = w1 * c51
     w3 = w2 * hinge0_angle_dot
-    w4 = w1 * c1 * c3 - w1 * c2 * c0
+    w4 = w1 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w1 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w5 = hinge0_angle_dot * w4
     w6 = ca.cos(w0) / 2.0
     w7 = w6 * c42
     w8 = hinge0_angle_dot * w7
-    w9 = w6 * c1 * c0 - w6 * c2 * c3
+    w9 = w6 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w6 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w10 = hinge0_angle_dot * w9
     w11 = 2 * bar1_e3
     w12 = 2 * bar1_e1
     w13 = 2 * bar1_e0
-    w14 = (bar1_e3 * w12 - w13 * bar1_e2) * c10
+    w14 = (bar1_e3 * w12 - w13 * bar1_e2) * bar1_end_x
     w15 = bar1_e2 * -2.0
-    w16 = (bar1_e3 * w13 + w12 * bar1_e2) * c10
+    w16 = (bar1_e3 * w13 + w12 * bar1_e2) * bar1_end_x
     w17 = w11 * w14 - w15 * w16
     w18 = bar1_e3 * -2.0
     w19 = w16 * w18
@@ -2047,7 +2090,7 @@ def velocities() -> ca.Function:
     w25 = w13 * w16
     w26 = w24 - w25
     w27 = w5 * w17 - w3 * w20 - w8 * w22 + w10 * w26
-    w28 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10
+    w28 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * bar1_end_x
     w29 = w15 * w28
     w30 = w29 - w21
     w31 = w18 * w28 - w24
@@ -2070,11 +2113,11 @@ def velocities() -> ca.Function:
     w48 = 2 * bar4_e3
     w49 = 2 * bar4_e1
     w50 = 2 * bar4_e0
-    w51 = (bar4_e3 * w49 - w50 * bar4_e2) * c55
+    w51 = (bar4_e3 * w49 - w50 * bar4_e2) * bar4_end_x
     w52 = bar4_e2 * -2.0
     w53 = bar4_e3 * w50
     w54 = w49 * bar4_e2
-    w55 = (w53 + w54) * c55
+    w55 = (w53 + w54) * bar4_end_x
     w56 = w48 * w51 - w52 * w55
     w57 = hinge4_angle / 2.0
     w58 = ca.sin(w57)
@@ -2083,14 +2126,14 @@ def velocities() -> ca.Function:
     w61 = ca.cos(w57)
     w62 = 2 * bar5_e0
     w63 = 2 * bar5_e2
-    w64 = (w62 * bar5_e1 + w63 * bar5_e3) * c56
+    w64 = (w62 * bar5_e1 + w63 * bar5_e3) * bar5_end_y
     w65 = w62 * w64
     w66 = 2 * bar5_e1
-    w67 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c56
+    w67 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * bar5_end_y
     w68 = w65 - w66 * w67
     w69 = hinge5_angle / 2.0
     w70 = ca.sin(w69) / 2.0
-    w71 = w70 * c57 * c58 - w70 * c59 * c60
+    w71 = w70 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w70 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w72 = bar4_e1 * -2.0
     w73 = w51 * w72
     w74 = w50 * w55
@@ -2103,7 +2146,7 @@ def velocities() -> ca.Function:
     w81 = w62 * w67
     w82 = w80 - w81
     w83 = ca.cos(w69) / 2.0
-    w84 = w83 * c59 * c58 - w83 * c57 * c60
+    w84 = w83 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w83 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w85 = 2 * bar5_e3
     w86 = bar5_e2 * -2.0
     w87 = w64 * w85 - w67 * w86
@@ -2116,21 +2159,21 @@ def velocities() -> ca.Function:
     w94 = w89 - (w58 * w75 - w61 * w78 - w92) * w93
     w95 = 2 * bar3_e3
     w96 = 2 * bar3_e2**2
-    w97 = (1.0 - 2 * bar3_e1**2 - w96) * c63
+    w97 = (1.0 - 2 * bar3_e1**2 - w96) * bar3_end_z
     w98 = bar3_e2 * -2.0
     w99 = 2 * bar3_e2
     w100 = 2 * bar3_e0
-    w101 = (bar3_e3 * w99 - bar3_e1 * w100) * c63
+    w101 = (bar3_e3 * w99 - bar3_e1 * w100) * bar3_end_z
     w102 = w95 * w97 - w98 * w101
     w103 = hinge2_angle / 2.0
     w104 = ca.cos(w103)
-    w105 = w104 * c16 * c19 - w104 * c18 * c17
+    w105 = w104 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w104 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w106 = bar2_e1 * -2.0
     w107 = 2 * bar2_e0
     w108 = 2 * bar2_e2
-    w109 = (bar2_e1 * w107 + w108 * bar2_e3) * c15
+    w109 = (bar2_e1 * w107 + w108 * bar2_e3) * bar2_end_y
     w110 = w106 * w109
-    w111 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c15
+    w111 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * bar2_end_y
     w112 = w107 * w111
     w113 = w110 - w112
     w114 = bar3_e1 * -2.0
@@ -2146,7 +2189,7 @@ def velocities() -> ca.Function:
     w124 = bar3_e3 * -2.0
     w125 = w101 * w124
     w126 = w97 * w98 - w125
-    w127 = w122 * c18 * c19 - w122 * c16 * c17
+    w127 = w122 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w122 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w128 = w102 * w105 - (w113 + w117 * w118 + w121 * w123) + w126 * w127
     w129 = bar1_e0 * w46 - bar1_e3 * w45
     w130 = w107 * w109
@@ -2166,10 +2209,10 @@ def velocities() -> ca.Function:
     w144 = w128 * w129 - w133 * w134 + w138 * w139 + w47 * w143
     w145 = bar3_e2 * w100
     w146 = bar3_e3 * w120
-    w147 = (w145 + w146) * c63
+    w147 = (w145 + w146) * bar3_end_z
     w148 = w98 * w147
     w149 = w148 - w119
-    w150 = (bar2_e2 * w131 - w107 * bar2_e3) * c15
+    w150 = (bar2_e2 * w131 - w107 * bar2_e3) * bar2_end_y
     w151 = w107 * w150
     w152 = w151 - w108 * w109
     w153 = w100 * w147
@@ -2226,11 +2269,11 @@ def velocities() -> ca.Function:
     w204 = w129 * w200 - w134 * w201 + w139 * w202 - w47 * w203
     w205 = ca.sqrt(w144**2 + w165**2 + w178**2 + w204**2)
     w206 = w144 / w205
-    w207 = (1.0 - 2 * bar4_e2**2 - w184) * c55
+    w207 = (1.0 - 2 * bar4_e2**2 - w184) * bar4_end_x
     w208 = w52 * w207
     w209 = w208 - w59
     w210 = w49 * w207 - w51 * w76
-    w211 = (bar5_e2 * w66 - w62 * bar5_e3) * c56
+    w211 = (bar5_e2 * w66 - w62 * bar5_e3) * bar5_end_y
     w212 = w66 * w211 - w64 * w90
     w213 = w50 * w207
     w214 = w213 - w51 * w180
@@ -2270,8 +2313,8 @@ def velocities() -> ca.Function:
     w248 = w247 * c20
     w249 = w104 / 2.0
     w250 = w249 * c22
-    w251 = w247 * c18 * c17 - w247 * c16 * c19
-    w252 = w249 * c18 * c19 - w249 * c16 * c17
+    w251 = w247 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w247 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w252 = w249 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w249 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w253 = bar2_e0 * w248 + (bar2_e1 * w250 + bar2_e2 * w251 + bar2_e3 * w252)
     w254 = bar2_e0 * w252 - bar2_e3 * w248 + (bar2_e1 * w251 - bar2_e2 * w250)
     w255 = bar2_e0 * w251 - bar2_e2 * w248 + (bar2_e3 * w250 - bar2_e1 * w252)
@@ -2359,54 +2402,64 @@ def velocities() -> ca.Function:
     w337 = w68 * w334 - (w92 * w328 + w87 * w333) + w82 * w329
     w338 = w212 * w334 - (w221 * w328 + w219 * w333) + w217 * w329
     w339 = w226 * w334 - (w232 * w328 + w230 * w333) + w229 * w329
+    # outputs
     q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        -w3,
-        w5,
-        -w8,
-        w10,
-        w27,
-        w36,
-        w41,
-        -w322,
-        w323,
-        -w324,
-        w325,
-        w27 - w142 * w322 + w137 * w323 - w132 * w324 + w113 * w325,
-        w36 - w163 * w322 + w161 * w323 - w158 * w324 + w152 * w325,
-        w41 - w176 * w322 + w174 * w323 - w172 * w324 + w167 * w325,
-        w105 * w324 - (w118 * w322 + w123 * w323) - w127 * w325 - w253 * w326,
-        w118 * w323 - w123 * w322 - w127 * w324 - w105 * w325 + w256 * w326,
-        w123 * w325 - (w105 * w322 + w127 * w323 + w118 * w324) + w255 * w326,
-        w105 * w323 - w127 * w322 + w123 * w324 + w118 * w325 + w254 * w326,
-        w75 * w331 - (w78 * w332 + w56 * w335 + w60 * w336) + w337,
-        w214 * w331 - (w215 * w332 + w209 * w335 + w210 * w336) + w338,
-        w227 * w331 - (w228 * w332 + w224 * w335 + w225 * w336) + w339,
-        w332,
-        w335,
-        w336,
-        -w331,
-        w337,
-        w338,
-        w339,
-        w328,
-        w333,
-        -w334,
-        -w329,
-        w321,
-        w326,
-        w330,
-        -w327,
+        0.0,  # bar1.x
+        0.0,  # bar1.y
+        0.0,  # bar1.z
+        -w3,  # bar1.e0
+        w5,  # bar1.e1
+        -w8,  # bar1.e2
+        w10,  # bar1.e3
+        w27,  # bar2.x
+        w36,  # bar2.y
+        w41,  # bar2.z
+        -w322,  # bar2.e0
+        w323,  # bar2.e1
+        -w324,  # bar2.e2
+        w325,  # bar2.e3
+        w27 - w142 * w322 + w137 * w323 - w132 * w324 + w113 * w325,  # bar3.x
+        w36 - w163 * w322 + w161 * w323 - w158 * w324 + w152 * w325,  # bar3.y
+        w41 - w176 * w322 + w174 * w323 - w172 * w324 + w167 * w325,  # bar3.z
+        w105 * w324 - (w118 * w322 + w123 * w323) - w127 * w325 - w253 * w326,  # bar3.e0
+        w118 * w323 - w123 * w322 - w127 * w324 - w105 * w325 + w256 * w326,  # bar3.e1
+        w123 * w325 - (w105 * w322 + w127 * w323 + w118 * w324) + w255 * w326,  # bar3.e2
+        w105 * w323 - w127 * w322 + w123 * w324 + w118 * w325 + w254 * w326,  # bar3.e3
+        w75 * w331 - (w78 * w332 + w56 * w335 + w60 * w336) + w337,  # bar4.x
+        w214 * w331 - (w215 * w332 + w209 * w335 + w210 * w336) + w338,  # bar4.y
+        w227 * w331 - (w228 * w332 + w224 * w335 + w225 * w336) + w339,  # bar4.z
+        w332,  # bar4.e0
+        w335,  # bar4.e1
+        w336,  # bar4.e2
+        -w331,  # bar4.e3
+        w337,  # bar5.x
+        w338,  # bar5.y
+        w339,  # bar5.z
+        w328,  # bar5.e0
+        w333,  # bar5.e1
+        -w334,  # bar5.e2
+        -w329,  # bar5.e3
+        w321,  # hinge1.angle
+        w326,  # hinge2.angle
+        w330,  # hinge4.angle
+        -w327,  # hinge5.angle
     )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 2025 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 39) [mixed]: accelerations of the dependent coordinates
+    2025 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -2464,29 +2517,30 @@ def accelerations() -> ca.Function:
     hinge4_angle_dot = q_d_dot[37]
     hinge5_angle_dot = q_d_dot[38]
     hinge0_angle_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c10 = c[10]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
+    bar1_end_x = c[10]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c22 = c[22]
     c42 = c[42]
     c51 = c[51]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
+    bar3_end_z = c[63]
+    # intermediate terms (505)
     w0 = (hinge0_angle_dot / 2.0)**2
     w1 = hinge0_angle / 2.0
     w2 = ca.cos(w1)
@@ -2496,16 +2550,16 @@ def accelerations() -> ca.Function:
     w6 = w5 / 2.0
     w7 = w6 * c51
     w8 = w4 + w7 * hinge0_angle_ddot
-    w9 = w3 * c1 * c3 - w3 * c2 * c0
-    w10 = w6 * c1 * c3 - w6 * c2 * c0
+    w9 = w3 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w3 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w10 = w6 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w6 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w11 = w9 + hinge0_angle_ddot * w10
     w12 = w0 * w5
     w13 = w12 * c42
     w14 = w2 / 2.0
     w15 = w14 * c42
     w16 = w13 - hinge0_angle_ddot * w15
-    w17 = w12 * c2 * c3 - w12 * c1 * c0
-    w18 = w14 * c1 * c0 - w14 * c2 * c3
+    w17 = w12 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w12 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w18 = w14 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w14 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w19 = w17 + hinge0_angle_ddot * w18
     w20 = bar1_e2 * -2.0
     w21 = 2 * bar1_e3
@@ -2516,11 +2570,11 @@ def accelerations() -> ca.Function:
     w26 = 2 * bar1_e2
     w27 = bar1_e0_dot * w23 + bar1_e1_dot * w22 + bar1_e2_dot * w25 + bar1_e3_dot * w26
     w28 = 2 * bar1_e1
-    w29 = (bar1_e3 * w22 + bar1_e2 * w28) * c10
-    w30 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10
+    w29 = (bar1_e3 * w22 + bar1_e2 * w28) * bar1_end_x
+    w30 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * bar1_end_x
     w31 = w27 * w29 - w24 * w30
     w32 = bar1_e0_dot * w25 + w20 * bar1_e1_dot + bar1_e2_dot * w28 + w22 * bar1_e3_dot
-    w33 = (bar1_e3 * w28 - bar1_e2 * w22) * c10
+    w33 = (bar1_e3 * w28 - bar1_e2 * w22) * bar1_end_x
     w34 = w30 * w32 - w27 * w33
     w35 = w24 * w31 - w32 * w34
     w36 = w25 * w29
@@ -2562,21 +2616,21 @@ def accelerations() -> ca.Function:
     w72 = bar1_e0 * w66 + bar1_e3 * w68
     w73 = 2 * bar3_e3
     w74 = 2 * bar3_e2**2
-    w75 = (1.0 - 2 * bar3_e1**2 - w74) * c63
+    w75 = (1.0 - 2 * bar3_e1**2 - w74) * bar3_end_z
     w76 = bar3_e2 * -2.0
     w77 = 2 * bar3_e2
     w78 = 2 * bar3_e0
-    w79 = (bar3_e3 * w77 - bar3_e1 * w78) * c63
+    w79 = (bar3_e3 * w77 - bar3_e1 * w78) * bar3_end_z
     w80 = w73 * w75 - w76 * w79
     w81 = hinge2_angle / 2.0
     w82 = ca.cos(w81)
-    w83 = w82 * c16 * c19 - w82 * c18 * c17
+    w83 = w82 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w82 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w84 = bar2_e1 * -2.0
     w85 = 2 * bar2_e0
     w86 = 2 * bar2_e2
-    w87 = (bar2_e1 * w85 + w86 * bar2_e3) * c15
+    w87 = (bar2_e1 * w85 + w86 * bar2_e3) * bar2_end_y
     w88 = w84 * w87
-    w89 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c15
+    w89 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * bar2_end_y
     w90 = w85 * w89
     w91 = w88 - w90
     w92 = bar3_e1 * -2.0
@@ -2592,7 +2646,7 @@ def accelerations() -> ca.Function:
     w102 = bar3_e3 * -2.0
     w103 = w79 * w102
     w104 = w75 * w76 - w103
-    w105 = w100 * c18 * c19 - w100 * c16 * c17
+    w105 = w100 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w100 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w106 = w80 * w83 - (w91 + w95 * w96 + w99 * w101) + w104 * w105
     w107 = bar1_e0 * w68 - bar1_e3 * w66
     w108 = w85 * w87
@@ -2612,10 +2666,10 @@ def accelerations() -> ca.Function:
     w122 = w106 * w107 - w111 * w112 + w116 * w117 + w72 * w121
     w123 = bar3_e2 * w78
     w124 = bar3_e3 * w98
-    w125 = (w123 + w124) * c63
+    w125 = (w123 + w124) * bar3_end_z
     w126 = w76 * w125
     w127 = w126 - w97
-    w128 = (bar2_e2 * w109 - w85 * bar2_e3) * c15
+    w128 = (bar2_e2 * w109 - w85 * bar2_e3) * bar2_end_y
     w129 = w85 * w128
     w130 = w129 - w86 * w87
     w131 = w78 * w125
@@ -2690,18 +2744,18 @@ def accelerations() -> ca.Function:
     w200 = hinge2_angle_dot / 2.0
     w201 = w200**2
     w202 = w100 * w201
-    w203 = w202 * c16 * c17 - w202 * c18 * c19
+    w203 = w202 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w202 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
     w204 = w82 * w201
     w205 = w200 * (w82 * w200) * c20
-    w206 = w204 * c18 * c17 - w204 * c16 * c19
+    w206 = w204 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w204 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w207 = w200 * (w100 * w200) * c22
     w208 = w82 / 2.0
     w209 = hinge2_angle_dot * w208
-    w210 = w209 * c18 * c19 - w209 * c16 * c17
+    w210 = w209 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w209 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w211 = w100 / 2.0
     w212 = hinge2_angle_dot * w211
     w213 = w212 * c20
-    w214 = w212 * c18 * c17 - w212 * c16 * c19
+    w214 = w212 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w212 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w215 = w209 * c22
     w216 = bar2_e0_dot * w210 - bar2_e3_dot * w213 + (bar2_e1_dot * w214 - bar2_e2_dot * w215)
     w217 = w216 + (bar2_e0 * w203 - bar2_e3 * w205 + (bar2_e1 * w206 + bar2_e2 * w207) + w216)
@@ -2717,11 +2771,11 @@ def accelerations() -> ca.Function:
     w227 = bar4_e0_dot * w224 + bar4_e1_dot * w225 + w158 * bar4_e2_dot + bar4_e3_dot * w226
     w228 = bar4_e3 * -2.0
     w229 = bar4_e0_dot * w226 + w158 * bar4_e1_dot + bar4_e2_dot * w228 + w159 * bar4_e3_dot
-    w230 = (w168 + w169) * c55
-    w231 = (1.0 - 2 * bar4_e2**2 - w163) * c55
+    w230 = (w168 + w169) * bar4_end_x
+    w231 = (1.0 - 2 * bar4_e2**2 - w163) * bar4_end_x
     w232 = w229 * w230 - w227 * w231
     w233 = bar4_e0_dot * w228 + w224 * bar4_e1_dot + w167 * bar4_e2_dot + w158 * bar4_e3_dot
-    w234 = (bar4_e3 * w167 - w158 * bar4_e2) * c55
+    w234 = (bar4_e3 * w167 - w158 * bar4_e2) * bar4_end_x
     w235 = w231 * w233 - w229 * w234
     w236 = w227 * w232 - w233 * w235
     w237 = w226 * w234
@@ -2766,12 +2820,12 @@ def accelerations() -> ca.Function:
     w276 = bar5_e3 * -2.0
     w277 = 2 * bar5_e2
     w278 = bar5_e0_dot * w274 + bar5_e1_dot * w273 + bar5_e2_dot * w276 + bar5_e3_dot * w277
-    w279 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c56
+    w279 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * bar5_end_y
     w280 = 2 * bar5_e1
-    w281 = (bar5_e2 * w280 - bar5_e3 * w273) * c56
+    w281 = (bar5_e2 * w280 - bar5_e3 * w273) * bar5_end_y
     w282 = w278 * w279 - w275 * w281
     w283 = bar5_e0_dot * w276 + bar5_e1_dot * w271 + bar5_e2_dot * w280 + bar5_e3_dot * w273
-    w284 = (bar5_e1 * w273 + bar5_e3 * w277) * c56
+    w284 = (bar5_e1 * w273 + bar5_e3 * w277) * bar5_end_y
     w285 = w281 * w283 - w278 * w284
     w286 = w275 * w282 - w283 * w285
     w287 = w274 * w284
@@ -2782,13 +2836,13 @@ def accelerations() -> ca.Function:
     w292 = hinge5_angle / 2.0
     w293 = ca.sin(w292)
     w294 = w291 * w293
-    w295 = w294 * c57 * c60 - w294 * c59 * c58
+    w295 = w294 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w294 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
     w296 = w273 * w284
     w297 = w296 - w279 * w280
     w298 = w242 * w257 - w244 * w254 - w297
     w299 = ca.cos(w292)
     w300 = w291 * w299
-    w301 = w300 * c57 * c58 - w300 * c59 * c60
+    w301 = w300 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w300 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w302 = w272 * w284 - w271 * w279
     w303 = w242 * w254 + w244 * w257 + w302
     w304 = w294 * c61
@@ -2887,9 +2941,9 @@ def accelerations() -> ca.Function:
     w397 = w62 * w182 + w64 * w185
     w398 = w394 - w13 * w395 - w9 * w396 + w4 * w397
     w399 = w293 / 2.0
-    w400 = w399 * c57 * c58 - w399 * c59 * c60
+    w400 = w399 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w399 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w401 = w299 / 2.0
-    w402 = w401 * c59 * c58 - w401 * c57 * c60
+    w402 = w401 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w401 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w403 = w401 * c61
     w404 = w399 * c62
     w405 = w298 * w400 - w290 * w402 + w303 * w403 - w307 * w404
@@ -2900,8 +2954,8 @@ def accelerations() -> ca.Function:
     w410 = w405 - w188 * w409
     w411 = w211 * c20
     w412 = w208 * c22
-    w413 = w211 * c18 * c17 - w211 * c16 * c19
-    w414 = w208 * c18 * c19 - w208 * c16 * c17
+    w413 = w211 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w211 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w414 = w208 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w208 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w415 = bar2_e0 * w411 + (bar2_e1 * w412 + bar2_e2 * w413 + bar2_e3 * w414)
     w416 = bar2_e0 * w414 - bar2_e3 * w411 + (bar2_e1 * w413 - bar2_e2 * w412)
     w417 = bar2_e0 * w413 - bar2_e2 * w411 + (bar2_e3 * w412 - bar2_e1 * w414)
@@ -2992,54 +3046,65 @@ def accelerations() -> ca.Function:
     w502 = w251 + w242 * w493 + w244 * w496 - w438 * w498
     w503 = w339 * w493 - w330 - w337 * w494 - w334 * w495 - w332 * w496
     w504 = w363 * w493 - w356 - w361 * w494 - w359 * w495 - w357 * w496
+    # outputs
     q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        -w8,
-        w11,
-        w16,
-        w19,
-        w44,
-        w53,
-        w59,
-        w487,
-        w488,
-        w489,
-        w490,
-        w44 + w199 + w120 * w487 + w115 * w488 + w110 * w489 + w91 * w490,
-        w53 + w318 + w141 * w487 + w139 * w488 + w136 * w489 + w130 * w490,
-        w59 + w348 + w154 * w487 + w152 * w488 + w150 * w489 + w145 * w490,
-        w96 * w487 - w223 - w101 * w488 - w83 * w489 - w105 * w490 - w415 * w491,
-        w221 + w101 * w487 + w96 * w488 + w105 * w489 - w83 * w490 + w418 * w491,
-        w219 + w83 * w487 - w105 * w488 + w96 * w489 + w101 * w490 + w417 * w491,
-        w217 + w105 * w487 + w83 * w488 - w101 * w489 + w96 * w490 + w416 * w491,
-        w497 - (w236 + w261 * w499 + w257 * w500 + w254 * w501 + w239 * w502),
-        w503 - (w320 + w327 * w499 + w326 * w500 + w324 * w501 + w322 * w502),
-        w504 - (w349 + w354 * w499 + w353 * w500 + w352 * w501 + w350 * w502),
-        w499,
-        w500,
-        w501,
-        w502,
-        w497,
-        w503,
-        w504,
-        -w493,
-        w494,
-        w495,
-        w496,
-        w486,
-        w491,
-        w498,
-        w492,
+        0.0,  # bar1.x
+        0.0,  # bar1.y
+        0.0,  # bar1.z
+        -w8,  # bar1.e0
+        w11,  # bar1.e1
+        w16,  # bar1.e2
+        w19,  # bar1.e3
+        w44,  # bar2.x
+        w53,  # bar2.y
+        w59,  # bar2.z
+        w487,  # bar2.e0
+        w488,  # bar2.e1
+        w489,  # bar2.e2
+        w490,  # bar2.e3
+        w44 + w199 + w120 * w487 + w115 * w488 + w110 * w489 + w91 * w490,  # bar3.x
+        w53 + w318 + w141 * w487 + w139 * w488 + w136 * w489 + w130 * w490,  # bar3.y
+        w59 + w348 + w154 * w487 + w152 * w488 + w150 * w489 + w145 * w490,  # bar3.z
+        w96 * w487 - w223 - w101 * w488 - w83 * w489 - w105 * w490 - w415 * w491,  # bar3.e0
+        w221 + w101 * w487 + w96 * w488 + w105 * w489 - w83 * w490 + w418 * w491,  # bar3.e1
+        w219 + w83 * w487 - w105 * w488 + w96 * w489 + w101 * w490 + w417 * w491,  # bar3.e2
+        w217 + w105 * w487 + w83 * w488 - w101 * w489 + w96 * w490 + w416 * w491,  # bar3.e3
+        w497 - (w236 + w261 * w499 + w257 * w500 + w254 * w501 + w239 * w502),  # bar4.x
+        w503 - (w320 + w327 * w499 + w326 * w500 + w324 * w501 + w322 * w502),  # bar4.y
+        w504 - (w349 + w354 * w499 + w353 * w500 + w352 * w501 + w350 * w502),  # bar4.z
+        w499,  # bar4.e0
+        w500,  # bar4.e1
+        w501,  # bar4.e2
+        w502,  # bar4.e3
+        w497,  # bar5.x
+        w503,  # bar5.y
+        w504,  # bar5.z
+        -w493,  # bar5.e0
+        w494,  # bar5.e1
+        w495,  # bar5.e2
+        w496,  # bar5.e3
+        w486,  # hinge1.angle
+        w491,  # hinge2.angle
+        w498,  # hinge4.angle
+        w492,  # hinge5.angle
     )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 3083 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 40) [mixed]: rates of all coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 40) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
+    gives C_t (n_c = 40) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 40) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 40) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    3083 operations.
+    """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
     c = ca.SX.sym("c", 154)
@@ -3108,2064 +3173,620 @@ def constraints() -> ca.Function:
     hinge2_angle_dot = q_dot[37]
     hinge4_angle_dot = q_dot[38]
     hinge5_angle_dot = q_dot[39]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c10 = c[10]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
+    bar1_end_x = c[10]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c22 = c[22]
     c42 = c[42]
     c51 = c[51]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c99 = c[99]
+    bar3_end_z = c[63]
+    ground_P5_z = c[99]
     c100 = c[100]
     c101 = c[101]
+    # intermediate terms (262)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
-    w2 = ca.sin(w0)
-    w3 = hinge1_angle / 2.0
-    w4 = ca.cos(w3)
-    w5 = ca.sin(w3)
-    w6 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10
-    w7 = 2 * bar1_e0
-    w8 = 2 * bar1_e1
-    w9 = (bar1_e3 * w7 + bar1_e2 * w8) * c10
-    w10 = (bar1_e3 * w8 - bar1_e2 * w7) * c10
-    w11 = hinge2_angle / 2.0
-    w12 = ca.cos(w11)
-    w13 = w12 * c20
-    w14 = ca.sin(w11)
-    w15 = w14 * c22
-    w16 = w12 * c16 * c19 - w12 * c18 * c17
-    w17 = w14 * c18 * c19 - w14 * c16 * c17
-    w18 = 2 * bar2_e1
-    w19 = 2 * bar2_e0
-    w20 = (bar2_e2 * w18 - bar2_e3 * w19) * c15
-    w21 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * c15
-    w22 = 2 * bar2_e2
-    w23 = (bar2_e1 * w19 + bar2_e3 * w22) * c15
-    w24 = 2 * bar3_e0
-    w25 = bar3_e2 * w24
-    w26 = 2 * bar3_e1
-    w27 = bar3_e3 * w26
-    w28 = w25 + w27
-    w29 = w28 * c63
-    w30 = 2 * bar3_e2
-    w31 = bar3_e3 * w30 - bar3_e1 * w24
-    w32 = w31 * c63
-    w33 = 2 * bar3_e2**2
-    w34 = 1.0 - 2 * bar3_e1**2 - w33
-    w35 = w34 * c63
-    w36 = 1.0 - w33 - 2 * bar3_e3**2
-    w37 = 2 * bar4_e1
-    w38 = w37 * bar4_e2
-    w39 = 2 * bar4_e0
-    w40 = w39 * bar4_e3
-    w41 = w38 - w40
-    w42 = bar3_e3 * w24 + bar3_e2 * w26
-    w43 = 2 * bar4_e3**2
-    w44 = 1.0 - 2 * bar4_e1**2 - w43
-    w45 = w27 - w25
-    w46 = 2 * bar4_e2
-    w47 = bar4_e1 * w39 + bar4_e3 * w46
-    w48 = hinge4_angle / 2.0
-    w49 = ca.cos(w48)
-    w50 = ca.sin(w48)
-    w51 = (1.0 - 2 * bar4_e2**2 - w43) * c55
-    w52 = (w38 + w40) * c55
-    w53 = (w37 * bar4_e3 - bar4_e2 * w39) * c55
-    w54 = hinge5_angle / 2.0
-    w55 = ca.cos(w54)
-    w56 = ca.sin(w54)
-    w57 = 2 * bar5_e1
-    w58 = 2 * bar5_e0
-    w59 = (bar5_e2 * w57 - bar5_e3 * w58) * c56
-    w60 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c56
-    w61 = 2 * bar5_e2
-    w62 = (bar5_e1 * w58 + bar5_e3 * w61) * c56
-    w63 = -w4
-    w64 = -w5
-    w65 = bar1_e2 * -2.0
-    w66 = bar1_e3 * -2.0
-    w67 = w9 * w66
-    w68 = bar1_e1 * -2.0
-    w69 = w10 * w68
-    w70 = w6 * w65
-    w71 = 2 * bar1_e3
-    w72 = w7 * w10
-    w73 = w7 * w9
-    w74 = w6 * w7
-    w75 = 2 * bar1_e2
-    w76 = -w13
-    w77 = -w15
-    w78 = -w16
-    w79 = -w17
-    w80 = bar2_e2 * -2.0
-    w81 = bar2_e3 * -2.0
-    w82 = w21 * w81
-    w83 = bar2_e1 * -2.0
-    w84 = w23 * w83
-    w85 = w20 * w80
-    w86 = 2 * bar2_e3
-    w87 = w19 * w23
-    w88 = w19 * w21
-    w89 = w19 * w20
-    w90 = bar3_e2 * -2.0
-    w91 = bar3_e3 * -2.0
-    w92 = w32 * w91
-    w93 = bar3_e1 * -2.0
-    w94 = w35 * w93
-    w95 = w29 * w90
-    w96 = w42 * w47
-    w97 = w44 * w45
-    w98 = w96 - w97
-    w99 = w41 * w45
-    w100 = w36 * w47
-    w101 = w99 - w100
-    w102 = w36 * w44
-    w103 = w41 * w42
-    w104 = w102 - w103
-    w105 = w34 * w44
-    w106 = w31 * w47
-    w107 = w105 - w106
-    w108 = w28 * w47
-    w109 = w34 * w41
-    w110 = w108 - w109
-    w111 = w31 * w41
-    w112 = w28 * w44
-    w113 = w111 - w112
-    w114 = 2 * bar3_e3
-    w115 = w24 * w35
-    w116 = w24 * w32
-    w117 = w24 * w29
-    w118 = w97 - w96
-    w119 = bar4_e1 * -2.0
-    w120 = w100 - w99
-    w121 = bar4_e2 * -2.0
-    w122 = w103 - w102
-    w123 = bar4_e3 * -2.0
-    w124 = w106 - w105
-    w125 = w109 - w108
-    w126 = w112 - w111
-    w127 = w52 * w123
-    w128 = w53 * w119
-    w129 = w51 * w121
-    w130 = 2 * bar4_e3
-    w131 = w39 * w53
-    w132 = w39 * w52
-    w133 = w39 * w51
-    w134 = -w49
-    w135 = bar5_e2 * -2.0
-    w136 = bar5_e3 * -2.0
-    w137 = w60 * w136
-    w138 = bar5_e1 * -2.0
-    w139 = w62 * w138
-    w140 = w59 * w135
-    w141 = -w50
-    w142 = 2 * bar5_e3
-    w143 = w58 * w62
-    w144 = w58 * w60
-    w145 = w58 * w59
-    w146 = w2 / 2.0
-    w147 = w1 / 2.0
-    w148 = w5 / 2.0
-    w149 = w4 / 2.0
-    w150 = w14 / 2.0
-    w151 = w150 * c20
-    w152 = w12 / 2.0
-    w153 = w152 * c22
-    w154 = w150 * c18 * c17 - w150 * c16 * c19
-    w155 = w152 * c18 * c19 - w152 * c16 * c17
-    w156 = w49 / 2.0
-    w157 = w50 / 2.0
-    w158 = w56 / 2.0
-    w159 = w55 / 2.0
-    w160 = hinge0_angle_dot / 2.0
-    w161 = w160**2
-    w162 = w1 * w161
-    w163 = w2 * w161
-    w164 = (hinge1_angle_dot / 2.0)**2
-    w165 = w5 * w164
-    w166 = w4 * w164
-    w167 = w148 * hinge1_angle_dot
-    w168 = w149 * hinge1_angle_dot
-    w169 = bar1_e0_dot * w167 + bar1_e3_dot * w168
-    w170 = w168 * bar1_e2_dot - w167 * bar1_e1_dot
-    w171 = w167 * bar1_e2_dot + w168 * bar1_e1_dot
-    w172 = bar1_e0_dot * w168 - w167 * bar1_e3_dot
-    w173 = w65 * bar1_e0_dot + w71 * bar1_e1_dot + w7 * bar1_e2_dot + w68 * bar1_e3_dot
-    w174 = w68 * bar1_e0_dot + w7 * bar1_e1_dot + w66 * bar1_e2_dot + w75 * bar1_e3_dot
-    w175 = w9 * w174 - w6 * w173
-    w176 = w66 * bar1_e0_dot + w65 * bar1_e1_dot + w8 * bar1_e2_dot + w7 * bar1_e3_dot
-    w177 = w6 * w176 - w10 * w174
-    w178 = w10 * w173 - w9 * w176
-    w179 = hinge2_angle_dot / 2.0
-    w180 = w179**2
-    w181 = w12 * w180
-    w182 = w179 * (w12 * w179) * c20
-    w183 = w181 * c18 * c17 - w181 * c16 * c19
-    w184 = w14 * w180
-    w185 = w179 * (w14 * w179) * c22
-    w186 = w184 * c16 * c17 - w184 * c18 * c19
-    w187 = w150 * hinge2_angle_dot
-    w188 = w187 * c20
-    w189 = w152 * hinge2_angle_dot
-    w190 = w189 * c22
-    w191 = w187 * c18 * c17 - w187 * c16 * c19
-    w192 = w189 * c18 * c19 - w189 * c16 * c17
-    w193 = bar2_e0_dot * w188 + (bar2_e1_dot * w190 + bar2_e2_dot * w191 + bar2_e3_dot * w192)
-    w194 = bar2_e0_dot * w190 - w188 * bar2_e1_dot + (bar2_e2_dot * w192 - w191 * bar2_e3_dot)
-    w195 = bar2_e0_dot * w191 - w188 * bar2_e2_dot + (w190 * bar2_e3_dot - bar2_e1_dot * w192)
-    w196 = bar2_e0_dot * w192 - w188 * bar2_e3_dot + (bar2_e1_dot * w191 - w190 * bar2_e2_dot)
-    w197 = w80 * bar2_e0_dot + w86 * bar2_e1_dot + w19 * bar2_e2_dot + w83 * bar2_e3_dot
-    w198 = w83 * bar2_e0_dot + w19 * bar2_e1_dot + w81 * bar2_e2_dot + w22 * bar2_e3_dot
-    w199 = w21 * w198 - w20 * w197
-    w200 = w81 * bar2_e0_dot + w80 * bar2_e1_dot + w18 * bar2_e2_dot + w19 * bar2_e3_dot
-    w201 = w20 * w200 - w23 * w198
-    w202 = w23 * w197 - w21 * w200
-    w203 = w90 * bar3_e0_dot + w114 * bar3_e1_dot + w24 * bar3_e2_dot + w93 * bar3_e3_dot
-    w204 = w93 * bar3_e0_dot + w24 * bar3_e1_dot + w91 * bar3_e2_dot + w30 * bar3_e3_dot
-    w205 = w32 * w204 - w29 * w203
-    w206 = w91 * bar3_e0_dot + w90 * bar3_e1_dot + w26 * bar3_e2_dot + w24 * bar3_e3_dot
-    w207 = w29 * w206 - w35 * w204
-    w208 = w35 * w203 - w32 * w206
-    w209 = w121 * bar4_e0_dot + w130 * bar4_e1_dot + w39 * bar4_e2_dot + w119 * bar4_e3_dot
-    w210 = w119 * bar4_e0_dot + w39 * bar4_e1_dot + w123 * bar4_e2_dot + w46 * bar4_e3_dot
-    w211 = w44 * w210 - w41 * w209
-    w212 = w123 * bar4_e0_dot + w121 * bar4_e1_dot + w37 * bar4_e2_dot + w39 * bar4_e3_dot
-    w213 = w41 * w212 - w47 * w210
-    w214 = w209 * w211 - w212 * w213
-    w215 = w47 * w209 - w44 * w212
-    w216 = w212 * w215 - w210 * w211
-    w217 = w210 * w213 - w209 * w215
-    w218 = w42 * w204 - w36 * w203
-    w219 = w36 * w206 - w45 * w204
-    w220 = w45 * w203 - w42 * w206
-    w221 = w36 * w214 + w42 * w216 + w45 * w217 + w41 * (w203 * w218 - w206 * w219) + w44 * (w206 * w220 - w204 * w218)
-    w222 = w221 + w47 * (w204 * w219 - w203 * w220) + w215 * (2 * w220) + w213 * (2 * w219) + w211 * (2 * w218)
-    w223 = w28 * w203 - w31 * w204
-    w224 = w34 * w204 - w28 * w206
-    w225 = w31 * w206 - w34 * w203
-    w226 = w41 * (w203 * w223 - w206 * w224) - (w28 * w214 + w31 * w216 + w34 * w217) + w44 * (w206 * w225 - w204 * w223)
-    w227 = w226 + w47 * (w204 * w224 - w203 * w225) + w215 * (2 * w225) + w213 * (2 * w224) + w211 * (2 * w223)
-    w228 = w156 * hinge4_angle_dot
-    w229 = w157 * hinge4_angle_dot
-    w230 = bar5_e3_dot * w228 - bar5_e0_dot * w229
-    w231 = (hinge4_angle_dot / 2.0)**2
-    w232 = w49 * w231
-    w233 = w50 * w231
-    w234 = w229 * bar5_e1_dot + w228 * bar5_e2_dot
-    w235 = w228 * bar5_e1_dot - w229 * bar5_e2_dot
-    w236 = w228 * bar5_e0_dot + bar5_e3_dot * w229
-    w237 = w52 * w210 - w51 * w209
-    w238 = w51 * w212 - w53 * w210
-    w239 = w53 * w209 - w52 * w212
-    w240 = hinge5_angle_dot / 2.0
-    w241 = w240**2
-    w242 = w55 * w241
-    w243 = w56 * w241
-    w244 = w135 * bar5_e0_dot + w142 * bar5_e1_dot + w58 * bar5_e2_dot + w138 * bar5_e3_dot
-    w245 = w138 * bar5_e0_dot + w58 * bar5_e1_dot + w136 * bar5_e2_dot + w61 * bar5_e3_dot
-    w246 = w60 * w245 - w59 * w244
-    w247 = w136 * bar5_e0_dot + w135 * bar5_e1_dot + w57 * bar5_e2_dot + w58 * bar5_e3_dot
-    w248 = w59 * w247 - w62 * w245
-    w249 = w62 * w244 - w60 * w247
+    w2 = w1 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0 - w1 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
+    w3 = ca.sin(w0)
+    w4 = w3 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w3 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w5 = hinge1_angle / 2.0
+    w6 = ca.cos(w5)
+    w7 = ca.sin(w5)
+    w8 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * bar1_end_x
+    w9 = 2 * bar1_e0
+    w10 = 2 * bar1_e1
+    w11 = (bar1_e3 * w9 + bar1_e2 * w10) * bar1_end_x
+    w12 = (bar1_e3 * w10 - bar1_e2 * w9) * bar1_end_x
+    w13 = hinge2_angle / 2.0
+    w14 = ca.cos(w13)
+    w15 = w14 * c20
+    w16 = ca.sin(w13)
+    w17 = w16 * c22
+    w18 = w14 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w14 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
+    w19 = w16 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w16 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w20 = 2 * bar2_e1
+    w21 = 2 * bar2_e0
+    w22 = (bar2_e2 * w20 - bar2_e3 * w21) * bar2_end_y
+    w23 = (1.0 - 2 * bar2_e1**2 - 2 * bar2_e3**2) * bar2_end_y
+    w24 = 2 * bar2_e2
+    w25 = (bar2_e1 * w21 + bar2_e3 * w24) * bar2_end_y
+    w26 = 2 * bar3_e0
+    w27 = bar3_e2 * w26
+    w28 = 2 * bar3_e1
+    w29 = bar3_e3 * w28
+    w30 = w27 + w29
+    w31 = w30 * bar3_end_z
+    w32 = 2 * bar3_e2
+    w33 = bar3_e3 * w32 - bar3_e1 * w26
+    w34 = w33 * bar3_end_z
+    w35 = 2 * bar3_e2**2
+    w36 = 1.0 - 2 * bar3_e1**2 - w35
+    w37 = w36 * bar3_end_z
+    w38 = 1.0 - w35 - 2 * bar3_e3**2
+    w39 = 2 * bar4_e1
+    w40 = w39 * bar4_e2
+    w41 = 2 * bar4_e0
+    w42 = w41 * bar4_e3
+    w43 = w40 - w42
+    w44 = bar3_e3 * w26 + bar3_e2 * w28
+    w45 = 2 * bar4_e3**2
+    w46 = 1.0 - 2 * bar4_e1**2 - w45
+    w47 = w29 - w27
+    w48 = 2 * bar4_e2
+    w49 = bar4_e1 * w41 + bar4_e3 * w48
+    w50 = hinge4_angle / 2.0
+    w51 = ca.cos(w50)
+    w52 = ca.sin(w50)
+    w53 = (1.0 - 2 * bar4_e2**2 - w45) * bar4_end_x
+    w54 = (w40 + w42) * bar4_end_x
+    w55 = (w39 * bar4_e3 - bar4_e2 * w41) * bar4_end_x
+    w56 = hinge5_angle / 2.0
+    w57 = ca.cos(w56)
+    w58 = ca.sin(w56)
+    w59 = w57 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0 - w57 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0
+    w60 = w58 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w58 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w61 = 2 * bar5_e1
+    w62 = 2 * bar5_e0
+    w63 = (bar5_e2 * w61 - bar5_e3 * w62) * bar5_end_y
+    w64 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * bar5_end_y
+    w65 = 2 * bar5_e2
+    w66 = (bar5_e1 * w62 + bar5_e3 * w65) * bar5_end_y
+    w67 = -w6
+    w68 = -w7
+    w69 = bar1_e2 * -2.0
+    w70 = bar1_e3 * -2.0
+    w71 = w11 * w70
+    w72 = bar1_e1 * -2.0
+    w73 = w12 * w72
+    w74 = w8 * w69
+    w75 = 2 * bar1_e3
+    w76 = w9 * w12
+    w77 = w9 * w11
+    w78 = w8 * w9
+    w79 = 2 * bar1_e2
+    w80 = -w15
+    w81 = -w17
+    w82 = -w18
+    w83 = -w19
+    w84 = bar2_e2 * -2.0
+    w85 = bar2_e3 * -2.0
+    w86 = w23 * w85
+    w87 = bar2_e1 * -2.0
+    w88 = w25 * w87
+    w89 = w22 * w84
+    w90 = 2 * bar2_e3
+    w91 = w21 * w25
+    w92 = w21 * w23
+    w93 = w21 * w22
+    w94 = bar3_e2 * -2.0
+    w95 = bar3_e3 * -2.0
+    w96 = w34 * w95
+    w97 = bar3_e1 * -2.0
+    w98 = w37 * w97
+    w99 = w31 * w94
+    w100 = w44 * w49
+    w101 = w46 * w47
+    w102 = w100 - w101
+    w103 = w43 * w47
+    w104 = w38 * w49
+    w105 = w103 - w104
+    w106 = w38 * w46
+    w107 = w43 * w44
+    w108 = w106 - w107
+    w109 = w36 * w46
+    w110 = w33 * w49
+    w111 = w109 - w110
+    w112 = w30 * w49
+    w113 = w36 * w43
+    w114 = w112 - w113
+    w115 = w33 * w43
+    w116 = w30 * w46
+    w117 = w115 - w116
+    w118 = 2 * bar3_e3
+    w119 = w26 * w37
+    w120 = w26 * w34
+    w121 = w26 * w31
+    w122 = w101 - w100
+    w123 = bar4_e1 * -2.0
+    w124 = w104 - w103
+    w125 = bar4_e2 * -2.0
+    w126 = w107 - w106
+    w127 = bar4_e3 * -2.0
+    w128 = w110 - w109
+    w129 = w113 - w112
+    w130 = w116 - w115
+    w131 = w54 * w127
+    w132 = w55 * w123
+    w133 = w53 * w125
+    w134 = 2 * bar4_e3
+    w135 = w41 * w55
+    w136 = w41 * w54
+    w137 = w41 * w53
+    w138 = -w51
+    w139 = bar5_e2 * -2.0
+    w140 = bar5_e3 * -2.0
+    w141 = w64 * w140
+    w142 = bar5_e1 * -2.0
+    w143 = w66 * w142
+    w144 = w63 * w139
+    w145 = -w52
+    w146 = 2 * bar5_e3
+    w147 = w62 * w66
+    w148 = w62 * w64
+    w149 = w62 * w63
+    w150 = w3 / 2.0
+    w151 = w150 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w150 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w152 = w1 / 2.0
+    w153 = w152 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w152 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w154 = w7 / 2.0
+    w155 = w6 / 2.0
+    w156 = w16 / 2.0
+    w157 = w156 * c20
+    w158 = w14 / 2.0
+    w159 = w158 * c22
+    w160 = w156 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w156 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w161 = w158 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w158 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w162 = w51 / 2.0
+    w163 = w52 / 2.0
+    w164 = w58 / 2.0
+    w165 = w57 / 2.0
+    w166 = w164 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w164 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w167 = w165 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w165 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w168 = hinge0_angle_dot / 2.0
+    w169 = w168**2
+    w170 = w1 * w169
+    w171 = w170 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w170 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w172 = w3 * w169
+    w173 = w172 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w172 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w174 = (hinge1_angle_dot / 2.0)**2
+    w175 = w7 * w174
+    w176 = w6 * w174
+    w177 = w154 * hinge1_angle_dot
+    w178 = w155 * hinge1_angle_dot
+    w179 = bar1_e0_dot * w177 + bar1_e3_dot * w178
+    w180 = w178 * bar1_e2_dot - w177 * bar1_e1_dot
+    w181 = w177 * bar1_e2_dot + w178 * bar1_e1_dot
+    w182 = bar1_e0_dot * w178 - w177 * bar1_e3_dot
+    w183 = w69 * bar1_e0_dot + w75 * bar1_e1_dot + w9 * bar1_e2_dot + w72 * bar1_e3_dot
+    w184 = w72 * bar1_e0_dot + w9 * bar1_e1_dot + w70 * bar1_e2_dot + w79 * bar1_e3_dot
+    w185 = w11 * w184 - w8 * w183
+    w186 = w70 * bar1_e0_dot + w69 * bar1_e1_dot + w10 * bar1_e2_dot + w9 * bar1_e3_dot
+    w187 = w8 * w186 - w12 * w184
+    w188 = w12 * w183 - w11 * w186
+    w189 = hinge2_angle_dot / 2.0
+    w190 = w189**2
+    w191 = w14 * w190
+    w192 = w189 * (w14 * w189) * c20
+    w193 = w191 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w191 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w194 = w16 * w190
+    w195 = w189 * (w16 * w189) * c22
+    w196 = w194 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w194 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w197 = w156 * hinge2_angle_dot
+    w198 = w197 * c20
+    w199 = w158 * hinge2_angle_dot
+    w200 = w199 * c22
+    w201 = w197 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w197 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w202 = w199 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w199 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w203 = bar2_e0_dot * w198 + (bar2_e1_dot * w200 + bar2_e2_dot * w201 + bar2_e3_dot * w202)
+    w204 = bar2_e0_dot * w200 - w198 * bar2_e1_dot + (bar2_e2_dot * w202 - w201 * bar2_e3_dot)
+    w205 = bar2_e0_dot * w201 - w198 * bar2_e2_dot + (w200 * bar2_e3_dot - bar2_e1_dot * w202)
+    w206 = bar2_e0_dot * w202 - w198 * bar2_e3_dot + (bar2_e1_dot * w201 - w200 * bar2_e2_dot)
+    w207 = w84 * bar2_e0_dot + w90 * bar2_e1_dot + w21 * bar2_e2_dot + w87 * bar2_e3_dot
+    w208 = w87 * bar2_e0_dot + w21 * bar2_e1_dot + w85 * bar2_e2_dot + w24 * bar2_e3_dot
+    w209 = w23 * w208 - w22 * w207
+    w210 = w85 * bar2_e0_dot + w84 * bar2_e1_dot + w20 * bar2_e2_dot + w21 * bar2_e3_dot
+    w211 = w22 * w210 - w25 * w208
+    w212 = w25 * w207 - w23 * w210
+    w213 = w94 * bar3_e0_dot + w118 * bar3_e1_dot + w26 * bar3_e2_dot + w97 * bar3_e3_dot
+    w214 = w97 * bar3_e0_dot + w26 * bar3_e1_dot + w95 * bar3_e2_dot + w32 * bar3_e3_dot
+    w215 = w34 * w214 - w31 * w213
+    w216 = w95 * bar3_e0_dot + w94 * bar3_e1_dot + w28 * bar3_e2_dot + w26 * bar3_e3_dot
+    w217 = w31 * w216 - w37 * w214
+    w218 = w37 * w213 - w34 * w216
+    w219 = w125 * bar4_e0_dot + w134 * bar4_e1_dot + w41 * bar4_e2_dot + w123 * bar4_e3_dot
+    w220 = w123 * bar4_e0_dot + w41 * bar4_e1_dot + w127 * bar4_e2_dot + w48 * bar4_e3_dot
+    w221 = w46 * w220 - w43 * w219
+    w222 = w127 * bar4_e0_dot + w125 * bar4_e1_dot + w39 * bar4_e2_dot + w41 * bar4_e3_dot
+    w223 = w43 * w222 - w49 * w220
+    w224 = w219 * w221 - w222 * w223
+    w225 = w49 * w219 - w46 * w222
+    w226 = w222 * w225 - w220 * w221
+    w227 = w220 * w223 - w219 * w225
+    w228 = w44 * w214 - w38 * w213
+    w229 = w38 * w216 - w47 * w214
+    w230 = w47 * w213 - w44 * w216
+    w231 = w38 * w224 + w44 * w226 + w47 * w227 + w43 * (w213 * w228 - w216 * w229) + w46 * (w216 * w230 - w214 * w228)
+    w232 = w231 + w49 * (w214 * w229 - w213 * w230) + w225 * (2 * w230) + w223 * (2 * w229) + w221 * (2 * w228)
+    w233 = w30 * w213 - w33 * w214
+    w234 = w36 * w214 - w30 * w216
+    w235 = w33 * w216 - w36 * w213
+    w236 = w43 * (w213 * w233 - w216 * w234) - (w30 * w224 + w33 * w226 + w36 * w227) + w46 * (w216 * w235 - w214 * w233)
+    w237 = w236 + w49 * (w214 * w234 - w213 * w235) + w225 * (2 * w235) + w223 * (2 * w234) + w221 * (2 * w233)
+    w238 = w162 * hinge4_angle_dot
+    w239 = w163 * hinge4_angle_dot
+    w240 = bar5_e3_dot * w238 - bar5_e0_dot * w239
+    w241 = (hinge4_angle_dot / 2.0)**2
+    w242 = w51 * w241
+    w243 = w52 * w241
+    w244 = w239 * bar5_e1_dot + w238 * bar5_e2_dot
+    w245 = w238 * bar5_e1_dot - w239 * bar5_e2_dot
+    w246 = w238 * bar5_e0_dot + bar5_e3_dot * w239
+    w247 = w54 * w220 - w53 * w219
+    w248 = w53 * w222 - w55 * w220
+    w249 = w55 * w219 - w54 * w222
+    w250 = hinge5_angle_dot / 2.0
+    w251 = w250**2
+    w252 = w57 * w251
+    w253 = w58 * w251
+    w254 = w252 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w252 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w255 = w253 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w253 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w256 = w139 * bar5_e0_dot + w146 * bar5_e1_dot + w62 * bar5_e2_dot + w142 * bar5_e3_dot
+    w257 = w142 * bar5_e0_dot + w62 * bar5_e1_dot + w140 * bar5_e2_dot + w65 * bar5_e3_dot
+    w258 = w64 * w257 - w63 * w256
+    w259 = w140 * bar5_e0_dot + w139 * bar5_e1_dot + w61 * bar5_e2_dot + w62 * bar5_e3_dot
+    w260 = w63 * w259 - w66 * w257
+    w261 = w66 * w256 - w64 * w259
+    # outputs
     C = ca.vertcat(
-        bar1_e0 - w1 * c51,
-        bar1_e1 - (w1 * c2 * c0 - w1 * c1 * c3),
-        bar1_e2 + w2 * c42,
-        bar1_e3 - (w2 * c1 * c0 - w2 * c2 * c3),
-        bar1_x,
-        bar1_y,
-        bar1_z,
-        bar2_e0 - (bar1_e0 * w4 - bar1_e3 * w5),
-        bar2_e1 - (bar1_e1 * w4 + bar1_e2 * w5),
-        bar2_e2 - (bar1_e2 * w4 - bar1_e1 * w5),
-        bar2_e3 - (bar1_e0 * w5 + bar1_e3 * w4),
-        bar2_x - (bar1_x + w6),
-        bar2_y - (bar1_y + w9),
-        bar2_z - (bar1_z + w10),
-        bar3_e0 - (bar2_e0 * w13 - (bar2_e1 * w15 + bar2_e2 * w16 + bar2_e3 * w17)),
-        bar3_e1 - (bar2_e0 * w15 + bar2_e1 * w13 + (bar2_e2 * w17 - bar2_e3 * w16)),
-        bar3_e2 - (bar2_e0 * w16 + bar2_e2 * w13 + (bar2_e3 * w15 - bar2_e1 * w17)),
-        bar3_e3 - (bar2_e0 * w17 + bar2_e3 * w13 + (bar2_e1 * w16 - bar2_e2 * w15)),
-        bar3_x - (bar2_x + w20),
-        bar3_y - (bar2_y + w21),
-        bar3_z - (bar2_z + w23),
-        bar4_x - (bar3_x + w29),
-        bar4_y - (bar3_y + w32),
-        bar4_z - (bar3_z + w35),
-        w36 * w41 + w42 * w44 + w45 * w47,
-        -(w28 * w41 + w31 * w44 + w34 * w47),
-        bar4_e0 - (bar5_e0 * w49 + bar5_e3 * w50),
-        bar4_e1 - (w49 * bar5_e1 - w50 * bar5_e2),
-        bar4_e2 - (w49 * bar5_e2 + w50 * bar5_e1),
-        bar4_e3 - (w49 * bar5_e3 - bar5_e0 * w50),
-        bar5_x - (bar4_x + w51),
-        bar5_y - (bar4_y + w52),
-        bar5_z - (bar4_z + w53),
-        bar5_e0 - w55 * c62,
-        bar5_e1 + w56 * c61,
-        bar5_e2 - (w55 * c59 * c60 - w55 * c57 * c58),
-        bar5_e3 - (w56 * c59 * c58 - w56 * c57 * c60),
-        -(bar5_x + w59),
-        -(bar5_y + w60),
-        c99 - (bar5_z + w62),
+        bar1_e0 - w1 * c51,  # hinge0.e0
+        bar1_e1 - w2,  # hinge0.e1
+        bar1_e2 + w3 * c42,  # hinge0.e2
+        bar1_e3 - w4,  # hinge0.e3
+        bar1_x,  # hinge0.x
+        bar1_y,  # hinge0.y
+        bar1_z,  # hinge0.z
+        bar2_e0 - (bar1_e0 * w6 - bar1_e3 * w7),  # hinge1.e0
+        bar2_e1 - (bar1_e1 * w6 + bar1_e2 * w7),  # hinge1.e1
+        bar2_e2 - (bar1_e2 * w6 - bar1_e1 * w7),  # hinge1.e2
+        bar2_e3 - (bar1_e0 * w7 + bar1_e3 * w6),  # hinge1.e3
+        bar2_x - (bar1_x + w8),  # hinge1.x
+        bar2_y - (bar1_y + w11),  # hinge1.y
+        bar2_z - (bar1_z + w12),  # hinge1.z
+        bar3_e0 - (bar2_e0 * w15 - (bar2_e1 * w17 + bar2_e2 * w18 + bar2_e3 * w19)),  # hinge2.e0
+        bar3_e1 - (bar2_e0 * w17 + bar2_e1 * w15 + (bar2_e2 * w19 - bar2_e3 * w18)),  # hinge2.e1
+        bar3_e2 - (bar2_e0 * w18 + bar2_e2 * w15 + (bar2_e3 * w17 - bar2_e1 * w19)),  # hinge2.e2
+        bar3_e3 - (bar2_e0 * w19 + bar2_e3 * w15 + (bar2_e1 * w18 - bar2_e2 * w17)),  # hinge2.e3
+        bar3_x - (bar2_x + w22),  # hinge2.x
+        bar3_y - (bar2_y + w23),  # hinge2.y
+        bar3_z - (bar2_z + w25),  # hinge2.z
+        bar4_x - (bar3_x + w31),  # hinge3.x
+        bar4_y - (bar3_y + w34),  # hinge3.y
+        bar4_z - (bar3_z + w37),  # hinge3.z
+        w38 * w43 + w44 * w46 + w47 * w49,  # hinge3.parallel_x
+        -(w30 * w43 + w33 * w46 + w36 * w49),  # hinge3.parallel_y
+        bar4_e0 - (bar5_e0 * w51 + bar5_e3 * w52),  # hinge4.e0
+        bar4_e1 - (w51 * bar5_e1 - w52 * bar5_e2),  # hinge4.e1
+        bar4_e2 - (w51 * bar5_e2 + w52 * bar5_e1),  # hinge4.e2
+        bar4_e3 - (w51 * bar5_e3 - bar5_e0 * w52),  # hinge4.e3
+        bar5_x - (bar4_x + w53),  # hinge4.x
+        bar5_y - (bar4_y + w54),  # hinge4.y
+        bar5_z - (bar4_z + w55),  # hinge4.z
+        bar5_e0 - w57 * c62,  # hinge5.e0
+        bar5_e1 + w58 * c61,  # hinge5.e1
+        bar5_e2 - w59,  # hinge5.e2
+        bar5_e3 - w60,  # hinge5.e3
+        -(bar5_x + w63),  # hinge5.x
+        -(bar5_y + w64),  # hinge5.y
+        ground_P5_z - (bar5_z + w66),  # hinge5.z
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w63,
-        0.0,
-        0.0,
-        w64,
-        -(w10 * w65 - w67),
-        -(w6 * w66 - w69),
-        -(w9 * w68 - w70),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w63,
-        w5,
-        0.0,
-        -(w10 * w71 - w9 * w65),
-        -(w70 - w72),
-        -(w73 - w6 * w71),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w64,
-        w63,
-        0.0,
-        -(w72 - w8 * w9),
-        -(w6 * w8 - w10 * w66),
-        -(w67 - w74),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        w5,
-        0.0,
-        0.0,
-        w63,
-        -(w69 - w73),
-        -(w74 - w10 * w75),
-        -(w9 * w75 - w6 * w68),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w76,
-        w77,
-        w78,
-        w79,
-        -(w23 * w80 - w82),
-        -(w20 * w81 - w84),
-        -(w21 * w83 - w85),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        w76,
-        w17,
-        w78,
-        -(w23 * w86 - w21 * w80),
-        -(w85 - w87),
-        -(w88 - w20 * w86),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w16,
-        w79,
-        w76,
-        w15,
-        -(w87 - w18 * w21),
-        -(w18 * w20 - w23 * w81),
-        -(w82 - w89),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        w17,
-        w16,
-        w77,
-        w76,
-        -(w84 - w88),
-        -(w89 - w22 * w23),
-        -(w21 * w22 - w20 * w83),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w35 * w90 - w92),
-        -(w29 * w91 - w94),
-        -(w32 * w93 - w95),
-        w93 * w98 + w90 * w101 + w91 * w104,
-        w93 * w107 + w90 * w110 + w91 * w113,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w35 * w114 - w32 * w90),
-        -(w95 - w115),
-        -(w116 - w29 * w114),
-        w24 * w98 + w101 * w114 + w90 * w104,
-        w24 * w107 + w110 * w114 + w90 * w113,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w115 - w26 * w32),
-        -(w26 * w29 - w35 * w91),
-        -(w92 - w117),
-        w91 * w98 + w24 * w101 + w26 * w104,
-        w91 * w107 + w24 * w110 + w26 * w113,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w94 - w116),
-        -(w117 - w30 * w35),
-        -(w30 * w32 - w29 * w93),
-        w30 * w98 + w93 * w101 + w24 * w104,
-        w30 * w107 + w93 * w110 + w24 * w113,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w118 * w119 + w120 * w121 + w122 * w123,
-        w119 * w124 + w121 * w125 + w123 * w126,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w53 * w121 - w127),
-        -(w51 * w123 - w128),
-        -(w52 * w119 - w129),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w39 * w118 + w120 * w130 + w121 * w122,
-        w39 * w124 + w125 * w130 + w121 * w126,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -(w53 * w130 - w52 * w121),
-        -(w129 - w131),
-        -(w132 - w51 * w130),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w118 * w123 + w39 * w120 + w37 * w122,
-        w123 * w124 + w39 * w125 + w37 * w126,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -(w131 - w37 * w52),
-        -(w37 * w51 - w53 * w123),
-        -(w127 - w133),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w46 * w118 + w119 * w120 + w39 * w122,
-        w46 * w124 + w119 * w125 + w39 * w126,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        -(w128 - w132),
-        -(w133 - w46 * w53),
-        -(w46 * w52 - w51 * w119),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w134,
-        0.0,
-        0.0,
-        w50,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w62 * w135 - w137),
-        -(w59 * w136 - w139),
-        -(w60 * w138 - w140),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w134,
-        w141,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -(w62 * w142 - w60 * w135),
-        -(w140 - w143),
-        -(w144 - w59 * w142),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w50,
-        w134,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -(w143 - w57 * w60),
-        -(w57 * w59 - w62 * w136),
-        -(w137 - w145),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w141,
-        0.0,
-        0.0,
-        w134,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        -(w139 - w144),
-        -(w145 - w61 * w62),
-        -(w60 * w61 - w59 * w138),
-        w146 * c51,
-        -(w146 * c1 * c3 - w146 * c2 * c0),
-        w147 * c42,
-        -(w147 * c1 * c0 - w147 * c2 * c3),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar1_e0 * w148 + bar1_e3 * w149,
-        -(bar1_e2 * w149 - bar1_e1 * w148),
-        bar1_e2 * w148 + bar1_e1 * w149,
-        -(bar1_e0 * w149 - bar1_e3 * w148),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar2_e0 * w151 + (bar2_e1 * w153 + bar2_e2 * w154 + bar2_e3 * w155),
-        -(bar2_e0 * w153 - bar2_e1 * w151 + (bar2_e2 * w155 - bar2_e3 * w154)),
-        -(bar2_e0 * w154 - bar2_e2 * w151 + (bar2_e3 * w153 - bar2_e1 * w155)),
-        -(bar2_e0 * w155 - bar2_e3 * w151 + (bar2_e1 * w154 - bar2_e2 * w153)),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(bar5_e3 * w156 - bar5_e0 * w157),
-        bar5_e1 * w157 + bar5_e2 * w156,
-        -(bar5_e1 * w156 - bar5_e2 * w157),
-        bar5_e0 * w156 + bar5_e3 * w157,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w158 * c62,
-        w159 * c61,
-        -(w158 * c57 * c58 - w158 * c59 * c60),
-        -(w159 * c59 * c58 - w159 * c57 * c60),
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 40, 40)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
+    C_q = ca.SX(40, 40)
+    # hinge0.e0
+    C_q[0, 3] = 1.0
+    C_q[0, 35] = w150 * c51
+    # hinge0.e1
+    C_q[1, 4] = 1.0
+    C_q[1, 35] = -w151
+    # hinge0.e2
+    C_q[2, 5] = 1.0
+    C_q[2, 35] = w152 * c42
+    # hinge0.e3
+    C_q[3, 6] = 1.0
+    C_q[3, 35] = -w153
+    # hinge0.x
+    C_q[4, 0] = 1.0
+    # hinge0.y
+    C_q[5, 1] = 1.0
+    # hinge0.z
+    C_q[6, 2] = 1.0
+    # hinge1.e0
+    C_q[7, 3] = w67
+    C_q[7, 6] = w7
+    C_q[7, 10] = 1.0
+    C_q[7, 36] = bar1_e0 * w154 + bar1_e3 * w155
+    # hinge1.e1
+    C_q[8, 4] = w67
+    C_q[8, 5] = w68
+    C_q[8, 11] = 1.0
+    C_q[8, 36] = -(bar1_e2 * w155 - bar1_e1 * w154)
+    # hinge1.e2
+    C_q[9, 4] = w7
+    C_q[9, 5] = w67
+    C_q[9, 12] = 1.0
+    C_q[9, 36] = bar1_e2 * w154 + bar1_e1 * w155
+    # hinge1.e3
+    C_q[10, 3] = w68
+    C_q[10, 6] = w67
+    C_q[10, 13] = 1.0
+    C_q[10, 36] = -(bar1_e0 * w155 - bar1_e3 * w154)
+    # hinge1.x
+    C_q[11, 0] = -1.0
+    C_q[11, 3] = -(w12 * w69 - w71)
+    C_q[11, 4] = -(w12 * w75 - w11 * w69)
+    C_q[11, 5] = -(w76 - w10 * w11)
+    C_q[11, 6] = -(w73 - w77)
+    C_q[11, 7] = 1.0
+    # hinge1.y
+    C_q[12, 1] = -1.0
+    C_q[12, 3] = -(w8 * w70 - w73)
+    C_q[12, 4] = -(w74 - w76)
+    C_q[12, 5] = -(w8 * w10 - w12 * w70)
+    C_q[12, 6] = -(w78 - w12 * w79)
+    C_q[12, 8] = 1.0
+    # hinge1.z
+    C_q[13, 2] = -1.0
+    C_q[13, 3] = -(w11 * w72 - w74)
+    C_q[13, 4] = -(w77 - w8 * w75)
+    C_q[13, 5] = -(w71 - w78)
+    C_q[13, 6] = -(w11 * w79 - w8 * w72)
+    C_q[13, 9] = 1.0
+    # hinge2.e0
+    C_q[14, 10] = w80
+    C_q[14, 11] = w17
+    C_q[14, 12] = w18
+    C_q[14, 13] = w19
+    C_q[14, 17] = 1.0
+    C_q[14, 37] = bar2_e0 * w157 + (bar2_e1 * w159 + bar2_e2 * w160 + bar2_e3 * w161)
+    # hinge2.e1
+    C_q[15, 10] = w81
+    C_q[15, 11] = w80
+    C_q[15, 12] = w83
+    C_q[15, 13] = w18
+    C_q[15, 18] = 1.0
+    C_q[15, 37] = -(bar2_e0 * w159 - bar2_e1 * w157 + (bar2_e2 * w161 - bar2_e3 * w160))
+    # hinge2.e2
+    C_q[16, 10] = w82
+    C_q[16, 11] = w19
+    C_q[16, 12] = w80
+    C_q[16, 13] = w81
+    C_q[16, 19] = 1.0
+    C_q[16, 37] = -(bar2_e0 * w160 - bar2_e2 * w157 + (bar2_e3 * w159 - bar2_e1 * w161))
+    # hinge2.e3
+    C_q[17, 10] = w83
+    C_q[17, 11] = w82
+    C_q[17, 12] = w17
+    C_q[17, 13] = w80
+    C_q[17, 20] = 1.0
+    C_q[17, 37] = -(bar2_e0 * w161 - bar2_e3 * w157 + (bar2_e1 * w160 - bar2_e2 * w159))
+    # hinge2.x
+    C_q[18, 7] = -1.0
+    C_q[18, 10] = -(w25 * w84 - w86)
+    C_q[18, 11] = -(w25 * w90 - w23 * w84)
+    C_q[18, 12] = -(w91 - w20 * w23)
+    C_q[18, 13] = -(w88 - w92)
+    C_q[18, 14] = 1.0
+    # hinge2.y
+    C_q[19, 8] = -1.0
+    C_q[19, 10] = -(w22 * w85 - w88)
+    C_q[19, 11] = -(w89 - w91)
+    C_q[19, 12] = -(w20 * w22 - w25 * w85)
+    C_q[19, 13] = -(w93 - w24 * w25)
+    C_q[19, 15] = 1.0
+    # hinge2.z
+    C_q[20, 9] = -1.0
+    C_q[20, 10] = -(w23 * w87 - w89)
+    C_q[20, 11] = -(w92 - w22 * w90)
+    C_q[20, 12] = -(w86 - w93)
+    C_q[20, 13] = -(w23 * w24 - w22 * w87)
+    C_q[20, 16] = 1.0
+    # hinge3.x
+    C_q[21, 14] = -1.0
+    C_q[21, 17] = -(w37 * w94 - w96)
+    C_q[21, 18] = -(w37 * w118 - w34 * w94)
+    C_q[21, 19] = -(w119 - w28 * w34)
+    C_q[21, 20] = -(w98 - w120)
+    C_q[21, 21] = 1.0
+    # hinge3.y
+    C_q[22, 15] = -1.0
+    C_q[22, 17] = -(w31 * w95 - w98)
+    C_q[22, 18] = -(w99 - w119)
+    C_q[22, 19] = -(w28 * w31 - w37 * w95)
+    C_q[22, 20] = -(w121 - w32 * w37)
+    C_q[22, 22] = 1.0
+    # hinge3.z
+    C_q[23, 16] = -1.0
+    C_q[23, 17] = -(w34 * w97 - w99)
+    C_q[23, 18] = -(w120 - w31 * w118)
+    C_q[23, 19] = -(w96 - w121)
+    C_q[23, 20] = -(w32 * w34 - w31 * w97)
+    C_q[23, 23] = 1.0
+    # hinge3.parallel_x
+    C_q[24, 17] = w97 * w102 + w94 * w105 + w95 * w108
+    C_q[24, 18] = w26 * w102 + w105 * w118 + w94 * w108
+    C_q[24, 19] = w95 * w102 + w26 * w105 + w28 * w108
+    C_q[24, 20] = w32 * w102 + w97 * w105 + w26 * w108
+    C_q[24, 24] = w122 * w123 + w124 * w125 + w126 * w127
+    C_q[24, 25] = w41 * w122 + w124 * w134 + w125 * w126
+    C_q[24, 26] = w122 * w127 + w41 * w124 + w39 * w126
+    C_q[24, 27] = w48 * w122 + w123 * w124 + w41 * w126
+    # hinge3.parallel_y
+    C_q[25, 17] = w97 * w111 + w94 * w114 + w95 * w117
+    C_q[25, 18] = w26 * w111 + w114 * w118 + w94 * w117
+    C_q[25, 19] = w95 * w111 + w26 * w114 + w28 * w117
+    C_q[25, 20] = w32 * w111 + w97 * w114 + w26 * w117
+    C_q[25, 24] = w123 * w128 + w125 * w129 + w127 * w130
+    C_q[25, 25] = w41 * w128 + w129 * w134 + w125 * w130
+    C_q[25, 26] = w127 * w128 + w41 * w129 + w39 * w130
+    C_q[25, 27] = w48 * w128 + w123 * w129 + w41 * w130
+    # hinge4.e0
+    C_q[26, 24] = 1.0
+    C_q[26, 31] = w138
+    C_q[26, 34] = w145
+    C_q[26, 38] = -(bar5_e3 * w162 - bar5_e0 * w163)
+    # hinge4.e1
+    C_q[27, 25] = 1.0
+    C_q[27, 32] = w138
+    C_q[27, 33] = w52
+    C_q[27, 38] = bar5_e1 * w163 + bar5_e2 * w162
+    # hinge4.e2
+    C_q[28, 26] = 1.0
+    C_q[28, 32] = w145
+    C_q[28, 33] = w138
+    C_q[28, 38] = -(bar5_e1 * w162 - bar5_e2 * w163)
+    # hinge4.e3
+    C_q[29, 27] = 1.0
+    C_q[29, 31] = w52
+    C_q[29, 34] = w138
+    C_q[29, 38] = bar5_e0 * w162 + bar5_e3 * w163
+    # hinge4.x
+    C_q[30, 21] = -1.0
+    C_q[30, 24] = -(w55 * w125 - w131)
+    C_q[30, 25] = -(w55 * w134 - w54 * w125)
+    C_q[30, 26] = -(w135 - w39 * w54)
+    C_q[30, 27] = -(w132 - w136)
+    C_q[30, 28] = 1.0
+    # hinge4.y
+    C_q[31, 22] = -1.0
+    C_q[31, 24] = -(w53 * w127 - w132)
+    C_q[31, 25] = -(w133 - w135)
+    C_q[31, 26] = -(w39 * w53 - w55 * w127)
+    C_q[31, 27] = -(w137 - w48 * w55)
+    C_q[31, 29] = 1.0
+    # hinge4.z
+    C_q[32, 23] = -1.0
+    C_q[32, 24] = -(w54 * w123 - w133)
+    C_q[32, 25] = -(w136 - w53 * w134)
+    C_q[32, 26] = -(w131 - w137)
+    C_q[32, 27] = -(w48 * w54 - w53 * w123)
+    C_q[32, 30] = 1.0
+    # hinge5.e0
+    C_q[33, 31] = 1.0
+    C_q[33, 39] = w164 * c62
+    # hinge5.e1
+    C_q[34, 32] = 1.0
+    C_q[34, 39] = w165 * c61
+    # hinge5.e2
+    C_q[35, 33] = 1.0
+    C_q[35, 39] = -w166
+    # hinge5.e3
+    C_q[36, 34] = 1.0
+    C_q[36, 39] = -w167
+    # hinge5.x
+    C_q[37, 28] = -1.0
+    C_q[37, 31] = -(w66 * w139 - w141)
+    C_q[37, 32] = -(w66 * w146 - w64 * w139)
+    C_q[37, 33] = -(w147 - w61 * w64)
+    C_q[37, 34] = -(w143 - w148)
+    # hinge5.y
+    C_q[38, 29] = -1.0
+    C_q[38, 31] = -(w63 * w140 - w143)
+    C_q[38, 32] = -(w144 - w147)
+    C_q[38, 33] = -(w61 * w63 - w66 * w140)
+    C_q[38, 34] = -(w149 - w65 * w66)
+    # hinge5.z
+    C_q[39, 30] = -1.0
+    C_q[39, 31] = -(w64 * w142 - w144)
+    C_q[39, 32] = -(w148 - w63 * w146)
+    C_q[39, 33] = -(w141 - w149)
+    C_q[39, 34] = -(w64 * w65 - w63 * w142)
+    C_t = ca.SX(40, 1)
+    nu = ca.SX(40, 1)
     gamma = ca.vertcat(
-        w160 * (w1 * w160) * c100,
-        w162 * c1 * c3 - w162 * c2 * c0,
-        w160 * (w2 * w160) * c42,
-        w163 * c2 * c3 - w163 * c1 * c0,
-        0.0,
-        0.0,
-        0.0,
-        bar1_e3 * w165 - bar1_e0 * w166 - w169 - w169,
-        w170 + (w170 - (bar1_e1 * w166 + bar1_e2 * w165)),
-        bar1_e1 * w165 - bar1_e2 * w166 - w171 - w171,
-        w172 + (w172 - (bar1_e0 * w165 + bar1_e3 * w166)),
-        w173 * w175 - w176 * w177,
-        w176 * w178 - w174 * w175,
-        w174 * w177 - w173 * w178,
-        -(w193 + (bar2_e0 * w182 + (bar2_e2 * w183 - bar2_e1 * w185 + bar2_e3 * w186) + w193)),
-        w194 + (bar2_e2 * w186 - bar2_e3 * w183 - (bar2_e0 * w185 + bar2_e1 * w182) + w194),
-        w195 + (bar2_e0 * w183 - bar2_e2 * w182 - (bar2_e3 * w185 + bar2_e1 * w186) + w195),
-        w196 + (bar2_e0 * w186 - bar2_e3 * w182 + (bar2_e1 * w183 + bar2_e2 * w185) + w196),
-        w197 * w199 - w200 * w201,
-        w200 * w202 - w198 * w199,
-        w198 * w201 - w197 * w202,
-        w203 * w205 - w206 * w207,
-        w206 * w208 - w204 * w205,
-        w204 * w207 - w203 * w208,
-        -w222,
-        -w227,
-        w230 + (w230 - (bar5_e0 * w232 + bar5_e3 * w233)),
-        bar5_e2 * w233 - bar5_e1 * w232 - w234 - w234,
-        w235 + (w235 - (bar5_e2 * w232 + bar5_e1 * w233)),
-        bar5_e0 * w233 - bar5_e3 * w232 - w236 - w236,
-        w209 * w237 - w212 * w238,
-        w212 * w239 - w210 * w237,
-        w210 * w238 - w209 * w239,
-        w240 * (w55 * w240) * c101,
-        w240 * (w56 * w240) * c61,
-        w242 * c57 * c58 - w242 * c59 * c60,
-        w243 * c57 * c60 - w243 * c59 * c58,
-        w244 * w246 - w247 * w248,
-        w247 * w249 - w245 * w246,
-        w245 * w248 - w244 * w249,
+        w168 * (w1 * w168) * c100,  # hinge0.e0
+        w171,  # hinge0.e1
+        w168 * (w3 * w168) * c42,  # hinge0.e2
+        w173,  # hinge0.e3
+        0.0,  # hinge0.x
+        0.0,  # hinge0.y
+        0.0,  # hinge0.z
+        bar1_e3 * w175 - bar1_e0 * w176 - w179 - w179,  # hinge1.e0
+        w180 + (w180 - (bar1_e1 * w176 + bar1_e2 * w175)),  # hinge1.e1
+        bar1_e1 * w175 - bar1_e2 * w176 - w181 - w181,  # hinge1.e2
+        w182 + (w182 - (bar1_e0 * w175 + bar1_e3 * w176)),  # hinge1.e3
+        w183 * w185 - w186 * w187,  # hinge1.x
+        w186 * w188 - w184 * w185,  # hinge1.y
+        w184 * w187 - w183 * w188,  # hinge1.z
+        -(w203 + (bar2_e0 * w192 + (bar2_e2 * w193 - bar2_e1 * w195 + bar2_e3 * w196) + w203)),  # hinge2.e0
+        w204 + (bar2_e2 * w196 - bar2_e3 * w193 - (bar2_e0 * w195 + bar2_e1 * w192) + w204),  # hinge2.e1
+        w205 + (bar2_e0 * w193 - bar2_e2 * w192 - (bar2_e3 * w195 + bar2_e1 * w196) + w205),  # hinge2.e2
+        w206 + (bar2_e0 * w196 - bar2_e3 * w192 + (bar2_e1 * w193 + bar2_e2 * w195) + w206),  # hinge2.e3
+        w207 * w209 - w210 * w211,  # hinge2.x
+        w210 * w212 - w208 * w209,  # hinge2.y
+        w208 * w211 - w207 * w212,  # hinge2.z
+        w213 * w215 - w216 * w217,  # hinge3.x
+        w216 * w218 - w214 * w215,  # hinge3.y
+        w214 * w217 - w213 * w218,  # hinge3.z
+        -w232,  # hinge3.parallel_x
+        -w237,  # hinge3.parallel_y
+        w240 + (w240 - (bar5_e0 * w242 + bar5_e3 * w243)),  # hinge4.e0
+        bar5_e2 * w243 - bar5_e1 * w242 - w244 - w244,  # hinge4.e1
+        w245 + (w245 - (bar5_e2 * w242 + bar5_e1 * w243)),  # hinge4.e2
+        bar5_e0 * w243 - bar5_e3 * w242 - w246 - w246,  # hinge4.e3
+        w219 * w247 - w222 * w248,  # hinge4.x
+        w222 * w249 - w220 * w247,  # hinge4.y
+        w220 * w248 - w219 * w249,  # hinge4.z
+        w250 * (w57 * w250) * c101,  # hinge5.e0
+        w250 * (w58 * w250) * c61,  # hinge5.e1
+        w254,  # hinge5.e2
+        w255,  # hinge5.e3
+        w256 * w258 - w259 * w260,  # hinge5.x
+        w259 * w261 - w257 * w258,  # hinge5.y
+        w257 * w260 - w256 * w261,  # hinge5.z
     )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 7075 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 40) [mixed]: rates of all coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 40 x 40) [SI]: mass matrix in all coordinates
+    gives K (n x n = 40 x 40) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 40) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 40) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 40) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 40 x 40) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 40) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    7075 operations.
+    """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
     c = ca.SX.sym("c", 154)
@@ -5219,25 +3840,25 @@ def augmented() -> ca.Function:
     hinge2_angle_dot = q_dot[37]
     hinge4_angle_dot = q_dot[38]
     hinge5_angle_dot = q_dot[39]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -5271,16 +3892,16 @@ def augmented() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
@@ -5290,7 +3911,7 @@ def augmented() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c75 = c[75]
     c76 = c[76]
     c77 = c[77]
@@ -5309,18 +3930,19 @@ def augmented() -> ca.Function:
     c91 = c[91]
     c92 = c[92]
     c93 = c[93]
-    c94 = c[94]
+    gravity_y = c[94]
     c95 = c[95]
     c96 = c[96]
     c97 = c[97]
     c98 = c[98]
     c100 = c[100]
     c101 = c[101]
-    c102 = c[102]
+    bar1_mass = c[102]
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
     c106 = c[106]
+    # intermediate terms (623)
     w0 = bar1_e2 * -2.0
     w1 = 2 * bar1_e1
     w2 = w1 * bar1_e3
@@ -5717,35 +4339,35 @@ def augmented() -> ca.Function:
     w393 = w197 * w388 + w203 * w390 + w199 * w391
     w394 = w210 * w388 + w197 * w390 + w215 * w391
     w395 = w196 * w388 + w213 * w390 + w197 * w391
-    w396 = w26 * c94
-    w397 = w28 * c94
-    w398 = w29 * c94
-    w399 = w32 * c94
-    w400 = w76 * c94
-    w401 = w78 * c94
-    w402 = w79 * c94
-    w403 = w81 * c94
-    w404 = w125 * c94
-    w405 = w127 * c94
-    w406 = w128 * c94
-    w407 = w130 * c94
-    w408 = w173 * c94
-    w409 = w175 * c94
-    w410 = w176 * c94
-    w411 = w179 * c94
-    w412 = w223 * c94
-    w413 = w225 * c94
-    w414 = w226 * c94
-    w415 = w228 * c94
+    w396 = w26 * gravity_y
+    w397 = w28 * gravity_y
+    w398 = w29 * gravity_y
+    w399 = w32 * gravity_y
+    w400 = w76 * gravity_y
+    w401 = w78 * gravity_y
+    w402 = w79 * gravity_y
+    w403 = w81 * gravity_y
+    w404 = w125 * gravity_y
+    w405 = w127 * gravity_y
+    w406 = w128 * gravity_y
+    w407 = w130 * gravity_y
+    w408 = w173 * gravity_y
+    w409 = w175 * gravity_y
+    w410 = w176 * gravity_y
+    w411 = w179 * gravity_y
+    w412 = w223 * gravity_y
+    w413 = w225 * gravity_y
+    w414 = w226 * gravity_y
+    w415 = w228 * gravity_y
     w416 = hinge1_angle / 2.0
     w417 = ca.cos(w416)
     w418 = -w417
     w419 = ca.sin(w416)
     w420 = -w419
-    w421 = w5 * c10
-    w422 = w10 * c10
+    w421 = w5 * bar1_end_x
+    w422 = w10 * bar1_end_x
     w423 = w7 * w422
-    w424 = w24 * c10
+    w424 = w24 * bar1_end_x
     w425 = w18 * w421
     w426 = w0 * w424
     w427 = w3 * w421
@@ -5757,23 +4379,23 @@ def augmented() -> ca.Function:
     w433 = ca.sin(w430)
     w434 = w433 * c22
     w435 = -w434
-    w436 = w431 * c16 * c19 - w431 * c18 * c17
+    w436 = w431 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w431 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w437 = -w436
-    w438 = w433 * c18 * c19 - w433 * c16 * c17
+    w438 = w433 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w433 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w439 = -w438
-    w440 = w54 * c15
-    w441 = w59 * c15
+    w440 = w54 * bar2_end_y
+    w441 = w59 * bar2_end_y
     w442 = w56 * w441
-    w443 = w74 * c15
+    w443 = w74 * bar2_end_y
     w444 = w68 * w440
     w445 = w49 * w443
     w446 = w50 * w440
     w447 = w50 * w441
     w448 = w50 * w443
-    w449 = w101 * c63
-    w450 = w108 * c63
+    w449 = w101 * bar3_end_z
+    w450 = w108 * bar3_end_z
     w451 = w103 * w450
-    w452 = w123 * c63
+    w452 = w123 * bar3_end_z
     w453 = w117 * w449
     w454 = w98 * w452
     w455 = w321 * w355
@@ -5803,10 +4425,10 @@ def augmented() -> ca.Function:
     w479 = w465 - w464
     w480 = w468 - w467
     w481 = w471 - w470
-    w482 = w152 * c55
-    w483 = w157 * c55
+    w482 = w152 * bar4_end_x
+    w483 = w157 * bar4_end_x
     w484 = w154 * w483
-    w485 = w171 * c55
+    w485 = w171 * bar4_end_x
     w486 = w165 * w482
     w487 = w147 * w485
     w488 = w150 * w482
@@ -5816,10 +4438,10 @@ def augmented() -> ca.Function:
     w492 = ca.cos(w491)
     w493 = -w492
     w494 = ca.sin(w491)
-    w495 = w201 * c56
-    w496 = w206 * c56
+    w495 = w201 * bar5_end_y
+    w496 = w206 * bar5_end_y
     w497 = w203 * w496
-    w498 = w221 * c56
+    w498 = w221 * bar5_end_y
     w499 = w215 * w495
     w500 = w196 * w498
     w501 = -w494
@@ -5829,5103 +4451,761 @@ def augmented() -> ca.Function:
     w505 = hinge0_angle / 2.0
     w506 = ca.sin(w505)
     w507 = w506 / 2.0
-    w508 = ca.cos(w505)
-    w509 = w508 / 2.0
-    w510 = w419 / 2.0
-    w511 = w417 / 2.0
-    w512 = w433 / 2.0
-    w513 = w512 * c20
-    w514 = w431 / 2.0
-    w515 = w514 * c22
-    w516 = w512 * c18 * c17 - w512 * c16 * c19
-    w517 = w514 * c18 * c19 - w514 * c16 * c17
-    w518 = w492 / 2.0
-    w519 = w494 / 2.0
-    w520 = hinge5_angle / 2.0
-    w521 = ca.sin(w520)
-    w522 = w521 / 2.0
-    w523 = ca.cos(w520)
+    w508 = w507 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w507 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w509 = ca.cos(w505)
+    w510 = w509 / 2.0
+    w511 = w510 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w510 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
+    w512 = w419 / 2.0
+    w513 = w417 / 2.0
+    w514 = w433 / 2.0
+    w515 = w514 * c20
+    w516 = w431 / 2.0
+    w517 = w516 * c22
+    w518 = w514 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w514 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w519 = w516 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w516 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w520 = w492 / 2.0
+    w521 = w494 / 2.0
+    w522 = hinge5_angle / 2.0
+    w523 = ca.sin(w522)
     w524 = w523 / 2.0
-    w525 = hinge0_angle_dot / 2.0
-    w526 = w525**2
-    w527 = w508 * w526
-    w528 = w506 * w526
-    w529 = (hinge1_angle_dot / 2.0)**2
-    w530 = w419 * w529
-    w531 = w417 * w529
-    w532 = w510 * hinge1_angle_dot
-    w533 = w511 * hinge1_angle_dot
-    w534 = bar1_e0_dot * w532 + bar1_e3_dot * w533
-    w535 = bar1_e2_dot * w533 - bar1_e1_dot * w532
-    w536 = bar1_e2_dot * w532 + bar1_e1_dot * w533
-    w537 = bar1_e0_dot * w533 - bar1_e3_dot * w532
-    w538 = w250 + (w249 + w14 * bar1_e1_dot) + w18 * bar1_e3_dot
-    w539 = w254 + w7 * bar1_e2_dot + w31 * bar1_e3_dot
-    w540 = w422 * w539 - w424 * w538
-    w541 = w246 + (w245 + w0 * bar1_e1_dot + w1 * bar1_e2_dot)
-    w542 = w424 * w541 - w421 * w539
-    w543 = w421 * w538 - w422 * w541
-    w544 = hinge2_angle_dot / 2.0
-    w545 = w544**2
-    w546 = w431 * w545
-    w547 = w544 * (w431 * w544) * c20
-    w548 = w546 * c18 * c17 - w546 * c16 * c19
-    w549 = w433 * w545
-    w550 = w544 * (w433 * w544) * c22
-    w551 = w549 * c16 * c17 - w549 * c18 * c19
-    w552 = w512 * hinge2_angle_dot
-    w553 = w552 * c20
-    w554 = w514 * hinge2_angle_dot
-    w555 = w554 * c22
-    w556 = w552 * c18 * c17 - w552 * c16 * c19
-    w557 = w554 * c18 * c19 - w554 * c16 * c17
-    w558 = bar2_e0_dot * w553 + (bar2_e1_dot * w555 + bar2_e2_dot * w556 + bar2_e3_dot * w557)
-    w559 = bar2_e0_dot * w555 - bar2_e1_dot * w553 + (bar2_e2_dot * w557 - bar2_e3_dot * w556)
-    w560 = bar2_e0_dot * w556 - bar2_e2_dot * w553 + (bar2_e3_dot * w555 - bar2_e1_dot * w557)
-    w561 = bar2_e0_dot * w557 - bar2_e3_dot * w553 + (bar2_e1_dot * w556 - bar2_e2_dot * w555)
-    w562 = w284 + (w283 + w63 * bar2_e1_dot) + w68 * bar2_e3_dot
-    w563 = w274 + w56 * bar2_e2_dot + w52 * bar2_e3_dot
-    w564 = w441 * w563 - w443 * w562
-    w565 = w278 + (w277 + w49 * bar2_e1_dot + w66 * bar2_e2_dot)
-    w566 = w443 * w565 - w440 * w563
-    w567 = w440 * w562 - w441 * w565
-    w568 = w304 + (w303 + w112 * bar3_e1_dot) + w117 * bar3_e3_dot
-    w569 = w307 + w103 * bar3_e2_dot + w104 * bar3_e3_dot
-    w570 = w450 * w569 - w452 * w568
-    w571 = w314 + (w313 + w98 * bar3_e1_dot + w115 * bar3_e2_dot)
-    w572 = w452 * w571 - w449 * w569
-    w573 = w449 * w568 - w450 * w571
-    w574 = w340 + (w339 + w161 * bar4_e1_dot) + w165 * bar4_e3_dot
-    w575 = w345 + w154 * bar4_e2_dot + w178 * bar4_e3_dot
-    w576 = w351 * w575 - w344 * w574
-    w577 = w336 + (w335 + w147 * bar4_e1_dot + w148 * bar4_e2_dot)
-    w578 = w344 * w577 - w355 * w575
-    w579 = w574 * w576 - w577 * w578
-    w580 = w355 * w574 - w351 * w577
-    w581 = w577 * w580 - w575 * w576
-    w582 = w575 * w578 - w574 * w580
-    w583 = w321 * w569 - w312 * w568
-    w584 = w312 * w571 - w323 * w569
-    w585 = w323 * w568 - w321 * w571
-    w586 = w312 * w579 + w321 * w581 + w323 * w582 + w344 * (w568 * w583 - w571 * w584) + w351 * (w571 * w585 - w569 * w583)
-    w587 = w586 + w355 * (w569 * w584 - w568 * w585) + w580 * (2 * w585) + w578 * (2 * w584) + w576 * (2 * w583)
-    w588 = w123 * w568 - w108 * w569
-    w589 = w101 * w569 - w123 * w571
-    w590 = w108 * w571 - w101 * w568
-    w591 = w344 * (w568 * w588 - w571 * w589) - (w123 * w579 + w108 * w581 + w101 * w582) + w351 * (w571 * w590 - w569 * w588)
-    w592 = w591 + w355 * (w569 * w589 - w568 * w590) + w580 * (2 * w590) + w578 * (2 * w589) + w576 * (2 * w588)
-    w593 = w518 * hinge4_angle_dot
-    w594 = w519 * hinge4_angle_dot
-    w595 = bar5_e3_dot * w593 - bar5_e0_dot * w594
-    w596 = (hinge4_angle_dot / 2.0)**2
-    w597 = w492 * w596
-    w598 = w494 * w596
-    w599 = bar5_e1_dot * w594 + bar5_e2_dot * w593
-    w600 = bar5_e1_dot * w593 - bar5_e2_dot * w594
-    w601 = bar5_e0_dot * w593 + bar5_e3_dot * w594
-    w602 = w483 * w575 - w485 * w574
-    w603 = w485 * w577 - w482 * w575
-    w604 = w482 * w574 - w483 * w577
-    w605 = hinge5_angle_dot / 2.0
-    w606 = w605**2
-    w607 = w523 * w606
-    w608 = w521 * w606
-    w609 = w377 + (w376 + w210 * bar5_e1_dot) + w215 * bar5_e3_dot
-    w610 = w367 + w203 * bar5_e2_dot + w199 * bar5_e3_dot
-    w611 = w496 * w610 - w498 * w609
-    w612 = w371 + (w370 + w196 * bar5_e1_dot + w213 * bar5_e2_dot)
-    w613 = w498 * w612 - w495 * w610
-    w614 = w495 * w609 - w496 * w612
-    M = ca.vertcat(
-        c102,
-        0.0,
-        0.0,
-        w13,
-        w15,
-        w17,
-        w21,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c102,
-        0.0,
-        w26,
-        w28,
-        w29,
-        w32,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c102,
-        w33,
-        w34,
-        w35,
-        w36,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w13,
-        w26,
-        w33,
-        w18 * (w18 * c6) + w0 * (w0 * c8) + w7 * (w7 * c9),
-        w38,
-        w41,
-        w45,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        w28,
-        w34,
-        w38,
-        w3 * w37 + w7 * (w7 * c8) + w31 * (w31 * c9),
-        w46,
-        w47,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w17,
-        w29,
-        w35,
-        w41,
-        w46,
-        w14 * (w14 * c6) + w3 * w39 + w18 * w40,
-        w48,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w21,
-        w32,
-        w36,
-        w45,
-        w47,
-        w48,
-        w0 * w42 + w1 * w43 + w3 * w44,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c11,
-        0.0,
-        0.0,
-        w62,
-        w64,
-        w67,
-        w71,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c11,
-        0.0,
-        w76,
-        w78,
-        w79,
-        w81,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c11,
-        w82,
-        w83,
-        w84,
-        w85,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w62,
-        w76,
-        w82,
-        w68 * (w68 * c25) + w49 * (w49 * c27) + w56 * (w56 * c28),
-        w87,
-        w90,
-        w94,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w64,
-        w78,
-        w83,
-        w87,
-        w50 * w86 + w56 * (w56 * c27) + w52 * (w52 * c28),
-        w95,
-        w96,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w67,
-        w79,
-        w84,
-        w90,
-        w95,
-        w63 * (w63 * c25) + w50 * w88 + w68 * w89,
-        w97,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w71,
-        w81,
-        w85,
-        w94,
-        w96,
-        w97,
-        w49 * w91 + w66 * w92 + w50 * w93,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c12,
-        0.0,
-        0.0,
-        w111,
-        w113,
-        w116,
-        w120,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c12,
-        0.0,
-        w125,
-        w127,
-        w128,
-        w130,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c12,
-        w131,
-        w132,
-        w133,
-        w134,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w111,
-        w125,
-        w131,
-        w117 * (w117 * c31) + w98 * (w98 * c33) + w103 * (w103 * c34),
-        w136,
-        w139,
-        w143,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w113,
-        w127,
-        w132,
-        w136,
-        w106 * w135 + w103 * (w103 * c33) + w104 * (w104 * c34),
-        w144,
-        w145,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w116,
-        w128,
-        w133,
-        w139,
-        w144,
-        w112 * (w112 * c31) + w106 * w137 + w117 * w138,
-        w146,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w120,
-        w130,
-        w134,
-        w143,
-        w145,
-        w146,
-        w98 * w140 + w115 * w141 + w106 * w142,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c74,
-        0.0,
-        0.0,
-        w160,
-        w162,
-        w164,
-        w168,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c74,
-        0.0,
-        w173,
-        w175,
-        w176,
-        w179,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c74,
-        w180,
-        w181,
-        w182,
-        w183,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w160,
-        w173,
-        w180,
-        w165 * (w165 * c73) + w147 * (w147 * c76) + w154 * (w154 * c77),
-        w185,
-        w188,
-        w192,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w162,
-        w175,
-        w181,
-        w185,
-        w150 * w184 + w154 * (w154 * c76) + w178 * (w178 * c77),
-        w193,
-        w194,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w164,
-        w176,
-        w182,
-        w188,
-        w193,
-        w161 * (w161 * c73) + w150 * w186 + w165 * w187,
-        w195,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w168,
-        w179,
-        w183,
-        w192,
-        w194,
-        w195,
-        w147 * w189 + w148 * w190 + w150 * w191,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c64,
-        0.0,
-        0.0,
-        w209,
-        w211,
-        w214,
-        w218,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c64,
-        0.0,
-        w223,
-        w225,
-        w226,
-        w228,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c64,
-        w229,
-        w230,
-        w231,
-        w232,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w209,
-        w223,
-        w229,
-        w215 * (w215 * c67) + w196 * (w196 * c69) + w203 * (w203 * c70),
-        w234,
-        w237,
-        w241,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w211,
-        w225,
-        w230,
-        w234,
-        w197 * w233 + w203 * (w203 * c69) + w199 * (w199 * c70),
-        w242,
-        w243,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w214,
-        w226,
-        w231,
-        w237,
-        w242,
-        w210 * (w210 * c67) + w197 * w235 + w215 * w236,
-        w244,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w218,
-        w228,
-        w232,
-        w241,
-        w243,
-        w244,
-        w196 * w238 + w213 * w239 + w197 * w240,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    M = ca.reshape(M, 40, 40)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 40, 40)
-    K = ca.densify(K)
+    w525 = ca.cos(w522)
+    w526 = w525 / 2.0
+    w527 = w524 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w524 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w528 = w526 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w526 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
+    w529 = hinge0_angle_dot / 2.0
+    w530 = w529**2
+    w531 = w509 * w530
+    w532 = w531 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w531 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
+    w533 = w506 * w530
+    w534 = w533 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w533 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w535 = (hinge1_angle_dot / 2.0)**2
+    w536 = w419 * w535
+    w537 = w417 * w535
+    w538 = w512 * hinge1_angle_dot
+    w539 = w513 * hinge1_angle_dot
+    w540 = bar1_e0_dot * w538 + bar1_e3_dot * w539
+    w541 = bar1_e2_dot * w539 - bar1_e1_dot * w538
+    w542 = bar1_e2_dot * w538 + bar1_e1_dot * w539
+    w543 = bar1_e0_dot * w539 - bar1_e3_dot * w538
+    w544 = w250 + (w249 + w14 * bar1_e1_dot) + w18 * bar1_e3_dot
+    w545 = w254 + w7 * bar1_e2_dot + w31 * bar1_e3_dot
+    w546 = w422 * w545 - w424 * w544
+    w547 = w246 + (w245 + w0 * bar1_e1_dot + w1 * bar1_e2_dot)
+    w548 = w424 * w547 - w421 * w545
+    w549 = w421 * w544 - w422 * w547
+    w550 = hinge2_angle_dot / 2.0
+    w551 = w550**2
+    w552 = w431 * w551
+    w553 = w550 * (w431 * w550) * c20
+    w554 = w552 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w552 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w555 = w433 * w551
+    w556 = w550 * (w433 * w550) * c22
+    w557 = w555 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w555 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w558 = w514 * hinge2_angle_dot
+    w559 = w558 * c20
+    w560 = w516 * hinge2_angle_dot
+    w561 = w560 * c22
+    w562 = w558 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w558 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w563 = w560 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w560 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w564 = bar2_e0_dot * w559 + (bar2_e1_dot * w561 + bar2_e2_dot * w562 + bar2_e3_dot * w563)
+    w565 = bar2_e0_dot * w561 - bar2_e1_dot * w559 + (bar2_e2_dot * w563 - bar2_e3_dot * w562)
+    w566 = bar2_e0_dot * w562 - bar2_e2_dot * w559 + (bar2_e3_dot * w561 - bar2_e1_dot * w563)
+    w567 = bar2_e0_dot * w563 - bar2_e3_dot * w559 + (bar2_e1_dot * w562 - bar2_e2_dot * w561)
+    w568 = w284 + (w283 + w63 * bar2_e1_dot) + w68 * bar2_e3_dot
+    w569 = w274 + w56 * bar2_e2_dot + w52 * bar2_e3_dot
+    w570 = w441 * w569 - w443 * w568
+    w571 = w278 + (w277 + w49 * bar2_e1_dot + w66 * bar2_e2_dot)
+    w572 = w443 * w571 - w440 * w569
+    w573 = w440 * w568 - w441 * w571
+    w574 = w304 + (w303 + w112 * bar3_e1_dot) + w117 * bar3_e3_dot
+    w575 = w307 + w103 * bar3_e2_dot + w104 * bar3_e3_dot
+    w576 = w450 * w575 - w452 * w574
+    w577 = w314 + (w313 + w98 * bar3_e1_dot + w115 * bar3_e2_dot)
+    w578 = w452 * w577 - w449 * w575
+    w579 = w449 * w574 - w450 * w577
+    w580 = w340 + (w339 + w161 * bar4_e1_dot) + w165 * bar4_e3_dot
+    w581 = w345 + w154 * bar4_e2_dot + w178 * bar4_e3_dot
+    w582 = w351 * w581 - w344 * w580
+    w583 = w336 + (w335 + w147 * bar4_e1_dot + w148 * bar4_e2_dot)
+    w584 = w344 * w583 - w355 * w581
+    w585 = w580 * w582 - w583 * w584
+    w586 = w355 * w580 - w351 * w583
+    w587 = w583 * w586 - w581 * w582
+    w588 = w581 * w584 - w580 * w586
+    w589 = w321 * w575 - w312 * w574
+    w590 = w312 * w577 - w323 * w575
+    w591 = w323 * w574 - w321 * w577
+    w592 = w312 * w585 + w321 * w587 + w323 * w588 + w344 * (w574 * w589 - w577 * w590) + w351 * (w577 * w591 - w575 * w589)
+    w593 = w592 + w355 * (w575 * w590 - w574 * w591) + w586 * (2 * w591) + w584 * (2 * w590) + w582 * (2 * w589)
+    w594 = w123 * w574 - w108 * w575
+    w595 = w101 * w575 - w123 * w577
+    w596 = w108 * w577 - w101 * w574
+    w597 = w344 * (w574 * w594 - w577 * w595) - (w123 * w585 + w108 * w587 + w101 * w588) + w351 * (w577 * w596 - w575 * w594)
+    w598 = w597 + w355 * (w575 * w595 - w574 * w596) + w586 * (2 * w596) + w584 * (2 * w595) + w582 * (2 * w594)
+    w599 = w520 * hinge4_angle_dot
+    w600 = w521 * hinge4_angle_dot
+    w601 = bar5_e3_dot * w599 - bar5_e0_dot * w600
+    w602 = (hinge4_angle_dot / 2.0)**2
+    w603 = w492 * w602
+    w604 = w494 * w602
+    w605 = bar5_e1_dot * w600 + bar5_e2_dot * w599
+    w606 = bar5_e1_dot * w599 - bar5_e2_dot * w600
+    w607 = bar5_e0_dot * w599 + bar5_e3_dot * w600
+    w608 = w483 * w581 - w485 * w580
+    w609 = w485 * w583 - w482 * w581
+    w610 = w482 * w580 - w483 * w583
+    w611 = hinge5_angle_dot / 2.0
+    w612 = w611**2
+    w613 = w525 * w612
+    w614 = w523 * w612
+    w615 = w613 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w613 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w616 = w614 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w614 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w617 = w377 + (w376 + w210 * bar5_e1_dot) + w215 * bar5_e3_dot
+    w618 = w367 + w203 * bar5_e2_dot + w199 * bar5_e3_dot
+    w619 = w496 * w618 - w498 * w617
+    w620 = w371 + (w370 + w196 * bar5_e1_dot + w213 * bar5_e2_dot)
+    w621 = w498 * w620 - w495 * w618
+    w622 = w495 * w617 - w496 * w620
+    # outputs
+    M = ca.SX(40, 40)
+    # bar1.x
+    M[0, 0] = bar1_mass
+    M[0, 3] = w13
+    M[0, 4] = w15
+    M[0, 5] = w17
+    M[0, 6] = w21
+    # bar1.y
+    M[1, 1] = bar1_mass
+    M[1, 3] = w26
+    M[1, 4] = w28
+    M[1, 5] = w29
+    M[1, 6] = w32
+    # bar1.z
+    M[2, 2] = bar1_mass
+    M[2, 3] = w33
+    M[2, 4] = w34
+    M[2, 5] = w35
+    M[2, 6] = w36
+    # bar1.e0
+    M[3, 0] = w13
+    M[3, 1] = w26
+    M[3, 2] = w33
+    M[3, 3] = w18 * (w18 * c6) + w0 * (w0 * c8) + w7 * (w7 * c9)
+    M[3, 4] = w38
+    M[3, 5] = w41
+    M[3, 6] = w45
+    # bar1.e1
+    M[4, 0] = w15
+    M[4, 1] = w28
+    M[4, 2] = w34
+    M[4, 3] = w38
+    M[4, 4] = w3 * w37 + w7 * (w7 * c8) + w31 * (w31 * c9)
+    M[4, 5] = w46
+    M[4, 6] = w47
+    # bar1.e2
+    M[5, 0] = w17
+    M[5, 1] = w29
+    M[5, 2] = w35
+    M[5, 3] = w41
+    M[5, 4] = w46
+    M[5, 5] = w14 * (w14 * c6) + w3 * w39 + w18 * w40
+    M[5, 6] = w48
+    # bar1.e3
+    M[6, 0] = w21
+    M[6, 1] = w32
+    M[6, 2] = w36
+    M[6, 3] = w45
+    M[6, 4] = w47
+    M[6, 5] = w48
+    M[6, 6] = w0 * w42 + w1 * w43 + w3 * w44
+    # bar2.x
+    M[7, 7] = bar2_mass
+    M[7, 10] = w62
+    M[7, 11] = w64
+    M[7, 12] = w67
+    M[7, 13] = w71
+    # bar2.y
+    M[8, 8] = bar2_mass
+    M[8, 10] = w76
+    M[8, 11] = w78
+    M[8, 12] = w79
+    M[8, 13] = w81
+    # bar2.z
+    M[9, 9] = bar2_mass
+    M[9, 10] = w82
+    M[9, 11] = w83
+    M[9, 12] = w84
+    M[9, 13] = w85
+    # bar2.e0
+    M[10, 7] = w62
+    M[10, 8] = w76
+    M[10, 9] = w82
+    M[10, 10] = w68 * (w68 * c25) + w49 * (w49 * c27) + w56 * (w56 * c28)
+    M[10, 11] = w87
+    M[10, 12] = w90
+    M[10, 13] = w94
+    # bar2.e1
+    M[11, 7] = w64
+    M[11, 8] = w78
+    M[11, 9] = w83
+    M[11, 10] = w87
+    M[11, 11] = w50 * w86 + w56 * (w56 * c27) + w52 * (w52 * c28)
+    M[11, 12] = w95
+    M[11, 13] = w96
+    # bar2.e2
+    M[12, 7] = w67
+    M[12, 8] = w79
+    M[12, 9] = w84
+    M[12, 10] = w90
+    M[12, 11] = w95
+    M[12, 12] = w63 * (w63 * c25) + w50 * w88 + w68 * w89
+    M[12, 13] = w97
+    # bar2.e3
+    M[13, 7] = w71
+    M[13, 8] = w81
+    M[13, 9] = w85
+    M[13, 10] = w94
+    M[13, 11] = w96
+    M[13, 12] = w97
+    M[13, 13] = w49 * w91 + w66 * w92 + w50 * w93
+    # bar3.x
+    M[14, 14] = bar3_mass
+    M[14, 17] = w111
+    M[14, 18] = w113
+    M[14, 19] = w116
+    M[14, 20] = w120
+    # bar3.y
+    M[15, 15] = bar3_mass
+    M[15, 17] = w125
+    M[15, 18] = w127
+    M[15, 19] = w128
+    M[15, 20] = w130
+    # bar3.z
+    M[16, 16] = bar3_mass
+    M[16, 17] = w131
+    M[16, 18] = w132
+    M[16, 19] = w133
+    M[16, 20] = w134
+    # bar3.e0
+    M[17, 14] = w111
+    M[17, 15] = w125
+    M[17, 16] = w131
+    M[17, 17] = w117 * (w117 * c31) + w98 * (w98 * c33) + w103 * (w103 * c34)
+    M[17, 18] = w136
+    M[17, 19] = w139
+    M[17, 20] = w143
+    # bar3.e1
+    M[18, 14] = w113
+    M[18, 15] = w127
+    M[18, 16] = w132
+    M[18, 17] = w136
+    M[18, 18] = w106 * w135 + w103 * (w103 * c33) + w104 * (w104 * c34)
+    M[18, 19] = w144
+    M[18, 20] = w145
+    # bar3.e2
+    M[19, 14] = w116
+    M[19, 15] = w128
+    M[19, 16] = w133
+    M[19, 17] = w139
+    M[19, 18] = w144
+    M[19, 19] = w112 * (w112 * c31) + w106 * w137 + w117 * w138
+    M[19, 20] = w146
+    # bar3.e3
+    M[20, 14] = w120
+    M[20, 15] = w130
+    M[20, 16] = w134
+    M[20, 17] = w143
+    M[20, 18] = w145
+    M[20, 19] = w146
+    M[20, 20] = w98 * w140 + w115 * w141 + w106 * w142
+    # bar4.x
+    M[21, 21] = bar4_mass
+    M[21, 24] = w160
+    M[21, 25] = w162
+    M[21, 26] = w164
+    M[21, 27] = w168
+    # bar4.y
+    M[22, 22] = bar4_mass
+    M[22, 24] = w173
+    M[22, 25] = w175
+    M[22, 26] = w176
+    M[22, 27] = w179
+    # bar4.z
+    M[23, 23] = bar4_mass
+    M[23, 24] = w180
+    M[23, 25] = w181
+    M[23, 26] = w182
+    M[23, 27] = w183
+    # bar4.e0
+    M[24, 21] = w160
+    M[24, 22] = w173
+    M[24, 23] = w180
+    M[24, 24] = w165 * (w165 * c73) + w147 * (w147 * c76) + w154 * (w154 * c77)
+    M[24, 25] = w185
+    M[24, 26] = w188
+    M[24, 27] = w192
+    # bar4.e1
+    M[25, 21] = w162
+    M[25, 22] = w175
+    M[25, 23] = w181
+    M[25, 24] = w185
+    M[25, 25] = w150 * w184 + w154 * (w154 * c76) + w178 * (w178 * c77)
+    M[25, 26] = w193
+    M[25, 27] = w194
+    # bar4.e2
+    M[26, 21] = w164
+    M[26, 22] = w176
+    M[26, 23] = w182
+    M[26, 24] = w188
+    M[26, 25] = w193
+    M[26, 26] = w161 * (w161 * c73) + w150 * w186 + w165 * w187
+    M[26, 27] = w195
+    # bar4.e3
+    M[27, 21] = w168
+    M[27, 22] = w179
+    M[27, 23] = w183
+    M[27, 24] = w192
+    M[27, 25] = w194
+    M[27, 26] = w195
+    M[27, 27] = w147 * w189 + w148 * w190 + w150 * w191
+    # bar5.x
+    M[28, 28] = bar5_mass
+    M[28, 31] = w209
+    M[28, 32] = w211
+    M[28, 33] = w214
+    M[28, 34] = w218
+    # bar5.y
+    M[29, 29] = bar5_mass
+    M[29, 31] = w223
+    M[29, 32] = w225
+    M[29, 33] = w226
+    M[29, 34] = w228
+    # bar5.z
+    M[30, 30] = bar5_mass
+    M[30, 31] = w229
+    M[30, 32] = w230
+    M[30, 33] = w231
+    M[30, 34] = w232
+    # bar5.e0
+    M[31, 28] = w209
+    M[31, 29] = w223
+    M[31, 30] = w229
+    M[31, 31] = w215 * (w215 * c67) + w196 * (w196 * c69) + w203 * (w203 * c70)
+    M[31, 32] = w234
+    M[31, 33] = w237
+    M[31, 34] = w241
+    # bar5.e1
+    M[32, 28] = w211
+    M[32, 29] = w225
+    M[32, 30] = w230
+    M[32, 31] = w234
+    M[32, 32] = w197 * w233 + w203 * (w203 * c69) + w199 * (w199 * c70)
+    M[32, 33] = w242
+    M[32, 34] = w243
+    # bar5.e2
+    M[33, 28] = w214
+    M[33, 29] = w226
+    M[33, 30] = w231
+    M[33, 31] = w237
+    M[33, 32] = w242
+    M[33, 33] = w210 * (w210 * c67) + w197 * w235 + w215 * w236
+    M[33, 34] = w244
+    # bar5.e3
+    M[34, 28] = w218
+    M[34, 29] = w228
+    M[34, 30] = w232
+    M[34, 31] = w241
+    M[34, 32] = w243
+    M[34, 33] = w244
+    M[34, 34] = w196 * w238 + w213 * w239 + w197 * w240
+    K = ca.SX(40, 40)
     Q_v = ca.vertcat(
-        w258,
-        w262,
-        w263,
-        w270,
-        w271,
-        w272,
-        w273,
-        w290,
-        w291,
-        w292,
-        w299,
-        w300,
-        w301,
-        w302,
-        w320,
-        w322,
-        w324,
-        w331,
-        w332,
-        w333,
-        w334,
-        w349,
-        w354,
-        w356,
-        w363,
-        w364,
-        w365,
-        w366,
-        w383,
-        w384,
-        w385,
-        w392,
-        w393,
-        w394,
-        w395,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        w258,  # bar1.x
+        w262,  # bar1.y
+        w263,  # bar1.z
+        w270,  # bar1.e0
+        w271,  # bar1.e1
+        w272,  # bar1.e2
+        w273,  # bar1.e3
+        w290,  # bar2.x
+        w291,  # bar2.y
+        w292,  # bar2.z
+        w299,  # bar2.e0
+        w300,  # bar2.e1
+        w301,  # bar2.e2
+        w302,  # bar2.e3
+        w320,  # bar3.x
+        w322,  # bar3.y
+        w324,  # bar3.z
+        w331,  # bar3.e0
+        w332,  # bar3.e1
+        w333,  # bar3.e2
+        w334,  # bar3.e3
+        w349,  # bar4.x
+        w354,  # bar4.y
+        w356,  # bar4.z
+        w363,  # bar4.e0
+        w364,  # bar4.e1
+        w365,  # bar4.e2
+        w366,  # bar4.e3
+        w383,  # bar5.x
+        w384,  # bar5.y
+        w385,  # bar5.z
+        w392,  # bar5.e0
+        w393,  # bar5.e1
+        w394,  # bar5.e2
+        w395,  # bar5.e3
+        0.0,  # hinge0.angle
+        0.0,  # hinge1.angle
+        0.0,  # hinge2.angle
+        0.0,  # hinge4.angle
+        0.0,  # hinge5.angle
     )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        c105,
-        0.0,
-        w396,
-        w397,
-        w398,
-        w399,
-        0.0,
-        c95,
-        0.0,
-        w400,
-        w401,
-        w402,
-        w403,
-        0.0,
-        c96,
-        0.0,
-        w404,
-        w405,
-        w406,
-        w407,
-        0.0,
-        c97,
-        0.0,
-        w408,
-        w409,
-        w410,
-        w411,
-        0.0,
-        c98,
-        0.0,
-        w412,
-        w413,
-        w414,
-        w415,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    Q_F = ca.SX(40, 1)
+    Q_F[1] = c105  # bar1.y
+    Q_F[3] = w396  # bar1.e0
+    Q_F[4] = w397  # bar1.e1
+    Q_F[5] = w398  # bar1.e2
+    Q_F[6] = w399  # bar1.e3
+    Q_F[8] = c95  # bar2.y
+    Q_F[10] = w400  # bar2.e0
+    Q_F[11] = w401  # bar2.e1
+    Q_F[12] = w402  # bar2.e2
+    Q_F[13] = w403  # bar2.e3
+    Q_F[15] = c96  # bar3.y
+    Q_F[17] = w404  # bar3.e0
+    Q_F[18] = w405  # bar3.e1
+    Q_F[19] = w406  # bar3.e2
+    Q_F[20] = w407  # bar3.e3
+    Q_F[22] = c97  # bar4.y
+    Q_F[24] = w408  # bar4.e0
+    Q_F[25] = w409  # bar4.e1
+    Q_F[26] = w410  # bar4.e2
+    Q_F[27] = w411  # bar4.e3
+    Q_F[29] = c98  # bar5.y
+    Q_F[31] = w412  # bar5.e0
+    Q_F[32] = w413  # bar5.e1
+    Q_F[33] = w414  # bar5.e2
+    Q_F[34] = w415  # bar5.e3
     Q_star = ca.vertcat(
-        w258,
-        w262 + c105,
-        w263,
-        w270 + w396,
-        w271 + w397,
-        w272 + w398,
-        w273 + w399,
-        w290,
-        c95 + w291,
-        w292,
-        w299 + w400,
-        w300 + w401,
-        w301 + w402,
-        w302 + w403,
-        w320,
-        c96 + w322,
-        w324,
-        w331 + w404,
-        w332 + w405,
-        w333 + w406,
-        w334 + w407,
-        w349,
-        c97 + w354,
-        w356,
-        w363 + w408,
-        w364 + w409,
-        w365 + w410,
-        w366 + w411,
-        w383,
-        c98 + w384,
-        w385,
-        w392 + w412,
-        w393 + w413,
-        w394 + w414,
-        w395 + w415,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        w258,  # bar1.x
+        w262 + c105,  # bar1.y
+        w263,  # bar1.z
+        w270 + w396,  # bar1.e0
+        w271 + w397,  # bar1.e1
+        w272 + w398,  # bar1.e2
+        w273 + w399,  # bar1.e3
+        w290,  # bar2.x
+        c95 + w291,  # bar2.y
+        w292,  # bar2.z
+        w299 + w400,  # bar2.e0
+        w300 + w401,  # bar2.e1
+        w301 + w402,  # bar2.e2
+        w302 + w403,  # bar2.e3
+        w320,  # bar3.x
+        c96 + w322,  # bar3.y
+        w324,  # bar3.z
+        w331 + w404,  # bar3.e0
+        w332 + w405,  # bar3.e1
+        w333 + w406,  # bar3.e2
+        w334 + w407,  # bar3.e3
+        w349,  # bar4.x
+        c97 + w354,  # bar4.y
+        w356,  # bar4.z
+        w363 + w408,  # bar4.e0
+        w364 + w409,  # bar4.e1
+        w365 + w410,  # bar4.e2
+        w366 + w411,  # bar4.e3
+        w383,  # bar5.x
+        c98 + w384,  # bar5.y
+        w385,  # bar5.z
+        w392 + w412,  # bar5.e0
+        w393 + w413,  # bar5.e1
+        w394 + w414,  # bar5.e2
+        w395 + w415,  # bar5.e3
+        0.0,  # hinge0.angle
+        0.0,  # hinge1.angle
+        0.0,  # hinge2.angle
+        0.0,  # hinge4.angle
+        0.0,  # hinge5.angle
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w418,
-        0.0,
-        0.0,
-        w420,
-        -(w0 * w421 - w423),
-        -(w7 * w424 - w425),
-        -(w18 * w422 - w426),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w418,
-        w419,
-        0.0,
-        -(w14 * w421 - w0 * w422),
-        -(w426 - w427),
-        -(w428 - w14 * w424),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w420,
-        w418,
-        0.0,
-        -(w427 - w1 * w422),
-        -(w1 * w424 - w7 * w421),
-        -(w423 - w429),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        w419,
-        0.0,
-        0.0,
-        w418,
-        -(w425 - w428),
-        -(w429 - w31 * w421),
-        -(w31 * w422 - w18 * w424),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w432,
-        w435,
-        w437,
-        w439,
-        -(w49 * w440 - w442),
-        -(w56 * w443 - w444),
-        -(w68 * w441 - w445),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w434,
-        w432,
-        w438,
-        w437,
-        -(w63 * w440 - w49 * w441),
-        -(w445 - w446),
-        -(w447 - w63 * w443),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w436,
-        w439,
-        w432,
-        w434,
-        -(w446 - w66 * w441),
-        -(w66 * w443 - w56 * w440),
-        -(w442 - w448),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        w438,
-        w436,
-        w435,
-        w432,
-        -(w444 - w447),
-        -(w448 - w52 * w440),
-        -(w52 * w441 - w68 * w443),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w98 * w449 - w451),
-        -(w103 * w452 - w453),
-        -(w117 * w450 - w454),
-        w117 * w457 + w98 * w460 + w103 * w463,
-        w117 * w466 + w98 * w469 + w103 * w472,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w112 * w449 - w98 * w450),
-        -(w454 - w473),
-        -(w474 - w112 * w452),
-        w106 * w457 + w112 * w460 + w98 * w463,
-        w106 * w466 + w112 * w469 + w98 * w472,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w473 - w115 * w450),
-        -(w115 * w452 - w103 * w449),
-        -(w451 - w475),
-        w103 * w457 + w106 * w460 + w115 * w463,
-        w103 * w466 + w106 * w469 + w115 * w472,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w453 - w474),
-        -(w475 - w104 * w449),
-        -(w104 * w450 - w117 * w452),
-        w104 * w457 + w117 * w460 + w106 * w463,
-        w104 * w466 + w117 * w469 + w106 * w472,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w165 * w476 + w147 * w477 + w154 * w478,
-        w165 * w479 + w147 * w480 + w154 * w481,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w147 * w482 - w484),
-        -(w154 * w485 - w486),
-        -(w165 * w483 - w487),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w150 * w476 + w161 * w477 + w147 * w478,
-        w150 * w479 + w161 * w480 + w147 * w481,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -(w161 * w482 - w147 * w483),
-        -(w487 - w488),
-        -(w489 - w161 * w485),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w154 * w476 + w150 * w477 + w148 * w478,
-        w154 * w479 + w150 * w480 + w148 * w481,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -(w488 - w148 * w483),
-        -(w148 * w485 - w154 * w482),
-        -(w484 - w490),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w178 * w476 + w165 * w477 + w150 * w478,
-        w178 * w479 + w165 * w480 + w150 * w481,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        -(w486 - w489),
-        -(w490 - w178 * w482),
-        -(w178 * w483 - w165 * w485),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w493,
-        0.0,
-        0.0,
-        w494,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w196 * w495 - w497),
-        -(w203 * w498 - w499),
-        -(w215 * w496 - w500),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w493,
-        w501,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        -(w210 * w495 - w196 * w496),
-        -(w500 - w502),
-        -(w503 - w210 * w498),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w494,
-        w493,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -(w502 - w213 * w496),
-        -(w213 * w498 - w203 * w495),
-        -(w497 - w504),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w501,
-        0.0,
-        0.0,
-        w493,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        -(w499 - w503),
-        -(w504 - w199 * w495),
-        -(w199 * w496 - w215 * w498),
-        w507 * c51,
-        -(w507 * c1 * c3 - w507 * c2 * c0),
-        w509 * c42,
-        -(w509 * c1 * c0 - w509 * c2 * c3),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar1_e0 * w510 + bar1_e3 * w511,
-        -(bar1_e2 * w511 - bar1_e1 * w510),
-        bar1_e2 * w510 + bar1_e1 * w511,
-        -(bar1_e0 * w511 - bar1_e3 * w510),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar2_e0 * w513 + (bar2_e1 * w515 + bar2_e2 * w516 + bar2_e3 * w517),
-        -(bar2_e0 * w515 - bar2_e1 * w513 + (bar2_e2 * w517 - bar2_e3 * w516)),
-        -(bar2_e0 * w516 - bar2_e2 * w513 + (bar2_e3 * w515 - bar2_e1 * w517)),
-        -(bar2_e0 * w517 - bar2_e3 * w513 + (bar2_e1 * w516 - bar2_e2 * w515)),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(bar5_e3 * w518 - bar5_e0 * w519),
-        bar5_e1 * w519 + bar5_e2 * w518,
-        -(bar5_e1 * w518 - bar5_e2 * w519),
-        bar5_e0 * w518 + bar5_e3 * w519,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w522 * c62,
-        w524 * c61,
-        -(w522 * c57 * c58 - w522 * c59 * c60),
-        -(w524 * c59 * c58 - w524 * c57 * c60),
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 40, 40)
-    C_q = ca.densify(C_q)
+    C_q = ca.SX(40, 40)
+    # hinge0.e0
+    C_q[0, 3] = 1.0
+    C_q[0, 35] = w507 * c51
+    # hinge0.e1
+    C_q[1, 4] = 1.0
+    C_q[1, 35] = -w508
+    # hinge0.e2
+    C_q[2, 5] = 1.0
+    C_q[2, 35] = w510 * c42
+    # hinge0.e3
+    C_q[3, 6] = 1.0
+    C_q[3, 35] = -w511
+    # hinge0.x
+    C_q[4, 0] = 1.0
+    # hinge0.y
+    C_q[5, 1] = 1.0
+    # hinge0.z
+    C_q[6, 2] = 1.0
+    # hinge1.e0
+    C_q[7, 3] = w418
+    C_q[7, 6] = w419
+    C_q[7, 10] = 1.0
+    C_q[7, 36] = bar1_e0 * w512 + bar1_e3 * w513
+    # hinge1.e1
+    C_q[8, 4] = w418
+    C_q[8, 5] = w420
+    C_q[8, 11] = 1.0
+    C_q[8, 36] = -(bar1_e2 * w513 - bar1_e1 * w512)
+    # hinge1.e2
+    C_q[9, 4] = w419
+    C_q[9, 5] = w418
+    C_q[9, 12] = 1.0
+    C_q[9, 36] = bar1_e2 * w512 + bar1_e1 * w513
+    # hinge1.e3
+    C_q[10, 3] = w420
+    C_q[10, 6] = w418
+    C_q[10, 13] = 1.0
+    C_q[10, 36] = -(bar1_e0 * w513 - bar1_e3 * w512)
+    # hinge1.x
+    C_q[11, 0] = -1.0
+    C_q[11, 3] = -(w0 * w421 - w423)
+    C_q[11, 4] = -(w14 * w421 - w0 * w422)
+    C_q[11, 5] = -(w427 - w1 * w422)
+    C_q[11, 6] = -(w425 - w428)
+    C_q[11, 7] = 1.0
+    # hinge1.y
+    C_q[12, 1] = -1.0
+    C_q[12, 3] = -(w7 * w424 - w425)
+    C_q[12, 4] = -(w426 - w427)
+    C_q[12, 5] = -(w1 * w424 - w7 * w421)
+    C_q[12, 6] = -(w429 - w31 * w421)
+    C_q[12, 8] = 1.0
+    # hinge1.z
+    C_q[13, 2] = -1.0
+    C_q[13, 3] = -(w18 * w422 - w426)
+    C_q[13, 4] = -(w428 - w14 * w424)
+    C_q[13, 5] = -(w423 - w429)
+    C_q[13, 6] = -(w31 * w422 - w18 * w424)
+    C_q[13, 9] = 1.0
+    # hinge2.e0
+    C_q[14, 10] = w432
+    C_q[14, 11] = w434
+    C_q[14, 12] = w436
+    C_q[14, 13] = w438
+    C_q[14, 17] = 1.0
+    C_q[14, 37] = bar2_e0 * w515 + (bar2_e1 * w517 + bar2_e2 * w518 + bar2_e3 * w519)
+    # hinge2.e1
+    C_q[15, 10] = w435
+    C_q[15, 11] = w432
+    C_q[15, 12] = w439
+    C_q[15, 13] = w436
+    C_q[15, 18] = 1.0
+    C_q[15, 37] = -(bar2_e0 * w517 - bar2_e1 * w515 + (bar2_e2 * w519 - bar2_e3 * w518))
+    # hinge2.e2
+    C_q[16, 10] = w437
+    C_q[16, 11] = w438
+    C_q[16, 12] = w432
+    C_q[16, 13] = w435
+    C_q[16, 19] = 1.0
+    C_q[16, 37] = -(bar2_e0 * w518 - bar2_e2 * w515 + (bar2_e3 * w517 - bar2_e1 * w519))
+    # hinge2.e3
+    C_q[17, 10] = w439
+    C_q[17, 11] = w437
+    C_q[17, 12] = w434
+    C_q[17, 13] = w432
+    C_q[17, 20] = 1.0
+    C_q[17, 37] = -(bar2_e0 * w519 - bar2_e3 * w515 + (bar2_e1 * w518 - bar2_e2 * w517))
+    # hinge2.x
+    C_q[18, 7] = -1.0
+    C_q[18, 10] = -(w49 * w440 - w442)
+    C_q[18, 11] = -(w63 * w440 - w49 * w441)
+    C_q[18, 12] = -(w446 - w66 * w441)
+    C_q[18, 13] = -(w444 - w447)
+    C_q[18, 14] = 1.0
+    # hinge2.y
+    C_q[19, 8] = -1.0
+    C_q[19, 10] = -(w56 * w443 - w444)
+    C_q[19, 11] = -(w445 - w446)
+    C_q[19, 12] = -(w66 * w443 - w56 * w440)
+    C_q[19, 13] = -(w448 - w52 * w440)
+    C_q[19, 15] = 1.0
+    # hinge2.z
+    C_q[20, 9] = -1.0
+    C_q[20, 10] = -(w68 * w441 - w445)
+    C_q[20, 11] = -(w447 - w63 * w443)
+    C_q[20, 12] = -(w442 - w448)
+    C_q[20, 13] = -(w52 * w441 - w68 * w443)
+    C_q[20, 16] = 1.0
+    # hinge3.x
+    C_q[21, 14] = -1.0
+    C_q[21, 17] = -(w98 * w449 - w451)
+    C_q[21, 18] = -(w112 * w449 - w98 * w450)
+    C_q[21, 19] = -(w473 - w115 * w450)
+    C_q[21, 20] = -(w453 - w474)
+    C_q[21, 21] = 1.0
+    # hinge3.y
+    C_q[22, 15] = -1.0
+    C_q[22, 17] = -(w103 * w452 - w453)
+    C_q[22, 18] = -(w454 - w473)
+    C_q[22, 19] = -(w115 * w452 - w103 * w449)
+    C_q[22, 20] = -(w475 - w104 * w449)
+    C_q[22, 22] = 1.0
+    # hinge3.z
+    C_q[23, 16] = -1.0
+    C_q[23, 17] = -(w117 * w450 - w454)
+    C_q[23, 18] = -(w474 - w112 * w452)
+    C_q[23, 19] = -(w451 - w475)
+    C_q[23, 20] = -(w104 * w450 - w117 * w452)
+    C_q[23, 23] = 1.0
+    # hinge3.parallel_x
+    C_q[24, 17] = w117 * w457 + w98 * w460 + w103 * w463
+    C_q[24, 18] = w106 * w457 + w112 * w460 + w98 * w463
+    C_q[24, 19] = w103 * w457 + w106 * w460 + w115 * w463
+    C_q[24, 20] = w104 * w457 + w117 * w460 + w106 * w463
+    C_q[24, 24] = w165 * w476 + w147 * w477 + w154 * w478
+    C_q[24, 25] = w150 * w476 + w161 * w477 + w147 * w478
+    C_q[24, 26] = w154 * w476 + w150 * w477 + w148 * w478
+    C_q[24, 27] = w178 * w476 + w165 * w477 + w150 * w478
+    # hinge3.parallel_y
+    C_q[25, 17] = w117 * w466 + w98 * w469 + w103 * w472
+    C_q[25, 18] = w106 * w466 + w112 * w469 + w98 * w472
+    C_q[25, 19] = w103 * w466 + w106 * w469 + w115 * w472
+    C_q[25, 20] = w104 * w466 + w117 * w469 + w106 * w472
+    C_q[25, 24] = w165 * w479 + w147 * w480 + w154 * w481
+    C_q[25, 25] = w150 * w479 + w161 * w480 + w147 * w481
+    C_q[25, 26] = w154 * w479 + w150 * w480 + w148 * w481
+    C_q[25, 27] = w178 * w479 + w165 * w480 + w150 * w481
+    # hinge4.e0
+    C_q[26, 24] = 1.0
+    C_q[26, 31] = w493
+    C_q[26, 34] = w501
+    C_q[26, 38] = -(bar5_e3 * w520 - bar5_e0 * w521)
+    # hinge4.e1
+    C_q[27, 25] = 1.0
+    C_q[27, 32] = w493
+    C_q[27, 33] = w494
+    C_q[27, 38] = bar5_e1 * w521 + bar5_e2 * w520
+    # hinge4.e2
+    C_q[28, 26] = 1.0
+    C_q[28, 32] = w501
+    C_q[28, 33] = w493
+    C_q[28, 38] = -(bar5_e1 * w520 - bar5_e2 * w521)
+    # hinge4.e3
+    C_q[29, 27] = 1.0
+    C_q[29, 31] = w494
+    C_q[29, 34] = w493
+    C_q[29, 38] = bar5_e0 * w520 + bar5_e3 * w521
+    # hinge4.x
+    C_q[30, 21] = -1.0
+    C_q[30, 24] = -(w147 * w482 - w484)
+    C_q[30, 25] = -(w161 * w482 - w147 * w483)
+    C_q[30, 26] = -(w488 - w148 * w483)
+    C_q[30, 27] = -(w486 - w489)
+    C_q[30, 28] = 1.0
+    # hinge4.y
+    C_q[31, 22] = -1.0
+    C_q[31, 24] = -(w154 * w485 - w486)
+    C_q[31, 25] = -(w487 - w488)
+    C_q[31, 26] = -(w148 * w485 - w154 * w482)
+    C_q[31, 27] = -(w490 - w178 * w482)
+    C_q[31, 29] = 1.0
+    # hinge4.z
+    C_q[32, 23] = -1.0
+    C_q[32, 24] = -(w165 * w483 - w487)
+    C_q[32, 25] = -(w489 - w161 * w485)
+    C_q[32, 26] = -(w484 - w490)
+    C_q[32, 27] = -(w178 * w483 - w165 * w485)
+    C_q[32, 30] = 1.0
+    # hinge5.e0
+    C_q[33, 31] = 1.0
+    C_q[33, 39] = w524 * c62
+    # hinge5.e1
+    C_q[34, 32] = 1.0
+    C_q[34, 39] = w526 * c61
+    # hinge5.e2
+    C_q[35, 33] = 1.0
+    C_q[35, 39] = -w527
+    # hinge5.e3
+    C_q[36, 34] = 1.0
+    C_q[36, 39] = -w528
+    # hinge5.x
+    C_q[37, 28] = -1.0
+    C_q[37, 31] = -(w196 * w495 - w497)
+    C_q[37, 32] = -(w210 * w495 - w196 * w496)
+    C_q[37, 33] = -(w502 - w213 * w496)
+    C_q[37, 34] = -(w499 - w503)
+    # hinge5.y
+    C_q[38, 29] = -1.0
+    C_q[38, 31] = -(w203 * w498 - w499)
+    C_q[38, 32] = -(w500 - w502)
+    C_q[38, 33] = -(w213 * w498 - w203 * w495)
+    C_q[38, 34] = -(w504 - w199 * w495)
+    # hinge5.z
+    C_q[39, 30] = -1.0
+    C_q[39, 31] = -(w215 * w496 - w500)
+    C_q[39, 32] = -(w503 - w210 * w498)
+    C_q[39, 33] = -(w497 - w504)
+    C_q[39, 34] = -(w199 * w496 - w215 * w498)
     gamma_b = ca.vertcat(
-        w525 * (w508 * w525) * c100,
-        w527 * c1 * c3 - w527 * c2 * c0,
-        w525 * (w506 * w525) * c42,
-        w528 * c2 * c3 - w528 * c1 * c0,
-        0.0,
-        0.0,
-        0.0,
-        bar1_e3 * w530 - bar1_e0 * w531 - w534 - w534,
-        w535 + (w535 - (bar1_e1 * w531 + bar1_e2 * w530)),
-        bar1_e1 * w530 - bar1_e2 * w531 - w536 - w536,
-        w537 + (w537 - (bar1_e0 * w530 + bar1_e3 * w531)),
-        w538 * w540 - w541 * w542,
-        w541 * w543 - w539 * w540,
-        w539 * w542 - w538 * w543,
-        -(w558 + (bar2_e0 * w547 + (bar2_e2 * w548 - bar2_e1 * w550 + bar2_e3 * w551) + w558)),
-        w559 + (bar2_e2 * w551 - bar2_e3 * w548 - (bar2_e0 * w550 + bar2_e1 * w547) + w559),
-        w560 + (bar2_e0 * w548 - bar2_e2 * w547 - (bar2_e3 * w550 + bar2_e1 * w551) + w560),
-        w561 + (bar2_e0 * w551 - bar2_e3 * w547 + (bar2_e1 * w548 + bar2_e2 * w550) + w561),
-        w562 * w564 - w565 * w566,
-        w565 * w567 - w563 * w564,
-        w563 * w566 - w562 * w567,
-        w568 * w570 - w571 * w572,
-        w571 * w573 - w569 * w570,
-        w569 * w572 - w568 * w573,
-        -w587,
-        -w592,
-        w595 + (w595 - (bar5_e0 * w597 + bar5_e3 * w598)),
-        bar5_e2 * w598 - bar5_e1 * w597 - w599 - w599,
-        w600 + (w600 - (bar5_e2 * w597 + bar5_e1 * w598)),
-        bar5_e0 * w598 - bar5_e3 * w597 - w601 - w601,
-        w574 * w602 - w577 * w603,
-        w577 * w604 - w575 * w602,
-        w575 * w603 - w574 * w604,
-        w605 * (w523 * w605) * c101,
-        w605 * (w521 * w605) * c61,
-        w607 * c57 * c58 - w607 * c59 * c60,
-        w608 * c57 * c60 - w608 * c59 * c58,
-        w609 * w611 - w612 * w613,
-        w612 * w614 - w610 * w611,
-        w610 * w613 - w609 * w614,
+        w529 * (w509 * w529) * c100,  # hinge0.e0
+        w532,  # hinge0.e1
+        w529 * (w506 * w529) * c42,  # hinge0.e2
+        w534,  # hinge0.e3
+        0.0,  # hinge0.x
+        0.0,  # hinge0.y
+        0.0,  # hinge0.z
+        bar1_e3 * w536 - bar1_e0 * w537 - w540 - w540,  # hinge1.e0
+        w541 + (w541 - (bar1_e1 * w537 + bar1_e2 * w536)),  # hinge1.e1
+        bar1_e1 * w536 - bar1_e2 * w537 - w542 - w542,  # hinge1.e2
+        w543 + (w543 - (bar1_e0 * w536 + bar1_e3 * w537)),  # hinge1.e3
+        w544 * w546 - w547 * w548,  # hinge1.x
+        w547 * w549 - w545 * w546,  # hinge1.y
+        w545 * w548 - w544 * w549,  # hinge1.z
+        -(w564 + (bar2_e0 * w553 + (bar2_e2 * w554 - bar2_e1 * w556 + bar2_e3 * w557) + w564)),  # hinge2.e0
+        w565 + (bar2_e2 * w557 - bar2_e3 * w554 - (bar2_e0 * w556 + bar2_e1 * w553) + w565),  # hinge2.e1
+        w566 + (bar2_e0 * w554 - bar2_e2 * w553 - (bar2_e3 * w556 + bar2_e1 * w557) + w566),  # hinge2.e2
+        w567 + (bar2_e0 * w557 - bar2_e3 * w553 + (bar2_e1 * w554 + bar2_e2 * w556) + w567),  # hinge2.e3
+        w568 * w570 - w571 * w572,  # hinge2.x
+        w571 * w573 - w569 * w570,  # hinge2.y
+        w569 * w572 - w568 * w573,  # hinge2.z
+        w574 * w576 - w577 * w578,  # hinge3.x
+        w577 * w579 - w575 * w576,  # hinge3.y
+        w575 * w578 - w574 * w579,  # hinge3.z
+        -w593,  # hinge3.parallel_x
+        -w598,  # hinge3.parallel_y
+        w601 + (w601 - (bar5_e0 * w603 + bar5_e3 * w604)),  # hinge4.e0
+        bar5_e2 * w604 - bar5_e1 * w603 - w605 - w605,  # hinge4.e1
+        w606 + (w606 - (bar5_e2 * w603 + bar5_e1 * w604)),  # hinge4.e2
+        bar5_e0 * w604 - bar5_e3 * w603 - w607 - w607,  # hinge4.e3
+        w580 * w608 - w583 * w609,  # hinge4.x
+        w583 * w610 - w581 * w608,  # hinge4.y
+        w581 * w609 - w580 * w610,  # hinge4.z
+        w611 * (w525 * w611) * c101,  # hinge5.e0
+        w611 * (w523 * w611) * c61,  # hinge5.e1
+        w615,  # hinge5.e2
+        w616,  # hinge5.e3
+        w617 * w619 - w620 * w621,  # hinge5.x
+        w620 * w622 - w618 * w619,  # hinge5.y
+        w618 * w621 - w617 * w622,  # hinge5.z
     )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b; lam_R: multipliers of the redundant rows, which the others go with. 3260 operations."""
+    """Multipliers, and what the joints do to their bodies b; lam_R: multipliers of the redundant rows, which the others go with (Eq. 37).
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 40) [mixed]: rates of all coordinates
+    takes q_ddot (n = 40) [mixed]: accelerations of all coordinates
+    takes lam_R (n_R = 1) [N, N m]: multipliers of the redundant rows, which no equation determines
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 40) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 6 x 6) [N, N m]: world force and moment of a joint on its body b, at b
+    3260 operations.
+    """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
     q_ddot = ca.SX.sym("q_ddot", 40)
@@ -11017,15 +5297,15 @@ def reactions() -> ca.Function:
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -11057,16 +5337,16 @@ def reactions() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
@@ -11076,7 +5356,7 @@ def reactions() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c75 = c[75]
     c76 = c[76]
     c77 = c[77]
@@ -11095,15 +5375,16 @@ def reactions() -> ca.Function:
     c91 = c[91]
     c92 = c[92]
     c93 = c[93]
-    c94 = c[94]
+    gravity_y = c[94]
     c95 = c[95]
     c96 = c[96]
     c97 = c[97]
     c98 = c[98]
-    c102 = c[102]
+    bar1_mass = c[102]
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
+    # intermediate terms (764)
     w0 = bar1_e1 * -2.0
     w1 = bar1_e3 * -2.0
     w2 = 2 * bar1_e2
@@ -11148,9 +5429,9 @@ def reactions() -> ca.Function:
     w41 = w7 * c8
     w42 = w3 * c9
     w43 = bar1_e1 * bar1_e2 * c52 + w1 * w42
-    w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * c94 - (w34 + w36 * bar1_e1_ddot + w39 * bar1_e2_ddot + w43 * bar1_e3_ddot)
-    w45 = w28 * c10
-    w46 = w18 * c10
+    w44 = w0 * w10 + w6 * w14 + w1 * w15 + w25 * gravity_y - (w34 + w36 * bar1_e1_ddot + w39 * bar1_e2_ddot + w43 * bar1_e3_ddot)
+    w45 = w28 * bar1_end_x
+    w46 = w18 * bar1_end_x
     w47 = w6 * w46
     w48 = 2 * bar2_e0
     w49 = w48 * bar2_e1
@@ -11190,7 +5471,7 @@ def reactions() -> ca.Function:
     w83 = w48 * w77
     w84 = w82 - w83
     w85 = w50 * w73 - w53 * w77
-    w86 = bar2_z_ddot * c11 + w79 * bar2_e0_ddot + w81 * bar2_e1_ddot + w84 * bar2_e2_ddot + w85 * bar2_e3_ddot
+    w86 = bar2_z_ddot * bar2_mass + w79 * bar2_e0_ddot + w81 * bar2_e1_ddot + w84 * bar2_e2_ddot + w85 * bar2_e3_ddot
     w87 = 1.0 - 2 * bar3_e1**2
     w88 = 2 * bar3_e2**2
     w89 = w87 - w88
@@ -11226,17 +5507,17 @@ def reactions() -> ca.Function:
     w119 = w92 * w113
     w120 = w118 - w119
     w121 = w104 * w111 - w96 * w113
-    w122 = bar3_z_ddot * c12 + w115 * bar3_e0_ddot + w117 * bar3_e1_ddot + w120 * bar3_e2_ddot + w121 * bar3_e3_ddot
+    w122 = bar3_z_ddot * bar3_mass + w115 * bar3_e0_ddot + w117 * bar3_e1_ddot + w120 * bar3_e2_ddot + w121 * bar3_e3_ddot
     w123 = w89 * w100 - (w103 * w106 + (w107 + w108) * w109) - w122
-    w124 = w110 * c63
+    w124 = w110 * bar3_end_z
     w125 = w92 * w124
-    w126 = w112 * c63
+    w126 = w112 * bar3_end_z
     w127 = w125 - w97 * w126
     w128 = hinge2_angle / 2.0
     w129 = ca.cos(w128)
-    w130 = w129 * c16 * c19 - w129 * c18 * c17
-    w131 = w72 * c15
-    w132 = w76 * c15
+    w130 = w129 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w129 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
+    w131 = w72 * bar2_end_y
+    w132 = w76 * bar2_end_y
     w133 = w50 * w131 - w53 * w132
     w134 = w104 * w124 - w96 * w126
     w135 = w129 * c20
@@ -11247,7 +5528,7 @@ def reactions() -> ca.Function:
     w140 = w139 * c22
     w141 = w90 * w126
     w142 = w96 * w124 - w141
-    w143 = w139 * c18 * c19 - w139 * c16 * c17
+    w143 = w139 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w139 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w144 = hinge1_angle / 2.0
     w145 = ca.cos(w144)
     w146 = w145 / 2.0
@@ -11266,9 +5547,9 @@ def reactions() -> ca.Function:
     w159 = w53 * w131 - w158
     w160 = bar1_e0 * w148 + bar1_e3 * w146
     w161 = w154 + (w138 * w143 - (w156 + w130 * w134) - w127 * w135 + w140 * w142) * w157 + (w159 + w134 * w143 + w130 * w138 + w127 * w140 + w135 * w142) * w160
-    w162 = w89 * c63
+    w162 = w89 * bar3_end_z
     w163 = w97 * w162 - w90 * w124
-    w164 = w52 * c15
+    w164 = w52 * bar2_end_y
     w165 = w53 * w164
     w166 = w165 - w155
     w167 = w96 * w162
@@ -11286,8 +5567,8 @@ def reactions() -> ca.Function:
     w179 = w178 * c20
     w180 = w129 / 2.0
     w181 = w180 * c22
-    w182 = w178 * c18 * c17 - w178 * c16 * c19
-    w183 = w180 * c18 * c19 - w180 * c16 * c17
+    w182 = w178 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w178 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w183 = w180 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w180 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w184 = bar2_e0 * w179 + (bar2_e1 * w181 + bar2_e2 * w182 + bar2_e3 * w183)
     w185 = bar2_e0 * w183 - bar2_e3 * w179 + (bar2_e1 * w182 - bar2_e2 * w181)
     w186 = bar2_e0 * w182 - bar2_e2 * w179 + (bar2_e3 * w181 - bar2_e1 * w183)
@@ -11299,12 +5580,12 @@ def reactions() -> ca.Function:
     w192 = 2 * bar4_e0
     w193 = w192 * bar4_e2
     w194 = w191 - w193
-    w195 = w194 * c55
+    w195 = w194 * bar4_end_x
     w196 = w189 * w195
     w197 = bar4_e3 * w192
     w198 = w190 * bar4_e2
     w199 = w197 + w198
-    w200 = w199 * c55
+    w200 = w199 * bar4_end_x
     w201 = w192 * w200
     w202 = w196 - w201
     w203 = hinge4_angle / 2.0
@@ -11330,23 +5611,23 @@ def reactions() -> ca.Function:
     w223 = 2 * bar5_e2
     w224 = bar5_e3 * w223
     w225 = w222 + w224
-    w226 = w225 * c56
+    w226 = w225 * bar5_end_y
     w227 = w221 * w226
     w228 = 2 * bar5_e1
     w229 = 1.0 - 2 * bar5_e1**2
     w230 = 2 * bar5_e3**2
     w231 = w229 - w230
-    w232 = w231 * c56
+    w232 = w231 * bar5_end_y
     w233 = w227 - w228 * w232
     w234 = hinge5_angle / 2.0
     w235 = ca.sin(w234) / 2.0
-    w236 = w235 * c57 * c58 - w235 * c59 * c60
+    w236 = w235 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w235 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w237 = bar5_e1 * -2.0
     w238 = w226 * w237
     w239 = w221 * w232
     w240 = w238 - w239
     w241 = ca.cos(w234) / 2.0
-    w242 = w241 * c59 * c58 - w241 * c57 * c60
+    w242 = w241 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w241 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w243 = 2 * bar5_e3
     w244 = bar5_e2 * -2.0
     w245 = w226 * w243 - w232 * w244
@@ -11365,7 +5646,7 @@ def reactions() -> ca.Function:
     w258 = 2 * bar4_e2**2
     w259 = 2 * bar4_e3**2
     w260 = 1.0 - w258 - w259
-    w261 = w260 * c55
+    w261 = w260 * bar4_end_x
     w262 = w200 * w257 - w189 * w261
     w263 = w192 * w261
     w264 = w217 - w263
@@ -11377,7 +5658,7 @@ def reactions() -> ca.Function:
     w270 = bar5_e2 * w228
     w271 = bar5_e3 * w221
     w272 = w270 - w271
-    w273 = w272 * c56
+    w273 = w272 * bar5_end_y
     w274 = w221 * w273
     w275 = w249 - w274
     w276 = w223 * w232 - w237 * w273
@@ -11448,7 +5729,7 @@ def reactions() -> ca.Function:
     w341 = w58 * w338 + bar2_e0 * bar2_e2 * c45
     w342 = w336 * bar2_x_ddot + w334 * bar2_y_ddot + bar2_z_ddot * w85 + bar2_e0_ddot * w340 + bar2_e1_ddot * w341
     w343 = w54 * w337 + bar2_e0 * bar2_e1 * c44
-    w344 = w55 * w329 + w62 * w331 + w48 * w332 + w334 * c94 - (w342 + bar2_e2_ddot * w343 + bar2_e3_ddot * (w55 * w337 + w62 * w338 + w48 * w339))
+    w344 = w55 * w329 + w62 * w331 + w48 * w332 + w334 * gravity_y - (w342 + bar2_e2_ddot * w343 + bar2_e3_ddot * (w55 * w337 + w62 * w338 + w48 * w339))
     w345 = bar3_e3 * w92
     w346 = bar3_e2 * w93
     w347 = w345 + w346
@@ -11460,14 +5741,14 @@ def reactions() -> ca.Function:
     w353 = w114 - w352
     w354 = w93 * w113 - w91 * w349
     w355 = w119 - w104 * w349
-    w356 = bar3_y_ddot * c12 + bar3_e0_ddot * w351 + bar3_e1_ddot * w353 + bar3_e2_ddot * w354 + bar3_e3_ddot * w355
+    w356 = bar3_y_ddot * bar3_mass + bar3_e0_ddot * w351 + bar3_e1_ddot * w353 + bar3_e2_ddot * w354 + bar3_e3_ddot * w355
     w357 = c96 + (w100 * w110 - (w106 * w347 + w109 * (w87 - w348))) - w356
     w358 = 1.0 - w88 - w348
     w359 = w90 * w349 - w118
     w360 = w97 * w349 - w90 * w111
     w361 = w352 - w93 * w111
     w362 = w350 - w116
-    w363 = bar3_x_ddot * c12 + bar3_e0_ddot * w359 + bar3_e1_ddot * w360 + bar3_e2_ddot * w361 + bar3_e3_ddot * w362
+    w363 = bar3_x_ddot * bar3_mass + bar3_e0_ddot * w359 + bar3_e1_ddot * w360 + bar3_e2_ddot * w361 + bar3_e3_ddot * w362
     w364 = w100 * w112 - (w106 * w358 + w109 * (w346 - w345)) - w363
     w365 = w105 * c30
     w366 = w94 * c29
@@ -11482,7 +5763,7 @@ def reactions() -> ca.Function:
     w375 = w91 * w372 + bar3_e2 * bar3_e0 * c36
     w376 = bar3_x_ddot * w362 + bar3_y_ddot * w355 + bar3_z_ddot * w121 + bar3_e0_ddot * w374 + bar3_e1_ddot * w375
     w377 = w97 * w371 + bar3_e1 * bar3_e0 * c35
-    w378 = w90 * w367 + w93 * w369 + w92 * w370 + w355 * c94 - (w376 + bar3_e2_ddot * w377 + bar3_e3_ddot * (w90 * w371 + w93 * w372 + w92 * w373))
+    w378 = w90 * w367 + w93 * w369 + w92 * w370 + w355 * gravity_y - (w376 + bar3_e2_ddot * w377 + bar3_e3_ddot * (w90 * w371 + w93 * w372 + w92 * w373))
     w379 = 1.0 - 2 * bar4_e1**2
     w380 = w379 - w259
     w381 = w89 * w380
@@ -11504,15 +5785,15 @@ def reactions() -> ca.Function:
     w397 = w90 * w395 + bar3_e1 * bar3_e3 * c39
     w398 = bar3_e3 * bar3_e0 * c37 + w104 * w396
     w399 = bar3_x_ddot * w361 + bar3_y_ddot * w354 + bar3_z_ddot * w120 + bar3_e0_ddot * w397 + bar3_e1_ddot * w398
-    w400 = w97 * w367 + w92 * w369 + w96 * w370 + w354 * c94 - (w399 + bar3_e2_ddot * (w97 * (w97 * c31) + w92 * w395 + w96 * w396) + bar3_e3_ddot * w377)
+    w400 = w97 * w367 + w92 * w369 + w96 * w370 + w354 * gravity_y - (w399 + bar3_e2_ddot * (w97 * (w97 * c31) + w92 * w395 + w96 * w396) + bar3_e3_ddot * w377)
     w401 = w400 - lam_R0 * (w91 * w386 + w92 * w390 + w93 * w393)
     w402 = w92 * c31
     w403 = w96 * w402 + bar3_e2 * bar3_e3 * c40
     w404 = bar3_x_ddot * w360 + bar3_y_ddot * w353 + bar3_z_ddot * w117 + bar3_e0_ddot * w403 + bar3_e1_ddot * (w92 * w402 + w91 * (w91 * c33) + w104 * (w104 * c34))
-    w405 = w92 * w367 + w91 * w369 + w104 * w370 + w353 * c94 - (w404 + bar3_e2_ddot * w398 + bar3_e3_ddot * w375)
+    w405 = w92 * w367 + w91 * w369 + w104 * w370 + w353 * gravity_y - (w404 + bar3_e2_ddot * w398 + bar3_e3_ddot * w375)
     w406 = w405 - lam_R0 * (w92 * w386 + w97 * w390 + w90 * w393)
     w407 = bar3_x_ddot * w359 + bar3_y_ddot * w351 + bar3_z_ddot * w115 + bar3_e0_ddot * (w96 * (w96 * c31) + w90 * (w90 * c33) + w91 * (w91 * c34))
-    w408 = w96 * w367 + w90 * w369 + w91 * w370 + w351 * c94 - (w407 + bar3_e1_ddot * w403 + bar3_e2_ddot * w397 + bar3_e3_ddot * w374)
+    w408 = w96 * w367 + w90 * w369 + w91 * w370 + w351 * gravity_y - (w407 + bar3_e1_ddot * w403 + bar3_e2_ddot * w397 + bar3_e3_ddot * w374)
     w409 = w408 - lam_R0 * (w96 * w386 + w90 * w390 + w91 * w393)
     w410 = w344 + w123 * w133 + w286 * w357 + w166 * w364 + w135 * w394 + w140 * w401 - w130 * w406 - w143 * w409
     w411 = w62 * w77 - w58 * w333
@@ -11523,19 +5804,19 @@ def reactions() -> ca.Function:
     w416 = w55 * w414 + bar2_e1 * bar2_e3 * c46
     w417 = bar2_e0 * bar2_e3 * c48 + w50 * w415
     w418 = bar2_x_ddot * w413 + bar2_y_ddot * w411 + bar2_z_ddot * w84 + bar2_e0_ddot * w416 + bar2_e1_ddot * w417
-    w419 = w54 * w329 + w48 * w331 + w53 * w332 + w411 * c94 - (w418 + bar2_e2_ddot * (w54 * (w54 * c25) + w48 * w414 + w53 * w415) + bar2_e3_ddot * w343)
+    w419 = w54 * w329 + w48 * w331 + w53 * w332 + w411 * gravity_y - (w418 + bar2_e2_ddot * (w54 * (w54 * c25) + w48 * w414 + w53 * w415) + bar2_e3_ddot * w343)
     w420 = w419 + w123 * w152 + w290 * w357 + w173 * w364 - w140 * w394 + w135 * w401 + w143 * w406 - w130 * w409
     w421 = w78 - w412
     w422 = w54 * w333 - w55 * w73
     w423 = w48 * c25
     w424 = w53 * w423 + bar2_e2 * bar2_e3 * c47
     w425 = bar2_x_ddot * w422 + bar2_y_ddot * w421 + bar2_z_ddot * w81 + bar2_e0_ddot * w424 + bar2_e1_ddot * (w48 * w423 + w58 * (w58 * c27) + w50 * (w50 * c28))
-    w426 = w48 * w329 + w58 * w331 + w50 * w332 + w421 * c94 - (w425 + bar2_e2_ddot * w417 + bar2_e3_ddot * w341)
+    w426 = w48 * w329 + w58 * w331 + w50 * w332 + w421 * gravity_y - (w425 + bar2_e2_ddot * w417 + bar2_e3_ddot * w341)
     w427 = w426 + w123 * w156 + w292 * w357 + w175 * w364 + w130 * w394 - w143 * w401 + w135 * w406 - w140 * w409
     w428 = w58 * w77 - w335
     w429 = w55 * w333 - w82
     w430 = bar2_x_ddot * w429 + bar2_y_ddot * w428 + bar2_z_ddot * w79 + bar2_e0_ddot * (w53 * (w53 * c25) + w55 * (w55 * c27) + w58 * (w58 * c28))
-    w431 = w53 * w329 + w55 * w331 + w58 * w332 + w428 * c94 - (w430 + bar2_e1_ddot * w424 + bar2_e2_ddot * w416 + bar2_e3_ddot * w340)
+    w431 = w53 * w329 + w55 * w331 + w58 * w332 + w428 * gravity_y - (w430 + bar2_e1_ddot * w424 + bar2_e2_ddot * w416 + bar2_e3_ddot * w340)
     w432 = w431 + w123 * w159 + w293 * w357 + w176 * w364 + w143 * w394 + w130 * w401 + w140 * w406 + w135 * w409
     w433 = w149 * w410 - w153 * w420 + w157 * w427 - w160 * w432
     w434 = w322 / w325
@@ -11568,7 +5849,7 @@ def reactions() -> ca.Function:
     w461 = w190 * c76
     w462 = w192 * c77
     w463 = w212 * w460 + bar4_e1 * bar4_e0 * c83
-    w464 = w212 * w441 + w192 * w444 + w189 * w445 + w448 * c94 - (w459 + (w212 * (w212 * c73) + w192 * w455 + w189 * w456) * bar4_e2_ddot + w463 * bar4_e3_ddot)
+    w464 = w212 * w441 + w192 * w444 + w189 * w445 + w448 * gravity_y - (w459 + (w212 * (w212 * c73) + w192 * w455 + w189 * w456) * bar4_e2_ddot + w463 * bar4_e3_ddot)
     w465 = w385 - w381
     w466 = w389 - w387
     w467 = w392 - w391
@@ -11584,36 +5865,36 @@ def reactions() -> ca.Function:
     w477 = w192 * w450
     w478 = w477 - w212 * w446
     w479 = w257 * w450 - w189 * w446
-    w480 = bar4_z_ddot * c74 + bar4_e0_ddot * w476 + bar4_e1_ddot * w478 + w454 * bar4_e2_ddot + bar4_e3_ddot * w479
+    w480 = bar4_z_ddot * bar4_mass + bar4_e0_ddot * w476 + bar4_e1_ddot * w478 + w454 * bar4_e2_ddot + bar4_e3_ddot * w479
     w481 = w194 * w471 - w384 * w472 - w473 * w474 - w480
     w482 = w383 - w382
     w483 = w189 * w447
     w484 = w216 * w446 - w483
     w485 = w475 - w449
     w486 = w453 - w257 * w447
-    w487 = bar4_y_ddot * c74 + bar4_e0_ddot * w484 + bar4_e1_ddot * w485 + w448 * bar4_e2_ddot + bar4_e3_ddot * w486
+    w487 = bar4_y_ddot * bar4_mass + bar4_e0_ddot * w484 + bar4_e1_ddot * w485 + w448 * bar4_e2_ddot + bar4_e3_ddot * w486
     w488 = c97 + (w199 * w471 - w380 * w472 - w474 * w482) - w487
     w489 = w191 + w193
     w490 = w213 * w447 - w452
     w491 = w212 * w447 - w213 * w450
     w492 = w483 - w477
-    w493 = bar4_x_ddot * c74 + bar4_e0_ddot * w490 + bar4_e1_ddot * w491 + w451 * bar4_e2_ddot + bar4_e3_ddot * w492
+    w493 = bar4_x_ddot * bar4_mass + bar4_e0_ddot * w490 + bar4_e1_ddot * w491 + w451 * bar4_e2_ddot + bar4_e3_ddot * w492
     w494 = w260 * w471 - w388 * w472 - w474 * w489 - w493
     w495 = w468 - w264 * w481 - w297 * w488 - w210 * w494
     w496 = bar4_e1 * bar4_e2 * c79 + w216 * w462
     w497 = w216 * w461 + bar4_e0 * bar4_e2 * c84
     w498 = bar4_x_ddot * w492 + bar4_y_ddot * w486 + bar4_z_ddot * w479 + bar4_e0_ddot * w496 + bar4_e1_ddot * w497
-    w499 = w213 * w441 + w190 * w444 + w192 * w445 + w486 * c94 - (w498 + bar4_e2_ddot * w463 + bar4_e3_ddot * (w213 * w460 + w190 * w461 + w192 * w462))
+    w499 = w213 * w441 + w190 * w444 + w192 * w445 + w486 * gravity_y - (w498 + bar4_e2_ddot * w463 + bar4_e3_ddot * (w213 * w460 + w190 * w461 + w192 * w462))
     w500 = w499 - lam_R0 * (w257 * w465 + w189 * w466 + w192 * w467)
     w501 = w500 - w262 * w481 - w296 * w488 - w202 * w494
     w502 = w192 * c73
     w503 = w189 * w502 + bar4_e3 * bar4_e2 * c86
     w504 = bar4_x_ddot * w491 + bar4_y_ddot * w485 + bar4_z_ddot * w478 + bar4_e0_ddot * w503 + bar4_e1_ddot * (w192 * w502 + w216 * (w216 * c76) + w257 * (w257 * c77))
-    w505 = w192 * w441 + w216 * w444 + w257 * w445 + w485 * c94 - (w504 + w458 * bar4_e2_ddot + bar4_e3_ddot * w497)
+    w505 = w192 * w441 + w216 * w444 + w257 * w445 + w485 * gravity_y - (w504 + w458 * bar4_e2_ddot + bar4_e3_ddot * w497)
     w506 = w505 - lam_R0 * (w192 * w465 + w212 * w466 + w213 * w467)
     w507 = w506 - w265 * w481 - w298 * w488 - w214 * w494
     w508 = bar4_x_ddot * w490 + bar4_y_ddot * w484 + bar4_z_ddot * w476 + bar4_e0_ddot * (w189 * (w189 * c73) + w213 * (w213 * c76) + w216 * (w216 * c77))
-    w509 = w189 * w441 + w213 * w444 + w216 * w445 + w484 * c94 - (w508 + bar4_e1_ddot * w503 + w457 * bar4_e2_ddot + bar4_e3_ddot * w496)
+    w509 = w189 * w441 + w213 * w444 + w216 * w445 + w484 * gravity_y - (w508 + bar4_e1_ddot * w503 + w457 * bar4_e2_ddot + bar4_e3_ddot * w496)
     w510 = w509 - lam_R0 * (w189 * w465 + w213 * w466 + w216 * w467)
     w511 = w510 - w267 * w481 - w299 * w488 - w218 * w494
     w512 = w211 * w495 - w208 * w501 - w215 * w507 + w219 * w511
@@ -11643,7 +5924,7 @@ def reactions() -> ca.Function:
     w536 = w248 * w533 + bar5_e0 * bar5_e2 * c88
     w537 = w530 * bar5_x_ddot + w526 * bar5_y_ddot + w531 * bar5_z_ddot + w535 * bar5_e0_ddot + w536 * bar5_e1_ddot
     w538 = w243 * w532 + bar5_e0 * bar5_e1 * c82
-    w539 = w244 * w518 + w228 * w521 + w221 * w522 + w526 * c94 - (w537 + w538 * bar5_e2_ddot + (w244 * w532 + w228 * w533 + w221 * w534) * bar5_e3_ddot)
+    w539 = w244 * w518 + w228 * w521 + w221 * w522 + w526 * gravity_y - (w537 + w538 * bar5_e2_ddot + (w244 * w532 + w228 * w533 + w221 * w534) * bar5_e3_ddot)
     w540 = w519 * c80
     w541 = w514 * c80
     w542 = w519 * w540 + w514 * w541
@@ -11658,7 +5939,7 @@ def reactions() -> ca.Function:
     w551 = w529 - w243 * w523
     w552 = w248 * w528
     w553 = w552 - w524
-    w554 = bar5_z_ddot * c64 + bar5_e0_ddot * w550 + bar5_e1_ddot * w551 + bar5_e2_ddot * w553 + w531 * bar5_e3_ddot
+    w554 = bar5_z_ddot * bar5_mass + bar5_e0_ddot * w550 + bar5_e1_ddot * w551 + bar5_e2_ddot * w553 + w531 * bar5_e3_ddot
     w555 = w225 * w542 - w545 * w546 - (w229 - w547) * w548 - w554
     w556 = w481 + w555
     w557 = w270 + w271
@@ -11666,14 +5947,14 @@ def reactions() -> ca.Function:
     w559 = w221 * w525
     w560 = w549 - w559
     w561 = w228 * w523 - w248 * w525
-    w562 = bar5_y_ddot * c64 + bar5_e0_ddot * w558 + bar5_e1_ddot * w560 + bar5_e2_ddot * w561 + w526 * bar5_e3_ddot
+    w562 = bar5_y_ddot * bar5_mass + bar5_e0_ddot * w558 + bar5_e1_ddot * w560 + bar5_e2_ddot * w561 + w526 * bar5_e3_ddot
     w563 = c98 + (w231 * w542 - w546 * w557 - w548 * (w224 - w222)) - w562
     w564 = w488 + w563
     w565 = 1.0 - w547 - w230
     w566 = w244 * w525 - w552
     w567 = w243 * w525 - w244 * w528
     w568 = w559 - w228 * w528
-    w569 = bar5_x_ddot * c64 + bar5_e0_ddot * w566 + bar5_e1_ddot * w567 + bar5_e2_ddot * w568 + w530 * bar5_e3_ddot
+    w569 = bar5_x_ddot * bar5_mass + bar5_e0_ddot * w566 + bar5_e1_ddot * w567 + bar5_e2_ddot * w568 + w530 * bar5_e3_ddot
     w570 = w272 * w542 - w546 * w565 - w548 * (w543 + w544) - w569
     w571 = w494 + w570
     w572 = w221 * c69
@@ -11681,14 +5962,14 @@ def reactions() -> ca.Function:
     w574 = w244 * w572 + bar5_e3 * bar5_e1 * c91
     w575 = bar5_e0 * bar5_e3 * c89 + w223 * w573
     w576 = bar5_x_ddot * w568 + bar5_y_ddot * w561 + bar5_z_ddot * w553 + bar5_e0_ddot * w574 + bar5_e1_ddot * w575
-    w577 = w243 * w518 + w221 * w521 + w237 * w522 + w561 * c94 - (w576 + bar5_e2_ddot * (w243 * (w243 * c67) + w221 * w572 + w237 * w573) + w538 * bar5_e3_ddot)
+    w577 = w243 * w518 + w221 * w521 + w237 * w522 + w561 * gravity_y - (w576 + bar5_e2_ddot * (w243 * (w243 * c67) + w221 * w572 + w237 * w573) + w538 * bar5_e3_ddot)
     w578 = w242 * (w539 + w204 * w501 + w206 * w511 - w276 * w556 - w302 * w564 - w240 * w571) + w236 * (w577 + w204 * w495 - w206 * w507 - w275 * w556 - w301 * w564 - w233 * w571)
     w579 = w221 * c67
     w580 = w237 * w579 + bar5_e3 * bar5_e2 * c92
     w581 = bar5_x_ddot * w567 + bar5_y_ddot * w560 + bar5_z_ddot * w551 + bar5_e0_ddot * w580 + bar5_e1_ddot * (w221 * w579 + w248 * (w248 * c69) + w223 * (w223 * c70))
-    w582 = w221 * w518 + w248 * w521 + w223 * w522 + w560 * c94 - (w581 + bar5_e2_ddot * w575 + w536 * bar5_e3_ddot)
+    w582 = w221 * w518 + w248 * w521 + w223 * w522 + w560 * gravity_y - (w581 + bar5_e2_ddot * w575 + w536 * bar5_e3_ddot)
     w583 = bar5_x_ddot * w566 + bar5_y_ddot * w558 + bar5_z_ddot * w550 + bar5_e0_ddot * (w237 * (w237 * c67) + w244 * (w244 * c69) + w248 * (w248 * c70))
-    w584 = w237 * w518 + w244 * w521 + w248 * w522 + w558 * c94 - (w583 + bar5_e1_ddot * w580 + bar5_e2_ddot * w574 + w535 * bar5_e3_ddot)
+    w584 = w237 * w518 + w244 * w521 + w248 * w522 + w558 * gravity_y - (w583 + bar5_e1_ddot * w580 + bar5_e2_ddot * w574 + w535 * bar5_e3_ddot)
     w585 = w578 - w246 * (w582 + w206 * w495 + w204 * w507 - w277 * w556 - w303 * w564 - w245 * w571) - w251 * (w584 - w206 * w501 + w204 * w511 - w280 * w556 - w305 * w564 - w250 * w571)
     w586 = w347 * w384
     w587 = w103 * w380
@@ -11736,16 +6017,16 @@ def reactions() -> ca.Function:
     w629 = (w326 * w433 + w434 * w435 + w436 * w512 + w513 * w585 - w622 * w628) / w325
     w630 = w123 + w629
     w631 = w52 * w61 - w65 * w67 - (w68 - w69) * w70 - w86 + w630
-    w632 = w22 * c10
+    w632 = w22 * bar1_end_x
     w633 = w0 * w632
     w634 = w74 + w75
-    w635 = bar2_y_ddot * c11 + bar2_e0_ddot * w428 + bar2_e1_ddot * w421 + bar2_e2_ddot * w411 + bar2_e3_ddot * w334
+    w635 = bar2_y_ddot * bar2_mass + bar2_e0_ddot * w428 + bar2_e1_ddot * w421 + bar2_e2_ddot * w411 + bar2_e3_ddot * w334
     w636 = (w313 * w433 + w315 * w435 + w317 * w512 + w319 * w585 - w617 * w628 - w320 * w629) / w312
     w637 = w357 + w636
     w638 = c95 + (w61 * w72 - w67 * w634 - w70 * (w51 - w49)) - w635 + w637
     w639 = w1 * w45
     w640 = 1.0 - w69 - w71
-    w641 = bar2_x_ddot * c11 + bar2_e0_ddot * w429 + bar2_e1_ddot * w422 + bar2_e2_ddot * w413 + bar2_e3_ddot * w336
+    w641 = bar2_x_ddot * bar2_mass + bar2_e0_ddot * w429 + bar2_e1_ddot * w422 + bar2_e2_ddot * w413 + bar2_e3_ddot * w336
     w642 = (w254 * w433 + w256 * w435 + w269 * w512 + w282 * w585 - w612 * w628 - w283 * w629 - w307 * w636) / w253
     w643 = w364 + w642
     w644 = w61 * w76 - w67 * w640 - w70 * (w63 + w64) - w641 + w643
@@ -11765,197 +6046,183 @@ def reactions() -> ca.Function:
     w658 = bar1_x_ddot * w655 + bar1_y_ddot * w654 + bar1_z_ddot * w657 + bar1_e0_ddot * w36 + bar1_e1_ddot * (w3 * w35 + w1 * (w1 * c8) + w2 * (w2 * c9))
     w659 = bar1_e3 * bar1_e0 * c50 + w2 * w38
     w660 = w1 * w41 + bar1_e2 * bar1_e0 * c103
-    w661 = w3 * w45
-    w662 = w3 * w10 + w1 * w14 + w2 * w15 + w654 * c94 - (w658 + bar1_e2_ddot * w659 + bar1_e3_ddot * w660) + w631 * (w661 - w11 * w46)
+    w661 = w3 * w10 + w1 * w14 + w2 * w15 + w654 * gravity_y - (w658 + bar1_e2_ddot * w659 + bar1_e3_ddot * w660)
+    w662 = w3 * w45
     w663 = w3 * w632
     w664 = w419 + w152 * w630 + w290 * w637 + w173 * w643 - w140 * w645 + w135 * w646 + w143 * w647 - w130 * w648
-    w665 = w426 + w156 * w630 + w292 * w637 + w175 * w643 + w130 * w645 - w143 * w646 + w135 * w647 - w140 * w648
-    w666 = w662 + w638 * (w47 - w663) + w644 * (w11 * w632 - w6 * w45) - w147 * w664 + w145 * w665
-    w667 = w7 * w19 - w1 * w23
-    w668 = w653 - w7 * w29
-    w669 = w3 * w19
-    w670 = w30 - w669
-    w671 = bar1_x_ddot * w668 + bar1_y_ddot * w667 + bar1_z_ddot * w670 + bar1_e0_ddot * w39 + bar1_e1_ddot * w659
-    w672 = w11 * w40 + bar1_e1 * bar1_e0 * c104
-    w673 = w10 * w11 + w3 * w14 + w0 * w15 + w667 * c94 - (w671 + bar1_e2_ddot * (w11 * (w11 * c6) + w3 * w37 + w0 * w38) + bar1_e3_ddot * w672)
-    w674 = w3 * w46
-    w675 = w673 + w631 * (w639 - w674) + w638 * (w7 * w46 - w1 * w632) + w644 * (w663 - w7 * w45) + w145 * w664
-    w676 = w675 + w147 * w665
-    w677 = w669 - w2 * w23
-    w678 = w24 - w656
-    w679 = w2 * w29 - w0 * w19
-    w680 = bar1_x_ddot * w678 + bar1_y_ddot * w677 + bar1_z_ddot * w679 + bar1_e0_ddot * w43 + bar1_e1_ddot * w660
-    w681 = w6 * w10 + w7 * w14 + w3 * w15 + w677 * c94 - (w680 + bar1_e2_ddot * w672 + bar1_e3_ddot * (w6 * w40 + w7 * w41 + w3 * w42))
-    w682 = w681 + w631 * (w2 * w45 - w0 * w46) + w638 * (w674 - w2 * w632) + w644 * (w633 - w661) + w145 * w649
-    w683 = w682 - w147 * w651
-    w684 = w4 * c93
-    w685 = w8 * c93
-    w686 = w4 * w684 + w8 * w685
-    w687 = w12 * w685
-    w688 = w20 + w21
-    w689 = w12 * w684
-    w690 = bar1_x_ddot * c102 + w31 * bar1_e0_ddot + bar1_e1_ddot * w655 + bar1_e2_ddot * w668 + bar1_e3_ddot * w678
-    w691 = w644 + (w18 * w686 - (w27 - w26) * w687 - w688 * w689 - w690)
-    w692 = 1.0 - 2 * bar1_e1**2
-    w693 = bar1_e3 * w2
-    w694 = bar1_e1 * w3
-    w695 = w693 - w694
-    w696 = bar1_y_ddot * c102 + w25 * bar1_e0_ddot + bar1_e1_ddot * w654 + bar1_e2_ddot * w667 + bar1_e3_ddot * w677
-    w697 = w638 + (c105 + (w28 * w686 - w687 * (w692 - w17) - w689 * w695) - w696)
-    w698 = w692 - w16
-    w699 = bar1_z_ddot * c102 + w33 * bar1_e0_ddot + bar1_e1_ddot * w657 + bar1_e2_ddot * w670 + bar1_e3_ddot * w679
-    w700 = w631 + (w22 * w686 - w687 * (w693 + w694) - w689 * w698 - w699)
-    w701 = w481 - w629
-    w702 = w488 - w636
-    w703 = w494 - w642
-    w704 = w510 - w608 * w628 - w267 * w701 - w299 * w702 - w218 * w703
-    w705 = w506 - w607 * w628 - w265 * w701 - w298 * w702 - w214 * w703
-    w706 = w468 - w605 * w628 - w264 * w701 - w297 * w702 - w210 * w703
-    w707 = w500 - w606 * w628 - w262 * w701 - w296 * w702 - w202 * w703
-    w708 = w555 + w701
-    w709 = w563 + w702
-    w710 = w570 + w703
-    w711 = w584 - w206 * w707 + w204 * w704 - w280 * w708 - w305 * w709 - w250 * w710
-    w712 = w582 + w206 * w706 + w204 * w705 - w277 * w708 - w303 * w709 - w245 * w710
-    w713 = w577 + w204 * w706 - w206 * w705 - w275 * w708 - w301 * w709 - w233 * w710
-    w714 = w539 + w204 * w707 + w206 * w704 - w276 * w708 - w302 * w709 - w240 * w710
-    w715 = bar1_e1 * 0.5
-    w716 = bar1_e0 * 0.5
-    w717 = bar1_e3 * 0.5
-    w718 = bar1_e2 * 0.5
-    w719 = bar2_e3 * 0.5
-    w720 = bar2_e0 * 0.5
-    w721 = bar2_e1 * 0.5
-    w722 = w695 * w720 - w688 * w719 + w698 * w721
-    w723 = bar2_e2 * 0.5
-    w724 = w688 * w721 + w695 * w723 + w698 * w719
-    w725 = w688 * w720 + w695 * w719 - w698 * w723
-    w726 = w688 * w723 - w695 * w721 + w698 * w720
-    w727 = w664 * (w719 + w688 * w722) - (w651 * (w688 * w724 - w721) + w665 * (w720 - w688 * w725)) - w649 * (w723 - w688 * w726)
-    w728 = w649 * (w721 + w695 * w726) - (w651 * (w695 * w724 - w723) + w665 * (w719 - w695 * w725) + w664 * (w720 - w695 * w722))
-    w729 = w665 * (w723 + w698 * w725) - w651 * (w698 * w724 - w719) - w664 * (w721 - w698 * w722) - w649 * (w720 - w698 * w726)
-    w730 = bar3_e3 * 0.5
-    w731 = bar3_e0 * 0.5
-    w732 = bar3_e1 * 0.5
-    w733 = w634 * w731 - w640 * w730 + w65 * w732
-    w734 = bar3_e2 * 0.5
-    w735 = w640 * w732 + w634 * w734 + w65 * w730
-    w736 = w640 * w731 + w634 * w730 - w65 * w734
-    w737 = w640 * w734 - w634 * w732 + w65 * w731
-    w738 = w646 * (w730 + w640 * w733) - (w648 * (w640 * w735 - w732) + w647 * (w731 - w640 * w736)) - w645 * (w734 - w640 * w737)
-    w739 = w645 * (w732 + w634 * w737) - (w648 * (w634 * w735 - w734) + w647 * (w730 - w634 * w736) + w646 * (w731 - w634 * w733))
-    w740 = w647 * (w734 + w65 * w736) - w648 * (w65 * w735 - w730) - w646 * (w732 - w65 * w733) - w645 * (w731 - w65 * w737)
-    w741 = bar4_e0 * 0.5
-    w742 = bar4_e2 * 0.5
-    w743 = bar4_e3 * 0.5
-    w744 = w473 * w742 - (w489 * w741 + w482 * w743)
-    w745 = bar4_e1 * 0.5
-    w746 = w489 * w745 + w482 * w742 + w473 * w743
-    w747 = w489 * w743 - w482 * w741 - w473 * w745
-    w748 = w482 * w745 - w489 * w742 - w473 * w741
-    w749 = w705 * (w741 + w489 * w744) - w704 * (w745 - w489 * w746) - w706 * (w743 - w489 * w747) + w707 * (w742 + w489 * w748)
-    w750 = w705 * (w743 + w482 * w744) - w704 * (w742 - w482 * w746) + w706 * (w741 + w482 * w747) - w707 * (w745 - w482 * w748)
-    w751 = w706 * (w745 + w473 * w747) - (w704 * (w743 - w473 * w746) + w705 * (w742 - w473 * w744)) + w707 * (w741 + w473 * w748)
-    w752 = bar5_e0 * 0.5
-    w753 = bar5_e2 * 0.5
-    w754 = bar5_e3 * 0.5
-    w755 = w545 * w753 - (w565 * w752 + w557 * w754)
-    w756 = bar5_e1 * 0.5
-    w757 = w565 * w756 + w557 * w753 + w545 * w754
-    w758 = w565 * w754 - w557 * w752 - w545 * w756
-    w759 = w557 * w756 - w565 * w753 - w545 * w752
-    w760 = w712 * (w752 + w565 * w755) - w711 * (w756 - w565 * w757) - w713 * (w754 - w565 * w758) + w714 * (w753 + w565 * w759)
-    w761 = w712 * (w754 + w557 * w755) - w711 * (w753 - w557 * w757) + w713 * (w752 + w557 * w758) - w714 * (w756 - w557 * w759)
-    w762 = w713 * (w756 + w545 * w758) - (w711 * (w754 - w545 * w757) + w712 * (w753 - w545 * w755)) + w714 * (w752 + w545 * w759)
+    w665 = w661 + w631 * (w662 - w11 * w46) + w638 * (w47 - w663) + w644 * (w11 * w632 - w6 * w45) - w147 * w664
+    w666 = w426 + w156 * w630 + w292 * w637 + w175 * w643 + w130 * w645 - w143 * w646 + w135 * w647 - w140 * w648
+    w667 = w665 + w145 * w666
+    w668 = w7 * w19 - w1 * w23
+    w669 = w653 - w7 * w29
+    w670 = w3 * w19
+    w671 = w30 - w670
+    w672 = bar1_x_ddot * w669 + bar1_y_ddot * w668 + bar1_z_ddot * w671 + bar1_e0_ddot * w39 + bar1_e1_ddot * w659
+    w673 = w11 * w40 + bar1_e1 * bar1_e0 * c104
+    w674 = w10 * w11 + w3 * w14 + w0 * w15 + w668 * gravity_y - (w672 + bar1_e2_ddot * (w11 * (w11 * c6) + w3 * w37 + w0 * w38) + bar1_e3_ddot * w673)
+    w675 = w3 * w46
+    w676 = w674 + w631 * (w639 - w675) + w638 * (w7 * w46 - w1 * w632) + w644 * (w663 - w7 * w45) + w145 * w664
+    w677 = w676 + w147 * w666
+    w678 = w670 - w2 * w23
+    w679 = w24 - w656
+    w680 = w2 * w29 - w0 * w19
+    w681 = bar1_x_ddot * w679 + bar1_y_ddot * w678 + bar1_z_ddot * w680 + bar1_e0_ddot * w43 + bar1_e1_ddot * w660
+    w682 = w6 * w10 + w7 * w14 + w3 * w15 + w678 * gravity_y - (w681 + bar1_e2_ddot * w673 + bar1_e3_ddot * (w6 * w40 + w7 * w41 + w3 * w42))
+    w683 = w682 + w631 * (w2 * w45 - w0 * w46) + w638 * (w675 - w2 * w632) + w644 * (w633 - w662) + w145 * w649
+    w684 = w683 - w147 * w651
+    w685 = w4 * c93
+    w686 = w8 * c93
+    w687 = w4 * w685 + w8 * w686
+    w688 = w12 * w686
+    w689 = w20 + w21
+    w690 = w12 * w685
+    w691 = bar1_x_ddot * bar1_mass + w31 * bar1_e0_ddot + bar1_e1_ddot * w655 + bar1_e2_ddot * w669 + bar1_e3_ddot * w679
+    w692 = w644 + (w18 * w687 - (w27 - w26) * w688 - w689 * w690 - w691)
+    w693 = 1.0 - 2 * bar1_e1**2
+    w694 = bar1_e3 * w2
+    w695 = bar1_e1 * w3
+    w696 = w694 - w695
+    w697 = bar1_y_ddot * bar1_mass + w25 * bar1_e0_ddot + bar1_e1_ddot * w654 + bar1_e2_ddot * w668 + bar1_e3_ddot * w678
+    w698 = w638 + (c105 + (w28 * w687 - w688 * (w693 - w17) - w690 * w696) - w697)
+    w699 = w693 - w16
+    w700 = bar1_z_ddot * bar1_mass + w33 * bar1_e0_ddot + bar1_e1_ddot * w657 + bar1_e2_ddot * w671 + bar1_e3_ddot * w680
+    w701 = w631 + (w22 * w687 - w688 * (w694 + w695) - w690 * w699 - w700)
+    w702 = w481 - w629
+    w703 = w488 - w636
+    w704 = w494 - w642
+    w705 = w510 - w608 * w628 - w267 * w702 - w299 * w703 - w218 * w704
+    w706 = w506 - w607 * w628 - w265 * w702 - w298 * w703 - w214 * w704
+    w707 = w468 - w605 * w628 - w264 * w702 - w297 * w703 - w210 * w704
+    w708 = w500 - w606 * w628 - w262 * w702 - w296 * w703 - w202 * w704
+    w709 = w555 + w702
+    w710 = w563 + w703
+    w711 = w570 + w704
+    w712 = w584 - w206 * w708 + w204 * w705 - w280 * w709 - w305 * w710 - w250 * w711
+    w713 = w582 + w206 * w707 + w204 * w706 - w277 * w709 - w303 * w710 - w245 * w711
+    w714 = w577 + w204 * w707 - w206 * w706 - w275 * w709 - w301 * w710 - w233 * w711
+    w715 = w539 + w204 * w708 + w206 * w705 - w276 * w709 - w302 * w710 - w240 * w711
+    w716 = bar1_e1 * 0.5
+    w717 = bar1_e0 * 0.5
+    w718 = bar1_e3 * 0.5
+    w719 = bar1_e2 * 0.5
+    w720 = bar2_e3 * 0.5
+    w721 = bar2_e0 * 0.5
+    w722 = bar2_e1 * 0.5
+    w723 = w696 * w721 - w689 * w720 + w699 * w722
+    w724 = bar2_e2 * 0.5
+    w725 = w689 * w722 + w696 * w724 + w699 * w720
+    w726 = w689 * w721 + w696 * w720 - w699 * w724
+    w727 = w689 * w724 - w696 * w722 + w699 * w721
+    w728 = w664 * (w720 + w689 * w723) - (w651 * (w689 * w725 - w722) + w666 * (w721 - w689 * w726)) - w649 * (w724 - w689 * w727)
+    w729 = w649 * (w722 + w696 * w727) - (w651 * (w696 * w725 - w724) + w666 * (w720 - w696 * w726) + w664 * (w721 - w696 * w723))
+    w730 = w666 * (w724 + w699 * w726) - w651 * (w699 * w725 - w720) - w664 * (w722 - w699 * w723) - w649 * (w721 - w699 * w727)
+    w731 = bar3_e3 * 0.5
+    w732 = bar3_e0 * 0.5
+    w733 = bar3_e1 * 0.5
+    w734 = w634 * w732 - w640 * w731 + w65 * w733
+    w735 = bar3_e2 * 0.5
+    w736 = w640 * w733 + w634 * w735 + w65 * w731
+    w737 = w640 * w732 + w634 * w731 - w65 * w735
+    w738 = w640 * w735 - w634 * w733 + w65 * w732
+    w739 = w646 * (w731 + w640 * w734) - (w648 * (w640 * w736 - w733) + w647 * (w732 - w640 * w737)) - w645 * (w735 - w640 * w738)
+    w740 = w645 * (w733 + w634 * w738) - (w648 * (w634 * w736 - w735) + w647 * (w731 - w634 * w737) + w646 * (w732 - w634 * w734))
+    w741 = w647 * (w735 + w65 * w737) - w648 * (w65 * w736 - w731) - w646 * (w733 - w65 * w734) - w645 * (w732 - w65 * w738)
+    w742 = bar4_e0 * 0.5
+    w743 = bar4_e2 * 0.5
+    w744 = bar4_e3 * 0.5
+    w745 = w473 * w743 - (w489 * w742 + w482 * w744)
+    w746 = bar4_e1 * 0.5
+    w747 = w489 * w746 + w482 * w743 + w473 * w744
+    w748 = w489 * w744 - w482 * w742 - w473 * w746
+    w749 = w482 * w746 - w489 * w743 - w473 * w742
+    w750 = w706 * (w742 + w489 * w745) - w705 * (w746 - w489 * w747) - w707 * (w744 - w489 * w748) + w708 * (w743 + w489 * w749)
+    w751 = w706 * (w744 + w482 * w745) - w705 * (w743 - w482 * w747) + w707 * (w742 + w482 * w748) - w708 * (w746 - w482 * w749)
+    w752 = w707 * (w746 + w473 * w748) - (w705 * (w744 - w473 * w747) + w706 * (w743 - w473 * w745)) + w708 * (w742 + w473 * w749)
+    w753 = bar5_e0 * 0.5
+    w754 = bar5_e2 * 0.5
+    w755 = bar5_e3 * 0.5
+    w756 = w545 * w754 - (w565 * w753 + w557 * w755)
+    w757 = bar5_e1 * 0.5
+    w758 = w565 * w757 + w557 * w754 + w545 * w755
+    w759 = w565 * w755 - w557 * w753 - w545 * w757
+    w760 = w557 * w757 - w565 * w754 - w545 * w753
+    w761 = w713 * (w753 + w565 * w756) - w712 * (w757 - w565 * w758) - w714 * (w755 - w565 * w759) + w715 * (w754 + w565 * w760)
+    w762 = w713 * (w755 + w557 * w756) - w712 * (w754 - w557 * w758) + w714 * (w753 + w557 * w759) - w715 * (w757 - w557 * w760)
+    w763 = w714 * (w757 + w545 * w759) - (w712 * (w755 - w545 * w758) + w713 * (w754 - w545 * w756)) + w715 * (w753 + w545 * w760)
+    # outputs
     lam = ca.vertcat(
-        w652,
-        w666,
-        w676,
-        w683,
-        w691,
-        w697,
-        w700,
-        w651,
-        w665,
-        w664,
-        w649,
-        w644,
-        w638,
-        w631,
-        w648,
-        w647,
-        w646,
-        w645,
-        w643,
-        w637,
-        w630,
-        w642,
-        w636,
-        w629,
-        w628,
-        lam_R0,
-        w704,
-        w705,
-        w706,
-        w707,
-        -w703,
-        -w702,
-        -w701,
-        w711,
-        w712,
-        w713,
-        w714,
-        -w710,
-        -w709,
-        -w708,
+        w652,  # hinge0.e0
+        w667,  # hinge0.e1
+        w677,  # hinge0.e2
+        w684,  # hinge0.e3
+        w692,  # hinge0.x
+        w698,  # hinge0.y
+        w701,  # hinge0.z
+        w651,  # hinge1.e0
+        w666,  # hinge1.e1
+        w664,  # hinge1.e2
+        w649,  # hinge1.e3
+        w644,  # hinge1.x
+        w638,  # hinge1.y
+        w631,  # hinge1.z
+        w648,  # hinge2.e0
+        w647,  # hinge2.e1
+        w646,  # hinge2.e2
+        w645,  # hinge2.e3
+        w643,  # hinge2.x
+        w637,  # hinge2.y
+        w630,  # hinge2.z
+        w642,  # hinge3.x
+        w636,  # hinge3.y
+        w629,  # hinge3.z
+        w628,  # hinge3.parallel_x
+        lam_R0,  # hinge3.parallel_y
+        w705,  # hinge4.e0
+        w706,  # hinge4.e1
+        w707,  # hinge4.e2
+        w708,  # hinge4.e3
+        -w704,  # hinge4.x
+        -w703,  # hinge4.y
+        -w702,  # hinge4.z
+        w712,  # hinge5.e0
+        w713,  # hinge5.e1
+        w714,  # hinge5.e2
+        w715,  # hinge5.e3
+        -w711,  # hinge5.x
+        -w710,  # hinge5.y
+        -w709,  # hinge5.z
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w691,
-        -w697,
-        -w700,
-        w652 * w715 - w666 * w716 + w676 * w717 - w683 * w718,
-        0.0,
-        w652 * w717 + w666 * w718 - w676 * w715 - w683 * w716,
-        -w644,
-        -w638,
-        -w631,
-        w727,
-        w728,
-        w729,
-        -w643,
-        -w637,
-        -w630,
-        w738,
-        w739,
-        w740,
-        -w642,
-        -w636,
-        -w629,
-        -(w602 * w628 + lam_R0 * w465),
-        -(w603 * w628 + lam_R0 * w466),
-        -(w604 * w628 + lam_R0 * w467),
-        w703,
-        w702,
-        w701,
-        w749,
-        w750,
-        w751,
-        w710,
-        w709,
-        w708,
-        w760,
-        w761,
-        w762,
+    joint_forces = ca.horzcat(
+        ca.vertcat(  # hinge0
+            -w692, -w698, -w701, w652 * w716 - w667 * w717 + w677 * w718 - w684 * w719, 0.0,
+            w652 * w718 + w667 * w719 - w677 * w716 - w684 * w717,
+        ),
+        ca.vertcat(-w644, -w638, -w631, w728, w729, w730),  # hinge1
+        ca.vertcat(-w643, -w637, -w630, w739, w740, w741),  # hinge2
+        ca.vertcat(  # hinge3
+            -w642, -w636, -w629, -(w602 * w628 + lam_R0 * w465), -(w603 * w628 + lam_R0 * w466),
+            -(w604 * w628 + lam_R0 * w467),
+        ),
+        ca.vertcat(w704, w703, w702, w750, w751, w752),  # hinge4
+        ca.vertcat(w711, w710, w709, w761, w762, w763),  # hinge5
     )
-    joint_forces = ca.reshape(joint_forces, 6, 6)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, lam_R, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, lam_R, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "lam_R", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 1150 operations."""
+    """Energies and powers.
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 40) [mixed]: rates of all coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    1150 operations.
+    """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
     c = ca.SX.sym("c", 154)
@@ -12022,8 +6289,8 @@ def energy() -> ca.Function:
     c6 = c[6]
     c8 = c[8]
     c9 = c[9]
-    c11 = c[11]
-    c12 = c[12]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
     c21 = c[21]
     c25 = c[25]
@@ -12048,12 +6315,12 @@ def energy() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c64 = c[64]
+    bar5_mass = c[64]
     c67 = c[67]
     c69 = c[69]
     c70 = c[70]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c76 = c[76]
     c77 = c[77]
     c78 = c[78]
@@ -12071,10 +6338,11 @@ def energy() -> ca.Function:
     c91 = c[91]
     c92 = c[92]
     c93 = c[93]
-    c94 = c[94]
-    c102 = c[102]
+    gravity_y = c[94]
+    bar1_mass = c[102]
     c103 = c[103]
     c104 = c[104]
+    # intermediate terms (253)
     w0 = bar1_e2 * -2.0
     w1 = 2 * bar1_e1
     w2 = 2 * bar1_e0
@@ -12091,7 +6359,7 @@ def energy() -> ca.Function:
     w13 = w3 * w12
     w14 = w2 * w5
     w15 = w13 - w14
-    w16 = bar1_x_dot * (bar1_x_dot * c102 + w7 * bar1_e0_dot + w9 * bar1_e1_dot + w11 * bar1_e2_dot + w15 * bar1_e3_dot)
+    w16 = bar1_x_dot * bar1_mass + w7 * bar1_e0_dot + w9 * bar1_e1_dot + w11 * bar1_e2_dot + w15 * bar1_e3_dot
     w17 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c93
     w18 = w4 * w17 - w13
     w19 = w0 * w17
@@ -12100,12 +6368,12 @@ def energy() -> ca.Function:
     w22 = w2 * w17
     w23 = 2 * bar1_e2
     w24 = w22 - w3 * w23
-    w25 = bar1_y_dot * c102 + bar1_e0_dot * w18 + bar1_e1_dot * w20 + bar1_e2_dot * w21 + bar1_e3_dot * w24
+    w25 = bar1_y_dot * bar1_mass + bar1_e0_dot * w18 + bar1_e1_dot * w20 + bar1_e2_dot * w21 + bar1_e3_dot * w24
     w26 = w5 * w12 - w19
     w27 = w14 - w8 * w17
     w28 = w6 - w22
     w29 = w5 * w23 - w12 * w17
-    w30 = bar1_z_dot * c102 + bar1_e0_dot * w26 + bar1_e1_dot * w27 + bar1_e2_dot * w28 + bar1_e3_dot * w29
+    w30 = bar1_z_dot * bar1_mass + bar1_e0_dot * w26 + bar1_e1_dot * w27 + bar1_e2_dot * w28 + bar1_e3_dot * w29
     w31 = bar1_x_dot * w7 + bar1_y_dot * w18 + bar1_z_dot * w26 + bar1_e0_dot * (w12 * (w12 * c6) + w0 * (w0 * c8) + w4 * (w4 * c9))
     w32 = w2 * c6
     w33 = w12 * w32 + bar1_e2 * bar1_e3 * c54
@@ -12116,7 +6384,7 @@ def energy() -> ca.Function:
     w38 = w1 * c8
     w39 = w2 * c9
     w40 = bar1_e2 * bar1_e1 * c52 + w4 * w39
-    w41 = w16 + bar1_y_dot * w25 + bar1_z_dot * w30 + bar1_e0_dot * (w31 + bar1_e1_dot * w33 + bar1_e2_dot * w36 + bar1_e3_dot * w40)
+    w41 = bar1_x_dot * w16 + bar1_y_dot * w25 + bar1_z_dot * w30 + bar1_e0_dot * (w31 + bar1_e1_dot * w33 + bar1_e2_dot * w36 + bar1_e3_dot * w40)
     w42 = bar1_x_dot * w9 + bar1_y_dot * w20 + bar1_z_dot * w27 + bar1_e0_dot * w33 + bar1_e1_dot * (w2 * w32 + w4 * (w4 * c8) + w23 * (w23 * c9))
     w43 = bar1_e3 * bar1_e0 * c50 + w23 * w35
     w44 = w4 * w38 + bar1_e2 * bar1_e0 * c103
@@ -12141,7 +6409,7 @@ def energy() -> ca.Function:
     w63 = w52 * w62
     w64 = w50 * w54
     w65 = w63 - w64
-    w66 = bar2_x_dot * (bar2_x_dot * c11 + w56 * bar2_e0_dot + w58 * bar2_e1_dot + w61 * bar2_e2_dot + w65 * bar2_e3_dot)
+    w66 = bar2_x_dot * bar2_mass + w56 * bar2_e0_dot + w58 * bar2_e1_dot + w61 * bar2_e2_dot + w65 * bar2_e3_dot
     w67 = (bar2_e2 * w60 - w50 * bar2_e3) * c14
     w68 = w53 * w67 - w63
     w69 = w49 * w67
@@ -12149,210 +6417,204 @@ def energy() -> ca.Function:
     w71 = w60 * w67 - w52 * w53
     w72 = w50 * w67
     w73 = w72 - w51 * w52
-    w74 = bar2_y_dot * (bar2_y_dot * c11 + bar2_e0_dot * w68 + bar2_e1_dot * w70 + bar2_e2_dot * w71 + bar2_e3_dot * w73)
-    w75 = w54 * w62 - w69
-    w76 = w64 - w57 * w67
-    w77 = w55 - w72
-    w78 = w51 * w54 - w62 * w67
-    w79 = bar2_z_dot * (bar2_z_dot * c11 + bar2_e0_dot * w75 + bar2_e1_dot * w76 + bar2_e2_dot * w77 + bar2_e3_dot * w78)
-    w80 = bar2_x_dot * w56 + bar2_y_dot * w68 + bar2_z_dot * w75 + bar2_e0_dot * (w62 * (w62 * c25) + w49 * (w49 * c27) + w53 * (w53 * c28))
-    w81 = w50 * c25
-    w82 = w62 * w81 + bar2_e2 * bar2_e3 * c47
-    w83 = w50 * c27
-    w84 = w62 * c28
-    w85 = w49 * w83 + bar2_e1 * bar2_e3 * c46
-    w86 = w49 * c25
-    w87 = w60 * c27
-    w88 = w50 * c28
-    w89 = bar2_e2 * bar2_e1 * c41 + w53 * w88
-    w90 = w47 + bar1_e3_dot * (w48 + bar1_e3_dot * (w0 * w37 + w1 * w38 + w2 * w39)) + w66 + w74 + w79 + bar2_e0_dot * (w80 + bar2_e1_dot * w82 + bar2_e2_dot * w85 + bar2_e3_dot * w89)
-    w91 = bar2_x_dot * w58 + bar2_y_dot * w70 + bar2_z_dot * w76 + bar2_e0_dot * w82 + bar2_e1_dot * (w50 * w81 + w53 * (w53 * c27) + w51 * (w51 * c28))
-    w92 = bar2_e0 * bar2_e3 * c48 + w51 * w84
-    w93 = w53 * w87 + bar2_e2 * bar2_e0 * c45
-    w94 = bar2_x_dot * w61 + bar2_y_dot * w71 + bar2_z_dot * w77 + bar2_e0_dot * w85 + bar2_e1_dot * w92 + bar2_e2_dot * (w57 * (w57 * c25) + w50 * w83 + w62 * w84)
-    w95 = w57 * w86 + bar2_e0 * bar2_e1 * c44
-    w96 = w90 + bar2_e1_dot * (w91 + bar2_e2_dot * w92 + bar2_e3_dot * w93) + bar2_e2_dot * (w94 + bar2_e3_dot * w95)
-    w97 = bar2_x_dot * w65 + bar2_y_dot * w73 + bar2_z_dot * w78 + bar2_e0_dot * w89 + bar2_e1_dot * w93 + bar2_e2_dot * w95
-    w98 = bar3_e2 * -2.0
-    w99 = (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * c21
-    w100 = bar3_e3 * -2.0
-    w101 = 2 * bar3_e2
-    w102 = 2 * bar3_e0
-    w103 = (bar3_e3 * w101 - bar3_e1 * w102) * c21
-    w104 = w100 * w103
-    w105 = w98 * w99 - w104
-    w106 = 2 * bar3_e3
-    w107 = w99 * w106 - w98 * w103
-    w108 = w99 * w102
-    w109 = 2 * bar3_e1
-    w110 = w108 - w103 * w109
-    w111 = bar3_e1 * -2.0
-    w112 = w99 * w111
-    w113 = w102 * w103
-    w114 = w112 - w113
-    w115 = bar3_x_dot * c12 + w105 * bar3_e0_dot + w107 * bar3_e1_dot + w110 * bar3_e2_dot + w114 * bar3_e3_dot
-    w116 = w96 + bar2_e3_dot * (w97 + bar2_e3_dot * (w49 * w86 + w60 * w87 + w50 * w88)) + bar3_x_dot * w115
-    w117 = (bar3_e2 * w102 + bar3_e3 * w109) * c21
-    w118 = w100 * w117 - w112
-    w119 = w98 * w117
-    w120 = w119 - w108
-    w121 = w109 * w117 - w99 * w100
-    w122 = w102 * w117
-    w123 = w122 - w99 * w101
-    w124 = bar3_y_dot * c12 + bar3_e0_dot * w118 + bar3_e1_dot * w120 + bar3_e2_dot * w121 + bar3_e3_dot * w123
-    w125 = w103 * w111 - w119
-    w126 = w113 - w106 * w117
-    w127 = w104 - w122
-    w128 = w101 * w103 - w111 * w117
-    w129 = bar3_z_dot * c12 + bar3_e0_dot * w125 + bar3_e1_dot * w126 + bar3_e2_dot * w127 + bar3_e3_dot * w128
-    w130 = bar3_x_dot * w105 + bar3_y_dot * w118 + bar3_z_dot * w125 + bar3_e0_dot * (w111 * (w111 * c31) + w98 * (w98 * c33) + w100 * (w100 * c34))
-    w131 = w102 * c31
-    w132 = w111 * w131 + bar3_e2 * bar3_e3 * c40
-    w133 = w102 * c33
-    w134 = w111 * c34
-    w135 = w98 * w133 + bar3_e1 * bar3_e3 * c39
-    w136 = w98 * c31
-    w137 = w109 * c33
-    w138 = w102 * c34
-    w139 = bar3_e2 * bar3_e1 * c38 + w100 * w138
-    w140 = w116 + bar3_y_dot * w124 + bar3_z_dot * w129 + bar3_e0_dot * (w130 + bar3_e1_dot * w132 + bar3_e2_dot * w135 + bar3_e3_dot * w139)
-    w141 = bar3_x_dot * w107 + bar3_y_dot * w120 + bar3_z_dot * w126 + bar3_e0_dot * w132 + bar3_e1_dot * (w102 * w131 + w100 * (w100 * c33) + w101 * (w101 * c34))
-    w142 = bar3_e3 * bar3_e0 * c37 + w101 * w134
-    w143 = w100 * w137 + bar3_e2 * bar3_e0 * c36
-    w144 = bar3_x_dot * w110 + bar3_y_dot * w121 + bar3_z_dot * w127 + bar3_e0_dot * w135 + bar3_e1_dot * w142
-    w145 = w106 * w136 + bar3_e1 * bar3_e0 * c35
-    w146 = bar3_e2_dot * (w144 + bar3_e2_dot * (w106 * (w106 * c31) + w102 * w133 + w111 * w134) + bar3_e3_dot * w145)
-    w147 = bar3_x_dot * w114 + bar3_y_dot * w123 + bar3_z_dot * w128 + bar3_e0_dot * w139 + bar3_e1_dot * w143
-    w148 = bar3_e3_dot * (w147 + bar3_e2_dot * w145 + bar3_e3_dot * (w98 * w136 + w109 * w137 + w102 * w138))
-    w149 = bar4_e2 * -2.0
-    w150 = 2 * bar4_e1
-    w151 = 2 * bar4_e0
-    w152 = (w150 * bar4_e3 - bar4_e2 * w151) * c78
-    w153 = bar4_e3 * -2.0
-    w154 = (bar4_e3 * w151 + bar4_e2 * w150) * c78
-    w155 = w153 * w154
-    w156 = w149 * w152 - w155
-    w157 = 2 * bar4_e3
-    w158 = w152 * w157 - w149 * w154
-    w159 = w151 * w152
-    w160 = w159 - w150 * w154
-    w161 = bar4_e1 * -2.0
-    w162 = w152 * w161
-    w163 = w151 * w154
-    w164 = w162 - w163
-    w165 = bar4_x_dot * c74 + w156 * bar4_e0_dot + w158 * bar4_e1_dot + w160 * bar4_e2_dot + w164 * bar4_e3_dot
-    w166 = w140 + bar3_e1_dot * (w141 + bar3_e2_dot * w142 + bar3_e3_dot * w143) + w146 + w148 + bar4_x_dot * w165
-    w167 = (1.0 - 2 * bar4_e2**2 - 2 * bar4_e3**2) * c78
-    w168 = w153 * w167 - w162
-    w169 = w149 * w167
-    w170 = w169 - w159
-    w171 = w150 * w167 - w152 * w153
-    w172 = w151 * w167
-    w173 = 2 * bar4_e2
-    w174 = w172 - w152 * w173
-    w175 = bar4_y_dot * c74 + bar4_e0_dot * w168 + bar4_e1_dot * w170 + bar4_e2_dot * w171 + bar4_e3_dot * w174
-    w176 = w154 * w161 - w169
-    w177 = w163 - w157 * w167
-    w178 = w155 - w172
-    w179 = w154 * w173 - w161 * w167
-    w180 = bar4_z_dot * c74 + bar4_e0_dot * w176 + bar4_e1_dot * w177 + bar4_e2_dot * w178 + bar4_e3_dot * w179
-    w181 = bar4_x_dot * w156 + bar4_y_dot * w168 + bar4_z_dot * w176 + bar4_e0_dot * (w161 * (w161 * c73) + w149 * (w149 * c76) + w153 * (w153 * c77))
-    w182 = w151 * c73
-    w183 = w161 * w182 + bar4_e2 * bar4_e3 * c86
-    w184 = w151 * c76
-    w185 = w161 * c77
-    w186 = w149 * w184 + bar4_e1 * bar4_e3 * c85
-    w187 = w149 * c73
-    w188 = w150 * c76
-    w189 = w151 * c77
-    w190 = bar4_e2 * bar4_e1 * c79 + w153 * w189
-    w191 = w166 + bar4_y_dot * w175 + bar4_z_dot * w180 + bar4_e0_dot * (w181 + bar4_e1_dot * w183 + bar4_e2_dot * w186 + bar4_e3_dot * w190)
-    w192 = bar4_x_dot * w158 + bar4_y_dot * w170 + bar4_z_dot * w177 + bar4_e0_dot * w183 + bar4_e1_dot * (w151 * w182 + w153 * (w153 * c76) + w173 * (w173 * c77))
-    w193 = bar4_e3 * bar4_e0 * c87 + w173 * w185
-    w194 = w153 * w188 + bar4_e2 * bar4_e0 * c84
-    w195 = bar4_x_dot * w160 + bar4_y_dot * w171 + bar4_z_dot * w178 + bar4_e0_dot * w186 + bar4_e1_dot * w193
-    w196 = w157 * w187 + bar4_e1 * bar4_e0 * c83
-    w197 = bar4_e2_dot * (w195 + bar4_e2_dot * (w157 * (w157 * c73) + w151 * w184 + w161 * w185) + bar4_e3_dot * w196)
-    w198 = bar4_x_dot * w164 + bar4_y_dot * w174 + bar4_z_dot * w179 + bar4_e0_dot * w190 + bar4_e1_dot * w194
-    w199 = bar4_e3_dot * (w198 + bar4_e2_dot * w196 + bar4_e3_dot * (w149 * w187 + w150 * w188 + w151 * w189))
-    w200 = bar5_e2 * -2.0
-    w201 = 2 * bar5_e0
-    w202 = 2 * bar5_e2
-    w203 = (w201 * bar5_e1 + w202 * bar5_e3) * c80
-    w204 = bar5_e3 * -2.0
-    w205 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c80
-    w206 = w204 * w205
-    w207 = w200 * w203 - w206
-    w208 = 2 * bar5_e3
-    w209 = w203 * w208 - w200 * w205
-    w210 = w201 * w203
-    w211 = 2 * bar5_e1
-    w212 = w210 - w205 * w211
-    w213 = bar5_e1 * -2.0
-    w214 = w203 * w213
-    w215 = w201 * w205
-    w216 = w214 - w215
-    w217 = bar5_x_dot * c64 + w207 * bar5_e0_dot + w209 * bar5_e1_dot + w212 * bar5_e2_dot + w216 * bar5_e3_dot
-    w218 = w191 + bar4_e1_dot * (w192 + bar4_e2_dot * w193 + bar4_e3_dot * w194) + w197 + w199 + bar5_x_dot * w217
-    w219 = (bar5_e2 * w211 - w201 * bar5_e3) * c80
-    w220 = w204 * w219 - w214
-    w221 = w200 * w219
-    w222 = w221 - w210
-    w223 = w211 * w219 - w203 * w204
-    w224 = w201 * w219
-    w225 = w224 - w202 * w203
-    w226 = bar5_y_dot * c64 + bar5_e0_dot * w220 + bar5_e1_dot * w222 + bar5_e2_dot * w223 + bar5_e3_dot * w225
-    w227 = w205 * w213 - w221
-    w228 = w215 - w208 * w219
-    w229 = w206 - w224
-    w230 = w202 * w205 - w213 * w219
-    w231 = bar5_z_dot * c64 + bar5_e0_dot * w227 + bar5_e1_dot * w228 + bar5_e2_dot * w229 + bar5_e3_dot * w230
-    w232 = bar5_x_dot * w207 + bar5_y_dot * w220 + bar5_z_dot * w227 + bar5_e0_dot * (w213 * (w213 * c67) + w200 * (w200 * c69) + w204 * (w204 * c70))
-    w233 = w201 * c67
-    w234 = w213 * w233 + bar5_e2 * bar5_e3 * c92
-    w235 = w201 * c69
-    w236 = w213 * c70
-    w237 = w200 * w235 + bar5_e1 * bar5_e3 * c91
-    w238 = w200 * c67
-    w239 = w211 * c69
-    w240 = w201 * c70
-    w241 = bar5_e2 * bar5_e1 * c90 + w204 * w240
-    w242 = w218 + bar5_y_dot * w226 + bar5_z_dot * w231 + bar5_e0_dot * (w232 + bar5_e1_dot * w234 + bar5_e2_dot * w237 + bar5_e3_dot * w241)
-    w243 = bar5_x_dot * w209 + bar5_y_dot * w222 + bar5_z_dot * w228 + bar5_e0_dot * w234 + bar5_e1_dot * (w201 * w233 + w204 * (w204 * c69) + w202 * (w202 * c70))
-    w244 = bar5_e0 * bar5_e3 * c89 + w202 * w236
-    w245 = w204 * w239 + bar5_e2 * bar5_e0 * c88
-    w246 = bar5_x_dot * w212 + bar5_y_dot * w223 + bar5_z_dot * w229 + bar5_e0_dot * w237 + bar5_e1_dot * w244
-    w247 = w208 * w238 + bar5_e0 * bar5_e1 * c82
-    w248 = bar5_e2_dot * (w246 + bar5_e2_dot * (w208 * (w208 * c67) + w201 * w235 + w213 * w236) + bar5_e3_dot * w247)
-    w249 = bar5_x_dot * w216 + bar5_y_dot * w225 + bar5_z_dot * w230 + bar5_e0_dot * w241 + bar5_e1_dot * w245
-    w250 = bar5_e3_dot * (w249 + bar5_e2_dot * w247 + bar5_e3_dot * (w200 * w238 + w211 * w239 + w201 * w240))
-    w251 = (w5 + bar1_y * c102) * c94 + (w54 + bar2_y * c11) * c94 + (w103 + bar3_y * c12) * c94 + (w154 + bar4_y * c74) * c94
-    kinetic = ca.vertcat(
-        (w242 + bar5_e1_dot * (w243 + bar5_e2_dot * w244 + bar5_e3_dot * w245) + w248 + w250) / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -(w251 + (w205 + bar5_y * c64) * c94),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w74 = bar2_y_dot * bar2_mass + bar2_e0_dot * w68 + bar2_e1_dot * w70 + bar2_e2_dot * w71 + bar2_e3_dot * w73
+    w75 = w47 + bar1_e3_dot * (w48 + bar1_e3_dot * (w0 * w37 + w1 * w38 + w2 * w39)) + bar2_x_dot * w66 + bar2_y_dot * w74
+    w76 = w54 * w62 - w69
+    w77 = w64 - w57 * w67
+    w78 = w55 - w72
+    w79 = w51 * w54 - w62 * w67
+    w80 = bar2_z_dot * bar2_mass + bar2_e0_dot * w76 + bar2_e1_dot * w77 + bar2_e2_dot * w78 + bar2_e3_dot * w79
+    w81 = bar2_x_dot * w56 + bar2_y_dot * w68 + bar2_z_dot * w76 + bar2_e0_dot * (w62 * (w62 * c25) + w49 * (w49 * c27) + w53 * (w53 * c28))
+    w82 = w50 * c25
+    w83 = w62 * w82 + bar2_e2 * bar2_e3 * c47
+    w84 = w50 * c27
+    w85 = w62 * c28
+    w86 = w49 * w84 + bar2_e1 * bar2_e3 * c46
+    w87 = w49 * c25
+    w88 = w60 * c27
+    w89 = w50 * c28
+    w90 = bar2_e2 * bar2_e1 * c41 + w53 * w89
+    w91 = w75 + bar2_z_dot * w80 + bar2_e0_dot * (w81 + bar2_e1_dot * w83 + bar2_e2_dot * w86 + bar2_e3_dot * w90)
+    w92 = bar2_x_dot * w58 + bar2_y_dot * w70 + bar2_z_dot * w77 + bar2_e0_dot * w83 + bar2_e1_dot * (w50 * w82 + w53 * (w53 * c27) + w51 * (w51 * c28))
+    w93 = bar2_e0 * bar2_e3 * c48 + w51 * w85
+    w94 = w53 * w88 + bar2_e2 * bar2_e0 * c45
+    w95 = bar2_x_dot * w61 + bar2_y_dot * w71 + bar2_z_dot * w78 + bar2_e0_dot * w86 + bar2_e1_dot * w93 + bar2_e2_dot * (w57 * (w57 * c25) + w50 * w84 + w62 * w85)
+    w96 = w57 * w87 + bar2_e0 * bar2_e1 * c44
+    w97 = w91 + bar2_e1_dot * (w92 + bar2_e2_dot * w93 + bar2_e3_dot * w94) + bar2_e2_dot * (w95 + bar2_e3_dot * w96)
+    w98 = bar2_x_dot * w65 + bar2_y_dot * w73 + bar2_z_dot * w79 + bar2_e0_dot * w90 + bar2_e1_dot * w94 + bar2_e2_dot * w96
+    w99 = bar3_e2 * -2.0
+    w100 = (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * c21
+    w101 = bar3_e3 * -2.0
+    w102 = 2 * bar3_e2
+    w103 = 2 * bar3_e0
+    w104 = (bar3_e3 * w102 - bar3_e1 * w103) * c21
+    w105 = w101 * w104
+    w106 = w99 * w100 - w105
+    w107 = 2 * bar3_e3
+    w108 = w100 * w107 - w99 * w104
+    w109 = w100 * w103
+    w110 = 2 * bar3_e1
+    w111 = w109 - w104 * w110
+    w112 = bar3_e1 * -2.0
+    w113 = w100 * w112
+    w114 = w103 * w104
+    w115 = w113 - w114
+    w116 = bar3_x_dot * bar3_mass + w106 * bar3_e0_dot + w108 * bar3_e1_dot + w111 * bar3_e2_dot + w115 * bar3_e3_dot
+    w117 = w97 + bar2_e3_dot * (w98 + bar2_e3_dot * (w49 * w87 + w60 * w88 + w50 * w89)) + bar3_x_dot * w116
+    w118 = (bar3_e2 * w103 + bar3_e3 * w110) * c21
+    w119 = w101 * w118 - w113
+    w120 = w99 * w118
+    w121 = w120 - w109
+    w122 = w110 * w118 - w100 * w101
+    w123 = w103 * w118
+    w124 = w123 - w100 * w102
+    w125 = bar3_y_dot * bar3_mass + bar3_e0_dot * w119 + bar3_e1_dot * w121 + bar3_e2_dot * w122 + bar3_e3_dot * w124
+    w126 = w104 * w112 - w120
+    w127 = w114 - w107 * w118
+    w128 = w105 - w123
+    w129 = w102 * w104 - w112 * w118
+    w130 = bar3_z_dot * bar3_mass + bar3_e0_dot * w126 + bar3_e1_dot * w127 + bar3_e2_dot * w128 + bar3_e3_dot * w129
+    w131 = bar3_x_dot * w106 + bar3_y_dot * w119 + bar3_z_dot * w126 + bar3_e0_dot * (w112 * (w112 * c31) + w99 * (w99 * c33) + w101 * (w101 * c34))
+    w132 = w103 * c31
+    w133 = w112 * w132 + bar3_e2 * bar3_e3 * c40
+    w134 = w103 * c33
+    w135 = w112 * c34
+    w136 = w99 * w134 + bar3_e1 * bar3_e3 * c39
+    w137 = w99 * c31
+    w138 = w110 * c33
+    w139 = w103 * c34
+    w140 = bar3_e2 * bar3_e1 * c38 + w101 * w139
+    w141 = w117 + bar3_y_dot * w125 + bar3_z_dot * w130 + bar3_e0_dot * (w131 + bar3_e1_dot * w133 + bar3_e2_dot * w136 + bar3_e3_dot * w140)
+    w142 = bar3_x_dot * w108 + bar3_y_dot * w121 + bar3_z_dot * w127 + bar3_e0_dot * w133 + bar3_e1_dot * (w103 * w132 + w101 * (w101 * c33) + w102 * (w102 * c34))
+    w143 = bar3_e3 * bar3_e0 * c37 + w102 * w135
+    w144 = w101 * w138 + bar3_e2 * bar3_e0 * c36
+    w145 = bar3_x_dot * w111 + bar3_y_dot * w122 + bar3_z_dot * w128 + bar3_e0_dot * w136 + bar3_e1_dot * w143
+    w146 = w107 * w137 + bar3_e1 * bar3_e0 * c35
+    w147 = bar3_e2_dot * (w145 + bar3_e2_dot * (w107 * (w107 * c31) + w103 * w134 + w112 * w135) + bar3_e3_dot * w146)
+    w148 = bar3_x_dot * w115 + bar3_y_dot * w124 + bar3_z_dot * w129 + bar3_e0_dot * w140 + bar3_e1_dot * w144
+    w149 = bar3_e3_dot * (w148 + bar3_e2_dot * w146 + bar3_e3_dot * (w99 * w137 + w110 * w138 + w103 * w139))
+    w150 = bar4_e2 * -2.0
+    w151 = 2 * bar4_e1
+    w152 = 2 * bar4_e0
+    w153 = (w151 * bar4_e3 - bar4_e2 * w152) * c78
+    w154 = bar4_e3 * -2.0
+    w155 = (bar4_e3 * w152 + bar4_e2 * w151) * c78
+    w156 = w154 * w155
+    w157 = w150 * w153 - w156
+    w158 = 2 * bar4_e3
+    w159 = w153 * w158 - w150 * w155
+    w160 = w152 * w153
+    w161 = w160 - w151 * w155
+    w162 = bar4_e1 * -2.0
+    w163 = w153 * w162
+    w164 = w152 * w155
+    w165 = w163 - w164
+    w166 = bar4_x_dot * bar4_mass + w157 * bar4_e0_dot + w159 * bar4_e1_dot + w161 * bar4_e2_dot + w165 * bar4_e3_dot
+    w167 = w141 + bar3_e1_dot * (w142 + bar3_e2_dot * w143 + bar3_e3_dot * w144) + w147 + w149 + bar4_x_dot * w166
+    w168 = (1.0 - 2 * bar4_e2**2 - 2 * bar4_e3**2) * c78
+    w169 = w154 * w168 - w163
+    w170 = w150 * w168
+    w171 = w170 - w160
+    w172 = w151 * w168 - w153 * w154
+    w173 = w152 * w168
+    w174 = 2 * bar4_e2
+    w175 = w173 - w153 * w174
+    w176 = bar4_y_dot * bar4_mass + bar4_e0_dot * w169 + bar4_e1_dot * w171 + bar4_e2_dot * w172 + bar4_e3_dot * w175
+    w177 = w155 * w162 - w170
+    w178 = w164 - w158 * w168
+    w179 = w156 - w173
+    w180 = w155 * w174 - w162 * w168
+    w181 = bar4_z_dot * bar4_mass + bar4_e0_dot * w177 + bar4_e1_dot * w178 + bar4_e2_dot * w179 + bar4_e3_dot * w180
+    w182 = bar4_x_dot * w157 + bar4_y_dot * w169 + bar4_z_dot * w177 + bar4_e0_dot * (w162 * (w162 * c73) + w150 * (w150 * c76) + w154 * (w154 * c77))
+    w183 = w152 * c73
+    w184 = w162 * w183 + bar4_e2 * bar4_e3 * c86
+    w185 = w152 * c76
+    w186 = w162 * c77
+    w187 = w150 * w185 + bar4_e1 * bar4_e3 * c85
+    w188 = w150 * c73
+    w189 = w151 * c76
+    w190 = w152 * c77
+    w191 = bar4_e2 * bar4_e1 * c79 + w154 * w190
+    w192 = w167 + bar4_y_dot * w176 + bar4_z_dot * w181 + bar4_e0_dot * (w182 + bar4_e1_dot * w184 + bar4_e2_dot * w187 + bar4_e3_dot * w191)
+    w193 = bar4_x_dot * w159 + bar4_y_dot * w171 + bar4_z_dot * w178 + bar4_e0_dot * w184 + bar4_e1_dot * (w152 * w183 + w154 * (w154 * c76) + w174 * (w174 * c77))
+    w194 = bar4_e3 * bar4_e0 * c87 + w174 * w186
+    w195 = w154 * w189 + bar4_e2 * bar4_e0 * c84
+    w196 = bar4_x_dot * w161 + bar4_y_dot * w172 + bar4_z_dot * w179 + bar4_e0_dot * w187 + bar4_e1_dot * w194
+    w197 = w158 * w188 + bar4_e1 * bar4_e0 * c83
+    w198 = bar4_e2_dot * (w196 + bar4_e2_dot * (w158 * (w158 * c73) + w152 * w185 + w162 * w186) + bar4_e3_dot * w197)
+    w199 = bar4_x_dot * w165 + bar4_y_dot * w175 + bar4_z_dot * w180 + bar4_e0_dot * w191 + bar4_e1_dot * w195
+    w200 = bar4_e3_dot * (w199 + bar4_e2_dot * w197 + bar4_e3_dot * (w150 * w188 + w151 * w189 + w152 * w190))
+    w201 = bar5_e2 * -2.0
+    w202 = 2 * bar5_e0
+    w203 = 2 * bar5_e2
+    w204 = (w202 * bar5_e1 + w203 * bar5_e3) * c80
+    w205 = bar5_e3 * -2.0
+    w206 = (1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2) * c80
+    w207 = w205 * w206
+    w208 = w201 * w204 - w207
+    w209 = 2 * bar5_e3
+    w210 = w204 * w209 - w201 * w206
+    w211 = w202 * w204
+    w212 = 2 * bar5_e1
+    w213 = w211 - w206 * w212
+    w214 = bar5_e1 * -2.0
+    w215 = w204 * w214
+    w216 = w202 * w206
+    w217 = w215 - w216
+    w218 = bar5_x_dot * bar5_mass + w208 * bar5_e0_dot + w210 * bar5_e1_dot + w213 * bar5_e2_dot + w217 * bar5_e3_dot
+    w219 = w192 + bar4_e1_dot * (w193 + bar4_e2_dot * w194 + bar4_e3_dot * w195) + w198 + w200 + bar5_x_dot * w218
+    w220 = (bar5_e2 * w212 - w202 * bar5_e3) * c80
+    w221 = w205 * w220 - w215
+    w222 = w201 * w220
+    w223 = w222 - w211
+    w224 = w212 * w220 - w204 * w205
+    w225 = w202 * w220
+    w226 = w225 - w203 * w204
+    w227 = bar5_y_dot * bar5_mass + bar5_e0_dot * w221 + bar5_e1_dot * w223 + bar5_e2_dot * w224 + bar5_e3_dot * w226
+    w228 = w206 * w214 - w222
+    w229 = w216 - w209 * w220
+    w230 = w207 - w225
+    w231 = w203 * w206 - w214 * w220
+    w232 = bar5_z_dot * bar5_mass + bar5_e0_dot * w228 + bar5_e1_dot * w229 + bar5_e2_dot * w230 + bar5_e3_dot * w231
+    w233 = bar5_x_dot * w208 + bar5_y_dot * w221 + bar5_z_dot * w228 + bar5_e0_dot * (w214 * (w214 * c67) + w201 * (w201 * c69) + w205 * (w205 * c70))
+    w234 = w202 * c67
+    w235 = w214 * w234 + bar5_e2 * bar5_e3 * c92
+    w236 = w202 * c69
+    w237 = w214 * c70
+    w238 = w201 * w236 + bar5_e1 * bar5_e3 * c91
+    w239 = w201 * c67
+    w240 = w212 * c69
+    w241 = w202 * c70
+    w242 = bar5_e2 * bar5_e1 * c90 + w205 * w241
+    w243 = w219 + bar5_y_dot * w227 + bar5_z_dot * w232 + bar5_e0_dot * (w233 + bar5_e1_dot * w235 + bar5_e2_dot * w238 + bar5_e3_dot * w242)
+    w244 = bar5_x_dot * w210 + bar5_y_dot * w223 + bar5_z_dot * w229 + bar5_e0_dot * w235 + bar5_e1_dot * (w202 * w234 + w205 * (w205 * c69) + w203 * (w203 * c70))
+    w245 = bar5_e0 * bar5_e3 * c89 + w203 * w237
+    w246 = w205 * w240 + bar5_e2 * bar5_e0 * c88
+    w247 = bar5_x_dot * w213 + bar5_y_dot * w224 + bar5_z_dot * w230 + bar5_e0_dot * w238 + bar5_e1_dot * w245
+    w248 = w209 * w239 + bar5_e0 * bar5_e1 * c82
+    w249 = bar5_e2_dot * (w247 + bar5_e2_dot * (w209 * (w209 * c67) + w202 * w236 + w214 * w237) + bar5_e3_dot * w248)
+    w250 = bar5_x_dot * w217 + bar5_y_dot * w226 + bar5_z_dot * w231 + bar5_e0_dot * w242 + bar5_e1_dot * w246
+    w251 = bar5_e3_dot * (w250 + bar5_e2_dot * w248 + bar5_e3_dot * (w201 * w239 + w212 * w240 + w202 * w241))
+    w252 = (w5 + bar1_y * bar1_mass) * gravity_y + (w54 + bar2_y * bar2_mass) * gravity_y + (w104 + bar3_y * bar3_mass) * gravity_y
+    # outputs
+    kinetic = ca.vertcat((w243 + bar5_e1_dot * (w244 + bar5_e2_dot * w245 + bar5_e3_dot * w246) + w249 + w251) / 2.0)
+    elastic = ca.SX(1, 1)
+    potential = ca.vertcat(-(w252 + (w155 + bar4_y * bar4_mass) * gravity_y + (w206 + bar5_y * bar5_mass) * gravity_y))
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def measures() -> ca.Function:
-    """The scene's measures and their rates. 71 operations."""
+    """The scene's measures and their rates.
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 40) [mixed]: rates of all coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives measures (measures = 6) [mixed]: measures of the scene and their rates
+    71 operations.
+    """
     q = ca.SX.sym("q", 40)
     q_dot = ca.SX.sym("q_dot", 40)
     c = ca.SX.sym("c", 154)
@@ -12370,28 +6632,34 @@ def measures() -> ca.Function:
     bar3_e1_dot = q_dot[18]
     bar3_e2_dot = q_dot[19]
     bar3_e3_dot = q_dot[20]
-    c63 = c[63]
+    bar3_end_z = c[63]
+    # intermediate terms (6)
     w0 = 2 * bar3_e0
     w1 = 2 * bar3_e1
     w2 = 2 * bar3_e0_dot
-    w3 = bar3_x_dot + (bar3_e2 * w2 + w0 * bar3_e2_dot + (bar3_e3 * (2 * bar3_e1_dot) + w1 * bar3_e3_dot)) * c63
+    w3 = (bar3_e2 * w2 + w0 * bar3_e2_dot + (bar3_e3 * (2 * bar3_e1_dot) + w1 * bar3_e3_dot)) * bar3_end_z
     w4 = 2 * bar3_e2
-    w5 = bar3_y_dot + (bar3_e3 * (2 * bar3_e2_dot) + bar3_e3_dot * w4 - (bar3_e1 * w2 + w0 * bar3_e1_dot)) * c63
+    w5 = (bar3_e3 * (2 * bar3_e2_dot) + bar3_e3_dot * w4 - (bar3_e1 * w2 + w0 * bar3_e1_dot)) * bar3_end_z
+    # outputs
     measures = ca.vertcat(
-        bar3_x + (w0 * bar3_e2 + w1 * bar3_e3) * c63,
-        w3,
-        bar3_y + (bar3_e3 * w4 - w0 * bar3_e1) * c63,
-        w5,
-        bar3_z + (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * c63,
-        bar3_z_dot - (2 * (w1 * bar3_e1_dot) + 2 * (bar3_e2_dot * w4)) * c63,
+        bar3_x + (w0 * bar3_e2 + w1 * bar3_e3) * bar3_end_z,  # P3_x
+        bar3_x_dot + w3,  # P3_x_dot
+        bar3_y + (bar3_e3 * w4 - w0 * bar3_e1) * bar3_end_z,  # P3_y
+        bar3_y_dot + w5,  # P3_y_dot
+        bar3_z + (1.0 - 2 * bar3_e1**2 - 2 * bar3_e2**2) * bar3_end_z,  # P3_z
+        bar3_z_dot - (2 * (w1 * bar3_e1_dot) + 2 * (bar3_e2_dot * w4)) * bar3_end_z,  # P3_z_dot
     )
-    measures = ca.densify(measures)
-    inputs, outputs = [q, q_dot, c], [measures]
+    inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 226 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 40) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 5) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    226 operations.
+    """
     q = ca.SX.sym("q", 40)
     bar1_x = q[0]
     bar1_y = q[1]
@@ -12428,6 +6696,7 @@ def poses() -> ca.Function:
     bar5_e1 = q[32]
     bar5_e2 = q[33]
     bar5_e3 = q[34]
+    # intermediate terms (55)
     w0 = 2 * bar1_e2**2
     w1 = 2 * bar1_e3**2
     w2 = 2 * bar1_e0
@@ -12483,76 +6752,36 @@ def poses() -> ca.Function:
     w52 = 1.0 - 2 * bar5_e1**2
     w53 = w46 * bar5_e1
     w54 = bar5_e3 * (2 * bar5_e2)
+    # outputs
     poses = ca.vertcat(
-        bar1_x,
-        bar1_y,
-        bar1_z,
-        1.0 - w0 - w1,
-        w3 + w5,
-        w6 - w7,
-        w5 - w3,
-        w8 - w1,
-        w9 + w10,
-        w6 + w7,
-        w10 - w9,
-        w8 - w0,
-        bar2_x,
-        bar2_y,
-        bar2_z,
-        1.0 - w11 - w12,
-        w14 + w16,
-        w17 - w18,
-        w16 - w14,
-        w19 - w12,
-        w20 + w21,
-        w17 + w18,
-        w21 - w20,
-        w19 - w11,
-        bar3_x,
-        bar3_y,
-        bar3_z,
-        1.0 - w22 - w23,
-        w25 + w27,
-        w28 - w29,
-        w27 - w25,
-        w30 - w23,
-        w31 + w32,
-        w28 + w29,
-        w32 - w31,
-        w30 - w22,
-        bar4_x,
-        bar4_y,
-        bar4_z,
-        1.0 - w33 - w34,
-        w36 + w38,
-        w39 - w40,
-        w38 - w36,
-        w41 - w34,
-        w42 + w43,
-        w39 + w40,
-        w43 - w42,
-        w41 - w33,
-        bar5_x,
-        bar5_y,
-        bar5_z,
-        1.0 - w44 - w45,
-        w47 + w49,
-        w50 - w51,
-        w49 - w47,
-        w52 - w45,
-        w53 + w54,
-        w50 + w51,
-        w54 - w53,
-        w52 - w44,
+        ca.horzcat(bar1_x, bar2_x, bar3_x, bar4_x, bar5_x),
+        ca.horzcat(bar1_y, bar2_y, bar3_y, bar4_y, bar5_y),
+        ca.horzcat(bar1_z, bar2_z, bar3_z, bar4_z, bar5_z),
+        ca.horzcat(1.0 - w0 - w1, 1.0 - w11 - w12, 1.0 - w22 - w23, 1.0 - w33 - w34, 1.0 - w44 - w45),
+        ca.horzcat(w3 + w5, w14 + w16, w25 + w27, w36 + w38, w47 + w49),
+        ca.horzcat(w6 - w7, w17 - w18, w28 - w29, w39 - w40, w50 - w51),
+        ca.horzcat(w5 - w3, w16 - w14, w27 - w25, w38 - w36, w49 - w47),
+        ca.horzcat(w8 - w1, w19 - w12, w30 - w23, w41 - w34, w52 - w45),
+        ca.horzcat(w9 + w10, w20 + w21, w31 + w32, w42 + w43, w53 + w54),
+        ca.horzcat(w6 + w7, w17 + w18, w28 + w29, w39 + w40, w50 + w51),
+        ca.horzcat(w10 - w9, w21 - w20, w32 - w31, w43 - w42, w54 - w53),
+        ca.horzcat(w8 - w0, w19 - w11, w30 - w22, w41 - w33, w52 - w44),
     )
-    poses = ca.reshape(poses, 12, 5)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 24707 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 39) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
+    24707 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -12608,25 +6837,25 @@ def dQ_hat_dq_i() -> ca.Function:
     hinge2_angle_dot = q_d_dot[36]
     hinge4_angle_dot = q_d_dot[37]
     hinge5_angle_dot = q_d_dot[38]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -12660,16 +6889,16 @@ def dQ_hat_dq_i() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
@@ -12679,7 +6908,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c75 = c[75]
     c76 = c[76]
     c77 = c[77]
@@ -12698,7 +6927,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c91 = c[91]
     c92 = c[92]
     c93 = c[93]
-    c94 = c[94]
+    gravity_y = c[94]
     c95 = c[95]
     c96 = c[96]
     c97 = c[97]
@@ -12733,15 +6962,16 @@ def dQ_hat_dq_i() -> ca.Function:
     c132 = c[132]
     c133 = c[133]
     c134 = c[134]
+    # intermediate terms (4537)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
-    w3 = w2 * c1 * c0 - w2 * c2 * c3
+    w3 = w2 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w2 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w4 = hinge1_angle / 2.0
     w5 = ca.cos(w4)
     w6 = hinge2_angle / 2.0
     w7 = ca.cos(w6)
-    w8 = w7 * c16 * c19 - w7 * c18 * c17
+    w8 = w7 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w7 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w9 = 2 * bar3_e3
     w10 = 1.0 - 2 * bar3_e1**2
     w11 = 2 * bar3_e2**2
@@ -12759,9 +6989,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w23 = 2 * bar1_e1
     w24 = 2 * bar1_e0
     w25 = w23 * bar1_e3 - bar1_e2 * w24
-    w26 = w25 * c10
+    w26 = w25 * bar1_end_x
     w27 = bar1_e3 * -2.0
-    w28 = (bar1_e3 * w24 + bar1_e2 * w23) * c10
+    w28 = (bar1_e3 * w24 + bar1_e2 * w23) * bar1_end_x
     w29 = w27 * w28
     w30 = w22 * w26 - w29
     w31 = hinge0_angle_dot / 2.0
@@ -12772,7 +7002,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w36 = w35 * c108
     w37 = 2 * bar1_e3
     w38 = w26 * w37 - w22 * w28
-    w39 = w34 * c2 * c0 - w34 * c1 * c3
+    w39 = w34 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0 - w34 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0
     w40 = w24 * w26
     w41 = w40 - w23 * w28
     w42 = w32 * (w1 * 0.5)
@@ -12782,7 +7012,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w46 = w26 * w45
     w47 = w24 * w28
     w48 = w46 - w47
-    w49 = w42 * c2 * c3 - w42 * c1 * c0
+    w49 = w42 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w42 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
     w50 = w30 * w36 + w38 * w39 + w41 * w44 + w48 * w49
     w51 = bar2_e2 * -2.0
     w52 = 2 * bar2_e0
@@ -12790,12 +7020,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w54 = 2 * bar2_e2
     w55 = w54 * bar2_e3
     w56 = w53 + w55
-    w57 = w56 * c15
+    w57 = w56 * bar2_end_y
     w58 = bar2_e3 * -2.0
     w59 = 1.0 - 2 * bar2_e1**2
     w60 = 2 * bar2_e3**2
     w61 = w59 - w60
-    w62 = w61 * c15
+    w62 = w61 * bar2_end_y
     w63 = w58 * w62
     w64 = w51 * w57 - w63
     w65 = ca.sin(w4)
@@ -12808,12 +7038,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w72 = 2 * bar4_e0
     w73 = w72 * bar4_e2
     w74 = w71 - w73
-    w75 = w74 * c55
+    w75 = w74 * bar4_end_x
     w76 = bar4_e2 * -2.0
     w77 = bar4_e3 * w72
     w78 = w70 * bar4_e2
     w79 = w77 + w78
-    w80 = w79 * c55
+    w80 = w79 * bar4_end_x
     w81 = w69 * w75 - w76 * w80
     w82 = hinge4_angle / 2.0
     w83 = ca.sin(w82)
@@ -12825,19 +7055,19 @@ def dQ_hat_dq_i() -> ca.Function:
     w89 = 2 * bar5_e2
     w90 = w89 * bar5_e3
     w91 = w88 + w90
-    w92 = w91 * c56
+    w92 = w91 * bar5_end_y
     w93 = w87 * w92
     w94 = 2 * bar5_e1
     w95 = 1.0 - 2 * bar5_e1**2
     w96 = 2 * bar5_e3**2
     w97 = w95 - w96
-    w98 = w97 * c56
+    w98 = w97 * bar5_end_y
     w99 = w93 - w94 * w98
     w100 = w81 * w83 - w85 * w86 - w99
     w101 = hinge5_angle / 2.0
     w102 = ca.sin(w101)
     w103 = w102 / 2.0
-    w104 = w103 * c57 * c58 - w103 * c59 * c60
+    w104 = w103 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w103 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w105 = bar4_e1 * -2.0
     w106 = w75 * w105
     w107 = w72 * w80
@@ -12852,7 +7082,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w116 = w86 * w108 + w83 * w111 + w115
     w117 = ca.cos(w101)
     w118 = w117 / 2.0
-    w119 = w118 * c59 * c58 - w118 * c57 * c60
+    w119 = w118 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w118 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w120 = 2 * bar5_e3
     w121 = bar5_e2 * -2.0
     w122 = w92 * w120 - w98 * w121
@@ -12864,8 +7094,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w128 = w83 * w108 - w86 * w111 - w127
     w129 = w103 * c62
     w130 = w100 * w104 - w116 * w119 + w123 * w124 - w128 * w129
-    w131 = w12 * c63
-    w132 = w19 * c63
+    w131 = w12 * bar3_end_z
+    w132 = w19 * bar3_end_z
     w133 = w9 * w131 - w14 * w132
     w134 = bar2_e1 * -2.0
     w135 = w57 * w134
@@ -12884,7 +7114,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w148 = bar3_e3 * -2.0
     w149 = w132 * w148
     w150 = w14 * w131 - w149
-    w151 = w146 * c18 * c19 - w146 * c16 * c17
+    w151 = w146 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w146 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w152 = w8 * w133 - (w137 + w141 * w142 + w145 * w147) + w150 * w151
     w153 = bar1_e0 * w67 - bar1_e3 * w66
     w154 = w52 * w57
@@ -12901,13 +7131,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w165 = bar3_e2 * w17
     w166 = bar3_e3 * w144
     w167 = w165 + w166
-    w168 = w167 * c63
+    w168 = w167 * bar3_end_z
     w169 = w14 * w168
     w170 = w169 - w143
     w171 = bar2_e2 * w155
     w172 = w52 * bar2_e3
     w173 = w171 - w172
-    w174 = w173 * c15
+    w174 = w173 * bar2_end_y
     w175 = w52 * w174
     w176 = w175 - w54 * w57
     w177 = w17 * w168
@@ -12972,14 +7202,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w236 = w164 / w235
     w237 = 2 * bar4_e2**2
     w238 = 1.0 - w237 - w213
-    w239 = w238 * c55
+    w239 = w238 * bar4_end_x
     w240 = w76 * w239
     w241 = w240 - w84
     w242 = w70 * w239 - w75 * w109
     w243 = bar5_e2 * w94
     w244 = w87 * bar5_e3
     w245 = w243 - w244
-    w246 = w245 * c56
+    w246 = w245 * bar5_end_y
     w247 = w94 * w246 - w92 * w125
     w248 = w83 * w241 - w86 * w242 - w247
     w249 = w72 * w239
@@ -13028,8 +7258,8 @@ def dQ_hat_dq_i() -> ca.Function:
     w292 = w291 * c20
     w293 = w7 / 2.0
     w294 = w293 * c22
-    w295 = w291 * c18 * c17 - w291 * c16 * c19
-    w296 = w293 * c18 * c19 - w293 * c16 * c17
+    w295 = w291 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w291 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w296 = w293 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w293 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w297 = bar2_e0 * w292 + (bar2_e1 * w294 + bar2_e2 * w295 + bar2_e3 * w296)
     w298 = bar2_e0 * w296 - bar2_e3 * w292 + (bar2_e1 * w295 - bar2_e2 * w294)
     w299 = bar2_e0 * w295 - bar2_e2 * w292 + (bar2_e3 * w294 - bar2_e1 * w296)
@@ -13095,7 +7325,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w359 = w49 * w355 + w44 * w356 + w39 * w357 + w36 * w358
     w360 = w350 / w353
     w361 = 1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2
-    w362 = w361 * c10
+    w362 = w361 * bar1_end_x
     w363 = w24 * w362
     w364 = 2 * bar1_e2
     w365 = w363 - w26 * w364
@@ -13183,17 +7413,17 @@ def dQ_hat_dq_i() -> ca.Function:
     w447 = w17 * w401
     w448 = w446 - w447
     w449 = w15 * w20 - w138 * w401
-    w450 = w410 * c12 + w415 * w445 + w408 * w417 + w422 * w448 + w427 * w449
+    w450 = w410 * bar3_mass + w415 * w445 + w408 * w417 + w422 * w448 + w427 * w449
     w451 = w50 * w433 + w405 * w436 + w409 * w437 + w396 * w441 + w397 * w442 + w398 * w443 + w399 * w444 + w191 * w450
     w452 = w13 * w138
     w453 = w148 * w401 - w452
     w454 = w144 * w401 - w13 * w148
     w455 = w447 - w13 * w15
-    w456 = w406 * c12 + w415 * w453 + w404 * w417 + w422 * w454 + w427 * w455
+    w456 = w406 * bar3_mass + w415 * w453 + w404 * w417 + w422 * w454 + w427 * w455
     w457 = w13 * w14 - w446
     w458 = w403 - w20 * w144
     w459 = w452 - w407
-    w460 = w400 * c12 + w415 * w457 + w21 * w417 + w422 * w458 + w427 * w459
+    w460 = w400 * bar3_mass + w415 * w457 + w21 * w417 + w422 * w458 + w427 * w459
     w461 = bar3_e1 * bar3_e2 * c38 + w148 * w425
     w462 = w9 * w423 + bar3_e1 * bar3_e0 * c35
     w463 = w14 * w423 + w144 * w424 + w17 * w425
@@ -13216,16 +7446,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w480 = w432 - w159 * w434
     w481 = w58 * w431
     w482 = w481 - w435
-    w483 = w450 + (w409 * c11 + w396 * w479 + w397 * w480 + w398 * w482 + w399 * w437)
+    w483 = w450 + (w409 * bar2_mass + w396 * w479 + w397 * w480 + w398 * w482 + w399 * w437)
     w484 = w58 * w434 - w430
     w485 = w52 * w429
     w486 = w478 - w485
     w487 = w155 * w434 - w58 * w429
-    w488 = w456 + (w405 * c11 + w396 * w484 + w397 * w486 + w398 * w487 + w399 * w436)
+    w488 = w456 + (w405 * bar2_mass + w396 * w484 + w397 * w486 + w398 * w487 + w399 * w436)
     w489 = w51 * w429 - w481
     w490 = w159 * w429 - w51 * w431
     w491 = w485 - w155 * w431
-    w492 = w460 + (w50 * c11 + w396 * w489 + w397 * w490 + w398 * w491 + w399 * w433)
+    w492 = w460 + (w50 * bar2_mass + w396 * w489 + w397 * w490 + w398 * w491 + w399 * w433)
     w493 = w5 * w470 - (w39 * w474 + w36 * w475 + w44 * w476 + w49 * w477 + w376 * w483 + w365 * w488 + w48 * w492)
     w494 = w134 * (w134 * c25) + w51 * (w51 * c27) + w58 * (w58 * c28)
     w495 = w52 * c25
@@ -13255,11 +7485,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w519 = w361 * c93
     w520 = w25 * c93
     w521 = w1 * w32
-    w522 = w521 * c1 * c3 - w521 * c2 * c0
+    w522 = w521 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w521 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w523 = w43 * c51
     w524 = w35 * c42
-    w525 = w35 * c2 * c3 - w35 * c1 * c0
-    w526 = w22 * w513 + w23 * w517 + w24 * w518 + (w24 * w519 - w364 * w520) * c94 - (w474 * w522 - w475 * w523 + w476 * w524 + w477 * w525)
+    w525 = w35 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w35 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
+    w526 = w22 * w513 + w23 * w517 + w24 * w518 + (w24 * w519 - w364 * w520) * gravity_y - (w474 * w522 - w475 * w523 + w476 * w524 + w477 * w525)
     w527 = w134 * bar2_e0_dot + w52 * bar2_e1_dot
     w528 = w527 + w159 * bar2_e2_dot + w51 * bar2_e3_dot
     w529 = w528 * c14
@@ -13311,16 +7541,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w575 = hinge2_angle_dot / 2.0
     w576 = w575**2
     w577 = w146 * w576
-    w578 = w577 * c16 * c17 - w577 * c18 * c19
+    w578 = w577 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w577 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
     w579 = w7 * w576
     w580 = w575 * (w7 * w575) * c20
-    w581 = w579 * c18 * c17 - w579 * c16 * c19
+    w581 = w579 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w579 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w582 = w575 * (w146 * w575) * c22
     w583 = w293 * hinge2_angle_dot
-    w584 = w583 * c18 * c19 - w583 * c16 * c17
+    w584 = w583 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w583 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w585 = w291 * hinge2_angle_dot
     w586 = w585 * c20
-    w587 = w585 * c18 * c17 - w585 * c16 * c19
+    w587 = w585 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w585 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w588 = w583 * c22
     w589 = bar2_e0_dot * w584 - bar2_e3_dot * w586 + (bar2_e1_dot * w587 - bar2_e2_dot * w588)
     w590 = w589 + (bar2_e0 * w578 - bar2_e3 * w580 + (bar2_e1 * w581 + bar2_e2 * w582) + w589)
@@ -13378,9 +7608,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w642 = hinge5_angle_dot / 2.0
     w643 = w642**2
     w644 = w102 * w643
-    w645 = w644 * c57 * c60 - w644 * c59 * c58
+    w645 = w644 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w644 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
     w646 = w117 * w643
-    w647 = w646 * c57 * c58 - w646 * c59 * c60
+    w647 = w646 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w646 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w648 = w642 * (w102 * w642) * c61
     w649 = w642 * (w117 * w642) * c62
     w650 = w630 + w641 + w116 * w645 - w100 * w647 + w123 * w648 + w128 * w649 - w355 * w525 - w356 * w524 - w357 * w522
@@ -13431,7 +7661,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w695 = w629 + w5 * w522 + w65 * w524 + w162 * w693
     w696 = w627 - w65 * w522 + w5 * w524 - w158 * w693
     w697 = w625 - w65 * w523 + w5 * w525 + w153 * w693
-    w698 = w56 * w534 - w537 * w541 - w543 * w544 - (w551 * c11 + w479 * w694 + w480 * w695 + w482 * w696 + w437 * w697)
+    w698 = w56 * w534 - w537 * w541 - w543 * w544 - (w551 * bar2_mass + w479 * w694 + w480 * w695 + w482 * w696 + w437 * w697)
     w699 = w560 + (w559 + w148 * bar3_e1_dot) + w144 * bar3_e3_dot
     w700 = w699 * c21
     w701 = w562 + w9 * bar3_e2_dot + w14 * bar3_e3_dot
@@ -13446,23 +7676,23 @@ def dQ_hat_dq_i() -> ca.Function:
     w710 = w594 + w147 * w694 + w142 * w695 + w151 * w696 - w8 * w697 + w300 * w692
     w711 = w592 + w8 * w694 - w151 * w695 + w142 * w696 + w147 * w697 + w299 * w692
     w712 = w590 + w151 * w694 + w8 * w695 - w147 * w696 + w142 * w697 + w298 * w692
-    w713 = w12 * w703 - (w211 * w705 + w706 * w707) - (w708 * c12 + w445 * w709 + w408 * w710 + w448 * w711 + w449 * w712)
+    w713 = w12 * w703 - (w211 * w705 + w706 * w707) - (w708 * bar3_mass + w445 * w709 + w408 * w710 + w448 * w711 + w449 * w712)
     w714 = w698 + w713
     w715 = w171 + w172
     w716 = w55 - w53
     w717 = w658 - w372 * w523 + w370 * w522 + w367 * w524 + w365 * w525
-    w718 = c95 + (w61 * w534 - w541 * w715 - w544 * w716) - (w717 * c11 + w484 * w694 + w486 * w695 + w487 * w696 + w436 * w697)
+    w718 = c95 + (w61 * w534 - w541 * w715 - w544 * w716) - (w717 * bar2_mass + w484 * w694 + w486 * w695 + w487 * w696 + w436 * w697)
     w719 = w10 - w219
     w720 = w654 + w717 + w187 * w694 + w185 * w695 + w182 * w696 + w176 * w697
-    w721 = c96 + (w19 * w703 - (w205 * w705 + w707 * w719)) - (w720 * c12 + w453 * w709 + w404 * w710 + w454 * w711 + w455 * w712)
+    w721 = c96 + (w19 * w703 - (w205 * w705 + w707 * w719)) - (w720 * bar3_mass + w453 * w709 + w404 * w710 + w454 * w711 + w455 * w712)
     w722 = w718 + w721
     w723 = 1.0 - w542 - w60
     w724 = w535 + w536
     w725 = w623 - w30 * w523 + w38 * w522 + w41 * w524 + w48 * w525
-    w726 = w173 * w534 - w541 * w723 - w544 * w724 - (w725 * c11 + w489 * w694 + w490 * w695 + w491 * w696 + w433 * w697)
+    w726 = w173 * w534 - w541 * w723 - w544 * w724 - (w725 * bar2_mass + w489 * w694 + w490 * w695 + w491 * w696 + w433 * w697)
     w727 = w204 - w203
     w728 = w574 + w725 + w64 * w694 + w160 * w695 + w156 * w696 + w137 * w697
-    w729 = w167 * w703 - (w220 * w705 + w707 * w727) - (w728 * c12 + w457 * w709 + w21 * w710 + w458 * w711 + w459 * w712)
+    w729 = w167 * w703 - (w220 * w705 + w707 * w727) - (w728 * bar3_mass + w457 * w709 + w21 * w710 + w458 * w711 + w459 * w712)
     w730 = w726 + w729
     w731 = w532 * c24
     w732 = w540 * c23
@@ -13470,22 +7700,22 @@ def dQ_hat_dq_i() -> ca.Function:
     w734 = w528 * c26
     w735 = w532 * w734 - w528 * w731
     w736 = w528 * w732 - w540 * w734
-    w737 = w51 * w733 + w155 * w735 + w52 * w736 + w436 * c94 - (w433 * w725 + w436 * w717 + w437 * w551 + w441 * w694 + w442 * w695 + w443 * w696 + w444 * w697)
+    w737 = w51 * w733 + w155 * w735 + w52 * w736 + w436 * gravity_y - (w433 * w725 + w436 * w717 + w437 * w551 + w441 * w694 + w442 * w695 + w443 * w696 + w444 * w697)
     w738 = w704 * c30
     w739 = w699 * c29
     w740 = w699 * w738 - w704 * w739
     w741 = w701 * c32
     w742 = w704 * w741 - w701 * w738
     w743 = w701 * w739 - w699 * w741
-    w744 = w14 * w740 + w144 * w742 + w17 * w743 + w455 * c94 - (w459 * w728 + w455 * w720 + w449 * w708 + w461 * w709 + w426 * w710 + w462 * w711 + w463 * w712)
-    w745 = w9 * w740 + w17 * w742 + w138 * w743 + w454 * c94 - (w458 * w728 + w454 * w720 + w448 * w708 + w465 * w709 + w421 * w710 + w466 * w711 + w462 * w712)
-    w746 = w17 * w740 + w148 * w742 + w15 * w743 + w404 * c94 - (w21 * w728 + w404 * w720 + w408 * w708 + w414 * w709 + w416 * w710 + w421 * w711 + w426 * w712)
-    w747 = w138 * w740 + w14 * w742 + w148 * w743 + w453 * c94 - (w457 * w728 + w453 * w720 + w445 * w708 + w468 * w709 + w414 * w710 + w465 * w711 + w461 * w712)
+    w744 = w14 * w740 + w144 * w742 + w17 * w743 + w455 * gravity_y - (w459 * w728 + w455 * w720 + w449 * w708 + w461 * w709 + w426 * w710 + w462 * w711 + w463 * w712)
+    w745 = w9 * w740 + w17 * w742 + w138 * w743 + w454 * gravity_y - (w458 * w728 + w454 * w720 + w448 * w708 + w465 * w709 + w421 * w710 + w466 * w711 + w462 * w712)
+    w746 = w17 * w740 + w148 * w742 + w15 * w743 + w404 * gravity_y - (w21 * w728 + w404 * w720 + w408 * w708 + w414 * w709 + w416 * w710 + w421 * w711 + w426 * w712)
+    w747 = w138 * w740 + w14 * w742 + w148 * w743 + w453 * gravity_y - (w457 * w728 + w453 * w720 + w445 * w708 + w468 * w709 + w414 * w710 + w465 * w711 + w461 * w712)
     w748 = w737 + w191 * w713 + w176 * w721 + w137 * w729 + w142 * w744 + w147 * w745 - w8 * w746 - w151 * w747
-    w749 = w134 * w733 + w51 * w735 + w58 * w736 + w484 * c94 - (w489 * w725 + w484 * w717 + w479 * w551 + w494 * w694 + w498 * w695 + w502 * w696 + w441 * w697)
+    w749 = w134 * w733 + w51 * w735 + w58 * w736 + w484 * gravity_y - (w489 * w725 + w484 * w717 + w479 * w551 + w494 * w694 + w498 * w695 + w502 * w696 + w441 * w697)
     w750 = w749 + w200 * w713 + w187 * w721 + w64 * w729 + w151 * w744 + w8 * w745 + w147 * w746 + w142 * w747
     w751 = w33 * 0.25
-    w752 = w751 * c2 * c3 - w751 * c1 * c0
+    w752 = w751 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w751 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
     w753 = w3 * (w493 + w65 * w504) + (w526 + w376 * w714 + w365 * w722 + w48 * w730 + w5 * w748 - w65 * w750) * w752
     w754 = w2 * c42
     w755 = bar2_e0 * bar2_e3 * c48 + w54 * w501
@@ -13502,29 +7732,29 @@ def dQ_hat_dq_i() -> ca.Function:
     w766 = w52 * w495 + w58 * w496 + w54 * w497
     w767 = w50 * w490 + w405 * w486 + w409 * w480 + w396 * w498 + w397 * w766 + w398 * w755 + w399 * w442 + w198 * w450
     w768 = w151 * w467 - (w767 + w185 * w456 + w160 * w460 + w8 * w464) - w142 * w428 + w147 * w469
-    w769 = w37 * w513 + w24 * w517 + w45 * w518 + (w23 * w519 - w27 * w520) * c94 - (w522 * w762 - w523 * w763 + w524 * w764 + w476 * w525)
-    w770 = w159 * w733 + w52 * w735 + w134 * w736 + w487 * c94 - (w491 * w725 + w487 * w717 + w482 * w551 + w502 * w694 + w695 * w755 + w696 * w756 + w443 * w697)
+    w769 = w37 * w513 + w24 * w517 + w45 * w518 + (w23 * w519 - w27 * w520) * gravity_y - (w522 * w762 - w523 * w763 + w524 * w764 + w476 * w525)
+    w770 = w159 * w733 + w52 * w735 + w134 * w736 + w487 * gravity_y - (w491 * w725 + w487 * w717 + w482 * w551 + w502 * w694 + w695 * w755 + w696 * w756 + w443 * w697)
     w771 = w770 + w196 * w713 + w182 * w721 + w156 * w729 - w147 * w744 + w142 * w745 + w151 * w746 - w8 * w747
-    w772 = w52 * w733 + w58 * w735 + w54 * w736 + w486 * c94 - (w490 * w725 + w486 * w717 + w480 * w551 + w498 * w694 + w695 * w766 + w696 * w755 + w442 * w697)
+    w772 = w52 * w733 + w58 * w735 + w54 * w736 + w486 * gravity_y - (w490 * w725 + w486 * w717 + w480 * w551 + w498 * w694 + w695 * w766 + w696 * w755 + w442 * w697)
     w773 = w772 + w198 * w713 + w185 * w721 + w160 * w729 + w8 * w744 - w151 * w745 + w142 * w746 - w147 * w747
     w774 = w33 * c110
     w775 = w754 * (w765 + w65 * w768) - (w769 + w378 * w714 + w367 * w722 + w41 * w730 + w5 * w771 + w65 * w773) * w774
     w776 = w33 / 2.0
-    w777 = w776 * c1 * c3 - w776 * c2 * c0
+    w777 = w776 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w776 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w778 = w24 * c6
     w779 = w27 * c8
     w780 = w364 * c9
     w781 = w24 * w778 + w27 * w779 + w364 * w780
     w782 = w45 * w778 + bar1_e2 * bar1_e3 * c54
     w783 = w39 * w781 + w36 * w782 + w44 * w762 + w49 * w474 + w380 * w483 + w370 * w488 + w38 * w492 + w65 * w758
-    w784 = w24 * w513 + w27 * w517 + w364 * w518 + (w22 * w519 - w24 * w520) * c94 - (w522 * w781 - w523 * w782 + w524 * w762 + w474 * w525)
+    w784 = w24 * w513 + w27 * w517 + w364 * w518 + (w22 * w519 - w24 * w520) * gravity_y - (w522 * w781 - w523 * w782 + w524 * w762 + w474 * w525)
     w785 = w1 * 0.25
-    w786 = w785 * c1 * c3 - w785 * c2 * c0
+    w786 = w785 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w785 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w787 = w777 * (w5 * w768 - w783) + (w784 + w380 * w714 + w370 * w722 + w38 * w730 - w65 * w771 + w5 * w773) * w786
     w788 = w776 * c51
     w789 = w45 * (w45 * c6) + w22 * (w22 * c8) + w27 * (w27 * c9)
     w790 = w65 * w470 - (w39 * w782 + w36 * w789 + w44 * w763 + w49 * w475 + w382 * w483 + w372 * w488 + w30 * w492)
-    w791 = w45 * w513 + w22 * w517 + w27 * w518 + (w27 * w519 - w45 * w520) * c94 - (w522 * w782 - w523 * w789 + w524 * w763 + w475 * w525)
+    w791 = w45 * w513 + w22 * w517 + w27 * w518 + (w27 * w519 - w45 * w520) * gravity_y - (w522 * w782 - w523 * w789 + w524 * w763 + w475 * w525)
     w792 = w1 * c111
     w793 = w788 * (w790 - w5 * w504) + (w791 + w382 * w714 + w372 * w722 + w30 * w730 + w65 * w748 + w5 * w750) * w792
     w794 = w3 * w355 - w356 * w754 + w357 * w777 - w358 * w788
@@ -13552,7 +7782,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w816 = w72 * w810
     w817 = w815 - w816
     w818 = w207 * w809 - w105 * w810
-    w819 = w808 * c74 + w804 * w812 + w805 * w814 + w806 * w817 - w807 * w818
+    w819 = w808 * bar4_mass + w804 * w812 + w805 * w814 + w806 * w817 - w807 * w818
     w820 = w74 * c78
     w821 = w105 * w820
     w822 = w821 - w813
@@ -13573,11 +7803,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w837 = w72 * w820
     w838 = w811 - w837
     w839 = w70 * w810 - w109 * w820
-    w840 = w827 * c74 + w804 * w836 + w805 * w838 + w806 * w839 - w807 * w825
+    w840 = w827 * bar4_mass + w804 * w836 + w805 * w838 + w806 * w839 - w807 * w825
     w841 = w76 * w820 - w815
     w842 = w69 * w820 - w76 * w809
     w843 = w837 - w70 * w809
-    w844 = w824 * c74 + w804 * w841 + w805 * w842 + w806 * w843 - w807 * w822
+    w844 = w824 * bar4_mass + w804 * w841 + w805 * w842 + w806 * w843 - w807 * w822
     w845 = w835 + w250 * w840 + w108 * w844
     w846 = w91 * c80
     w847 = w112 * w846
@@ -13614,16 +7844,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w878 = w849 - w120 * w851
     w879 = w125 * w848
     w880 = w879 - w852
-    w881 = w819 + (w803 * c64 + w800 * w877 + w801 * w878 - w799 * w880 - w802 * w854)
+    w881 = w819 + (w803 * bar5_mass + w800 * w877 + w801 * w878 - w799 * w880 - w802 * w854)
     w882 = w125 * w851 - w847
     w883 = w87 * w846
     w884 = w876 - w883
     w885 = w94 * w851 - w125 * w846
-    w886 = w840 + (w826 * c64 + w800 * w882 + w801 * w884 - w799 * w885 - w802 * w853)
+    w886 = w840 + (w826 * bar5_mass + w800 * w882 + w801 * w884 - w799 * w885 - w802 * w853)
     w887 = w121 * w846 - w879
     w888 = w120 * w846 - w121 * w848
     w889 = w883 - w94 * w848
-    w890 = w844 + (w823 * c64 + w800 * w887 + w801 * w888 - w799 * w889 - w802 * w850)
+    w890 = w844 + (w823 * bar5_mass + w800 * w887 + w801 * w888 - w799 * w889 - w802 * w850)
     w891 = bar4_e3 * bar4_e0 * c87 + w207 * w872
     w892 = w69 * w870 + w72 * w871 + w105 * w872
     w893 = w263 * w819 - (w824 * w843 + w827 * w839 + w808 * w817 + w804 * w873 + w805 * w891 + w806 * w892 - w807 * w833)
@@ -13664,7 +7894,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w928 = w127 * w924 - w641 - w122 * w925 - w99 * w926 - w115 * w927
     w929 = w258 * w924 - w661 - w256 * w925 - w247 * w926 - w253 * w927
     w930 = w272 * w924 - w668 - w270 * w925 - w264 * w926 - w268 * w927
-    w931 = w121 * w919 + w94 * w922 + w87 * w923 + w853 * c94 - (w850 * w928 + w853 * w929 + w854 * w930 - w858 * w924 + w859 * w925 + w860 * w926 + w861 * w927)
+    w931 = w121 * w919 + w94 * w922 + w87 * w923 + w853 * gravity_y - (w850 * w928 + w853 * w929 + w854 * w930 - w858 * w924 + w859 * w925 + w860 * w926 + w861 * w927)
     w932 = w604 + (w603 + w207 * bar4_e1_dot + w105 * bar4_e2_dot)
     w933 = w932 * c72
     w934 = w598 + (w597 + w109 * bar4_e1_dot) + w70 * bar4_e3_dot
@@ -13681,20 +7911,20 @@ def dQ_hat_dq_i() -> ca.Function:
     w945 = w928 - (w607 + w111 * w941 + w81 * w942 + w85 * w943 + w108 * w944)
     w946 = w929 - (w656 + w251 * w941 + w241 * w942 + w242 * w943 + w250 * w944)
     w947 = w930 - (w665 + w267 * w941 + w262 * w942 + w263 * w943 + w266 * w944)
-    w948 = w76 * w936 + w70 * w939 + w72 * w940 + w825 * c94 - (w822 * w945 + w825 * w946 + w818 * w947 + w831 * w941 + w832 * w942 + w833 * w943 + w834 * w944)
+    w948 = w76 * w936 + w70 * w939 + w72 * w940 + w825 * gravity_y - (w822 * w945 + w825 * w946 + w818 * w947 + w831 * w941 + w832 * w942 + w833 * w943 + w834 * w944)
     w949 = w932 * c78
     w950 = w934 * c78
     w951 = w932 * w949 + w934 * w950
     w952 = w937 * w950
     w953 = w212 - w237
     w954 = w937 * w949
-    w955 = w74 * w951 - w209 * w952 - w953 * w954 - (w947 * c74 + w812 * w941 + w814 * w942 + w817 * w943 + w818 * w944)
+    w955 = w74 * w951 - w209 * w952 - w953 * w954 - (w947 * bar4_mass + w812 * w941 + w814 * w942 + w817 * w943 + w818 * w944)
     w956 = w208 - w206
-    w957 = c97 + (w79 * w951 - w214 * w952 - w954 * w956) - (w946 * c74 + w836 * w941 + w838 * w942 + w839 * w943 + w825 * w944)
+    w957 = c97 + (w79 * w951 - w214 * w952 - w954 * w956) - (w946 * bar4_mass + w836 * w941 + w838 * w942 + w839 * w943 + w825 * w944)
     w958 = w71 + w73
-    w959 = w238 * w951 - w217 * w952 - w954 * w958 - (w945 * c74 + w841 * w941 + w842 * w942 + w843 * w943 + w822 * w944)
+    w959 = w238 * w951 - w217 * w952 - w954 * w958 - (w945 * bar4_mass + w841 * w941 + w842 * w942 + w843 * w943 + w822 * w944)
     w960 = w948 - w266 * w955 - w250 * w957 - w108 * w959
-    w961 = w105 * w936 + w76 * w939 + w109 * w940 + w836 * c94 - (w841 * w945 + w836 * w946 + w812 * w947 + w865 * w941 + w869 * w942 + w873 * w943 + w831 * w944)
+    w961 = w105 * w936 + w76 * w939 + w109 * w940 + w836 * gravity_y - (w841 * w945 + w836 * w946 + w812 * w947 + w865 * w941 + w869 * w942 + w873 * w943 + w831 * w944)
     w962 = w961 - w267 * w955 - w251 * w957 - w111 * w959
     w963 = w920 * c80
     w964 = w915 * c80
@@ -13706,26 +7936,26 @@ def dQ_hat_dq_i() -> ca.Function:
     w970 = 2 * bar5_e2**2
     w971 = w95 - w970
     w972 = w917 * w964
-    w973 = w91 * w965 - w968 * w969 - w971 * w972 - (w930 * c64 - w877 * w924 + w878 * w925 + w880 * w926 + w854 * w927)
+    w973 = w91 * w965 - w968 * w969 - w971 * w972 - (w930 * bar5_mass - w877 * w924 + w878 * w925 + w880 * w926 + w854 * w927)
     w974 = w955 + w973
     w975 = w243 + w244
     w976 = w90 - w88
-    w977 = c98 + (w97 * w965 - w969 * w975 - w972 * w976) - (w929 * c64 - w882 * w924 + w884 * w925 + w885 * w926 + w853 * w927)
+    w977 = c98 + (w97 * w965 - w969 * w975 - w972 * w976) - (w929 * bar5_mass - w882 * w924 + w884 * w925 + w885 * w926 + w853 * w927)
     w978 = w957 + w977
     w979 = 1.0 - w970 - w96
     w980 = w966 + w967
-    w981 = w245 * w965 - w969 * w979 - w972 * w980 - (w928 * c64 - w887 * w924 + w888 * w925 + w889 * w926 + w850 * w927)
+    w981 = w245 * w965 - w969 * w979 - w972 * w980 - (w928 * bar5_mass - w887 * w924 + w888 * w925 + w889 * w926 + w850 * w927)
     w982 = w959 + w981
     w983 = w931 + w86 * w960 + w83 * w962 - w268 * w974 - w253 * w978 - w115 * w982
-    w984 = w120 * w919 + w87 * w922 + w112 * w923 + w885 * c94 - (w889 * w928 + w885 * w929 + w880 * w930 - w898 * w924 + w899 * w925 + w900 * w926 + w860 * w927)
-    w985 = w69 * w936 + w72 * w939 + w105 * w940 + w839 * c94 - (w843 * w945 + w839 * w946 + w817 * w947 + w873 * w941 + w891 * w942 + w892 * w943 + w833 * w944)
+    w984 = w120 * w919 + w87 * w922 + w112 * w923 + w885 * gravity_y - (w889 * w928 + w885 * w929 + w880 * w930 - w898 * w924 + w899 * w925 + w900 * w926 + w860 * w927)
+    w985 = w69 * w936 + w72 * w939 + w105 * w940 + w839 * gravity_y - (w843 * w945 + w839 * w946 + w817 * w947 + w873 * w941 + w891 * w942 + w892 * w943 + w833 * w944)
     w986 = w985 - w263 * w955 - w242 * w957 - w85 * w959
-    w987 = w72 * w936 + w109 * w939 + w207 * w940 + w838 * c94 - (w842 * w945 + w838 * w946 + w814 * w947 + w869 * w941 + w902 * w942 + w891 * w943 + w832 * w944)
+    w987 = w72 * w936 + w109 * w939 + w207 * w940 + w838 * gravity_y - (w842 * w945 + w838 * w946 + w814 * w947 + w869 * w941 + w902 * w942 + w891 * w943 + w832 * w944)
     w988 = w987 - w262 * w955 - w241 * w957 - w81 * w959
     w989 = w984 + w86 * w986 - w83 * w988 - w264 * w974 - w247 * w978 - w99 * w982
-    w990 = w87 * w919 + w125 * w922 + w89 * w923 + w884 * c94 - (w888 * w928 + w884 * w929 + w878 * w930 - w909 * w924 + w910 * w925 + w899 * w926 + w859 * w927)
+    w990 = w87 * w919 + w125 * w922 + w89 * w923 + w884 * gravity_y - (w888 * w928 + w884 * w929 + w878 * w930 - w909 * w924 + w910 * w925 + w899 * w926 + w859 * w927)
     w991 = w990 + w83 * w986 + w86 * w988 - w270 * w974 - w256 * w978 - w122 * w982
-    w992 = w112 * w919 + w121 * w922 + w125 * w923 + w882 * c94 - (w887 * w928 + w882 * w929 + w877 * w930 - w912 * w924 + w909 * w925 + w898 * w926 + w858 * w927)
+    w992 = w112 * w919 + w121 * w922 + w125 * w923 + w882 * gravity_y - (w887 * w928 + w882 * w929 + w877 * w930 - w912 * w924 + w909 * w925 + w898 * w926 + w858 * w927)
     w993 = w992 - w83 * w960 + w86 * w962 - w272 * w974 - w258 * w978 - w127 * w982
     w994 = w119 * w983 + w104 * w989 - w124 * w991 - w129 * w993
     w995 = w355 * w752 + w356 * w774 + w357 * w786 - w358 * w792
@@ -13772,10 +8002,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w1036 = w1035 + w8 * w1020 + w147 * w1016 - w151 * w1024 + w142 * w1028
     w1037 = w38 * w777 - w30 * w788 - w41 * w754 + w3 * w48
     w1038 = w160 * w1020 - w156 * w1016 - w64 * w1024 + w137 * w1028 + w1037
-    w1039 = w457 * w1030 + w21 * w1032 + w458 * w1034 + w459 * w1036 + w1038 * c12
+    w1039 = w457 * w1030 + w21 * w1032 + w458 * w1034 + w459 * w1036 + w1038 * bar3_mass
     w1040 = w370 * w777 - w372 * w788 - w367 * w754 + w3 * w365
     w1041 = w185 * w1020 - w182 * w1016 - w187 * w1024 + w176 * w1028 + w1040
-    w1042 = w453 * w1030 + w404 * w1032 + w454 * w1034 + w455 * w1036 + w1041 * c12
+    w1042 = w453 * w1030 + w404 * w1032 + w454 * w1034 + w455 * w1036 + w1041 * bar3_mass
     w1043 = w756 * w1016 - w755 * w1020 + w502 * w1024 - w443 * w1028 - w156 * w1039 - w491 * w1037 - w182 * w1042
     w1044 = w380 * w777 - w382 * w788 - w378 * w754 + w3 * w376
     w1045 = w198 * w1020 - w196 * w1016 - w200 * w1024 + w191 * w1028 + w1044
@@ -13783,7 +8013,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1047 = w465 * w1030 + w421 * w1032 + w466 * w1034 + w462 * w1036 + w458 * w1038 + w454 * w1041 + w448 * w1045
     w1048 = w414 * w1030 + w416 * w1032 + w421 * w1034 + w426 * w1036 + w21 * w1038 + w404 * w1041 + w408 * w1045
     w1049 = w468 * w1030 + w414 * w1032 + w465 * w1034 + w461 * w1036 + w457 * w1038 + w453 * w1041 + w445 * w1045
-    w1050 = w445 * w1030 + w408 * w1032 + w448 * w1034 + w449 * w1036 + w1045 * c12
+    w1050 = w445 * w1030 + w408 * w1032 + w448 * w1034 + w449 * w1036 + w1045 * bar3_mass
     w1051 = w1043 - w487 * w1040 + w147 * w1046 - w142 * w1047 - w151 * w1048 + w8 * w1049 - w196 * w1050 - w482 * w1044
     w1052 = w443 * w1016 - w442 * w1020 + w441 * w1024 - w444 * w1028 - w137 * w1039 - w433 * w1037 - w176 * w1042
     w1053 = w1052 - w436 * w1040 - w142 * w1046 - w147 * w1047 + w8 * w1048 + w151 * w1049 - w191 * w1050 - w437 * w1044
@@ -13822,9 +8052,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w1086 = w264 * w1071 - (w272 * w1063 + w270 * w1068) + w268 * w1065
     w1087 = w1086 - (w262 * w1073 + w263 * w1077) - w267 * w1081 + w266 * w1067
     w1088 = w833 * w1067 - (w891 * w1073 + w892 * w1077 + w873 * w1081 + w843 * w1083 + w839 * w1085 + w817 * w1087)
-    w1089 = w818 * w1067 - (w814 * w1073 + w817 * w1077 + w812 * w1081 + w1087 * c74)
-    w1090 = w825 * w1067 - (w838 * w1073 + w839 * w1077 + w836 * w1081 + w1085 * c74)
-    w1091 = w822 * w1067 - (w842 * w1073 + w843 * w1077 + w841 * w1081 + w1083 * c74)
+    w1089 = w818 * w1067 - (w814 * w1073 + w817 * w1077 + w812 * w1081 + w1087 * bar4_mass)
+    w1090 = w825 * w1067 - (w838 * w1073 + w839 * w1077 + w836 * w1081 + w1085 * bar4_mass)
+    w1091 = w822 * w1067 - (w842 * w1073 + w843 * w1077 + w841 * w1081 + w1083 * bar4_mass)
     w1092 = w1088 - w263 * w1089 - w242 * w1090 - w85 * w1091
     w1093 = w834 * w1067 - (w832 * w1073 + w833 * w1077 + w831 * w1081 + w822 * w1083 + w825 * w1085 + w818 * w1087)
     w1094 = w1093 - w266 * w1089 - w250 * w1090 - w108 * w1091
@@ -13835,9 +8065,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w1099 = w323 * w1092 - w322 * w1094 - w324 * w1096 + w325 * w1098 - w335 * w1061 - w330 * w1059
     w1100 = w1099 / w340
     w1101 = w860 * w1071 - (w858 * w1063 + w859 * w1068) - w850 * w1082 - w853 * w1084 - w854 * w1086 + w86 * w1094
-    w1102 = w1089 + (w880 * w1071 - (w877 * w1063 + w878 * w1068) - w1086 * c64) + w854 * w1065
-    w1103 = w1090 + (w885 * w1071 - (w882 * w1063 + w884 * w1068) - w1084 * c64) + w853 * w1065
-    w1104 = w1091 + (w889 * w1071 - (w887 * w1063 + w888 * w1068) - w1082 * c64) + w850 * w1065
+    w1102 = w1089 + (w880 * w1071 - (w877 * w1063 + w878 * w1068) - w1086 * bar5_mass) + w854 * w1065
+    w1103 = w1090 + (w885 * w1071 - (w882 * w1063 + w884 * w1068) - w1084 * bar5_mass) + w853 * w1065
+    w1104 = w1091 + (w889 * w1071 - (w887 * w1063 + w888 * w1068) - w1082 * bar5_mass) + w850 * w1065
     w1105 = w1101 + w83 * w1098 + w861 * w1065 - w268 * w1102 - w253 * w1103 - w115 * w1104
     w1106 = w900 * w1071 - (w898 * w1063 + w899 * w1068) - w889 * w1082 - w885 * w1084 - w880 * w1086 + w86 * w1092
     w1107 = w1106 - w83 * w1096 + w860 * w1065 - w264 * w1102 - w247 * w1103 - w99 * w1104
@@ -13964,7 +8194,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1228 = w1218 / w235 - w1221 * w1227
     w1229 = w773 * w1008 + w693 * w1055 + w232 * w1222 + w199 * w1224 + w186 * w1226 + w161 * w1228
     w1230 = w771 * w1008 + w693 * w1051 + w231 * w1222 + w197 * w1224 + w183 * w1226 + w157 * w1228
-    w1231 = w491 * w1016 - w490 * w1020 + w489 * w1024 - w433 * w1028 - w1039 - w1037 * c11
+    w1231 = w491 * w1016 - w490 * w1020 + w489 * w1024 - w433 * w1028 - w1039 - w1037 * bar2_mass
     w1232 = w354 * w1126 - (w236 * w1120 + w311 * w1122 + w341 * w1124)
     w1233 = w523 * w1117 - w788 * w1232
     w1234 = w730 * w788 + w523 * w1231 + w1233
@@ -13975,12 +8205,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w1239 = w3 * w1232 - w525 * w1117
     w1240 = w3 * w730 + w525 * w1231 - w1239
     w1241 = w1117 + w1231
-    w1242 = w487 * w1016 - w486 * w1020 + w484 * w1024 - w436 * w1028 - w1042 - w1040 * c11
+    w1242 = w487 * w1016 - w486 * w1020 + w484 * w1024 - w436 * w1028 - w1042 - w1040 * bar2_mass
     w1243 = w1116 + w1242
     w1244 = w548 * w1241 - w545 * w1243
     w1245 = w375 * w1126 - (w275 * w1120 + w315 * w1122 + w345 * w1124)
     w1246 = w3 * w1245 - w525 * w1115
-    w1247 = w482 * w1016 - w480 * w1020 + w479 * w1024 - w437 * w1028 - w1050 - w1044 * c11
+    w1247 = w482 * w1016 - w480 * w1020 + w479 * w1024 - w437 * w1028 - w1050 - w1044 * bar2_mass
     w1248 = w3 * w714 - w1246 + w525 * w1247
     w1249 = w754 * w1245 + w524 * w1115
     w1250 = w1249 - w714 * w754 + w524 * w1247
@@ -13991,7 +8221,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1255 = w714 * w788 + w1254 + w523 * w1247
     w1256 = w1115 + w1247
     w1257 = w546 * w1243 - w548 * w1256
-    w1258 = (w1251 + w24 * w1253 - w45 * w1255 - w546 * w1257) * c10
+    w1258 = (w1251 + w24 * w1253 - w45 * w1255 - w546 * w1257) * bar1_end_x
     w1259 = w360 * w1126 - (w261 * w1120 + w313 * w1122 + w343 * w1124)
     w1260 = w523 * w1116 - w788 * w1259
     w1261 = w722 * w788 + w523 * w1242 + w1260
@@ -14003,11 +8233,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w1267 = w3 * w722 + w525 * w1242 - w1266
     w1268 = w45 * w1261 - w24 * w1263 - w27 * w1265 - w364 * w1267 - w22 * w1234 + w37 * w1236 + w24 * w1238 + w45 * w1240
     w1269 = w545 * w1256 - w546 * w1241
-    w1270 = w788 * c94
-    w1271 = w777 * c94
-    w1272 = w754 * c94
-    w1273 = w3 * c94
-    w1274 = (w1268 + w548 * w1257 - w545 * w1269) * c10 + (w45 * w1270 - w24 * w1271 + w27 * w1272 - w364 * w1273) * c93
+    w1270 = w788 * gravity_y
+    w1271 = w777 * gravity_y
+    w1272 = w754 * gravity_y
+    w1273 = w3 * gravity_y
+    w1274 = (w1268 + w548 * w1257 - w545 * w1269) * bar1_end_x + (w45 * w1270 - w24 * w1271 + w27 * w1272 - w364 * w1273) * c93
     w1275 = w553 * w1118 - w554 * w1119 - w66 * w1229 - w67 * w1230 + 2 * (bar1_e2 * w1258) + 2 * (bar1_e3 * w1274)
     w1276 = w549 * w1243 - w547 * w1241 - w28 * w1257 + w362 * w1269
     w1277 = w3 * w525
@@ -14043,7 +8273,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1307 = w1306 + w472 * w1278 + (w45 * w1278 - w24 * w1277 + w27 * w1279 - w364 * w1280) * c9 - w471 * w1280
     w1308 = w1307 + w519 * w1273 + w3 * w518 + bar1_e1_dot * w1295 + bar1_e2_dot * w1284 + bar1_e3_dot * w1296
     w1309 = w22 * w1263 - w27 * w1261 + w23 * w1265 + w24 * w1267 - w548 * w1244 - w45 * w1248 - w24 * w1250 - w37 * w1253
-    w1310 = (w1309 + w22 * w1255 + w546 * w1269) * c10 + (w22 * w1271 - w27 * w1270 - w23 * w1272 + w24 * w1273) * c93
+    w1310 = (w1309 + w22 * w1255 + w546 * w1269) * bar1_end_x + (w22 * w1271 - w27 * w1270 - w23 * w1272 + w24 * w1273) * c93
     w1311 = 2 * -w1310
     w1312 = w67 * w1229 - (w553 * w1119 + w554 * w1118) - w66 * w1230 + w23 * w1258 - w24 * w1274 + w364 * w1311
     w1313 = (w27 * w1285 - w364 * w1303) * c9 - w780 * w1303 + w518 * w777 + w761 * w1289 - w26 * w1267 + w28 * w1248
@@ -14093,16 +8323,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w1357 = w1356 - (w721 * w1016 + w696 * w1042)
     w1358 = w65 * w1260 + w5 * w1266 - w625 * w1116 + w153 * w1226
     w1359 = w721 * w1028 - w697 * w1042 - w1358
-    w1360 = w1028 * c94 - w717 * w1028 - w697 * w1040
-    w1361 = w717 * w1016 - w1016 * c94 - w696 * w1040
-    w1362 = w1020 * c94 - w717 * w1020 - w695 * w1040
-    w1363 = w717 * w1024 - w1024 * c94 - w694 * w1040
+    w1360 = w1028 * gravity_y - w717 * w1028 - w697 * w1040
+    w1361 = w717 * w1016 - w1016 * gravity_y - w696 * w1040
+    w1362 = w1020 * gravity_y - w717 * w1020 - w695 * w1040
+    w1363 = w717 * w1024 - w1024 * gravity_y - w694 * w1040
     w1364 = w551 * w1028 + w697 * w1044
     w1365 = w551 * w1016 - w696 * w1044
     w1366 = w551 * w1020 + w695 * w1044
     w1367 = w52 * w1360 + w155 * w1361 + w51 * w1362 + w58 * w1363 + w134 * w1364 - w52 * w1365 + w159 * w1366
     w1368 = w551 * w1024 - w694 * w1044
-    w1369 = w534 * w1037 + (w1353 + w51 * w1355 + w155 * w1357 + w52 * w1359) * c15 + (w1367 - w51 * w1368) * c14
+    w1369 = w534 * w1037 + (w1353 + w51 * w1355 + w155 * w1357 + w52 * w1359) * bar2_end_y + (w1367 - w51 * w1368) * c14
     w1370 = w1337 + w1369
     w1371 = w541 * w1044
     w1372 = w544 * w1037
@@ -14150,7 +8380,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1414 = w569 * w1388 - w570 * w1340 - w134 * w1352 - w52 * w1355 - w58 * w1357 - w54 * w1359 + w51 * w1413
     w1415 = w5 * w1235 - w65 * w1237 - w629 * w1117 + w162 * w1228
     w1416 = w729 * w1020 - w695 * w1039 - w1415
-    w1417 = (w1411 - w134 * w1363) * c14 + (w1414 + w159 * w1416 + w52 * w1394 + w134 * w1396) * c15 + w534 * w1044
+    w1417 = (w1411 - w134 * w1363) * c14 + (w1414 + w159 * w1416 + w52 * w1394 + w134 * w1396) * bar2_end_y + w534 * w1044
     w1418 = w1408 + w1417
     w1419 = w1021 + (w1022 + w1023)
     w1420 = w777 * w1297 - w788 * (w1302 + 2 * w1308) - w754 * w1317 + w3 * w1323 - (w1407 + 2 * (bar2_e1 * w1418)) * w1419
@@ -14159,7 +8389,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1423 = w544 * w1044
     w1424 = w570 * w1342 - w572 * w1388 + w134 * w1344 + w52 * w1346 + w58 * w1348 + w54 * w1350 - w58 * w1413
     w1425 = w52 * w1385 - w155 * w1386 + w51 * w1409 - w58 * w1410 - w54 * w1364 + w58 * w1365 - w52 * w1366 + w134 * w1368
-    w1426 = w534 * w1040 + (w1424 - w51 * w1416 - w155 * w1394 - w52 * w1396) * c15 + w1425 * c14
+    w1426 = w534 * w1040 + (w1424 - w51 * w1416 - w155 * w1394 - w52 * w1396) * bar2_end_y + w1425 * c14
     w1427 = (w52 * w1381 - w155 * w1380 - w58 * w1382 + w51 * w1383) * c27 - w439 * w1380 + w735 * w1028 - w431 * w1386
     w1428 = 2 * (w1427 + w434 * w1361 + bar2_e2_dot * w1389 + w174 * w1357 - w62 * w1394 + bar2_e3_dot * w1401)
     w1429 = w1371 + w1372
@@ -14226,10 +8456,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w1490 = w1488 - w1489
     w1491 = w563 * w1459 - (w705 * w1041 + w567 * w1461) - w675 * w1114 + w217 * w1487 + w209 * w1490
     w1492 = w1456 + w1491
-    w1493 = w1036 * c94 - w720 * w1036 - w712 * w1041
-    w1494 = w1034 * c94 - w720 * w1034 - w711 * w1041
-    w1495 = w1032 * c94 - w720 * w1032 - w710 * w1041
-    w1496 = w1030 * c94 - w720 * w1030 - w709 * w1041
+    w1493 = w1036 * gravity_y - w720 * w1036 - w712 * w1041
+    w1494 = w1034 * gravity_y - w720 * w1034 - w711 * w1041
+    w1495 = w1032 * gravity_y - w720 * w1032 - w710 * w1041
+    w1496 = w1030 * gravity_y - w720 * w1030 - w709 * w1041
     w1497 = w708 * w1036 + w712 * w1045
     w1498 = w708 * w1034 + w711 * w1045
     w1499 = w708 * w1032 + w710 * w1045
@@ -14246,7 +8476,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1510 = w592 * w1116 - w299 * w1326 + w8 * w1351 + w151 * w1354 + w142 * w1356 - w147 * w1358
     w1511 = w590 * w1116 - w298 * w1326 + w151 * w1351 - w8 * w1354 - w147 * w1356 - w142 * w1358
     w1512 = w594 * w1116 - w300 * w1326 + w147 * w1351 - w142 * w1354 + w151 * w1356 + w8 * w1358
-    w1513 = w703 * w1038 + (w1500 + w14 * w1501) * c21 + (w1509 + w144 * w1510 + w17 * w1511 + w14 * w1512) * c63
+    w1513 = w703 * w1038 + (w1500 + w14 * w1501) * c21 + (w1509 + w144 * w1510 + w17 * w1511 + w14 * w1512) * bar3_end_z
     w1514 = 2 * -(w672 * w1114) - w563 * w1460 + w567 * w1458
     w1515 = w14 * w1482 + w9 * w1483 + w17 * w1484 + w138 * w1485
     w1516 = w76 * w1466 - w69 * w1469 + w72 * w1470 + w105 * w1471
@@ -14296,7 +8526,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1560 = w297 * w1327 - w596 * w1117 + w142 * w1412 + w147 * w1415 - w8 * w1393 + w151 * w1395
     w1561 = w563 * w1503 - w567 * w1544 + w138 * w1504 + w148 * w1505 + w15 * w1506 + w17 * w1507 - w148 * w1560
     w1562 = w594 * w1117 - w300 * w1327 + w147 * w1412 - w142 * w1415 + w151 * w1393 + w8 * w1395
-    w1563 = w703 * w1041 + (w1559 - w138 * w1501) * c21 + (w1561 - w144 * w1553 - w17 * w1554 - w14 * w1562) * c63
+    w1563 = w703 * w1041 + (w1559 - w138 * w1501) * c21 + (w1561 - w144 * w1553 - w17 * w1554 - w14 * w1562) * bar3_end_z
     w1564 = w1556 + w1563
     w1565 = w8 * w1446 - (w142 * w1419 + w147 * w1435) - w151 * w1455 - w1029
     w1566 = w1420 + (w1430 + w1434 + w52 * w1418) * w1435 - w1445 * w1446 + w1454 * w1455 + (w1555 + 2 * -(bar3_e1 * w1564)) * w1565
@@ -14311,7 +8541,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1575 = w707 * w1041
     w1576 = w138 * w1532 + w17 * w1533 + w9 * w1557 + w14 * w1558 + w15 * w1493 + w148 * w1494 + w17 * w1495 + w138 * w1496
     w1577 = w561 * w1544 - w563 * w1502 - w138 * w1508 - w148 * w1510 - w15 * w1511 - w17 * w1512 + w14 * w1560
-    w1578 = w703 * w1045 - w1576 * c21 + (w1577 + w17 * w1553 + w138 * w1554 + w9 * w1562) * c63
+    w1578 = w703 * w1045 - w1576 * c21 + (w1577 + w17 * w1553 + w138 * w1554 + w9 * w1562) * bar3_end_z
     w1579 = 2 * (bar3_e2 * w1567) + 2 * (bar3_e3 * w1568) + 2 * w1570 + w1574 - w17 * w1564 + w144 * (2 * (w1575 - w1578))
     w1580 = w1031 + (w142 * w1435 - w147 * w1419 - w151 * w1446 - w8 * w1455)
     w1581 = w743 * w1032 - (w413 * w1521 + (w15 * w1521 + w148 * w1522) * c34) - w420 * w1524 - w425 * w1529 - w13 * w1493
@@ -14339,11 +8569,11 @@ def dQ_hat_dq_i() -> ca.Function:
     w1603 = w945 * w1077 + w943 * w1083
     w1604 = w945 * w1073 + w942 * w1083
     w1605 = w945 * w1081 + w941 * w1083
-    w1606 = w1077 * c94 - w946 * w1077 - w943 * w1085
-    w1607 = w1073 * c94 - w946 * w1073 - w942 * w1085
-    w1608 = w1081 * c94 - w946 * w1081 - w941 * w1085
+    w1606 = w1077 * gravity_y - w946 * w1077 - w943 * w1085
+    w1607 = w1073 * gravity_y - w946 * w1073 - w942 * w1085
+    w1608 = w1081 * gravity_y - w946 * w1081 - w941 * w1085
     w1609 = w105 * w1602 - (w72 * w1603 + w69 * w1604 + w76 * w1605 + w109 * w1606 + w72 * w1607 + w105 * w1608)
-    w1610 = w946 * w1067 - w944 * w1085 - w1067 * c94
+    w1610 = w946 * w1067 - w944 * w1085 - w1067 * gravity_y
     w1611 = w1116 - w1090
     w1612 = w1115 - w1089
     w1613 = w605 * w1611 - w599 * w1612
@@ -14370,7 +8600,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1634 = w959 * w1067 - w944 * w1091 + w322 * w1626 + w83 * w1627 + w86 * w1625 + w614 * w1117
     w1635 = w1117 - w1091
     w1636 = w601 * w1612 - w605 * w1635
-    w1637 = w951 * w1087 + (w1609 - w207 * w1610) * c78 + (w1632 + w72 * w1633 + w105 * w1634 - w601 * w1636) * c55
+    w1637 = w951 * w1087 + (w1609 - w207 * w1610) * c78 + (w1632 + w72 * w1633 + w105 * w1634 - w601 * w1636) * bar4_end_x
     w1638 = w1601 + w1637
     w1639 = w942 * w1073
     w1640 = w943 * w1077
@@ -14426,7 +8656,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1690 = w83 * w1688 - (w955 * w1081 + w941 * w1089 + w325 * w1664 + w86 * w1689) + w621 * w1115
     w1691 = w955 * w1067 - w944 * w1089 + w322 * w1664 + w83 * w1689 + w86 * w1688 + w614 * w1115
     w1692 = w105 * w1690 + w72 * w1668 + w109 * w1669 + w207 * w1691 - w605 * w1613 - w109 * w1628 - w76 * w1631
-    w1693 = w951 * w1085 + (w1687 - w72 * w1602) * c78 + (w1692 - w70 * w1633 - w72 * w1634 + w601 * w1680) * c55
+    w1693 = w951 * w1085 + (w1687 - w72 * w1602) * c78 + (w1692 - w70 * w1633 - w72 * w1634 + w601 * w1680) * bar4_end_x
     w1694 = w605 * w1675 - (w952 * w1083 + w679 * w1114) - w599 * w1678 + w205 * w1487 + w211 * w1517
     w1695 = w1693 - w1694
     w1696 = w954 * w1085
@@ -14449,7 +8679,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1713 = w1069 + w1072 - w1070
     w1714 = w70 * w1606 + w76 * w1607 + w109 * w1608 + w72 * w1645 + w69 * w1646 + w76 * w1685 - w105 * w1686
     w1715 = w109 * w1618 - (w76 * w1690 + w69 * w1668 + w72 * w1669 + w105 * w1691) + w76 * w1621 + w70 * w1622
-    w1716 = w951 * w1083 + (w1714 + w72 * w1610) * c78 + (w1715 + w72 * w1623 + w605 * w1636 - w599 * w1680) * c55
+    w1716 = w951 * w1083 + (w1714 + w72 * w1610) * c78 + (w1715 + w72 * w1623 + w605 * w1636 - w599 * w1680) * bar4_end_x
     w1717 = w940 * w1073 - w868 * w1639 - w872 * w1641 - (w207 * w1639 + w109 * w1644) * c77 + w830 * w1650 + w809 * w1686
     w1718 = w1717 - w820 * w1610 + bar4_e1_dot * w1662 + w276 * w1471 + w80 * w1691 - w75 * w1623 + bar4_e3_dot * w1681
     w1719 = w939 * w1081 - (w867 * w1644 + (w871 * w1642 + w1081 * (bar4_e2 * w941) * c121)) + w809 * w1604 - w820 * w1605
@@ -14476,12 +8706,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w1740 = w928 * w1071 - w926 * w1082
     w1741 = w928 * w1068 + w925 * w1082
     w1742 = w924 * w1082 - w928 * w1063
-    w1743 = w929 * w1071 - w1071 * c94 - w926 * w1084
-    w1744 = w1068 * c94 - w929 * w1068 - w925 * w1084
-    w1745 = w1063 * c94 - w929 * w1063 + w924 * w1084
+    w1743 = w929 * w1071 - w1071 * gravity_y - w926 * w1084
+    w1744 = w1068 * gravity_y - w929 * w1068 - w925 * w1084
+    w1745 = w1063 * gravity_y - w929 * w1063 + w924 * w1084
     w1746 = w928 * w1065 - w927 * w1082
     w1747 = w87 * w1740 - w120 * w1741 + w121 * w1742 - w125 * w1743 - w87 * w1744 - w112 * w1745 + w112 * w1746
-    w1748 = w929 * w1065 - w927 * w1084 - w1065 * c94
+    w1748 = w929 * w1065 - w927 * w1084 - w1065 * gravity_y
     w1749 = w1116 - w1103
     w1750 = w1115 - w1102
     w1751 = w639 * w1749 - w633 * w1750
@@ -14496,7 +8726,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1760 = w1625 + (w982 * w1065 - w927 * w1104)
     w1761 = w1117 - w1104
     w1762 = w635 * w1750 - w639 * w1761
-    w1763 = w965 * w1086 + (w1747 - w89 * w1748) * c80 + (w1758 + w87 * w1759 + w112 * w1760 - w635 * w1762) * c56
+    w1763 = w965 * w1086 + (w1747 - w89 * w1748) * c80 + (w1758 + w87 * w1759 + w112 * w1760 - w635 * w1762) * bar5_end_y
     w1764 = w1739 + w1763
     w1765 = w969 * w1084
     w1766 = w930 * w1071 - w926 * w1086
@@ -14510,7 +8740,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1774 = w1688 + (w974 * w1065 - w927 * w1102)
     w1775 = w125 * w1752 - (w121 * w1771 + w120 * w1772 + w87 * w1773 + w112 * w1774) + w121 * w1753 + w94 * w1754
     w1776 = w633 * w1761 - w635 * w1749
-    w1777 = w965 * w1082 + (w1770 + w87 * w1748) * c80 + (w1775 + w87 * w1755 + w639 * w1762 - w633 * w1776) * c56
+    w1777 = w965 * w1082 + (w1770 + w87 * w1748) * c80 + (w1775 + w87 * w1755 + w639 * w1762 - w633 * w1776) * bar5_end_y
     w1778 = w1765 + w1777
     w1779 = 2 * (bar5_e2 * w1736) - w321 * w1737 + w320 * w1738 + 2 * (bar5_e1 * w1764) + 2 * -(bar5_e3 * w1778)
     w1780 = w924 * w1068 - w925 * w1063
@@ -14552,7 +8782,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w1816 = w972 * w1086
     w1817 = w121 * w1741 - w94 * w1740 - w125 * w1742 + w125 * w1766 - w87 * w1767 + w112 * w1768 + w89 * w1769
     w1818 = w112 * w1771 + w87 * w1772 + w125 * w1773 + w89 * w1774 - w639 * w1751 - w125 * w1756 - w121 * w1757
-    w1819 = w965 * w1084 + (w1817 - w87 * w1746) * c80 + (w1818 - w94 * w1759 - w87 * w1760 + w635 * w1776) * c56
+    w1819 = w965 * w1084 + (w1817 - w87 * w1746) * c80 + (w1818 - w94 * w1759 - w87 * w1760 + w635 * w1776) * bar5_end_y
     w1820 = w924 * (w798 * (bar5_e1 * w103)) * c122 + w919 * w1063 + w906 * w1780 + w897 * w1782 + (w112 * w1782 + w89 * w1783 - w125 * w1784) * c70
     w1821 = w1820 - w895 * w1784 - w923 * w1071 - w846 * w1745 + w848 * w1768 + w857 * w1787 - w855 * w1790 - w851 * w1769
     w1822 = w1821 + w846 * w1746 + bar5_e0_dot * w1796 + bar5_e2_dot * w1800 + w98 * w1771 - w246 * w1774 - w92 * w1752
@@ -14596,2670 +8826,2696 @@ def dQ_hat_dq_i() -> ca.Function:
     w1860 = w1826 - w1071 * (w1835 - w610 * w1825) - w1065 * (w1842 - w609 * w1806 - w610 * w1807) + w1008 * (w1859 * 0.5)
     w1861 = bar2_e0 * w1329 - bar2_e3 * w1328 + bar2_e1 * w1330 + bar2_e2 * w1331
     w1862 = bar2_e0 * w1331 - (bar2_e1 * w1328 + bar2_e2 * w1329 + bar2_e3 * w1330)
-    w1863 = 2 * w1332
-    w1864 = 2 * w1333
-    w1865 = 2 * w1334
-    w1866 = 2 * w1336
-    w1867 = bar2_e2_dot * w1863 - bar2_e3_dot * w1864 + bar2_e0_dot * w1865 + bar2_e1_dot * w1866
-    w1868 = bar2_e0_dot * w1863 - bar2_e1_dot * w1864 - bar2_e2_dot * w1865 - bar2_e3_dot * w1866
-    w1869 = (w1867 * c17 + w1868 * c19) * c18 + (w1868 * c17 - w1867 * c19) * c16
-    w1870 = ((w1861 * c17 + w1862 * c19) * c18 + (w1862 * c17 - w1861 * c19) * c16 + hinge2_angle_dot * w1869) * 0.5
-    w1871 = bar2_e2 * w1336 - (bar2_e1 * w1332 + bar2_e0 * w1333 + bar2_e3 * w1334)
-    w1872 = bar2_e3 * w1332 + bar2_e2 * w1333 - bar2_e1 * w1334 + bar2_e0 * w1336
-    w1873 = (w1871 * c17 - w1872 * c19) * c18 + (w1871 * c19 + w1872 * c17) * c16
-    w1874 = w744 * w1016 - w747 * w1020 - w746 * w1024 + w745 * w1028 + w696 * w1046 - w697 * w1047 - w694 * w1048
-    w1875 = w1874 + w695 * w1049 + w228 * w1476 - w229 * w1479 + w226 * w1480 + w227 * w1481 + w190 * w1343 + w194 * w1345
-    w1876 = w1875 - w192 * w1347 - w193 * w1349 + w170 * w1351 + w180 * w1354 - w178 * w1356 - w179 * w1358 + w133 * w1412
-    w1877 = w1876 + w150 * w1415 - w141 * w1393 - w145 * w1395
-    w1878 = w695 * w1047 - (w745 * w1020 + w746 * w1016 + w744 * w1024 + w747 * w1028 + w694 * w1046) - w696 * w1048
-    w1879 = w1878 + w697 * w1049 + w226 * w1476 - w227 * w1479 - w228 * w1480 - w229 * w1481 + w192 * w1343 + w193 * w1345
-    w1880 = w1879 + w190 * w1347 + w194 * w1349 + w178 * w1351 + w179 * w1354 + w170 * w1356 + w180 * w1358 + w141 * w1412
-    w1881 = w1880 + w145 * w1415 + w133 * w1393 + w150 * w1395
-    w1882 = w7 * (w1870 + w576 * w1873 + (w1877 * c19 - w1881 * c17) * c16 + (w1881 * c19 + w1877 * c17) * c18)
-    w1883 = bar2_e0 * w1328 + bar2_e3 * w1329 - bar2_e2 * w1330 + bar2_e1 * w1331
-    w1884 = bar2_e2 * w1328 - bar2_e1 * w1329 + bar2_e0 * w1330 + bar2_e3 * w1331
-    w1885 = bar2_e1_dot * w1863 + bar2_e0_dot * w1864 + bar2_e3_dot * w1865 - bar2_e2_dot * w1866
-    w1886 = bar2_e3_dot * w1863 + bar2_e2_dot * w1864 - bar2_e1_dot * w1865 + bar2_e0_dot * w1866
-    w1887 = (w1885 * c19 - w1886 * c17) * c16 + (w1885 * c17 + w1886 * c19) * c18
-    w1888 = ((w1883 * c19 - w1884 * c17) * c16 + (w1884 * c19 + w1883 * c17) * c18 + hinge2_angle_dot * w1887) * 0.5
-    w1889 = bar2_e2 * w1332 - bar2_e3 * w1333 + bar2_e0 * w1334 + bar2_e1 * w1336
-    w1890 = bar2_e0 * w1332 - bar2_e1 * w1333 - bar2_e2 * w1334 - bar2_e3 * w1336
-    w1891 = (w1889 * c17 + w1890 * c19) * c18 + (w1890 * c17 - w1889 * c19) * c16
-    w1892 = w746 * w1020 - w745 * w1016 - w747 * w1024 + w744 * w1028 - w697 * w1046 - w696 * w1047 - w695 * w1048
-    w1893 = w1892 - w694 * w1049 + w229 * w1476 + w228 * w1479 - w227 * w1480 + w226 * w1481 + w194 * w1343 - w190 * w1345
-    w1894 = w1893 + w193 * w1347 - w192 * w1349 + w180 * w1351 - w170 * w1354 + w179 * w1356 - w178 * w1358 + w150 * w1412
-    w1895 = w1894 - w133 * w1415 + w145 * w1393 - w141 * w1395
-    w1896 = w744 * w1020 + w747 * w1016 - w745 * w1024 - w746 * w1028 - w695 * w1046 - w694 * w1047 + w697 * w1048
-    w1897 = w1896 + w696 * w1049 + w227 * w1476 + w226 * w1479 + w229 * w1480 - w228 * w1481 + w193 * w1343 - w192 * w1345
-    w1898 = w1897 - w194 * w1347 + w190 * w1349 + w179 * w1351 - w178 * w1354 - w180 * w1356 + w170 * w1358 + w145 * w1412
-    w1899 = w1898 - w141 * w1415 - w150 * w1393 + w133 * w1395
-    w1900 = w146 * (w1888 + w576 * w1891 + (w1895 * c19 - w1899 * c17) * c18 + (w1895 * c17 + w1899 * c19) * c16)
-    w1901 = w986 * w1068 - w960 * w1063 + w988 * w1071 - w962 * w1065 + w924 * w1094 + w925 * w1092 - w926 * w1096
-    w1902 = w1901 + w927 * w1098 - w279 * w1464 - w282 * w1467 - w283 * w1468 + w280 * w1465 + w266 * w1689 + w263 * w1666
-    w1903 = w1902 + w262 * w1667 + w267 * w1688 + w250 * w1617 + w242 * w1619 + w241 * w1620 + w251 * w1615 + w108 * w1627
-    w1904 = 2 * w1806
-    w1905 = 2 * w1824
-    w1906 = 2 * w1825
-    w1907 = 2 * w1807
-    w1908 = bar5_e0_dot * w1904 + bar5_e1_dot * w1905 + bar5_e2_dot * w1906 + bar5_e3_dot * w1907
-    w1909 = (bar5_e1 * w1810 - bar5_e0 * w1737 - bar5_e2 * w1811 + bar5_e3 * w1738 - hinge4_angle_dot * w1908) * 0.5
-    w1910 = bar5_e2 * w1824 - bar5_e3 * w1806 - bar5_e1 * w1825 + bar5_e0 * w1807
-    w1911 = w962 * w1063 + w988 * w1068 - w986 * w1071 - w960 * w1065 + w927 * w1094 + w926 * w1092 + w925 * w1096
-    w1912 = w1911 - w924 * w1098 + w280 * w1464 - w283 * w1467 + w282 * w1468 + w279 * w1465 - w267 * w1689 + w262 * w1666
-    w1913 = w1912 - w263 * w1667 + w266 * w1688 - w251 * w1617 + w241 * w1619 - w242 * w1620 + w250 * w1615 - w111 * w1627
-    w1914 = bar5_e3_dot * w1904 - bar5_e2_dot * w1905 + bar5_e1_dot * w1906 - bar5_e0_dot * w1907
-    w1915 = (bar5_e3 * w1737 + bar5_e2 * w1810 + bar5_e1 * w1811 + bar5_e0 * w1738 + hinge4_angle_dot * w1914) * 0.5
-    w1916 = bar5_e0 * w1806 + bar5_e1 * w1824 + bar5_e2 * w1825 + bar5_e3 * w1807
-    w1917 = w86 * (w1903 + w85 * w1629 + w81 * w1630 + w111 * w1625 + w1909 + w608 * w1910) - w83 * (w1913 + w81 * w1629 - w85 * w1630 + w108 * w1625 + w1915 - w608 * w1916)
-    w1918 = w798 * w993 + w690 * w1111 - w286 * w1463 - w273 * w1665 - w259 * w1614 - w128 * w1624
-    w1919 = w690 * w1107 - w798 * w989 + w284 * w1463 + w265 * w1665 + w248 * w1614 + w100 * w1624
-    w1920 = w1109 - w285 * w1114 + w271 * w1115 + w257 * w1116 + w123 * w1117
-    w1921 = w1105 - w281 * w1114 + w269 * w1115 + w254 * w1116 + w116 * w1117
-    w1922 = (w1920 * c60 - w1921 * c58) * c59 + (w1920 * c58 + w1921 * c60) * c57
-    w1923 = w117 * (((w1918 * c58 - w1919 * c60) * c59 + (w1918 * c60 + w1919 * c58) * c57) * 0.5 + w643 * w1922)
-    w1924 = w798 * w991 - w690 * w1109 - w285 * w1463 + w271 * w1665 + w257 * w1614 + w123 * w1624
-    w1925 = w690 * w1105 - w798 * w983 + w281 * w1463 - w269 * w1665 - w254 * w1614 - w116 * w1624
-    w1926 = w1111 + w286 * w1114 + w273 * w1115 + w259 * w1116 + w128 * w1117
-    w1927 = w1107 - w284 * w1114 - w265 * w1115 - w248 * w1116 - w100 * w1117
-    w1928 = (w1926 * c58 - w1927 * c60) * c59 + (w1926 * c60 + w1927 * c58) * c57
-    w1929 = w102 * (((w1924 * c58 - w1925 * c60) * c57 + (w1924 * c60 + w1925 * c58) * c59) * 0.5 + w643 * w1928)
-    w1930 = w1012 + (w1860 + w1004 * ((w1882 - w1900) * 0.5) + w1000 * (w1917 * 0.5) - w798 * ((w1923 - w1929) * 0.5))
-    w1931 = w37 * w1291 - (w555 * w1846 + w556 * w1847) + w22 * w1276 + w24 * w1292 + w24 * w1295 + w27 * w1284
-    w1932 = hinge0_angle_dot * w786
-    w1933 = w556 * w1848 - w555 * w1849 + w22 * w1291 + w27 * w1276 + w45 * w1292 + w45 * w1295 + w22 * w1284
-    w1934 = hinge0_angle_dot * w792
-    w1935 = w556 * w1846 - w555 * w1847 + w24 * w1291 + w23 * w1276 + w27 * w1292 + w37 * w1295 + w24 * w1284
-    w1936 = hinge0_angle_dot * w774
-    w1937 = w45 * w1291 - (w555 * w1848 + w556 * w1849) + w24 * w1276 + w364 * w1292 + w22 * w1295 + w23 * w1284
-    w1938 = hinge0_angle_dot * w752
-    w1939 = (w1931 + w364 * w1296) * w1932 - (w1933 + w27 * w1296) * w1934 + (w1935 + w45 * w1296) * w1936 + (w1937 + w24 * w1296) * w1938
-    w1940 = w586 * w1863 + w588 * w1864 + w587 * w1865 + w584 * w1866 + w58 * w1389 + w134 * w1390 + w51 * w1391
-    w1941 = hinge0_angle_dot * w1008
-    w1942 = w66 * w1941
-    w1943 = w67 * w152 + w66 * w163
-    w1944 = w67 * w181 + w66 * w188
-    w1945 = w67 * w195 + w66 * w201
-    w1946 = w67 * w230 - w66 * w233
-    w1947 = (w1227 * w1943 + w1225 * w1944 + w1223 * w1945 + w1207 * w1946) / w1220
-    w1948 = w1943 / w235 - w1216 * w1947
-    w1949 = w1944 / w235 - w1213 * w1947
-    w1950 = w1945 / w235 - w1210 * w1947
-    w1951 = w1946 / w235 - w1209 * w1947
-    w1952 = w130 * w1948 + w260 * w1949 + w274 * w1950 + w287 * w1951
-    w1953 = w236 * w1952 + w289 * w1948
-    w1954 = w301 * w1948 + w302 * w1949 + w303 * w1950 + w304 * w1951
-    w1955 = w236 * w1954 + w305 * w1948
-    w1956 = w261 * w1954 + w305 * w1949
-    w1957 = w275 * w1954 + w305 * w1950
-    w1958 = w288 * w1954 + w305 * w1951
-    w1959 = (w1202 * w1955 + w1200 * w1956 + w1198 * w1957 + w1185 * w1958) / w1195
-    w1960 = w1192 * w1959 - w1955 / w310
-    w1961 = w1190 * w1959 - w1956 / w310
-    w1962 = w261 * w1952 + w289 * w1949
-    w1963 = w1188 * w1959 - w1957 / w310
-    w1964 = w275 * w1952 + w289 * w1950
-    w1965 = w1187 * w1959 - w1958 / w310
-    w1966 = w288 * w1952 + w289 * w1951
-    w1967 = w290 * w1960 - w311 * w1953 + (w312 * w1961 - w313 * w1962) + (w314 * w1963 - w315 * w1964) + (w316 * w1965 - w317 * w1966)
-    w1968 = w1953 + (w311 * w1967 + w318 * w1960)
-    w1969 = w326 * w1948 + w327 * w1949 + w328 * w1950 + w329 * w1951
-    w1970 = w236 * w1969 + w330 * w1948
-    w1971 = w261 * w1969 + w330 * w1949
-    w1972 = w275 * w1969 + w330 * w1950
-    w1973 = w288 * w1969 + w330 * w1951
-    w1974 = w331 * w1960 - w311 * w1970 + (w332 * w1961 - w313 * w1971) + (w333 * w1963 - w315 * w1972) + (w334 * w1965 - w317 * w1973)
-    w1975 = w1970 + (w311 * w1974 + w335 * w1960)
-    w1976 = w1971 + (w313 * w1974 + w335 * w1961)
-    w1977 = w1972 + (w315 * w1974 + w335 * w1963)
-    w1978 = w1973 + (w317 * w1974 + w335 * w1965)
-    w1979 = (w1176 * w1975 + w1174 * w1976 + w1172 * w1977 + w1159 * w1978) / w1169
-    w1980 = w1166 * w1979 - w1975 / w340
-    w1981 = w1164 * w1979 - w1976 / w340
-    w1982 = w1962 + (w313 * w1967 + w318 * w1961)
-    w1983 = w1162 * w1979 - w1977 / w340
-    w1984 = w1964 + (w315 * w1967 + w318 * w1963)
-    w1985 = w1161 * w1979 - w1978 / w340
-    w1986 = w1966 + (w317 * w1967 + w318 * w1965)
-    w1987 = w319 * w1980 - w341 * w1968 + (w342 * w1981 - w343 * w1982) + (w344 * w1983 - w345 * w1984) + (w346 * w1985 - w347 * w1986)
-    w1988 = w1968 + (w341 * w1987 + w348 * w1980)
-    w1989 = w1982 + (w343 * w1987 + w348 * w1981)
-    w1990 = w1984 + (w345 * w1987 + w348 * w1983)
-    w1991 = w1986 + (w347 * w1987 + w348 * w1985)
-    w1992 = (w1145 * w1988 + w1143 * w1989 + w1141 * w1990 + w1128 * w1991) / w1138
-    w1993 = w364 * c10
-    w1994 = w45 * w1993
-    w1995 = 2 * w28
-    w1996 = w37 * c10
-    w1997 = w24 * w1996
-    w1998 = w1995 + w1997
-    w1999 = 2 * w26
-    w2000 = w24 * w1993
-    w2001 = w1999 - w2000
-    w2002 = w22 * w1996
-    w2003 = w22 * w1993
-    w2004 = w27 * w1996
-    w2005 = w3 * (w1994 + w1998) + w754 * (w2001 - w23 * w1996) + w777 * (w37 * w1993 + w2002) - w788 * (w2003 + w2004)
-    w2006 = w27 * w1993
-    w2007 = w754 * w2006
-    w2008 = 2 * w362
-    w2009 = w364 * w1993
-    w2010 = w2007 - w3 * (w2008 + w2009) + w777 * w2001 + w788 * w1994
-    w2011 = w794 * (w1135 * w1992 - w1988 / w353) + w354 * w2005 + (w795 * (w1133 * w1992 - w1989 / w353) + w360 * w2010)
-    w2012 = w3 * (w364 * w1996)
-    w2013 = w45 * w1996
-    w2014 = w754 * (w2004 - w2008) - w2012 - w777 * w1998 + w788 * w2013
-    w2015 = w2011 + (w796 * (w1131 * w1992 - w1990 / w353) + w375 * w2014) + w797 * (w1130 * w1992 - w1991 / w353)
-    w2016 = w2015 / w353 + w1129 * w1992
-    w2017 = w794 * w1948 + w236 * w2005 + (w795 * w1949 + w261 * w2010) + (w796 * w1950 + w275 * w2014) + w797 * w1951
-    w2018 = w794 * w1980 + w341 * w2005 + (w795 * w1981 + w343 * w2010) + (w796 * w1983 + w345 * w2014) + w797 * w1985
-    w2019 = (w798 * w1987 + w348 * w2016 - w2018) / w340 + w1160 * w1979
-    w2020 = w794 * w1960 + w311 * w2005 + (w795 * w1961 + w313 * w2010) + (w796 * w1963 + w315 * w2014) + w797 * w1965
-    w2021 = (w798 * w1967 + w318 * w2016 - w2020 - (w1000 * w1974 + w335 * w2019)) / w310 + w1186 * w1959
-    w2022 = w798 * w1952 + w289 * w2016 - w2017 - (w1000 * w1969 + w330 * w2019) - (w1004 * w1954 + w305 * w2021)
-    w2023 = hinge0_angle_dot * (w2022 / w235 - w1208 * w1947)
-    w2024 = w1942 + w68 * w2023
-    w2025 = w67 * w157 + w66 * w161
-    w2026 = w67 * w183 + w66 * w186
-    w2027 = w67 * w197 + w66 * w199
-    w2028 = w67 * w231 + w66 * w232
-    w2029 = (w1227 * w2025 + w1225 * w2026 + w1223 * w2027 + w1207 * w2028) / w1220
-    w2030 = w1216 * w2029 - w2025 / w235
-    w2031 = w1213 * w2029 - w2026 / w235
-    w2032 = w1210 * w2029 - w2027 / w235
-    w2033 = w1209 * w2029 - w2028 / w235
-    w2034 = w130 * w2030 + w260 * w2031 + w274 * w2032 + w287 * w2033
-    w2035 = w236 * w2034 + w289 * w2030
-    w2036 = w301 * w2030 + w302 * w2031 + w303 * w2032 + w304 * w2033
-    w2037 = w236 * w2036 + w305 * w2030
-    w2038 = w261 * w2036 + w305 * w2031
-    w2039 = w275 * w2036 + w305 * w2032
-    w2040 = w288 * w2036 + w305 * w2033
-    w2041 = (w1202 * w2037 + w1200 * w2038 + w1198 * w2039 + w1185 * w2040) / w1195
-    w2042 = w1192 * w2041 - w2037 / w310
-    w2043 = w1190 * w2041 - w2038 / w310
-    w2044 = w261 * w2034 + w289 * w2031
-    w2045 = w1188 * w2041 - w2039 / w310
-    w2046 = w275 * w2034 + w289 * w2032
-    w2047 = w1187 * w2041 - w2040 / w310
-    w2048 = w288 * w2034 + w289 * w2033
-    w2049 = w290 * w2042 - w311 * w2035 + (w312 * w2043 - w313 * w2044) + (w314 * w2045 - w315 * w2046) + (w316 * w2047 - w317 * w2048)
-    w2050 = w2035 + (w311 * w2049 + w318 * w2042)
-    w2051 = w326 * w2030 + w327 * w2031 + w328 * w2032 + w329 * w2033
-    w2052 = w236 * w2051 + w330 * w2030
-    w2053 = w261 * w2051 + w330 * w2031
-    w2054 = w275 * w2051 + w330 * w2032
-    w2055 = w288 * w2051 + w330 * w2033
-    w2056 = w331 * w2042 - w311 * w2052 + (w332 * w2043 - w313 * w2053) + (w333 * w2045 - w315 * w2054) + (w334 * w2047 - w317 * w2055)
-    w2057 = w2052 + (w311 * w2056 + w335 * w2042)
-    w2058 = w2053 + (w313 * w2056 + w335 * w2043)
-    w2059 = w2054 + (w315 * w2056 + w335 * w2045)
-    w2060 = w2055 + (w317 * w2056 + w335 * w2047)
-    w2061 = (w1176 * w2057 + w1174 * w2058 + w1172 * w2059 + w1159 * w2060) / w1169
-    w2062 = w1166 * w2061 - w2057 / w340
-    w2063 = w1164 * w2061 - w2058 / w340
-    w2064 = w2044 + (w313 * w2049 + w318 * w2043)
-    w2065 = w1162 * w2061 - w2059 / w340
-    w2066 = w2046 + (w315 * w2049 + w318 * w2045)
-    w2067 = w1161 * w2061 - w2060 / w340
-    w2068 = w2048 + (w317 * w2049 + w318 * w2047)
-    w2069 = w319 * w2062 - w341 * w2050 + (w342 * w2063 - w343 * w2064) + (w344 * w2065 - w345 * w2066) + (w346 * w2067 - w347 * w2068)
-    w2070 = w2050 + (w341 * w2069 + w348 * w2062)
-    w2071 = w2064 + (w343 * w2069 + w348 * w2063)
-    w2072 = w2066 + (w345 * w2069 + w348 * w2065)
-    w2073 = w2068 + (w347 * w2069 + w348 * w2067)
-    w2074 = (w1145 * w2070 + w1143 * w2071 + w1141 * w2072 + w1128 * w2073) / w1138
-    w2075 = w26 * -2.0
-    w2076 = w2013 + w2075
-    w2077 = w754 * (w1997 - (w1995 + w23 * w1993)) - w3 * (w2076 - w2000) - w777 * (w37 * w1996 - w2003) + w788 * (w2002 - w2006)
-    w2078 = w2012 + w754 * (w2008 - w2004) + w777 * w1997 - w788 * w2076
-    w2079 = w794 * (w1135 * w2074 - w2070 / w353) + w354 * w2077 + (w795 * (w1133 * w2074 - w2071 / w353) + w360 * w2078)
-    w2080 = w362 * -2.0
-    w2081 = w28 * -2.0
-    w2082 = w2007 - w3 * (w2009 - w2080) - w777 * w2000 + w788 * (w1994 + w2081)
-    w2083 = w2079 + (w796 * (w1131 * w2074 - w2072 / w353) + w375 * w2082) + w797 * (w1130 * w2074 - w2073 / w353)
-    w2084 = w2083 / w353 + w1129 * w2074
-    w2085 = w794 * w2030 + w236 * w2077 + (w795 * w2031 + w261 * w2078) + (w796 * w2032 + w275 * w2082) + w797 * w2033
-    w2086 = w794 * w2062 + w341 * w2077 + (w795 * w2063 + w343 * w2078) + (w796 * w2065 + w345 * w2082) + w797 * w2067
-    w2087 = (w798 * w2069 + w348 * w2084 - w2086) / w340 + w1160 * w2061
-    w2088 = w794 * w2042 + w311 * w2077 + (w795 * w2043 + w313 * w2078) + (w796 * w2045 + w315 * w2082) + w797 * w2047
-    w2089 = (w798 * w2049 + w318 * w2084 - w2088 - (w1000 * w2056 + w335 * w2087)) / w310 + w1186 * w2041
-    w2090 = w798 * w2034 + w289 * w2084 - w2085 - (w1000 * w2051 + w330 * w2087) - (w1004 * w2036 + w305 * w2089)
-    w2091 = hinge0_angle_dot * (w2090 / w235 + w1208 * w2029)
-    w2092 = w68 * w2091
-    w2093 = w67 * w161 - w66 * w157
-    w2094 = w67 * w186 - w66 * w183
-    w2095 = w67 * w199 - w66 * w197
-    w2096 = w67 * w232 - w66 * w231
-    w2097 = (w1227 * w2093 + w1225 * w2094 + w1223 * w2095 + w1207 * w2096) / w1220
-    w2098 = w2093 / w235 - w1216 * w2097
-    w2099 = w2094 / w235 - w1213 * w2097
-    w2100 = w2095 / w235 - w1210 * w2097
-    w2101 = w2096 / w235 - w1209 * w2097
-    w2102 = w130 * w2098 + w260 * w2099 + w274 * w2100 + w287 * w2101
-    w2103 = w236 * w2102 + w289 * w2098
-    w2104 = w301 * w2098 + w302 * w2099 + w303 * w2100 + w304 * w2101
-    w2105 = w236 * w2104 + w305 * w2098
-    w2106 = w261 * w2104 + w305 * w2099
-    w2107 = w275 * w2104 + w305 * w2100
-    w2108 = w288 * w2104 + w305 * w2101
-    w2109 = (w1202 * w2105 + w1200 * w2106 + w1198 * w2107 + w1185 * w2108) / w1195
-    w2110 = w1192 * w2109 - w2105 / w310
-    w2111 = w1190 * w2109 - w2106 / w310
-    w2112 = w261 * w2102 + w289 * w2099
-    w2113 = w1188 * w2109 - w2107 / w310
-    w2114 = w275 * w2102 + w289 * w2100
-    w2115 = w1187 * w2109 - w2108 / w310
-    w2116 = w288 * w2102 + w289 * w2101
-    w2117 = w290 * w2110 - w311 * w2103 + (w312 * w2111 - w313 * w2112) + (w314 * w2113 - w315 * w2114) + (w316 * w2115 - w317 * w2116)
-    w2118 = w2103 + (w311 * w2117 + w318 * w2110)
-    w2119 = w326 * w2098 + w327 * w2099 + w328 * w2100 + w329 * w2101
-    w2120 = w236 * w2119 + w330 * w2098
-    w2121 = w261 * w2119 + w330 * w2099
-    w2122 = w275 * w2119 + w330 * w2100
-    w2123 = w288 * w2119 + w330 * w2101
-    w2124 = w331 * w2110 - w311 * w2120 + (w332 * w2111 - w313 * w2121) + (w333 * w2113 - w315 * w2122) + (w334 * w2115 - w317 * w2123)
-    w2125 = w2120 + (w311 * w2124 + w335 * w2110)
-    w2126 = w2121 + (w313 * w2124 + w335 * w2111)
-    w2127 = w2122 + (w315 * w2124 + w335 * w2113)
-    w2128 = w2123 + (w317 * w2124 + w335 * w2115)
-    w2129 = (w1176 * w2125 + w1174 * w2126 + w1172 * w2127 + w1159 * w2128) / w1169
-    w2130 = w1166 * w2129 - w2125 / w340
-    w2131 = w1164 * w2129 - w2126 / w340
-    w2132 = w2112 + (w313 * w2117 + w318 * w2111)
-    w2133 = w1162 * w2129 - w2127 / w340
-    w2134 = w2114 + (w315 * w2117 + w318 * w2113)
-    w2135 = w1161 * w2129 - w2128 / w340
-    w2136 = w2116 + (w317 * w2117 + w318 * w2115)
-    w2137 = w319 * w2130 - w341 * w2118 + (w342 * w2131 - w343 * w2132) + (w344 * w2133 - w345 * w2134) + (w346 * w2135 - w347 * w2136)
-    w2138 = w2118 + (w341 * w2137 + w348 * w2130)
-    w2139 = w2132 + (w343 * w2137 + w348 * w2131)
-    w2140 = w2134 + (w345 * w2137 + w348 * w2133)
-    w2141 = w2136 + (w347 * w2137 + w348 * w2135)
-    w2142 = (w1145 * w2138 + w1143 * w2139 + w1141 * w2140 + w1128 * w2141) / w1138
-    w2143 = w24 * c10
-    w2144 = w45 * w2143
-    w2145 = w23 * c10
-    w2146 = w24 * w2145
-    w2147 = w24 * w2143
-    w2148 = w22 * w2145
-    w2149 = w22 * w2143
-    w2150 = w27 * w2145
-    w2151 = w3 * (w2144 + w2146) - w754 * (w2147 + w23 * w2145) + w777 * (w37 * w2143 + (w2081 + w2148)) + w788 * (w2075 - w2149 - w2150)
-    w2152 = bar1_e2 * c125
-    w2153 = w24 * w2152
-    w2154 = w364 * w2143
-    w2155 = w27 * w2143
-    w2156 = w2080 - w22 * w2152
-    w2157 = w3 * (w2153 + (w1999 - w2154)) + w754 * (w2155 - w23 * w2152) - w777 * (w2147 + w2156) + w788 * (w2144 - w27 * w2152)
-    w2158 = w794 * (w1135 * w2142 - w2138 / w353) + w354 * w2151 + (w795 * (w1133 * w2142 - w2139 / w353) + w360 * w2157)
-    w2159 = w364 * w2145
-    w2160 = w45 * w2145
-    w2161 = w754 * (w2150 + w2153) - w3 * (w1995 + w2159 + w45 * w2152) - w777 * (w2146 + w37 * w2152) + w788 * (w2160 - w2156)
-    w2162 = w2158 + (w796 * (w1131 * w2142 - w2140 / w353) + w375 * w2161) + w797 * (w1130 * w2142 - w2141 / w353)
-    w2163 = w2162 / w353 + w1129 * w2142
-    w2164 = w794 * w2098 + w236 * w2151 + (w795 * w2099 + w261 * w2157) + (w796 * w2100 + w275 * w2161) + w797 * w2101
-    w2165 = w794 * w2130 + w341 * w2151 + (w795 * w2131 + w343 * w2157) + (w796 * w2133 + w345 * w2161) + w797 * w2135
-    w2166 = (w798 * w2137 + w348 * w2163 - w2165) / w340 + w1160 * w2129
-    w2167 = w794 * w2110 + w311 * w2151 + (w795 * w2111 + w313 * w2157) + (w796 * w2113 + w315 * w2161) + w797 * w2115
-    w2168 = (w798 * w2117 + w318 * w2163 - w2167 - (w1000 * w2124 + w335 * w2166)) / w310 + w1186 * w2109
-    w2169 = w798 * w2102 + w289 * w2163 - w2164 - (w1000 * w2119 + w330 * w2166) - (w1004 * w2104 + w305 * w2168)
-    w2170 = hinge0_angle_dot * (w2169 / w235 - w1208 * w2097)
-    w2171 = w68 * w2170
-    w2172 = w67 * w1941
-    w2173 = w67 * w163 - w66 * w152
-    w2174 = w67 * w188 - w66 * w181
-    w2175 = w67 * w201 - w66 * w195
-    w2176 = w66 * w230 + w67 * w233
-    w2177 = (w1227 * w2173 + w1225 * w2174 + w1223 * w2175 - w1207 * w2176) / w1220
-    w2178 = w2173 / w235 - w1216 * w2177
-    w2179 = w2174 / w235 - w1213 * w2177
-    w2180 = w2175 / w235 - w1210 * w2177
-    w2181 = w2176 / w235 + w1209 * w2177
-    w2182 = w130 * w2178 + w260 * w2179 + w274 * w2180 - w287 * w2181
-    w2183 = w236 * w2182 + w289 * w2178
-    w2184 = w301 * w2178 + w302 * w2179 + w303 * w2180 - w304 * w2181
-    w2185 = w236 * w2184 + w305 * w2178
-    w2186 = w261 * w2184 + w305 * w2179
-    w2187 = w275 * w2184 + w305 * w2180
-    w2188 = w288 * w2184 - w305 * w2181
-    w2189 = (w1202 * w2185 + w1200 * w2186 + w1198 * w2187 + w1185 * w2188) / w1195
-    w2190 = w1192 * w2189 - w2185 / w310
-    w2191 = w1190 * w2189 - w2186 / w310
-    w2192 = w261 * w2182 + w289 * w2179
-    w2193 = w1188 * w2189 - w2187 / w310
-    w2194 = w275 * w2182 + w289 * w2180
-    w2195 = w1187 * w2189 - w2188 / w310
-    w2196 = w288 * w2182 - w289 * w2181
-    w2197 = w290 * w2190 - w311 * w2183 + (w312 * w2191 - w313 * w2192) + (w314 * w2193 - w315 * w2194) + (w316 * w2195 - w317 * w2196)
-    w2198 = w2183 + (w311 * w2197 + w318 * w2190)
-    w2199 = w326 * w2178 + w327 * w2179 + w328 * w2180 - w329 * w2181
-    w2200 = w236 * w2199 + w330 * w2178
-    w2201 = w261 * w2199 + w330 * w2179
-    w2202 = w275 * w2199 + w330 * w2180
-    w2203 = w288 * w2199 - w330 * w2181
-    w2204 = w331 * w2190 - w311 * w2200 + (w332 * w2191 - w313 * w2201) + (w333 * w2193 - w315 * w2202) + (w334 * w2195 - w317 * w2203)
-    w2205 = w2200 + (w311 * w2204 + w335 * w2190)
-    w2206 = w2201 + (w313 * w2204 + w335 * w2191)
-    w2207 = w2202 + (w315 * w2204 + w335 * w2193)
-    w2208 = w2203 + (w317 * w2204 + w335 * w2195)
-    w2209 = (w1176 * w2205 + w1174 * w2206 + w1172 * w2207 + w1159 * w2208) / w1169
-    w2210 = w1166 * w2209 - w2205 / w340
-    w2211 = w1164 * w2209 - w2206 / w340
-    w2212 = w2192 + (w313 * w2197 + w318 * w2191)
-    w2213 = w1162 * w2209 - w2207 / w340
-    w2214 = w2194 + (w315 * w2197 + w318 * w2193)
-    w2215 = w1161 * w2209 - w2208 / w340
-    w2216 = w2196 + (w317 * w2197 + w318 * w2195)
-    w2217 = w319 * w2210 - w341 * w2198 + (w342 * w2211 - w343 * w2212) + (w344 * w2213 - w345 * w2214) + (w346 * w2215 - w347 * w2216)
-    w2218 = w2198 + (w341 * w2217 + w348 * w2210)
-    w2219 = w2212 + (w343 * w2217 + w348 * w2211)
-    w2220 = w2214 + (w345 * w2217 + w348 * w2213)
-    w2221 = w2216 + (w347 * w2217 + w348 * w2215)
-    w2222 = (w1145 * w2218 + w1143 * w2219 + w1141 * w2220 + w1128 * w2221) / w1138
-    w2223 = w2081 + w2155
-    w2224 = w754 * (w2146 - w23 * w2143) - w3 * (w2160 - w2147) - w777 * (w1999 + w37 * w2145 - w2149) + w788 * (w2148 - w2223)
-    w2225 = bar1_e3 * c125
-    w2226 = w24 * w2225
-    w2227 = w22 * w2225
-    w2228 = w3 * (w2159 + w2226) - w754 * (w23 * w2225 + (w2075 + w2150)) + w777 * (w2146 + w2227) + w788 * (w2080 - w27 * w2225 - w2160)
-    w2229 = w794 * (w1135 * w2222 - w2218 / w353) + w354 * w2224 + (w795 * (w1133 * w2222 - w2219 / w353) + w360 * w2228)
-    w2230 = w754 * (w2223 + w2226) - w3 * (w2154 + w45 * w2225) - w777 * (w2147 - (w2008 - w37 * w2225)) + w788 * (w2144 + w2227)
-    w2231 = w2229 + (w796 * (w1131 * w2222 - w2220 / w353) + w375 * w2230) + w797 * (w1130 * w2222 - w2221 / w353)
-    w2232 = w2231 / w353 + w1129 * w2222
-    w2233 = w794 * w2178 + w236 * w2224 + (w795 * w2179 + w261 * w2228) + (w796 * w2180 + w275 * w2230) - w797 * w2181
-    w2234 = w794 * w2210 + w341 * w2224 + (w795 * w2211 + w343 * w2228) + (w796 * w2213 + w345 * w2230) + w797 * w2215
-    w2235 = (w798 * w2217 + w348 * w2232 - w2234) / w340 + w1160 * w2209
-    w2236 = w794 * w2190 + w311 * w2224 + (w795 * w2191 + w313 * w2228) + (w796 * w2193 + w315 * w2230) + w797 * w2195
-    w2237 = (w798 * w2197 + w318 * w2232 - w2236 - (w1000 * w2204 + w335 * w2235)) / w310 + w1186 * w2189
-    w2238 = w798 * w2182 + w289 * w2232 - w2233 - (w1000 * w2199 + w330 * w2235) - (w1004 * w2184 + w305 * w2237)
-    w2239 = hinge0_angle_dot * (w2238 / w235 - w1208 * w2177)
-    w2240 = w2172 + w68 * w2239
-    w2241 = 2 * w57
-    w2242 = w155 * c15
-    w2243 = w52 * w2242
-    w2244 = w2241 + w2243
-    w2245 = w134 * w2242
-    w2246 = 2 * w62
-    w2247 = w2245 - w2246
-    w2248 = w159 * w2242
-    w2249 = w162 * w2248
-    w2250 = w51 * w2242
-    w2251 = w158 * w2244 - w153 * w2247 - w2249 + w68 * w2250
-    w2252 = w159 * c15
-    w2253 = w51 * w2252
-    w2254 = w2244 + w2253
-    w2255 = 2 * w174
-    w2256 = w52 * w2252
-    w2257 = w2255 - w2256
-    w2258 = w2257 - w54 * w2242
-    w2259 = w58 * w2242
-    w2260 = w155 * w2252 + w2259
-    w2261 = w58 * w2252
-    w2262 = w2245 + w2261
-    w2263 = w162 * w2254 - (w153 * w2258 + w158 * w2260) - w68 * w2262
-    w2264 = w134 * w2252
-    w2265 = w153 * w2264
-    w2266 = w159 * w2252
-    w2267 = w2246 + w2266
-    w2268 = w68 * w2253 - (w2265 + w158 * w2257 + w162 * w2267)
-    w2269 = (w1227 * w2251 + w1225 * w2263 + w1223 * w2268) / w1220
-    w2270 = w2251 / w235 - w1216 * w2269
-    w2271 = w2263 / w235 - w1213 * w2269
-    w2272 = w2268 / w235 - w1210 * w2269
-    w2273 = w1209 * w2269
-    w2274 = w130 * w2270 + w260 * w2271 + w274 * w2272 - w287 * w2273
-    w2275 = w236 * w2274 + w289 * w2270
-    w2276 = w150 * w292 - (w141 * w296 + w145 * w295 + w133 * w294)
-    w2277 = w180 * w292 - (w178 * w296 + w179 * w295 + w170 * w294)
-    w2278 = w194 * w292 - (w192 * w296 + w193 * w295 + w190 * w294)
-    w2279 = w226 * w296 + w227 * w295 + w228 * w294 - w229 * w292
-    w2280 = w236 * w2276 + w301 * w2270 + (w261 * w2277 + w302 * w2271) + (w275 * w2278 + w303 * w2272) + (w288 * w2279 - w304 * w2273)
-    w2281 = w2276 - (w236 * w2280 + w305 * w2270)
-    w2282 = w2277 - (w261 * w2280 + w305 * w2271)
-    w2283 = w2278 - (w275 * w2280 + w305 * w2272)
-    w2284 = w2279 - (w288 * w2280 - w305 * w2273)
-    w2285 = (w1202 * w2281 + w1200 * w2282 + w1198 * w2283 + w1185 * w2284) / w1195
-    w2286 = w2281 / w310 - w1192 * w2285
-    w2287 = w2282 / w310 - w1190 * w2285
-    w2288 = w261 * w2274 + w289 * w2271
-    w2289 = w2283 / w310 - w1188 * w2285
-    w2290 = w275 * w2274 + w289 * w2272
-    w2291 = w2284 / w310 - w1187 * w2285
-    w2292 = w288 * w2274 - w289 * w2273
-    w2293 = w290 * w2286 - w311 * w2275 + (w312 * w2287 - w313 * w2288) + (w314 * w2289 - w315 * w2290) + (w316 * w2291 - w317 * w2292)
-    w2294 = w2275 + (w311 * w2293 + w318 * w2286)
-    w2295 = w326 * w2270 + w327 * w2271 + w328 * w2272 - w329 * w2273
-    w2296 = w236 * w2295 + w330 * w2270
-    w2297 = w261 * w2295 + w330 * w2271
-    w2298 = w275 * w2295 + w330 * w2272
-    w2299 = w288 * w2295 - w330 * w2273
-    w2300 = w331 * w2286 - w311 * w2296 + (w332 * w2287 - w313 * w2297) + (w333 * w2289 - w315 * w2298) + (w334 * w2291 - w317 * w2299)
-    w2301 = w2296 + (w311 * w2300 + w335 * w2286)
-    w2302 = w2297 + (w313 * w2300 + w335 * w2287)
-    w2303 = w2298 + (w315 * w2300 + w335 * w2289)
-    w2304 = w2299 + (w317 * w2300 + w335 * w2291)
-    w2305 = (w1176 * w2301 + w1174 * w2302 + w1172 * w2303 + w1159 * w2304) / w1169
-    w2306 = w1166 * w2305 - w2301 / w340
-    w2307 = w1164 * w2305 - w2302 / w340
-    w2308 = w2288 + (w313 * w2293 + w318 * w2287)
-    w2309 = w1162 * w2305 - w2303 / w340
-    w2310 = w2290 + (w315 * w2293 + w318 * w2289)
-    w2311 = w1161 * w2305 - w2304 / w340
-    w2312 = w2292 + (w317 * w2293 + w318 * w2291)
-    w2313 = w319 * w2306 - w341 * w2294 + (w342 * w2307 - w343 * w2308) + (w344 * w2309 - w345 * w2310) + (w346 * w2311 - w347 * w2312)
-    w2314 = w2294 + (w341 * w2313 + w348 * w2306)
-    w2315 = w2308 + (w343 * w2313 + w348 * w2307)
-    w2316 = w2310 + (w345 * w2313 + w348 * w2309)
-    w2317 = w2312 + (w347 * w2313 + w348 * w2311)
-    w2318 = (w1145 * w2314 + w1143 * w2315 + w1141 * w2316 + w1128 * w2317) / w1138
-    w2319 = w65 * w2248
-    w2320 = w5 * w2248
-    w2321 = w3 * (w65 * w2250 - w5 * w2247) + w754 * (w5 * w2244 + w2319) + w777 * (w65 * w2244 - w2320) + w788 * (w65 * w2247 + w5 * w2250)
-    w2322 = w777 * (w5 * w2254 - w65 * w2260) - (w3 * (w5 * w2258 + w65 * w2262) + w754 * (w5 * w2260 + w65 * w2254))
-    w2323 = w2322 - w788 * (w5 * w2262 - w65 * w2258)
-    w2324 = w794 * (w1135 * w2318 - w2314 / w353) + w354 * w2321 + (w795 * (w1133 * w2318 - w2315 / w353) + w360 * w2323)
-    w2325 = w5 * w2264
-    w2326 = w3 * (w65 * w2253 - w2325) - w754 * (w5 * w2257 - w65 * w2267) - w777 * (w5 * w2267 + w65 * w2257)
-    w2327 = w65 * w2264
-    w2328 = w2326 + w788 * (w2327 + w5 * w2253)
-    w2329 = w2324 + (w796 * (w1131 * w2318 - w2316 / w353) + w375 * w2328) + w797 * (w1130 * w2318 - w2317 / w353)
-    w2330 = w2329 / w353 + w1129 * w2318
-    w2331 = w794 * w2270 + w236 * w2321 + (w795 * w2271 + w261 * w2323) + (w796 * w2272 + w275 * w2328) - w797 * w2273
-    w2332 = w794 * w2306 + w341 * w2321 + (w795 * w2307 + w343 * w2323) + (w796 * w2309 + w345 * w2328) + w797 * w2311
-    w2333 = (w798 * w2313 + w348 * w2330 - w2332) / w340 + w1160 * w2305
-    w2334 = w794 * w2286 + w311 * w2321 + (w795 * w2287 + w313 * w2323) + (w796 * w2289 + w315 * w2328) + w797 * w2291
-    w2335 = (w798 * w2293 + w318 * w2330 - w2334 - (w1000 * w2300 + w335 * w2333)) / w310 - w1186 * w2285
-    w2336 = w798 * w2274 + w289 * w2330 - w2331 - (w1000 * w2295 + w330 * w2333) - (w1004 * w2280 + w305 * w2335)
-    w2337 = hinge0_angle_dot * (w2336 / w235 - w1208 * w2269)
-    w2338 = w68 * w2337
-    w2339 = w52 * c15
-    w2340 = w52 * w2339
-    w2341 = bar2_e1 * c126
-    w2342 = w2340 - (w2246 - w155 * w2341)
-    w2343 = w57 * -2.0
-    w2344 = w134 * w2339
-    w2345 = w2343 + w2344
-    w2346 = w52 * w2341
-    w2347 = w2345 + w2346
-    w2348 = w159 * w2339
-    w2349 = w2348 + w51 * w2341
-    w2350 = w51 * w2339
-    w2351 = w58 * w2341
-    w2352 = w2350 + w2351
-    w2353 = w158 * w2342 - w153 * w2347 - w162 * w2349 + w68 * w2352
-    w2354 = w54 * c15
-    w2355 = w58 * w2339
-    w2356 = w2255 + w155 * w2354 - w2355
-    w2357 = w52 * w2354
-    w2358 = w2357 - w54 * w2339
-    w2359 = w51 * w2354
-    w2360 = w2359 - w2340
-    w2361 = w58 * w2354
-    w2362 = w2361 - w2345
-    w2363 = w158 * w2356 - w153 * w2358 - w162 * w2360 + w68 * w2362
-    w2364 = w174 * -2.0
-    w2365 = w134 * w2354
-    w2366 = w54 * w2341 + (w2364 + w2365)
-    w2367 = w2351 + w2357
-    w2368 = w159 * w2354
-    w2369 = w2346 + w2368
-    w2370 = w62 * -2.0
-    w2371 = w2370 - w134 * w2341 - w2359
-    w2372 = w153 * w2366 - w158 * w2367 + w162 * w2369 + w68 * w2371
-    w2373 = (w1227 * w2353 + w1225 * w2363 + w1223 * w2372) / w1220
-    w2374 = w2353 / w235 - w1216 * w2373
-    w2375 = w2363 / w235 - w1213 * w2373
-    w2376 = w2372 / w235 - w1210 * w2373
-    w2377 = w1209 * w2373
-    w2378 = w130 * w2374 + w260 * w2375 + w274 * w2376 - w287 * w2377
-    w2379 = w236 * w2378 + w289 * w2374
-    w2380 = w150 * w294 - (w141 * w295 - w145 * w296 - w133 * w292)
-    w2381 = w180 * w294 - (w178 * w295 - w179 * w296 - w170 * w292)
-    w2382 = w194 * w294 - (w192 * w295 - w193 * w296 - w190 * w292)
-    w2383 = w226 * w295 - w227 * w296 - w228 * w292 - w229 * w294
-    w2384 = w236 * w2380 + w301 * w2374 + (w261 * w2381 + w302 * w2375) + (w275 * w2382 + w303 * w2376) + (w288 * w2383 - w304 * w2377)
-    w2385 = w2380 - (w236 * w2384 + w305 * w2374)
-    w2386 = w2381 - (w261 * w2384 + w305 * w2375)
-    w2387 = w2382 - (w275 * w2384 + w305 * w2376)
-    w2388 = w2383 - (w288 * w2384 - w305 * w2377)
-    w2389 = (w1202 * w2385 + w1200 * w2386 + w1198 * w2387 + w1185 * w2388) / w1195
-    w2390 = w2385 / w310 - w1192 * w2389
-    w2391 = w2386 / w310 - w1190 * w2389
-    w2392 = w261 * w2378 + w289 * w2375
-    w2393 = w2387 / w310 - w1188 * w2389
-    w2394 = w275 * w2378 + w289 * w2376
-    w2395 = w2388 / w310 - w1187 * w2389
-    w2396 = w288 * w2378 - w289 * w2377
-    w2397 = w290 * w2390 - w311 * w2379 + (w312 * w2391 - w313 * w2392) + (w314 * w2393 - w315 * w2394) + (w316 * w2395 - w317 * w2396)
-    w2398 = w2379 + (w311 * w2397 + w318 * w2390)
-    w2399 = w326 * w2374 + w327 * w2375 + w328 * w2376 - w329 * w2377
-    w2400 = w236 * w2399 + w330 * w2374
-    w2401 = w261 * w2399 + w330 * w2375
-    w2402 = w275 * w2399 + w330 * w2376
-    w2403 = w288 * w2399 - w330 * w2377
-    w2404 = w331 * w2390 - w311 * w2400 + (w332 * w2391 - w313 * w2401) + (w333 * w2393 - w315 * w2402) + (w334 * w2395 - w317 * w2403)
-    w2405 = w2400 + (w311 * w2404 + w335 * w2390)
-    w2406 = w2401 + (w313 * w2404 + w335 * w2391)
-    w2407 = w2402 + (w315 * w2404 + w335 * w2393)
-    w2408 = w2403 + (w317 * w2404 + w335 * w2395)
-    w2409 = (w1176 * w2405 + w1174 * w2406 + w1172 * w2407 + w1159 * w2408) / w1169
-    w2410 = w1166 * w2409 - w2405 / w340
-    w2411 = w1164 * w2409 - w2406 / w340
-    w2412 = w2392 + (w313 * w2397 + w318 * w2391)
-    w2413 = w1162 * w2409 - w2407 / w340
-    w2414 = w2394 + (w315 * w2397 + w318 * w2393)
-    w2415 = w1161 * w2409 - w2408 / w340
-    w2416 = w2396 + (w317 * w2397 + w318 * w2395)
-    w2417 = w319 * w2410 - w341 * w2398 + (w342 * w2411 - w343 * w2412) + (w344 * w2413 - w345 * w2414) + (w346 * w2415 - w347 * w2416)
-    w2418 = w2398 + (w341 * w2417 + w348 * w2410)
-    w2419 = w2412 + (w343 * w2417 + w348 * w2411)
-    w2420 = w2414 + (w345 * w2417 + w348 * w2413)
-    w2421 = w2416 + (w347 * w2417 + w348 * w2415)
-    w2422 = (w1145 * w2418 + w1143 * w2419 + w1141 * w2420 + w1128 * w2421) / w1138
-    w2423 = w3 * (w65 * w2352 - w5 * w2347) + w754 * (w5 * w2342 + w65 * w2349) + w777 * (w65 * w2342 - w5 * w2349)
-    w2424 = w2423 + w788 * (w65 * w2347 + w5 * w2352)
-    w2425 = w3 * (w65 * w2362 - w5 * w2358) + w754 * (w5 * w2356 + w65 * w2360) + w777 * (w65 * w2356 - w5 * w2360)
-    w2426 = w2425 + w788 * (w65 * w2358 + w5 * w2362)
-    w2427 = w794 * (w1135 * w2422 - w2418 / w353) + w354 * w2424 + (w795 * (w1133 * w2422 - w2419 / w353) + w360 * w2426)
-    w2428 = w3 * (w5 * w2366 + w65 * w2371) - w754 * (w5 * w2367 + w65 * w2369) + w777 * (w5 * w2369 - w65 * w2367)
-    w2429 = w2428 - w788 * (w65 * w2366 - w5 * w2371)
-    w2430 = w2427 + (w796 * (w1131 * w2422 - w2420 / w353) + w375 * w2429) + w797 * (w1130 * w2422 - w2421 / w353)
-    w2431 = w2430 / w353 + w1129 * w2422
-    w2432 = w794 * w2374 + w236 * w2424 + (w795 * w2375 + w261 * w2426) + (w796 * w2376 + w275 * w2429) - w797 * w2377
-    w2433 = w794 * w2410 + w341 * w2424 + (w795 * w2411 + w343 * w2426) + (w796 * w2413 + w345 * w2429) + w797 * w2415
-    w2434 = (w798 * w2417 + w348 * w2431 - w2433) / w340 + w1160 * w2409
-    w2435 = w794 * w2390 + w311 * w2424 + (w795 * w2391 + w313 * w2426) + (w796 * w2393 + w315 * w2429) + w797 * w2395
-    w2436 = (w798 * w2397 + w318 * w2431 - w2435 - (w1000 * w2404 + w335 * w2434)) / w310 - w1186 * w2389
-    w2437 = w798 * w2378 + w289 * w2431 - w2432 - (w1000 * w2399 + w330 * w2434) - (w1004 * w2384 + w305 * w2436)
-    w2438 = hinge0_angle_dot * (w2437 / w235 - w1208 * w2373)
-    w2439 = w68 * w2438
-    w2440 = w2266 - w2370
-    w2441 = w2253 + w2343
-    w2442 = w158 * w2256 - w2265 - w162 * w2440 + w68 * w2441
-    w2443 = w155 * w2242 - w2261
-    w2444 = w2243 - (w2241 + w54 * w2252)
-    w2445 = w2250 + w2364
-    w2446 = w2445 - w2256
-    w2447 = w2259 - w2264
-    w2448 = w158 * w2443 - w153 * w2444 - w162 * w2446 + w68 * w2447
-    w2449 = w2246 - w2245
-    w2450 = w2249 - (w153 * w2449 + w158 * w2243) - w68 * w2445
-    w2451 = (w1227 * w2442 + w1225 * w2448 + w1223 * w2450) / w1220
-    w2452 = w2442 / w235 - w1216 * w2451
-    w2453 = w2448 / w235 - w1213 * w2451
-    w2454 = w2450 / w235 - w1210 * w2451
-    w2455 = w1209 * w2451
-    w2456 = w130 * w2452 + w260 * w2453 + w274 * w2454 - w287 * w2455
-    w2457 = w236 * w2456 + w289 * w2452
-    w2458 = w150 * w295 - (w133 * w296 - (w141 * w294 + w145 * w292))
-    w2459 = w180 * w295 - (w170 * w296 - (w178 * w294 + w179 * w292))
-    w2460 = w194 * w295 - (w190 * w296 - (w192 * w294 + w193 * w292))
-    w2461 = w228 * w296 - (w226 * w294 + w227 * w292) - w229 * w295
-    w2462 = w236 * w2458 + w301 * w2452 + (w261 * w2459 + w302 * w2453) + (w275 * w2460 + w303 * w2454) + (w288 * w2461 - w304 * w2455)
-    w2463 = w2458 - (w236 * w2462 + w305 * w2452)
-    w2464 = w2459 - (w261 * w2462 + w305 * w2453)
-    w2465 = w2460 - (w275 * w2462 + w305 * w2454)
-    w2466 = w2461 - (w288 * w2462 - w305 * w2455)
-    w2467 = (w1202 * w2463 + w1200 * w2464 + w1198 * w2465 + w1185 * w2466) / w1195
-    w2468 = w2463 / w310 - w1192 * w2467
-    w2469 = w2464 / w310 - w1190 * w2467
-    w2470 = w261 * w2456 + w289 * w2453
-    w2471 = w2465 / w310 - w1188 * w2467
-    w2472 = w275 * w2456 + w289 * w2454
-    w2473 = w2466 / w310 - w1187 * w2467
-    w2474 = w288 * w2456 - w289 * w2455
-    w2475 = w290 * w2468 - w311 * w2457 + (w312 * w2469 - w313 * w2470) + (w314 * w2471 - w315 * w2472) + (w316 * w2473 - w317 * w2474)
-    w2476 = w2457 + (w311 * w2475 + w318 * w2468)
-    w2477 = w326 * w2452 + w327 * w2453 + w328 * w2454 - w329 * w2455
-    w2478 = w236 * w2477 + w330 * w2452
-    w2479 = w261 * w2477 + w330 * w2453
-    w2480 = w275 * w2477 + w330 * w2454
-    w2481 = w288 * w2477 - w330 * w2455
-    w2482 = w331 * w2468 - w311 * w2478 + (w332 * w2469 - w313 * w2479) + (w333 * w2471 - w315 * w2480) + (w334 * w2473 - w317 * w2481)
-    w2483 = w2478 + (w311 * w2482 + w335 * w2468)
-    w2484 = w2479 + (w313 * w2482 + w335 * w2469)
-    w2485 = w2480 + (w315 * w2482 + w335 * w2471)
-    w2486 = w2481 + (w317 * w2482 + w335 * w2473)
-    w2487 = (w1176 * w2483 + w1174 * w2484 + w1172 * w2485 + w1159 * w2486) / w1169
-    w2488 = w1166 * w2487 - w2483 / w340
-    w2489 = w1164 * w2487 - w2484 / w340
-    w2490 = w2470 + (w313 * w2475 + w318 * w2469)
-    w2491 = w1162 * w2487 - w2485 / w340
-    w2492 = w2472 + (w315 * w2475 + w318 * w2471)
-    w2493 = w1161 * w2487 - w2486 / w340
-    w2494 = w2474 + (w317 * w2475 + w318 * w2473)
-    w2495 = w319 * w2488 - w341 * w2476 + (w342 * w2489 - w343 * w2490) + (w344 * w2491 - w345 * w2492) + (w346 * w2493 - w347 * w2494)
-    w2496 = w2476 + (w341 * w2495 + w348 * w2488)
-    w2497 = w2490 + (w343 * w2495 + w348 * w2489)
-    w2498 = w2492 + (w345 * w2495 + w348 * w2491)
-    w2499 = w2494 + (w347 * w2495 + w348 * w2493)
-    w2500 = (w1145 * w2496 + w1143 * w2497 + w1141 * w2498 + w1128 * w2499) / w1138
-    w2501 = w3 * (w65 * w2441 - w2325) + w754 * (w5 * w2256 + w65 * w2440) + w777 * (w65 * w2256 - w5 * w2440)
-    w2502 = w2501 + w788 * (w2327 + w5 * w2441)
-    w2503 = w3 * (w65 * w2447 - w5 * w2444) + w754 * (w5 * w2443 + w65 * w2446) + w777 * (w65 * w2443 - w5 * w2446)
-    w2504 = w2503 + w788 * (w65 * w2444 + w5 * w2447)
-    w2505 = w794 * (w1135 * w2500 - w2496 / w353) + w354 * w2502 + (w795 * (w1133 * w2500 - w2497 / w353) + w360 * w2504)
-    w2506 = w777 * (w2320 - w65 * w2243) - (w3 * (w5 * w2449 + w65 * w2445) + w754 * (w2319 + w5 * w2243)) - w788 * (w5 * w2445 - w65 * w2449)
-    w2507 = w2505 + (w796 * (w1131 * w2500 - w2498 / w353) + w375 * w2506) + w797 * (w1130 * w2500 - w2499 / w353)
-    w2508 = w2507 / w353 + w1129 * w2500
-    w2509 = w794 * w2452 + w236 * w2502 + (w795 * w2453 + w261 * w2504) + (w796 * w2454 + w275 * w2506) - w797 * w2455
-    w2510 = w794 * w2488 + w341 * w2502 + (w795 * w2489 + w343 * w2504) + (w796 * w2491 + w345 * w2506) + w797 * w2493
-    w2511 = (w798 * w2495 + w348 * w2508 - w2510) / w340 + w1160 * w2487
-    w2512 = w794 * w2468 + w311 * w2502 + (w795 * w2469 + w313 * w2504) + (w796 * w2471 + w315 * w2506) + w797 * w2473
-    w2513 = (w798 * w2475 + w318 * w2508 - w2512 - (w1000 * w2482 + w335 * w2511)) / w310 - w1186 * w2467
-    w2514 = w798 * w2456 + w289 * w2508 - w2509 - (w1000 * w2477 + w330 * w2511) - (w1004 * w2462 + w305 * w2513)
-    w2515 = hinge0_angle_dot * (w2514 / w235 - w1208 * w2451)
-    w2516 = w68 * w2515
-    w2517 = w788 * w2024 - w777 * w2092 + w754 * w2171 - w3 * w2240 + w1419 * w2338 - w1435 * w2439 + w1446 * w2516
-    w2518 = bar2_e3 * c126
-    w2519 = w2357 + w155 * w2518
-    w2520 = w52 * w2518
-    w2521 = w2365 + w2520
-    w2522 = w2241 + w2368 + w51 * w2518
-    w2523 = w2370 - w58 * w2518
-    w2524 = w2359 - w2523
-    w2525 = w158 * w2519 - w153 * w2521 - w162 * w2522 + w68 * w2524
-    w2526 = w2340 + w54 * w2354
-    w2527 = w155 * w2339 + (w2343 + w2361)
-    w2528 = w2350 + w2357
-    w2529 = w2364 - w2355 - w2365
-    w2530 = w153 * w2526 - w158 * w2527 + w162 * w2528 + w68 * w2529
-    w2531 = w2340 + w2523
-    w2532 = w2344 - w54 * w2518
-    w2533 = w2520 + (w2255 - w2348)
-    w2534 = w2350 - w134 * w2518
-    w2535 = w158 * w2531 - w153 * w2532 + w162 * w2533 + w68 * w2534
-    w2536 = (w1227 * w2525 + w1225 * w2530 + w1223 * w2535) / w1220
-    w2537 = w2525 / w235 - w1216 * w2536
-    w2538 = w2530 / w235 - w1213 * w2536
-    w2539 = w2535 / w235 - w1210 * w2536
-    w2540 = w1209 * w2536
-    w2541 = w130 * w2537 + w260 * w2538 + w274 * w2539 - w287 * w2540
-    w2542 = w236 * w2541 + w289 * w2537
-    w2543 = w150 * w296 - (w145 * w294 - w141 * w292 - w133 * w295)
-    w2544 = w180 * w296 - (w179 * w294 - w178 * w292 - w170 * w295)
-    w2545 = w194 * w296 - (w193 * w294 - w192 * w292 - w190 * w295)
-    w2546 = w227 * w294 - w226 * w292 - w228 * w295 - w229 * w296
-    w2547 = w236 * w2543 + w301 * w2537 + (w261 * w2544 + w302 * w2538) + (w275 * w2545 + w303 * w2539) + (w288 * w2546 - w304 * w2540)
-    w2548 = w2543 - (w236 * w2547 + w305 * w2537)
-    w2549 = w2544 - (w261 * w2547 + w305 * w2538)
-    w2550 = w2545 - (w275 * w2547 + w305 * w2539)
-    w2551 = w2546 - (w288 * w2547 - w305 * w2540)
-    w2552 = (w1202 * w2548 + w1200 * w2549 + w1198 * w2550 + w1185 * w2551) / w1195
-    w2553 = w2548 / w310 - w1192 * w2552
-    w2554 = w2549 / w310 - w1190 * w2552
-    w2555 = w261 * w2541 + w289 * w2538
-    w2556 = w2550 / w310 - w1188 * w2552
-    w2557 = w275 * w2541 + w289 * w2539
-    w2558 = w2551 / w310 - w1187 * w2552
-    w2559 = w288 * w2541 - w289 * w2540
-    w2560 = w290 * w2553 - w311 * w2542 + (w312 * w2554 - w313 * w2555) + (w314 * w2556 - w315 * w2557) + (w316 * w2558 - w317 * w2559)
-    w2561 = w2542 + (w311 * w2560 + w318 * w2553)
-    w2562 = w326 * w2537 + w327 * w2538 + w328 * w2539 - w329 * w2540
-    w2563 = w236 * w2562 + w330 * w2537
-    w2564 = w261 * w2562 + w330 * w2538
-    w2565 = w275 * w2562 + w330 * w2539
-    w2566 = w288 * w2562 - w330 * w2540
-    w2567 = w331 * w2553 - w311 * w2563 + (w332 * w2554 - w313 * w2564) + (w333 * w2556 - w315 * w2565) + (w334 * w2558 - w317 * w2566)
-    w2568 = w2563 + (w311 * w2567 + w335 * w2553)
-    w2569 = w2564 + (w313 * w2567 + w335 * w2554)
-    w2570 = w2565 + (w315 * w2567 + w335 * w2556)
-    w2571 = w2566 + (w317 * w2567 + w335 * w2558)
-    w2572 = (w1176 * w2568 + w1174 * w2569 + w1172 * w2570 + w1159 * w2571) / w1169
-    w2573 = w1166 * w2572 - w2568 / w340
-    w2574 = w1164 * w2572 - w2569 / w340
-    w2575 = w2555 + (w313 * w2560 + w318 * w2554)
-    w2576 = w1162 * w2572 - w2570 / w340
-    w2577 = w2557 + (w315 * w2560 + w318 * w2556)
-    w2578 = w1161 * w2572 - w2571 / w340
-    w2579 = w2559 + (w317 * w2560 + w318 * w2558)
-    w2580 = w319 * w2573 - w341 * w2561 + (w342 * w2574 - w343 * w2575) + (w344 * w2576 - w345 * w2577) + (w346 * w2578 - w347 * w2579)
-    w2581 = w2561 + (w341 * w2580 + w348 * w2573)
-    w2582 = w2575 + (w343 * w2580 + w348 * w2574)
-    w2583 = w2577 + (w345 * w2580 + w348 * w2576)
-    w2584 = w2579 + (w347 * w2580 + w348 * w2578)
-    w2585 = (w1145 * w2581 + w1143 * w2582 + w1141 * w2583 + w1128 * w2584) / w1138
-    w2586 = w3 * (w65 * w2524 - w5 * w2521) + w754 * (w5 * w2519 + w65 * w2522) + w777 * (w65 * w2519 - w5 * w2522)
-    w2587 = w2586 + w788 * (w65 * w2521 + w5 * w2524)
-    w2588 = w3 * (w5 * w2526 + w65 * w2529) - w754 * (w5 * w2527 + w65 * w2528) + w777 * (w5 * w2528 - w65 * w2527)
-    w2589 = w2588 - w788 * (w65 * w2526 - w5 * w2529)
-    w2590 = w794 * (w1135 * w2585 - w2581 / w353) + w354 * w2587 + (w795 * (w1133 * w2585 - w2582 / w353) + w360 * w2589)
-    w2591 = w3 * (w65 * w2534 - w5 * w2532) - w754 * (w65 * w2533 - w5 * w2531) + w777 * (w5 * w2533 + w65 * w2531)
-    w2592 = w2591 + w788 * (w65 * w2532 + w5 * w2534)
-    w2593 = w2590 + (w796 * (w1131 * w2585 - w2583 / w353) + w375 * w2592) + w797 * (w1130 * w2585 - w2584 / w353)
-    w2594 = w2593 / w353 + w1129 * w2585
-    w2595 = w794 * w2537 + w236 * w2587 + (w795 * w2538 + w261 * w2589) + (w796 * w2539 + w275 * w2592) - w797 * w2540
-    w2596 = w794 * w2573 + w341 * w2587 + (w795 * w2574 + w343 * w2589) + (w796 * w2576 + w345 * w2592) + w797 * w2578
-    w2597 = (w798 * w2580 + w348 * w2594 - w2596) / w340 + w1160 * w2572
-    w2598 = w794 * w2553 + w311 * w2587 + (w795 * w2554 + w313 * w2589) + (w796 * w2556 + w315 * w2592) + w797 * w2558
-    w2599 = (w798 * w2560 + w318 * w2594 - w2598 - (w1000 * w2567 + w335 * w2597)) / w310 - w1186 * w2552
-    w2600 = w798 * w2541 + w289 * w2594 - w2595 - (w1000 * w2562 + w330 * w2597) - (w1004 * w2547 + w305 * w2599)
-    w2601 = hinge0_angle_dot * (w2600 / w235 - w1208 * w2536)
-    w2602 = w68 * w2601
-    w2603 = w144 * c63
-    w2604 = w14 * w2603
-    w2605 = w8 * w2604
-    w2606 = 2 * w131
-    w2607 = w144 * w2603
-    w2608 = w2606 + w2607
-    w2609 = 2 * w132
-    w2610 = w17 * w2603
-    w2611 = w2609 - w2610
-    w2612 = w148 * w2603
-    w2613 = w2605 - (w147 * w2608 - w142 * w2611) + w151 * w2612
-    w2614 = w151 * w2604
-    w2615 = w8 * w2612 - (w147 * w2611 + w142 * w2608 + w2614)
-    w2616 = w142 * w2604
-    w2617 = w151 * w2608 + w8 * w2611 - w2616 + w147 * w2612
-    w2618 = w147 * w2604
-    w2619 = w8 * w2608 - w151 * w2611 + w2618 + w142 * w2612
-    w2620 = w153 * w2613 - w158 * w2615 + w162 * w2617 + w68 * w2619
-    w2621 = w15 * c63
-    w2622 = w14 * w2621
-    w2623 = w2622 - w2606
-    w2624 = 2 * w168
-    w2625 = w17 * w2621
-    w2626 = w2624 + w2625
-    w2627 = w144 * w2621
-    w2628 = w147 * w2627
-    w2629 = w148 * w2621
-    w2630 = w8 * w2623 - (w142 * w2626 + w2628) + w151 * w2629
-    w2631 = w142 * w2627
-    w2632 = w147 * w2626 - w2631 - w151 * w2623 + w8 * w2629
-    w2633 = w151 * w2627
-    w2634 = w2633 - w8 * w2626 - w142 * w2623 + w147 * w2629
-    w2635 = w8 * w2627
-    w2636 = w151 * w2626 + w2635 + w147 * w2623 + w142 * w2629
-    w2637 = w153 * w2630 - w158 * w2632 + w162 * w2634 + w68 * w2636
-    w2638 = w2611 - w9 * w2621
-    w2639 = w138 * w2621
-    w2640 = w15 * w2603 + w2639
-    w2641 = w2612 + w2626
-    w2642 = w138 * w2603
-    w2643 = w2622 + w2642
-    w2644 = w8 * w2638 + (w142 * w2640 + w147 * w2641) - w151 * w2643
-    w2645 = w142 * w2641 - w147 * w2640 - w151 * w2638 - w8 * w2643
-    w2646 = w8 * w2640 - w151 * w2641 - w142 * w2638 - w147 * w2643
-    w2647 = w147 * w2638 - (w151 * w2640 + w8 * w2641) - w142 * w2643
-    w2648 = w153 * w2644 - w158 * w2645 + w162 * w2646 + w68 * w2647
-    w2649 = w9 * w209 + w15 * w214
-    w2650 = w15 * w217
-    w2651 = 2 * w225
-    w2652 = w9 * w217
-    w2653 = w17 * w2652
-    w2654 = w15 * w2649 - w138 * w2650 + (w2651 - w2653)
-    w2655 = 2 * w222
-    w2656 = w17 * w2650
-    w2657 = w148 * w2649 + (w2655 - w2656) - w144 * w2652
-    w2658 = 2 * w216
-    w2659 = w14 * w2652
-    w2660 = w17 * w2649 + w2658 - w9 * w2650 - w2659
-    w2661 = w14 * w2650
-    w2662 = w138 * w2649 - w2661 - w148 * w2652
-    w2663 = w142 * w2654 + w147 * w2657 - w8 * w2660 - w151 * w2662
-    w2664 = w142 * w2657 - w147 * w2654 + w151 * w2660 - w8 * w2662
-    w2665 = w8 * w2654 - w151 * w2657 + w142 * w2660 - w147 * w2662
-    w2666 = w151 * w2654 + w8 * w2657 + w147 * w2660 + w142 * w2662
-    w2667 = w153 * w2663 - w158 * w2664 + w162 * w2665 - w68 * w2666
-    w2668 = (w1227 * w2620 + w1225 * w2637 + w1223 * w2648 + w1207 * w2667) / w1220
-    w2669 = w2620 / w235 - w1216 * w2668
-    w2670 = w2637 / w235 - w1213 * w2668
-    w2671 = w2648 / w235 - w1210 * w2668
-    w2672 = w72 * w2652
-    w2673 = w105 * w2650 - w207 * w2649 + w2672
-    w2674 = w76 * w2650
-    w2675 = w2674 - w105 * w2649 + w109 * w2652
-    w2676 = w72 * w2650
-    w2677 = w2676 - w109 * w2649 + w70 * w2652
-    w2678 = w76 * w2652
-    w2679 = w69 * w2650 - w72 * w2649 + w2678
-    w2680 = w119 * (w86 * w2673 + w83 * w2675) + w104 * (w86 * w2677 - w83 * w2679) - w124 * (w83 * w2677 + w86 * w2679)
-    w2681 = w2680 - w129 * (w86 * w2675 - w83 * w2673)
-    w2682 = w2667 / w235 - w1209 * w2668
-    w2683 = w130 * w2669 + w260 * w2670 + w274 * w2671 + (w288 * w2681 + w287 * w2682)
-    w2684 = w3 * (w5 * w2613 + w65 * w2619) - w754 * (w5 * w2615 + w65 * w2617) + w777 * (w5 * w2617 - w65 * w2615)
-    w2685 = w2684 - w788 * (w65 * w2613 - w5 * w2619)
-    w2686 = w236 * w2683 + w289 * w2669
-    w2687 = w300 * w2604
-    w2688 = w297 * w2612 - (w299 * w2608 - w298 * w2611 + w2687)
-    w2689 = w299 * w2627
-    w2690 = w297 * w2629 - (w298 * w2626 + w2689 + w300 * w2623)
-    w2691 = w297 * w2643 + (w300 * w2638 - (w298 * w2640 + w299 * w2641))
-    w2692 = w298 * w2654 + w299 * w2657 + w300 * w2660 - w297 * w2662
-    w2693 = w236 * w2688 + w301 * w2669 + (w261 * w2690 + w302 * w2670) + (w303 * w2671 - w275 * w2691) + (w288 * w2692 + w304 * w2682)
-    w2694 = w2688 - (w236 * w2693 + w305 * w2669)
-    w2695 = w2690 - (w261 * w2693 + w305 * w2670)
-    w2696 = w2691 + (w275 * w2693 + w305 * w2671)
-    w2697 = w2692 - (w288 * w2693 + w305 * w2682)
-    w2698 = (w1202 * w2694 + w1200 * w2695 - w1198 * w2696 + w1185 * w2697) / w1195
-    w2699 = w2694 / w310 - w1192 * w2698
-    w2700 = w2695 / w310 - w1190 * w2698
-    w2701 = w261 * w2683 + w289 * w2670
-    w2702 = w275 * w2683 + w289 * w2671
-    w2703 = w2696 / w310 + w1188 * w2698
-    w2704 = w2681 - (w288 * w2683 + w289 * w2682)
-    w2705 = w2697 / w310 - w1187 * w2698
-    w2706 = w290 * w2699 - w311 * w2686 + (w312 * w2700 - w313 * w2701) - (w315 * w2702 + w314 * w2703) + (w317 * w2704 + w316 * w2705)
-    w2707 = w2686 + (w311 * w2706 + w318 * w2699)
-    w2708 = w2704 - (w317 * w2706 + w318 * w2705)
-    w2709 = w323 * w2677 - w322 * w2673 - w324 * w2679 + w325 * w2675
-    w2710 = w326 * w2669 + w327 * w2670 + w328 * w2671 + (w288 * w2709 + w329 * w2682)
-    w2711 = w2709 - (w288 * w2710 + w330 * w2682)
-    w2712 = w236 * w2710 + w330 * w2669
-    w2713 = w261 * w2710 + w330 * w2670
-    w2714 = w275 * w2710 + w330 * w2671
-    w2715 = w331 * w2699 - w311 * w2712 + (w332 * w2700 - w313 * w2713) - (w315 * w2714 + w333 * w2703) + (w317 * w2711 + w334 * w2705)
-    w2716 = w2711 - (w317 * w2715 + w335 * w2705)
-    w2717 = w2712 + (w311 * w2715 + w335 * w2699)
-    w2718 = w2713 + (w313 * w2715 + w335 * w2700)
-    w2719 = w2714 + (w315 * w2715 - w335 * w2703)
-    w2720 = (w1159 * w2716 - (w1176 * w2717 + w1174 * w2718 + w1172 * w2719)) / w1169
-    w2721 = w2716 / w340 - w1161 * w2720
-    w2722 = w2717 / w340 + w1166 * w2720
-    w2723 = w2701 + (w313 * w2706 + w318 * w2700)
-    w2724 = w2718 / w340 + w1164 * w2720
-    w2725 = w2702 + (w315 * w2706 - w318 * w2703)
-    w2726 = w2719 / w340 + w1162 * w2720
-    w2727 = w347 * w2708 + w346 * w2721 - (w341 * w2707 + w319 * w2722 + (w343 * w2723 + w342 * w2724) + (w345 * w2725 + w344 * w2726))
-    w2728 = w2707 + (w341 * w2727 - w348 * w2722)
-    w2729 = w2708 - (w347 * w2727 + w348 * w2721)
-    w2730 = w2723 + (w343 * w2727 - w348 * w2724)
-    w2731 = w2725 + (w345 * w2727 - w348 * w2726)
-    w2732 = (w1128 * w2729 - (w1145 * w2728 + w1143 * w2730 + w1141 * w2731)) / w1138
-    w2733 = w3 * (w5 * w2630 + w65 * w2636) - w754 * (w5 * w2632 + w65 * w2634) + w777 * (w5 * w2634 - w65 * w2632)
-    w2734 = w2733 - w788 * (w65 * w2630 - w5 * w2636)
-    w2735 = w354 * w2685 - w794 * (w2728 / w353 + w1135 * w2732) + (w360 * w2734 - w795 * (w2730 / w353 + w1133 * w2732))
-    w2736 = w3 * (w5 * w2644 + w65 * w2647) - w754 * (w5 * w2645 + w65 * w2646) + w777 * (w5 * w2646 - w65 * w2645)
-    w2737 = w2736 - w788 * (w65 * w2644 - w5 * w2647)
-    w2738 = w3 * (w5 * w2663 - w65 * w2666) - w754 * (w5 * w2664 + w65 * w2665) + w777 * (w5 * w2665 - w65 * w2664)
-    w2739 = w2738 - w788 * (w65 * w2663 + w5 * w2666)
-    w2740 = w2735 + (w375 * w2737 - w796 * (w2731 / w353 + w1131 * w2732)) + (w797 * (w2729 / w353 - w1130 * w2732) + w385 * w2739)
-    w2741 = w2740 / w353 - w1129 * w2732
-    w2742 = w794 * w2669 + w236 * w2685 + (w795 * w2670 + w261 * w2734) + (w796 * w2671 + w275 * w2737) + (w797 * w2682 + w288 * w2739)
-    w2743 = w341 * w2685 - w794 * w2722 + (w343 * w2734 - w795 * w2724) + (w345 * w2737 - w796 * w2726) + (w797 * w2721 + w347 * w2739)
-    w2744 = (w798 * w2727 + w348 * w2741 - w2743) / w340 - w1160 * w2720
-    w2745 = w794 * w2699 + w311 * w2685 + (w795 * w2700 + w313 * w2734) + (w315 * w2737 - w796 * w2703) + (w797 * w2705 + w317 * w2739)
-    w2746 = (w798 * w2706 + w318 * w2741 - w2745 - (w1000 * w2715 + w335 * w2744)) / w310 - w1186 * w2698
-    w2747 = w798 * w2683 + w289 * w2741 - w2742 - (w1000 * w2710 + w330 * w2744) - (w1004 * w2693 + w305 * w2746)
-    w2748 = hinge0_angle_dot * (w2747 / w235 - w1208 * w2668)
-    w2749 = w68 * w2748
-    w2750 = w17 * c63
-    w2751 = w14 * w2750
-    w2752 = bar3_e1 * c107
-    w2753 = w2751 - w9 * w2752
-    w2754 = w131 * -2.0
-    w2755 = w2754 - w138 * w2752
-    w2756 = w17 * w2750
-    w2757 = w2755 + w2756
-    w2758 = w17 * w2752
-    w2759 = w144 * w2750
-    w2760 = w2758 + (w2609 - w2759)
-    w2761 = w148 * w2750
-    w2762 = w2761 - w14 * w2752
-    w2763 = w8 * w2753 - (w142 * w2757 - w147 * w2760) + w151 * w2762
-    w2764 = w147 * w2757 + w142 * w2760 - w151 * w2753 + w8 * w2762
-    w2765 = w147 * w2762 - (w151 * w2760 + w8 * w2757 + w142 * w2753)
-    w2766 = w151 * w2757 - w8 * w2760 + w147 * w2753 + w142 * w2762
-    w2767 = w153 * w2763 - w158 * w2764 + w162 * w2765 + w68 * w2766
-    w2768 = w9 * c63
-    w2769 = w14 * w2768
-    w2770 = w2758 + w2769
-    w2771 = w17 * w2768
-    w2772 = w2771 + w15 * w2752
-    w2773 = w144 * w2768
-    w2774 = w2624 + w2773 + w148 * w2752
-    w2775 = w148 * w2768
-    w2776 = w2775 - w2755
-    w2777 = w8 * w2770 - (w142 * w2772 + w147 * w2774) + w151 * w2776
-    w2778 = w147 * w2772 - w142 * w2774 - w151 * w2770 + w8 * w2776
-    w2779 = w151 * w2774 - w8 * w2772 - w142 * w2770 + w147 * w2776
-    w2780 = w151 * w2772 + w8 * w2774 + w147 * w2770 + w142 * w2776
-    w2781 = w153 * w2777 - w158 * w2778 + w162 * w2779 + w68 * w2780
-    w2782 = w168 * -2.0
-    w2783 = w138 * w2768
-    w2784 = w15 * w2750 + (w2782 + w2783)
-    w2785 = w2761 + w2771
-    w2786 = w2756 + w9 * w2768
-    w2787 = w132 * -2.0
-    w2788 = w138 * w2750
-    w2789 = w2787 - w2788 - w2769
-    w2790 = w142 * w2784 + w147 * w2785 - w8 * w2786 + w151 * w2789
-    w2791 = w142 * w2785 - w147 * w2784 + w151 * w2786 + w8 * w2789
-    w2792 = w8 * w2784 - w151 * w2785 + w142 * w2786 + w147 * w2789
-    w2793 = w142 * w2789 - (w151 * w2784 + w8 * w2785 + w147 * w2786)
-    w2794 = w153 * w2790 - w158 * w2791 + w162 * w2792 + w68 * w2793
-    w2795 = w15 * w209
-    w2796 = w9 * w214
-    w2797 = w2795 - w2796
-    w2798 = w222 * -2.0
-    w2799 = w15 * w2797 + (w138 * w2652 + w2798) - w2656
-    w2800 = w2653 + w148 * w2797 + (w2651 - w144 * w2650)
-    w2801 = w17 * w2797 + w9 * w2652 - w2661
-    w2802 = w216 * -2.0
-    w2803 = w2659 + (w138 * w2797 + w2802) - w148 * w2650
-    w2804 = w142 * w2799 + w147 * w2800 - w8 * w2801 - w151 * w2803
-    w2805 = w142 * w2800 - w147 * w2799 + w151 * w2801 - w8 * w2803
-    w2806 = w8 * w2799 - w151 * w2800 + w142 * w2801 - w147 * w2803
-    w2807 = w151 * w2799 + w8 * w2800 + w147 * w2801 + w142 * w2803
-    w2808 = w153 * w2804 - w158 * w2805 + w162 * w2806 - w68 * w2807
-    w2809 = (w1227 * w2767 + w1225 * w2781 + w1223 * w2794 + w1207 * w2808) / w1220
-    w2810 = w2767 / w235 - w1216 * w2809
-    w2811 = w2781 / w235 - w1213 * w2809
-    w2812 = w2794 / w235 - w1210 * w2809
-    w2813 = w2796 - w2795
-    w2814 = w2676 + (w207 * w2813 - w105 * w2652)
-    w2815 = w105 * w2813 - w2678 + w109 * w2650
-    w2816 = w109 * w2813 - w2672 + w70 * w2650
-    w2817 = w2674 + (w72 * w2813 - w69 * w2652)
-    w2818 = w119 * (w86 * w2814 + w83 * w2815) + w104 * (w86 * w2816 - w83 * w2817) - w124 * (w83 * w2816 + w86 * w2817)
-    w2819 = w2818 - w129 * (w86 * w2815 - w83 * w2814)
-    w2820 = w2808 / w235 - w1209 * w2809
-    w2821 = w130 * w2810 + w260 * w2811 + w274 * w2812 + (w288 * w2819 + w287 * w2820)
-    w2822 = w3 * (w5 * w2763 + w65 * w2766) - w754 * (w5 * w2764 + w65 * w2765) + w777 * (w5 * w2765 - w65 * w2764)
-    w2823 = w2822 - w788 * (w65 * w2763 - w5 * w2766)
-    w2824 = w236 * w2821 + w289 * w2810
-    w2825 = w297 * w2762 - (w298 * w2757 - w299 * w2760 + w300 * w2753)
-    w2826 = w297 * w2776 - (w298 * w2772 + w299 * w2774 + w300 * w2770)
-    w2827 = w297 * w2789 + (w298 * w2784 + w299 * w2785 + w300 * w2786)
-    w2828 = w298 * w2799 + w299 * w2800 + w300 * w2801 - w297 * w2803
-    w2829 = w236 * w2825 + w301 * w2810 + (w261 * w2826 + w302 * w2811) + (w275 * w2827 + w303 * w2812) + (w288 * w2828 + w304 * w2820)
-    w2830 = w2825 - (w236 * w2829 + w305 * w2810)
-    w2831 = w2826 - (w261 * w2829 + w305 * w2811)
-    w2832 = w2827 - (w275 * w2829 + w305 * w2812)
-    w2833 = w2828 - (w288 * w2829 + w305 * w2820)
-    w2834 = (w1202 * w2830 + w1200 * w2831 + w1198 * w2832 + w1185 * w2833) / w1195
-    w2835 = w2830 / w310 - w1192 * w2834
-    w2836 = w2831 / w310 - w1190 * w2834
-    w2837 = w261 * w2821 + w289 * w2811
-    w2838 = w2832 / w310 - w1188 * w2834
-    w2839 = w275 * w2821 + w289 * w2812
-    w2840 = w2819 - (w288 * w2821 + w289 * w2820)
-    w2841 = w2833 / w310 - w1187 * w2834
-    w2842 = w290 * w2835 - w311 * w2824 + (w312 * w2836 - w313 * w2837) + (w314 * w2838 - w315 * w2839) + (w317 * w2840 + w316 * w2841)
-    w2843 = w2824 + (w311 * w2842 + w318 * w2835)
-    w2844 = w2840 - (w317 * w2842 + w318 * w2841)
-    w2845 = w323 * w2816 - w322 * w2814 - w324 * w2817 + w325 * w2815
-    w2846 = w326 * w2810 + w327 * w2811 + w328 * w2812 + (w288 * w2845 + w329 * w2820)
-    w2847 = w2845 - (w288 * w2846 + w330 * w2820)
-    w2848 = w236 * w2846 + w330 * w2810
-    w2849 = w261 * w2846 + w330 * w2811
-    w2850 = w275 * w2846 + w330 * w2812
-    w2851 = w331 * w2835 - w311 * w2848 + (w332 * w2836 - w313 * w2849) + (w333 * w2838 - w315 * w2850) + (w317 * w2847 + w334 * w2841)
-    w2852 = w2847 - (w317 * w2851 + w335 * w2841)
-    w2853 = w2848 + (w311 * w2851 + w335 * w2835)
-    w2854 = w2849 + (w313 * w2851 + w335 * w2836)
-    w2855 = w2850 + (w315 * w2851 + w335 * w2838)
-    w2856 = (w1159 * w2852 - (w1176 * w2853 + w1174 * w2854 + w1172 * w2855)) / w1169
-    w2857 = w2852 / w340 - w1161 * w2856
-    w2858 = w2853 / w340 + w1166 * w2856
-    w2859 = w2837 + (w313 * w2842 + w318 * w2836)
-    w2860 = w2854 / w340 + w1164 * w2856
-    w2861 = w2839 + (w315 * w2842 + w318 * w2838)
-    w2862 = w2855 / w340 + w1162 * w2856
-    w2863 = w347 * w2844 + w346 * w2857 - (w341 * w2843 + w319 * w2858 + (w343 * w2859 + w342 * w2860) + (w345 * w2861 + w344 * w2862))
-    w2864 = w2843 + (w341 * w2863 - w348 * w2858)
-    w2865 = w2844 - (w347 * w2863 + w348 * w2857)
-    w2866 = w2859 + (w343 * w2863 - w348 * w2860)
-    w2867 = w2861 + (w345 * w2863 - w348 * w2862)
-    w2868 = (w1128 * w2865 - (w1145 * w2864 + w1143 * w2866 + w1141 * w2867)) / w1138
-    w2869 = w3 * (w5 * w2777 + w65 * w2780) - w754 * (w5 * w2778 + w65 * w2779) + w777 * (w5 * w2779 - w65 * w2778)
-    w2870 = w2869 - w788 * (w65 * w2777 - w5 * w2780)
-    w2871 = w354 * w2823 - w794 * (w2864 / w353 + w1135 * w2868) + (w360 * w2870 - w795 * (w2866 / w353 + w1133 * w2868))
-    w2872 = w3 * (w5 * w2790 + w65 * w2793) - w754 * (w5 * w2791 + w65 * w2792) + w777 * (w5 * w2792 - w65 * w2791)
-    w2873 = w2872 - w788 * (w65 * w2790 - w5 * w2793)
-    w2874 = w3 * (w5 * w2804 - w65 * w2807) - w754 * (w5 * w2805 + w65 * w2806) + w777 * (w5 * w2806 - w65 * w2805)
-    w2875 = w2874 - w788 * (w65 * w2804 + w5 * w2807)
-    w2876 = w2871 + (w375 * w2873 - w796 * (w2867 / w353 + w1131 * w2868)) + (w797 * (w2865 / w353 - w1130 * w2868) + w385 * w2875)
-    w2877 = w2876 / w353 - w1129 * w2868
-    w2878 = w794 * w2810 + w236 * w2823 + (w795 * w2811 + w261 * w2870) + (w796 * w2812 + w275 * w2873) + (w797 * w2820 + w288 * w2875)
-    w2879 = w341 * w2823 - w794 * w2858 + (w343 * w2870 - w795 * w2860) + (w345 * w2873 - w796 * w2862) + (w797 * w2857 + w347 * w2875)
-    w2880 = (w798 * w2863 + w348 * w2877 - w2879) / w340 - w1160 * w2856
-    w2881 = w794 * w2835 + w311 * w2823 + (w795 * w2836 + w313 * w2870) + (w796 * w2838 + w315 * w2873) + (w797 * w2841 + w317 * w2875)
-    w2882 = (w798 * w2842 + w318 * w2877 - w2881 - (w1000 * w2851 + w335 * w2880)) / w310 - w1186 * w2834
-    w2883 = w798 * w2821 + w289 * w2877 - w2878 - (w1000 * w2846 + w330 * w2880) - (w1004 * w2829 + w305 * w2882)
-    w2884 = hinge0_angle_dot * (w2883 / w235 - w1208 * w2809)
-    w2885 = w68 * w2884
-    w2886 = bar3_e2 * 4.0
-    w2887 = w2886 * c63
-    w2888 = w138 * w2887
-    w2889 = w2771 + w2888
-    w2890 = w17 * w2887
-    w2891 = w2773 + w2890
-    w2892 = w9 * w2887 + (w2769 + w2787)
-    w2893 = w2754 - w14 * w2887 - w2775
-    w2894 = w142 * w2889 + w147 * w2891 - w8 * w2892 + w151 * w2893
-    w2895 = w142 * w2891 - w147 * w2889 + w151 * w2892 + w8 * w2893
-    w2896 = w8 * w2889 - w151 * w2891 + w142 * w2892 + w147 * w2893
-    w2897 = w142 * w2893 - (w151 * w2889 + w8 * w2891 + w147 * w2892)
-    w2898 = w153 * w2894 - w158 * w2895 + w162 * w2896 + w68 * w2897
-    w2899 = w2751 + w2782
-    w2900 = w2890 + w2899
-    w2901 = w2756 - (w2606 - w15 * w2887)
-    w2902 = w2759 + w148 * w2887
-    w2903 = w2761 + w2888
-    w2904 = w8 * w2900 - (w142 * w2901 + w147 * w2902) + w151 * w2903
-    w2905 = w147 * w2901 - w142 * w2902 - w151 * w2900 + w8 * w2903
-    w2906 = w151 * w2902 - w8 * w2901 - w142 * w2900 + w147 * w2903
-    w2907 = w151 * w2901 + w8 * w2902 + w147 * w2900 + w142 * w2903
-    w2908 = w153 * w2904 - w158 * w2905 + w162 * w2906 + w68 * w2907
-    w2909 = w2771 - w9 * w2750
-    w2910 = w2609 + w15 * w2768 - w2788
-    w2911 = w2775 - w2756
-    w2912 = w2783 - w2899
-    w2913 = w8 * w2909 - (w142 * w2910 + w147 * w2911) + w151 * w2912
-    w2914 = w147 * w2910 - w142 * w2911 - w151 * w2909 + w8 * w2912
-    w2915 = w151 * w2911 - w8 * w2910 - w142 * w2909 + w147 * w2912
-    w2916 = w151 * w2910 + w8 * w2911 + w147 * w2909 + w142 * w2912
+    w1863 = (w1861 * bar3_start_quaternion_1_0_0 + w1862 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1864 = (w1862 * bar3_start_quaternion_1_0_0 - w1861 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1865 = 2 * w1332
+    w1866 = 2 * w1333
+    w1867 = 2 * w1334
+    w1868 = 2 * w1336
+    w1869 = bar2_e2_dot * w1865 - bar2_e3_dot * w1866 + bar2_e0_dot * w1867 + bar2_e1_dot * w1868
+    w1870 = bar2_e0_dot * w1865 - bar2_e1_dot * w1866 - bar2_e2_dot * w1867 - bar2_e3_dot * w1868
+    w1871 = (w1869 * bar3_start_quaternion_1_0_0 + w1870 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1872 = (w1870 * bar3_start_quaternion_1_0_0 - w1869 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1873 = w1871 + w1872
+    w1874 = bar2_e2 * w1336 - (bar2_e1 * w1332 + bar2_e0 * w1333 + bar2_e3 * w1334)
+    w1875 = bar2_e3 * w1332 + bar2_e2 * w1333 - bar2_e1 * w1334 + bar2_e0 * w1336
+    w1876 = (w1874 * bar3_start_quaternion_1_0_0 - w1875 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1877 = (w1874 * bar3_start_quaternion_3_0_0 + w1875 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1878 = w1876 + w1877
+    w1879 = w744 * w1016 - w747 * w1020 - w746 * w1024 + w745 * w1028 + w696 * w1046 - w697 * w1047 - w694 * w1048
+    w1880 = w1879 + w695 * w1049 + w228 * w1476 - w229 * w1479 + w226 * w1480 + w227 * w1481 + w190 * w1343 + w194 * w1345
+    w1881 = w1880 - w192 * w1347 - w193 * w1349 + w170 * w1351 + w180 * w1354 - w178 * w1356 - w179 * w1358 + w133 * w1412
+    w1882 = w1881 + w150 * w1415 - w141 * w1393 - w145 * w1395
+    w1883 = w695 * w1047 - (w745 * w1020 + w746 * w1016 + w744 * w1024 + w747 * w1028 + w694 * w1046) - w696 * w1048
+    w1884 = w1883 + w697 * w1049 + w226 * w1476 - w227 * w1479 - w228 * w1480 - w229 * w1481 + w192 * w1343 + w193 * w1345
+    w1885 = w1884 + w190 * w1347 + w194 * w1349 + w178 * w1351 + w179 * w1354 + w170 * w1356 + w180 * w1358 + w141 * w1412
+    w1886 = w1885 + w145 * w1415 + w133 * w1393 + w150 * w1395
+    w1887 = (w1882 * bar3_start_quaternion_3_0_0 - w1886 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1888 = (w1886 * bar3_start_quaternion_3_0_0 + w1882 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1889 = bar2_e0 * w1328 + bar2_e3 * w1329 - bar2_e2 * w1330 + bar2_e1 * w1331
+    w1890 = bar2_e2 * w1328 - bar2_e1 * w1329 + bar2_e0 * w1330 + bar2_e3 * w1331
+    w1891 = (w1889 * bar3_start_quaternion_3_0_0 - w1890 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1892 = (w1890 * bar3_start_quaternion_3_0_0 + w1889 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1893 = bar2_e1_dot * w1865 + bar2_e0_dot * w1866 + bar2_e3_dot * w1867 - bar2_e2_dot * w1868
+    w1894 = bar2_e3_dot * w1865 + bar2_e2_dot * w1866 - bar2_e1_dot * w1867 + bar2_e0_dot * w1868
+    w1895 = (w1893 * bar3_start_quaternion_3_0_0 - w1894 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1896 = (w1893 * bar3_start_quaternion_1_0_0 + w1894 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1897 = w1895 + w1896
+    w1898 = bar2_e2 * w1332 - bar2_e3 * w1333 + bar2_e0 * w1334 + bar2_e1 * w1336
+    w1899 = bar2_e0 * w1332 - bar2_e1 * w1333 - bar2_e2 * w1334 - bar2_e3 * w1336
+    w1900 = (w1898 * bar3_start_quaternion_1_0_0 + w1899 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1901 = (w1899 * bar3_start_quaternion_1_0_0 - w1898 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1902 = w1900 + w1901
+    w1903 = w746 * w1020 - w745 * w1016 - w747 * w1024 + w744 * w1028 - w697 * w1046 - w696 * w1047 - w695 * w1048
+    w1904 = w1903 - w694 * w1049 + w229 * w1476 + w228 * w1479 - w227 * w1480 + w226 * w1481 + w194 * w1343 - w190 * w1345
+    w1905 = w1904 + w193 * w1347 - w192 * w1349 + w180 * w1351 - w170 * w1354 + w179 * w1356 - w178 * w1358 + w150 * w1412
+    w1906 = w1905 - w133 * w1415 + w145 * w1393 - w141 * w1395
+    w1907 = w744 * w1020 + w747 * w1016 - w745 * w1024 - w746 * w1028 - w695 * w1046 - w694 * w1047 + w697 * w1048
+    w1908 = w1907 + w696 * w1049 + w227 * w1476 + w226 * w1479 + w229 * w1480 - w228 * w1481 + w193 * w1343 - w192 * w1345
+    w1909 = w1908 - w194 * w1347 + w190 * w1349 + w179 * w1351 - w178 * w1354 - w180 * w1356 + w170 * w1358 + w145 * w1412
+    w1910 = w1909 - w141 * w1415 - w150 * w1393 + w133 * w1395
+    w1911 = (w1906 * bar3_start_quaternion_3_0_0 - w1910 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1912 = (w1906 * bar3_start_quaternion_1_0_0 + w1910 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1913 = w7 * ((w1863 + w1864 + hinge2_angle_dot * w1873) * 0.5 + w576 * w1878 + w1887 + w1888) - w146 * ((w1891 + w1892 + hinge2_angle_dot * w1897) * 0.5 + w576 * w1902 + w1911 + w1912)
+    w1914 = w986 * w1068 - w960 * w1063 + w988 * w1071 - w962 * w1065 + w924 * w1094 + w925 * w1092 - w926 * w1096
+    w1915 = w1914 + w927 * w1098 - w279 * w1464 - w282 * w1467 - w283 * w1468 + w280 * w1465 + w266 * w1689 + w263 * w1666
+    w1916 = w1915 + w262 * w1667 + w267 * w1688 + w250 * w1617 + w242 * w1619 + w241 * w1620 + w251 * w1615 + w108 * w1627
+    w1917 = 2 * w1806
+    w1918 = 2 * w1824
+    w1919 = 2 * w1825
+    w1920 = 2 * w1807
+    w1921 = bar5_e0_dot * w1917 + bar5_e1_dot * w1918 + bar5_e2_dot * w1919 + bar5_e3_dot * w1920
+    w1922 = (bar5_e1 * w1810 - bar5_e0 * w1737 - bar5_e2 * w1811 + bar5_e3 * w1738 - hinge4_angle_dot * w1921) * 0.5
+    w1923 = bar5_e2 * w1824 - bar5_e3 * w1806 - bar5_e1 * w1825 + bar5_e0 * w1807
+    w1924 = w962 * w1063 + w988 * w1068 - w986 * w1071 - w960 * w1065 + w927 * w1094 + w926 * w1092 + w925 * w1096
+    w1925 = w1924 - w924 * w1098 + w280 * w1464 - w283 * w1467 + w282 * w1468 + w279 * w1465 - w267 * w1689 + w262 * w1666
+    w1926 = w1925 - w263 * w1667 + w266 * w1688 - w251 * w1617 + w241 * w1619 - w242 * w1620 + w250 * w1615 - w111 * w1627
+    w1927 = bar5_e3_dot * w1917 - bar5_e2_dot * w1918 + bar5_e1_dot * w1919 - bar5_e0_dot * w1920
+    w1928 = (bar5_e3 * w1737 + bar5_e2 * w1810 + bar5_e1 * w1811 + bar5_e0 * w1738 + hinge4_angle_dot * w1927) * 0.5
+    w1929 = bar5_e0 * w1806 + bar5_e1 * w1824 + bar5_e2 * w1825 + bar5_e3 * w1807
+    w1930 = w86 * (w1916 + w85 * w1629 + w81 * w1630 + w111 * w1625 + w1922 + w608 * w1923) - w83 * (w1926 + w81 * w1629 - w85 * w1630 + w108 * w1625 + w1928 - w608 * w1929)
+    w1931 = w798 * w993 + w690 * w1111 - w286 * w1463 - w273 * w1665 - w259 * w1614 - w128 * w1624
+    w1932 = w690 * w1107 - w798 * w989 + w284 * w1463 + w265 * w1665 + w248 * w1614 + w100 * w1624
+    w1933 = (w1931 * bar5_end_quaternion_1_0_0 - w1932 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_1_0_0
+    w1934 = (w1931 * bar5_end_quaternion_3_0_0 + w1932 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_3_0_0
+    w1935 = w1109 - w285 * w1114 + w271 * w1115 + w257 * w1116 + w123 * w1117
+    w1936 = w1105 - w281 * w1114 + w269 * w1115 + w254 * w1116 + w116 * w1117
+    w1937 = (w1935 * bar5_end_quaternion_3_0_0 - w1936 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_1_0_0
+    w1938 = (w1935 * bar5_end_quaternion_1_0_0 + w1936 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_3_0_0
+    w1939 = w1937 + w1938
+    w1940 = w798 * w991 - w690 * w1109 - w285 * w1463 + w271 * w1665 + w257 * w1614 + w123 * w1624
+    w1941 = w690 * w1105 - w798 * w983 + w281 * w1463 - w269 * w1665 - w254 * w1614 - w116 * w1624
+    w1942 = (w1940 * bar5_end_quaternion_1_0_0 - w1941 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_3_0_0
+    w1943 = (w1940 * bar5_end_quaternion_3_0_0 + w1941 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_1_0_0
+    w1944 = w1111 + w286 * w1114 + w273 * w1115 + w259 * w1116 + w128 * w1117
+    w1945 = w1107 - w284 * w1114 - w265 * w1115 - w248 * w1116 - w100 * w1117
+    w1946 = (w1944 * bar5_end_quaternion_1_0_0 - w1945 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_1_0_0
+    w1947 = (w1944 * bar5_end_quaternion_3_0_0 + w1945 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_3_0_0
+    w1948 = w1946 + w1947
+    w1949 = (w117 * ((w1933 + w1934) * 0.5 + w643 * w1939) - w102 * ((w1942 + w1943) * 0.5 + w643 * w1948)) * 0.5
+    w1950 = w37 * w1291 - (w555 * w1846 + w556 * w1847) + w22 * w1276 + w24 * w1292 + w24 * w1295 + w27 * w1284
+    w1951 = hinge0_angle_dot * w786
+    w1952 = w556 * w1848 - w555 * w1849 + w22 * w1291 + w27 * w1276 + w45 * w1292 + w45 * w1295 + w22 * w1284
+    w1953 = hinge0_angle_dot * w792
+    w1954 = w556 * w1846 - w555 * w1847 + w24 * w1291 + w23 * w1276 + w27 * w1292 + w37 * w1295 + w24 * w1284
+    w1955 = hinge0_angle_dot * w774
+    w1956 = w45 * w1291 - (w555 * w1848 + w556 * w1849) + w24 * w1276 + w364 * w1292 + w22 * w1295 + w23 * w1284
+    w1957 = hinge0_angle_dot * w752
+    w1958 = (w1950 + w364 * w1296) * w1951 - (w1952 + w27 * w1296) * w1953 + (w1954 + w45 * w1296) * w1955 + (w1956 + w24 * w1296) * w1957
+    w1959 = w586 * w1865 + w588 * w1866 + w587 * w1867 + w584 * w1868 + w58 * w1389 + w134 * w1390 + w51 * w1391
+    w1960 = hinge0_angle_dot * w1008
+    w1961 = w66 * w1960
+    w1962 = w67 * w152 + w66 * w163
+    w1963 = w67 * w181 + w66 * w188
+    w1964 = w67 * w195 + w66 * w201
+    w1965 = w67 * w230 - w66 * w233
+    w1966 = (w1227 * w1962 + w1225 * w1963 + w1223 * w1964 + w1207 * w1965) / w1220
+    w1967 = w1962 / w235 - w1216 * w1966
+    w1968 = w1963 / w235 - w1213 * w1966
+    w1969 = w1964 / w235 - w1210 * w1966
+    w1970 = w1965 / w235 - w1209 * w1966
+    w1971 = w130 * w1967 + w260 * w1968 + w274 * w1969 + w287 * w1970
+    w1972 = w236 * w1971 + w289 * w1967
+    w1973 = w301 * w1967 + w302 * w1968 + w303 * w1969 + w304 * w1970
+    w1974 = w236 * w1973 + w305 * w1967
+    w1975 = w261 * w1973 + w305 * w1968
+    w1976 = w275 * w1973 + w305 * w1969
+    w1977 = w288 * w1973 + w305 * w1970
+    w1978 = (w1202 * w1974 + w1200 * w1975 + w1198 * w1976 + w1185 * w1977) / w1195
+    w1979 = w1192 * w1978 - w1974 / w310
+    w1980 = w1190 * w1978 - w1975 / w310
+    w1981 = w261 * w1971 + w289 * w1968
+    w1982 = w1188 * w1978 - w1976 / w310
+    w1983 = w275 * w1971 + w289 * w1969
+    w1984 = w1187 * w1978 - w1977 / w310
+    w1985 = w288 * w1971 + w289 * w1970
+    w1986 = w290 * w1979 - w311 * w1972 + (w312 * w1980 - w313 * w1981) + (w314 * w1982 - w315 * w1983) + (w316 * w1984 - w317 * w1985)
+    w1987 = w1972 + (w311 * w1986 + w318 * w1979)
+    w1988 = w326 * w1967 + w327 * w1968 + w328 * w1969 + w329 * w1970
+    w1989 = w236 * w1988 + w330 * w1967
+    w1990 = w261 * w1988 + w330 * w1968
+    w1991 = w275 * w1988 + w330 * w1969
+    w1992 = w288 * w1988 + w330 * w1970
+    w1993 = w331 * w1979 - w311 * w1989 + (w332 * w1980 - w313 * w1990) + (w333 * w1982 - w315 * w1991) + (w334 * w1984 - w317 * w1992)
+    w1994 = w1989 + (w311 * w1993 + w335 * w1979)
+    w1995 = w1990 + (w313 * w1993 + w335 * w1980)
+    w1996 = w1991 + (w315 * w1993 + w335 * w1982)
+    w1997 = w1992 + (w317 * w1993 + w335 * w1984)
+    w1998 = (w1176 * w1994 + w1174 * w1995 + w1172 * w1996 + w1159 * w1997) / w1169
+    w1999 = w1166 * w1998 - w1994 / w340
+    w2000 = w1164 * w1998 - w1995 / w340
+    w2001 = w1981 + (w313 * w1986 + w318 * w1980)
+    w2002 = w1162 * w1998 - w1996 / w340
+    w2003 = w1983 + (w315 * w1986 + w318 * w1982)
+    w2004 = w1161 * w1998 - w1997 / w340
+    w2005 = w1985 + (w317 * w1986 + w318 * w1984)
+    w2006 = w319 * w1999 - w341 * w1987 + (w342 * w2000 - w343 * w2001) + (w344 * w2002 - w345 * w2003) + (w346 * w2004 - w347 * w2005)
+    w2007 = w1987 + (w341 * w2006 + w348 * w1999)
+    w2008 = w2001 + (w343 * w2006 + w348 * w2000)
+    w2009 = w2003 + (w345 * w2006 + w348 * w2002)
+    w2010 = w2005 + (w347 * w2006 + w348 * w2004)
+    w2011 = (w1145 * w2007 + w1143 * w2008 + w1141 * w2009 + w1128 * w2010) / w1138
+    w2012 = w364 * bar1_end_x
+    w2013 = w45 * w2012
+    w2014 = 2 * w28
+    w2015 = w37 * bar1_end_x
+    w2016 = w24 * w2015
+    w2017 = w2014 + w2016
+    w2018 = 2 * w26
+    w2019 = w24 * w2012
+    w2020 = w2018 - w2019
+    w2021 = w22 * w2015
+    w2022 = w22 * w2012
+    w2023 = w27 * w2015
+    w2024 = w3 * (w2013 + w2017) + w754 * (w2020 - w23 * w2015) + w777 * (w37 * w2012 + w2021) - w788 * (w2022 + w2023)
+    w2025 = w27 * w2012
+    w2026 = w754 * w2025
+    w2027 = 2 * w362
+    w2028 = w364 * w2012
+    w2029 = w2026 - w3 * (w2027 + w2028) + w777 * w2020 + w788 * w2013
+    w2030 = w794 * (w1135 * w2011 - w2007 / w353) + w354 * w2024 + (w795 * (w1133 * w2011 - w2008 / w353) + w360 * w2029)
+    w2031 = w3 * (w364 * w2015)
+    w2032 = w45 * w2015
+    w2033 = w754 * (w2023 - w2027) - w2031 - w777 * w2017 + w788 * w2032
+    w2034 = w2030 + (w796 * (w1131 * w2011 - w2009 / w353) + w375 * w2033) + w797 * (w1130 * w2011 - w2010 / w353)
+    w2035 = w2034 / w353 + w1129 * w2011
+    w2036 = w794 * w1967 + w236 * w2024 + (w795 * w1968 + w261 * w2029) + (w796 * w1969 + w275 * w2033) + w797 * w1970
+    w2037 = w794 * w1999 + w341 * w2024 + (w795 * w2000 + w343 * w2029) + (w796 * w2002 + w345 * w2033) + w797 * w2004
+    w2038 = (w798 * w2006 + w348 * w2035 - w2037) / w340 + w1160 * w1998
+    w2039 = w794 * w1979 + w311 * w2024 + (w795 * w1980 + w313 * w2029) + (w796 * w1982 + w315 * w2033) + w797 * w1984
+    w2040 = (w798 * w1986 + w318 * w2035 - w2039 - (w1000 * w1993 + w335 * w2038)) / w310 + w1186 * w1978
+    w2041 = w798 * w1971 + w289 * w2035 - w2036 - (w1000 * w1988 + w330 * w2038) - (w1004 * w1973 + w305 * w2040)
+    w2042 = hinge0_angle_dot * (w2041 / w235 - w1208 * w1966)
+    w2043 = w1961 + w68 * w2042
+    w2044 = w67 * w157 + w66 * w161
+    w2045 = w67 * w183 + w66 * w186
+    w2046 = w67 * w197 + w66 * w199
+    w2047 = w67 * w231 + w66 * w232
+    w2048 = (w1227 * w2044 + w1225 * w2045 + w1223 * w2046 + w1207 * w2047) / w1220
+    w2049 = w1216 * w2048 - w2044 / w235
+    w2050 = w1213 * w2048 - w2045 / w235
+    w2051 = w1210 * w2048 - w2046 / w235
+    w2052 = w1209 * w2048 - w2047 / w235
+    w2053 = w130 * w2049 + w260 * w2050 + w274 * w2051 + w287 * w2052
+    w2054 = w236 * w2053 + w289 * w2049
+    w2055 = w301 * w2049 + w302 * w2050 + w303 * w2051 + w304 * w2052
+    w2056 = w236 * w2055 + w305 * w2049
+    w2057 = w261 * w2055 + w305 * w2050
+    w2058 = w275 * w2055 + w305 * w2051
+    w2059 = w288 * w2055 + w305 * w2052
+    w2060 = (w1202 * w2056 + w1200 * w2057 + w1198 * w2058 + w1185 * w2059) / w1195
+    w2061 = w1192 * w2060 - w2056 / w310
+    w2062 = w1190 * w2060 - w2057 / w310
+    w2063 = w261 * w2053 + w289 * w2050
+    w2064 = w1188 * w2060 - w2058 / w310
+    w2065 = w275 * w2053 + w289 * w2051
+    w2066 = w1187 * w2060 - w2059 / w310
+    w2067 = w288 * w2053 + w289 * w2052
+    w2068 = w290 * w2061 - w311 * w2054 + (w312 * w2062 - w313 * w2063) + (w314 * w2064 - w315 * w2065) + (w316 * w2066 - w317 * w2067)
+    w2069 = w2054 + (w311 * w2068 + w318 * w2061)
+    w2070 = w326 * w2049 + w327 * w2050 + w328 * w2051 + w329 * w2052
+    w2071 = w236 * w2070 + w330 * w2049
+    w2072 = w261 * w2070 + w330 * w2050
+    w2073 = w275 * w2070 + w330 * w2051
+    w2074 = w288 * w2070 + w330 * w2052
+    w2075 = w331 * w2061 - w311 * w2071 + (w332 * w2062 - w313 * w2072) + (w333 * w2064 - w315 * w2073) + (w334 * w2066 - w317 * w2074)
+    w2076 = w2071 + (w311 * w2075 + w335 * w2061)
+    w2077 = w2072 + (w313 * w2075 + w335 * w2062)
+    w2078 = w2073 + (w315 * w2075 + w335 * w2064)
+    w2079 = w2074 + (w317 * w2075 + w335 * w2066)
+    w2080 = (w1176 * w2076 + w1174 * w2077 + w1172 * w2078 + w1159 * w2079) / w1169
+    w2081 = w1166 * w2080 - w2076 / w340
+    w2082 = w1164 * w2080 - w2077 / w340
+    w2083 = w2063 + (w313 * w2068 + w318 * w2062)
+    w2084 = w1162 * w2080 - w2078 / w340
+    w2085 = w2065 + (w315 * w2068 + w318 * w2064)
+    w2086 = w1161 * w2080 - w2079 / w340
+    w2087 = w2067 + (w317 * w2068 + w318 * w2066)
+    w2088 = w319 * w2081 - w341 * w2069 + (w342 * w2082 - w343 * w2083) + (w344 * w2084 - w345 * w2085) + (w346 * w2086 - w347 * w2087)
+    w2089 = w2069 + (w341 * w2088 + w348 * w2081)
+    w2090 = w2083 + (w343 * w2088 + w348 * w2082)
+    w2091 = w2085 + (w345 * w2088 + w348 * w2084)
+    w2092 = w2087 + (w347 * w2088 + w348 * w2086)
+    w2093 = (w1145 * w2089 + w1143 * w2090 + w1141 * w2091 + w1128 * w2092) / w1138
+    w2094 = w26 * -2.0
+    w2095 = w2032 + w2094
+    w2096 = w754 * (w2016 - (w2014 + w23 * w2012)) - w3 * (w2095 - w2019) - w777 * (w37 * w2015 - w2022) + w788 * (w2021 - w2025)
+    w2097 = w2031 + w754 * (w2027 - w2023) + w777 * w2016 - w788 * w2095
+    w2098 = w794 * (w1135 * w2093 - w2089 / w353) + w354 * w2096 + (w795 * (w1133 * w2093 - w2090 / w353) + w360 * w2097)
+    w2099 = w362 * -2.0
+    w2100 = w28 * -2.0
+    w2101 = w2026 - w3 * (w2028 - w2099) - w777 * w2019 + w788 * (w2013 + w2100)
+    w2102 = w2098 + (w796 * (w1131 * w2093 - w2091 / w353) + w375 * w2101) + w797 * (w1130 * w2093 - w2092 / w353)
+    w2103 = w2102 / w353 + w1129 * w2093
+    w2104 = w794 * w2049 + w236 * w2096 + (w795 * w2050 + w261 * w2097) + (w796 * w2051 + w275 * w2101) + w797 * w2052
+    w2105 = w794 * w2081 + w341 * w2096 + (w795 * w2082 + w343 * w2097) + (w796 * w2084 + w345 * w2101) + w797 * w2086
+    w2106 = (w798 * w2088 + w348 * w2103 - w2105) / w340 + w1160 * w2080
+    w2107 = w794 * w2061 + w311 * w2096 + (w795 * w2062 + w313 * w2097) + (w796 * w2064 + w315 * w2101) + w797 * w2066
+    w2108 = (w798 * w2068 + w318 * w2103 - w2107 - (w1000 * w2075 + w335 * w2106)) / w310 + w1186 * w2060
+    w2109 = w798 * w2053 + w289 * w2103 - w2104 - (w1000 * w2070 + w330 * w2106) - (w1004 * w2055 + w305 * w2108)
+    w2110 = hinge0_angle_dot * (w2109 / w235 + w1208 * w2048)
+    w2111 = w68 * w2110
+    w2112 = w67 * w161 - w66 * w157
+    w2113 = w67 * w186 - w66 * w183
+    w2114 = w67 * w199 - w66 * w197
+    w2115 = w67 * w232 - w66 * w231
+    w2116 = (w1227 * w2112 + w1225 * w2113 + w1223 * w2114 + w1207 * w2115) / w1220
+    w2117 = w2112 / w235 - w1216 * w2116
+    w2118 = w2113 / w235 - w1213 * w2116
+    w2119 = w2114 / w235 - w1210 * w2116
+    w2120 = w2115 / w235 - w1209 * w2116
+    w2121 = w130 * w2117 + w260 * w2118 + w274 * w2119 + w287 * w2120
+    w2122 = w236 * w2121 + w289 * w2117
+    w2123 = w301 * w2117 + w302 * w2118 + w303 * w2119 + w304 * w2120
+    w2124 = w236 * w2123 + w305 * w2117
+    w2125 = w261 * w2123 + w305 * w2118
+    w2126 = w275 * w2123 + w305 * w2119
+    w2127 = w288 * w2123 + w305 * w2120
+    w2128 = (w1202 * w2124 + w1200 * w2125 + w1198 * w2126 + w1185 * w2127) / w1195
+    w2129 = w1192 * w2128 - w2124 / w310
+    w2130 = w1190 * w2128 - w2125 / w310
+    w2131 = w261 * w2121 + w289 * w2118
+    w2132 = w1188 * w2128 - w2126 / w310
+    w2133 = w275 * w2121 + w289 * w2119
+    w2134 = w1187 * w2128 - w2127 / w310
+    w2135 = w288 * w2121 + w289 * w2120
+    w2136 = w290 * w2129 - w311 * w2122 + (w312 * w2130 - w313 * w2131) + (w314 * w2132 - w315 * w2133) + (w316 * w2134 - w317 * w2135)
+    w2137 = w2122 + (w311 * w2136 + w318 * w2129)
+    w2138 = w326 * w2117 + w327 * w2118 + w328 * w2119 + w329 * w2120
+    w2139 = w236 * w2138 + w330 * w2117
+    w2140 = w261 * w2138 + w330 * w2118
+    w2141 = w275 * w2138 + w330 * w2119
+    w2142 = w288 * w2138 + w330 * w2120
+    w2143 = w331 * w2129 - w311 * w2139 + (w332 * w2130 - w313 * w2140) + (w333 * w2132 - w315 * w2141) + (w334 * w2134 - w317 * w2142)
+    w2144 = w2139 + (w311 * w2143 + w335 * w2129)
+    w2145 = w2140 + (w313 * w2143 + w335 * w2130)
+    w2146 = w2141 + (w315 * w2143 + w335 * w2132)
+    w2147 = w2142 + (w317 * w2143 + w335 * w2134)
+    w2148 = (w1176 * w2144 + w1174 * w2145 + w1172 * w2146 + w1159 * w2147) / w1169
+    w2149 = w1166 * w2148 - w2144 / w340
+    w2150 = w1164 * w2148 - w2145 / w340
+    w2151 = w2131 + (w313 * w2136 + w318 * w2130)
+    w2152 = w1162 * w2148 - w2146 / w340
+    w2153 = w2133 + (w315 * w2136 + w318 * w2132)
+    w2154 = w1161 * w2148 - w2147 / w340
+    w2155 = w2135 + (w317 * w2136 + w318 * w2134)
+    w2156 = w319 * w2149 - w341 * w2137 + (w342 * w2150 - w343 * w2151) + (w344 * w2152 - w345 * w2153) + (w346 * w2154 - w347 * w2155)
+    w2157 = w2137 + (w341 * w2156 + w348 * w2149)
+    w2158 = w2151 + (w343 * w2156 + w348 * w2150)
+    w2159 = w2153 + (w345 * w2156 + w348 * w2152)
+    w2160 = w2155 + (w347 * w2156 + w348 * w2154)
+    w2161 = (w1145 * w2157 + w1143 * w2158 + w1141 * w2159 + w1128 * w2160) / w1138
+    w2162 = w24 * bar1_end_x
+    w2163 = w45 * w2162
+    w2164 = w23 * bar1_end_x
+    w2165 = w24 * w2164
+    w2166 = w24 * w2162
+    w2167 = w22 * w2164
+    w2168 = w22 * w2162
+    w2169 = w27 * w2164
+    w2170 = w3 * (w2163 + w2165) - w754 * (w2166 + w23 * w2164) + w777 * (w37 * w2162 + (w2100 + w2167)) + w788 * (w2094 - w2168 - w2169)
+    w2171 = bar1_e2 * c125
+    w2172 = w24 * w2171
+    w2173 = w364 * w2162
+    w2174 = w27 * w2162
+    w2175 = w2099 - w22 * w2171
+    w2176 = w3 * (w2172 + (w2018 - w2173)) + w754 * (w2174 - w23 * w2171) - w777 * (w2166 + w2175) + w788 * (w2163 - w27 * w2171)
+    w2177 = w794 * (w1135 * w2161 - w2157 / w353) + w354 * w2170 + (w795 * (w1133 * w2161 - w2158 / w353) + w360 * w2176)
+    w2178 = w364 * w2164
+    w2179 = w45 * w2164
+    w2180 = w754 * (w2169 + w2172) - w3 * (w2014 + w2178 + w45 * w2171) - w777 * (w2165 + w37 * w2171) + w788 * (w2179 - w2175)
+    w2181 = w2177 + (w796 * (w1131 * w2161 - w2159 / w353) + w375 * w2180) + w797 * (w1130 * w2161 - w2160 / w353)
+    w2182 = w2181 / w353 + w1129 * w2161
+    w2183 = w794 * w2117 + w236 * w2170 + (w795 * w2118 + w261 * w2176) + (w796 * w2119 + w275 * w2180) + w797 * w2120
+    w2184 = w794 * w2149 + w341 * w2170 + (w795 * w2150 + w343 * w2176) + (w796 * w2152 + w345 * w2180) + w797 * w2154
+    w2185 = (w798 * w2156 + w348 * w2182 - w2184) / w340 + w1160 * w2148
+    w2186 = w794 * w2129 + w311 * w2170 + (w795 * w2130 + w313 * w2176) + (w796 * w2132 + w315 * w2180) + w797 * w2134
+    w2187 = (w798 * w2136 + w318 * w2182 - w2186 - (w1000 * w2143 + w335 * w2185)) / w310 + w1186 * w2128
+    w2188 = w798 * w2121 + w289 * w2182 - w2183 - (w1000 * w2138 + w330 * w2185) - (w1004 * w2123 + w305 * w2187)
+    w2189 = hinge0_angle_dot * (w2188 / w235 - w1208 * w2116)
+    w2190 = w68 * w2189
+    w2191 = w67 * w1960
+    w2192 = w67 * w163 - w66 * w152
+    w2193 = w67 * w188 - w66 * w181
+    w2194 = w67 * w201 - w66 * w195
+    w2195 = w66 * w230 + w67 * w233
+    w2196 = (w1227 * w2192 + w1225 * w2193 + w1223 * w2194 - w1207 * w2195) / w1220
+    w2197 = w2192 / w235 - w1216 * w2196
+    w2198 = w2193 / w235 - w1213 * w2196
+    w2199 = w2194 / w235 - w1210 * w2196
+    w2200 = w2195 / w235 + w1209 * w2196
+    w2201 = w130 * w2197 + w260 * w2198 + w274 * w2199 - w287 * w2200
+    w2202 = w236 * w2201 + w289 * w2197
+    w2203 = w301 * w2197 + w302 * w2198 + w303 * w2199 - w304 * w2200
+    w2204 = w236 * w2203 + w305 * w2197
+    w2205 = w261 * w2203 + w305 * w2198
+    w2206 = w275 * w2203 + w305 * w2199
+    w2207 = w288 * w2203 - w305 * w2200
+    w2208 = (w1202 * w2204 + w1200 * w2205 + w1198 * w2206 + w1185 * w2207) / w1195
+    w2209 = w1192 * w2208 - w2204 / w310
+    w2210 = w1190 * w2208 - w2205 / w310
+    w2211 = w261 * w2201 + w289 * w2198
+    w2212 = w1188 * w2208 - w2206 / w310
+    w2213 = w275 * w2201 + w289 * w2199
+    w2214 = w1187 * w2208 - w2207 / w310
+    w2215 = w288 * w2201 - w289 * w2200
+    w2216 = w290 * w2209 - w311 * w2202 + (w312 * w2210 - w313 * w2211) + (w314 * w2212 - w315 * w2213) + (w316 * w2214 - w317 * w2215)
+    w2217 = w2202 + (w311 * w2216 + w318 * w2209)
+    w2218 = w326 * w2197 + w327 * w2198 + w328 * w2199 - w329 * w2200
+    w2219 = w236 * w2218 + w330 * w2197
+    w2220 = w261 * w2218 + w330 * w2198
+    w2221 = w275 * w2218 + w330 * w2199
+    w2222 = w288 * w2218 - w330 * w2200
+    w2223 = w331 * w2209 - w311 * w2219 + (w332 * w2210 - w313 * w2220) + (w333 * w2212 - w315 * w2221) + (w334 * w2214 - w317 * w2222)
+    w2224 = w2219 + (w311 * w2223 + w335 * w2209)
+    w2225 = w2220 + (w313 * w2223 + w335 * w2210)
+    w2226 = w2221 + (w315 * w2223 + w335 * w2212)
+    w2227 = w2222 + (w317 * w2223 + w335 * w2214)
+    w2228 = (w1176 * w2224 + w1174 * w2225 + w1172 * w2226 + w1159 * w2227) / w1169
+    w2229 = w1166 * w2228 - w2224 / w340
+    w2230 = w1164 * w2228 - w2225 / w340
+    w2231 = w2211 + (w313 * w2216 + w318 * w2210)
+    w2232 = w1162 * w2228 - w2226 / w340
+    w2233 = w2213 + (w315 * w2216 + w318 * w2212)
+    w2234 = w1161 * w2228 - w2227 / w340
+    w2235 = w2215 + (w317 * w2216 + w318 * w2214)
+    w2236 = w319 * w2229 - w341 * w2217 + (w342 * w2230 - w343 * w2231) + (w344 * w2232 - w345 * w2233) + (w346 * w2234 - w347 * w2235)
+    w2237 = w2217 + (w341 * w2236 + w348 * w2229)
+    w2238 = w2231 + (w343 * w2236 + w348 * w2230)
+    w2239 = w2233 + (w345 * w2236 + w348 * w2232)
+    w2240 = w2235 + (w347 * w2236 + w348 * w2234)
+    w2241 = (w1145 * w2237 + w1143 * w2238 + w1141 * w2239 + w1128 * w2240) / w1138
+    w2242 = w2100 + w2174
+    w2243 = w754 * (w2165 - w23 * w2162) - w3 * (w2179 - w2166) - w777 * (w2018 + w37 * w2164 - w2168) + w788 * (w2167 - w2242)
+    w2244 = bar1_e3 * c125
+    w2245 = w24 * w2244
+    w2246 = w22 * w2244
+    w2247 = w3 * (w2178 + w2245) - w754 * (w23 * w2244 + (w2094 + w2169)) + w777 * (w2165 + w2246) + w788 * (w2099 - w27 * w2244 - w2179)
+    w2248 = w794 * (w1135 * w2241 - w2237 / w353) + w354 * w2243 + (w795 * (w1133 * w2241 - w2238 / w353) + w360 * w2247)
+    w2249 = w754 * (w2242 + w2245) - w3 * (w2173 + w45 * w2244) - w777 * (w2166 - (w2027 - w37 * w2244)) + w788 * (w2163 + w2246)
+    w2250 = w2248 + (w796 * (w1131 * w2241 - w2239 / w353) + w375 * w2249) + w797 * (w1130 * w2241 - w2240 / w353)
+    w2251 = w2250 / w353 + w1129 * w2241
+    w2252 = w794 * w2197 + w236 * w2243 + (w795 * w2198 + w261 * w2247) + (w796 * w2199 + w275 * w2249) - w797 * w2200
+    w2253 = w794 * w2229 + w341 * w2243 + (w795 * w2230 + w343 * w2247) + (w796 * w2232 + w345 * w2249) + w797 * w2234
+    w2254 = (w798 * w2236 + w348 * w2251 - w2253) / w340 + w1160 * w2228
+    w2255 = w794 * w2209 + w311 * w2243 + (w795 * w2210 + w313 * w2247) + (w796 * w2212 + w315 * w2249) + w797 * w2214
+    w2256 = (w798 * w2216 + w318 * w2251 - w2255 - (w1000 * w2223 + w335 * w2254)) / w310 + w1186 * w2208
+    w2257 = w798 * w2201 + w289 * w2251 - w2252 - (w1000 * w2218 + w330 * w2254) - (w1004 * w2203 + w305 * w2256)
+    w2258 = hinge0_angle_dot * (w2257 / w235 - w1208 * w2196)
+    w2259 = w2191 + w68 * w2258
+    w2260 = 2 * w57
+    w2261 = w155 * bar2_end_y
+    w2262 = w52 * w2261
+    w2263 = w2260 + w2262
+    w2264 = w134 * w2261
+    w2265 = 2 * w62
+    w2266 = w2264 - w2265
+    w2267 = w159 * w2261
+    w2268 = w162 * w2267
+    w2269 = w51 * w2261
+    w2270 = w158 * w2263 - w153 * w2266 - w2268 + w68 * w2269
+    w2271 = w159 * bar2_end_y
+    w2272 = w51 * w2271
+    w2273 = w2263 + w2272
+    w2274 = 2 * w174
+    w2275 = w52 * w2271
+    w2276 = w2274 - w2275
+    w2277 = w2276 - w54 * w2261
+    w2278 = w58 * w2261
+    w2279 = w155 * w2271 + w2278
+    w2280 = w58 * w2271
+    w2281 = w2264 + w2280
+    w2282 = w162 * w2273 - (w153 * w2277 + w158 * w2279) - w68 * w2281
+    w2283 = w134 * w2271
+    w2284 = w153 * w2283
+    w2285 = w159 * w2271
+    w2286 = w2265 + w2285
+    w2287 = w68 * w2272 - (w2284 + w158 * w2276 + w162 * w2286)
+    w2288 = (w1227 * w2270 + w1225 * w2282 + w1223 * w2287) / w1220
+    w2289 = w2270 / w235 - w1216 * w2288
+    w2290 = w2282 / w235 - w1213 * w2288
+    w2291 = w2287 / w235 - w1210 * w2288
+    w2292 = w1209 * w2288
+    w2293 = w130 * w2289 + w260 * w2290 + w274 * w2291 - w287 * w2292
+    w2294 = w236 * w2293 + w289 * w2289
+    w2295 = w150 * w292 - (w141 * w296 + w145 * w295 + w133 * w294)
+    w2296 = w180 * w292 - (w178 * w296 + w179 * w295 + w170 * w294)
+    w2297 = w194 * w292 - (w192 * w296 + w193 * w295 + w190 * w294)
+    w2298 = w226 * w296 + w227 * w295 + w228 * w294 - w229 * w292
+    w2299 = w236 * w2295 + w301 * w2289 + (w261 * w2296 + w302 * w2290) + (w275 * w2297 + w303 * w2291) + (w288 * w2298 - w304 * w2292)
+    w2300 = w2295 - (w236 * w2299 + w305 * w2289)
+    w2301 = w2296 - (w261 * w2299 + w305 * w2290)
+    w2302 = w2297 - (w275 * w2299 + w305 * w2291)
+    w2303 = w2298 - (w288 * w2299 - w305 * w2292)
+    w2304 = (w1202 * w2300 + w1200 * w2301 + w1198 * w2302 + w1185 * w2303) / w1195
+    w2305 = w2300 / w310 - w1192 * w2304
+    w2306 = w2301 / w310 - w1190 * w2304
+    w2307 = w261 * w2293 + w289 * w2290
+    w2308 = w2302 / w310 - w1188 * w2304
+    w2309 = w275 * w2293 + w289 * w2291
+    w2310 = w2303 / w310 - w1187 * w2304
+    w2311 = w288 * w2293 - w289 * w2292
+    w2312 = w290 * w2305 - w311 * w2294 + (w312 * w2306 - w313 * w2307) + (w314 * w2308 - w315 * w2309) + (w316 * w2310 - w317 * w2311)
+    w2313 = w2294 + (w311 * w2312 + w318 * w2305)
+    w2314 = w326 * w2289 + w327 * w2290 + w328 * w2291 - w329 * w2292
+    w2315 = w236 * w2314 + w330 * w2289
+    w2316 = w261 * w2314 + w330 * w2290
+    w2317 = w275 * w2314 + w330 * w2291
+    w2318 = w288 * w2314 - w330 * w2292
+    w2319 = w331 * w2305 - w311 * w2315 + (w332 * w2306 - w313 * w2316) + (w333 * w2308 - w315 * w2317) + (w334 * w2310 - w317 * w2318)
+    w2320 = w2315 + (w311 * w2319 + w335 * w2305)
+    w2321 = w2316 + (w313 * w2319 + w335 * w2306)
+    w2322 = w2317 + (w315 * w2319 + w335 * w2308)
+    w2323 = w2318 + (w317 * w2319 + w335 * w2310)
+    w2324 = (w1176 * w2320 + w1174 * w2321 + w1172 * w2322 + w1159 * w2323) / w1169
+    w2325 = w1166 * w2324 - w2320 / w340
+    w2326 = w1164 * w2324 - w2321 / w340
+    w2327 = w2307 + (w313 * w2312 + w318 * w2306)
+    w2328 = w1162 * w2324 - w2322 / w340
+    w2329 = w2309 + (w315 * w2312 + w318 * w2308)
+    w2330 = w1161 * w2324 - w2323 / w340
+    w2331 = w2311 + (w317 * w2312 + w318 * w2310)
+    w2332 = w319 * w2325 - w341 * w2313 + (w342 * w2326 - w343 * w2327) + (w344 * w2328 - w345 * w2329) + (w346 * w2330 - w347 * w2331)
+    w2333 = w2313 + (w341 * w2332 + w348 * w2325)
+    w2334 = w2327 + (w343 * w2332 + w348 * w2326)
+    w2335 = w2329 + (w345 * w2332 + w348 * w2328)
+    w2336 = w2331 + (w347 * w2332 + w348 * w2330)
+    w2337 = (w1145 * w2333 + w1143 * w2334 + w1141 * w2335 + w1128 * w2336) / w1138
+    w2338 = w65 * w2267
+    w2339 = w5 * w2267
+    w2340 = w3 * (w65 * w2269 - w5 * w2266) + w754 * (w5 * w2263 + w2338) + w777 * (w65 * w2263 - w2339) + w788 * (w65 * w2266 + w5 * w2269)
+    w2341 = w777 * (w5 * w2273 - w65 * w2279) - (w3 * (w5 * w2277 + w65 * w2281) + w754 * (w5 * w2279 + w65 * w2273))
+    w2342 = w2341 - w788 * (w5 * w2281 - w65 * w2277)
+    w2343 = w794 * (w1135 * w2337 - w2333 / w353) + w354 * w2340 + (w795 * (w1133 * w2337 - w2334 / w353) + w360 * w2342)
+    w2344 = w5 * w2283
+    w2345 = w3 * (w65 * w2272 - w2344) - w754 * (w5 * w2276 - w65 * w2286) - w777 * (w5 * w2286 + w65 * w2276)
+    w2346 = w65 * w2283
+    w2347 = w2345 + w788 * (w2346 + w5 * w2272)
+    w2348 = w2343 + (w796 * (w1131 * w2337 - w2335 / w353) + w375 * w2347) + w797 * (w1130 * w2337 - w2336 / w353)
+    w2349 = w2348 / w353 + w1129 * w2337
+    w2350 = w794 * w2289 + w236 * w2340 + (w795 * w2290 + w261 * w2342) + (w796 * w2291 + w275 * w2347) - w797 * w2292
+    w2351 = w794 * w2325 + w341 * w2340 + (w795 * w2326 + w343 * w2342) + (w796 * w2328 + w345 * w2347) + w797 * w2330
+    w2352 = (w798 * w2332 + w348 * w2349 - w2351) / w340 + w1160 * w2324
+    w2353 = w794 * w2305 + w311 * w2340 + (w795 * w2306 + w313 * w2342) + (w796 * w2308 + w315 * w2347) + w797 * w2310
+    w2354 = (w798 * w2312 + w318 * w2349 - w2353 - (w1000 * w2319 + w335 * w2352)) / w310 - w1186 * w2304
+    w2355 = w798 * w2293 + w289 * w2349 - w2350 - (w1000 * w2314 + w330 * w2352) - (w1004 * w2299 + w305 * w2354)
+    w2356 = hinge0_angle_dot * (w2355 / w235 - w1208 * w2288)
+    w2357 = w68 * w2356
+    w2358 = w52 * bar2_end_y
+    w2359 = w52 * w2358
+    w2360 = bar2_e1 * c126
+    w2361 = w2359 - (w2265 - w155 * w2360)
+    w2362 = w57 * -2.0
+    w2363 = w134 * w2358
+    w2364 = w2362 + w2363
+    w2365 = w52 * w2360
+    w2366 = w2364 + w2365
+    w2367 = w159 * w2358
+    w2368 = w2367 + w51 * w2360
+    w2369 = w51 * w2358
+    w2370 = w58 * w2360
+    w2371 = w2369 + w2370
+    w2372 = w158 * w2361 - w153 * w2366 - w162 * w2368 + w68 * w2371
+    w2373 = w54 * bar2_end_y
+    w2374 = w58 * w2358
+    w2375 = w2274 + w155 * w2373 - w2374
+    w2376 = w52 * w2373
+    w2377 = w2376 - w54 * w2358
+    w2378 = w51 * w2373
+    w2379 = w2378 - w2359
+    w2380 = w58 * w2373
+    w2381 = w2380 - w2364
+    w2382 = w158 * w2375 - w153 * w2377 - w162 * w2379 + w68 * w2381
+    w2383 = w174 * -2.0
+    w2384 = w134 * w2373
+    w2385 = w54 * w2360 + (w2383 + w2384)
+    w2386 = w2370 + w2376
+    w2387 = w159 * w2373
+    w2388 = w2365 + w2387
+    w2389 = w62 * -2.0
+    w2390 = w2389 - w134 * w2360 - w2378
+    w2391 = w153 * w2385 - w158 * w2386 + w162 * w2388 + w68 * w2390
+    w2392 = (w1227 * w2372 + w1225 * w2382 + w1223 * w2391) / w1220
+    w2393 = w2372 / w235 - w1216 * w2392
+    w2394 = w2382 / w235 - w1213 * w2392
+    w2395 = w2391 / w235 - w1210 * w2392
+    w2396 = w1209 * w2392
+    w2397 = w130 * w2393 + w260 * w2394 + w274 * w2395 - w287 * w2396
+    w2398 = w236 * w2397 + w289 * w2393
+    w2399 = w150 * w294 - (w141 * w295 - w145 * w296 - w133 * w292)
+    w2400 = w180 * w294 - (w178 * w295 - w179 * w296 - w170 * w292)
+    w2401 = w194 * w294 - (w192 * w295 - w193 * w296 - w190 * w292)
+    w2402 = w226 * w295 - w227 * w296 - w228 * w292 - w229 * w294
+    w2403 = w236 * w2399 + w301 * w2393 + (w261 * w2400 + w302 * w2394) + (w275 * w2401 + w303 * w2395) + (w288 * w2402 - w304 * w2396)
+    w2404 = w2399 - (w236 * w2403 + w305 * w2393)
+    w2405 = w2400 - (w261 * w2403 + w305 * w2394)
+    w2406 = w2401 - (w275 * w2403 + w305 * w2395)
+    w2407 = w2402 - (w288 * w2403 - w305 * w2396)
+    w2408 = (w1202 * w2404 + w1200 * w2405 + w1198 * w2406 + w1185 * w2407) / w1195
+    w2409 = w2404 / w310 - w1192 * w2408
+    w2410 = w2405 / w310 - w1190 * w2408
+    w2411 = w261 * w2397 + w289 * w2394
+    w2412 = w2406 / w310 - w1188 * w2408
+    w2413 = w275 * w2397 + w289 * w2395
+    w2414 = w2407 / w310 - w1187 * w2408
+    w2415 = w288 * w2397 - w289 * w2396
+    w2416 = w290 * w2409 - w311 * w2398 + (w312 * w2410 - w313 * w2411) + (w314 * w2412 - w315 * w2413) + (w316 * w2414 - w317 * w2415)
+    w2417 = w2398 + (w311 * w2416 + w318 * w2409)
+    w2418 = w326 * w2393 + w327 * w2394 + w328 * w2395 - w329 * w2396
+    w2419 = w236 * w2418 + w330 * w2393
+    w2420 = w261 * w2418 + w330 * w2394
+    w2421 = w275 * w2418 + w330 * w2395
+    w2422 = w288 * w2418 - w330 * w2396
+    w2423 = w331 * w2409 - w311 * w2419 + (w332 * w2410 - w313 * w2420) + (w333 * w2412 - w315 * w2421) + (w334 * w2414 - w317 * w2422)
+    w2424 = w2419 + (w311 * w2423 + w335 * w2409)
+    w2425 = w2420 + (w313 * w2423 + w335 * w2410)
+    w2426 = w2421 + (w315 * w2423 + w335 * w2412)
+    w2427 = w2422 + (w317 * w2423 + w335 * w2414)
+    w2428 = (w1176 * w2424 + w1174 * w2425 + w1172 * w2426 + w1159 * w2427) / w1169
+    w2429 = w1166 * w2428 - w2424 / w340
+    w2430 = w1164 * w2428 - w2425 / w340
+    w2431 = w2411 + (w313 * w2416 + w318 * w2410)
+    w2432 = w1162 * w2428 - w2426 / w340
+    w2433 = w2413 + (w315 * w2416 + w318 * w2412)
+    w2434 = w1161 * w2428 - w2427 / w340
+    w2435 = w2415 + (w317 * w2416 + w318 * w2414)
+    w2436 = w319 * w2429 - w341 * w2417 + (w342 * w2430 - w343 * w2431) + (w344 * w2432 - w345 * w2433) + (w346 * w2434 - w347 * w2435)
+    w2437 = w2417 + (w341 * w2436 + w348 * w2429)
+    w2438 = w2431 + (w343 * w2436 + w348 * w2430)
+    w2439 = w2433 + (w345 * w2436 + w348 * w2432)
+    w2440 = w2435 + (w347 * w2436 + w348 * w2434)
+    w2441 = (w1145 * w2437 + w1143 * w2438 + w1141 * w2439 + w1128 * w2440) / w1138
+    w2442 = w3 * (w65 * w2371 - w5 * w2366) + w754 * (w5 * w2361 + w65 * w2368) + w777 * (w65 * w2361 - w5 * w2368)
+    w2443 = w2442 + w788 * (w65 * w2366 + w5 * w2371)
+    w2444 = w3 * (w65 * w2381 - w5 * w2377) + w754 * (w5 * w2375 + w65 * w2379) + w777 * (w65 * w2375 - w5 * w2379)
+    w2445 = w2444 + w788 * (w65 * w2377 + w5 * w2381)
+    w2446 = w794 * (w1135 * w2441 - w2437 / w353) + w354 * w2443 + (w795 * (w1133 * w2441 - w2438 / w353) + w360 * w2445)
+    w2447 = w3 * (w5 * w2385 + w65 * w2390) - w754 * (w5 * w2386 + w65 * w2388) + w777 * (w5 * w2388 - w65 * w2386)
+    w2448 = w2447 - w788 * (w65 * w2385 - w5 * w2390)
+    w2449 = w2446 + (w796 * (w1131 * w2441 - w2439 / w353) + w375 * w2448) + w797 * (w1130 * w2441 - w2440 / w353)
+    w2450 = w2449 / w353 + w1129 * w2441
+    w2451 = w794 * w2393 + w236 * w2443 + (w795 * w2394 + w261 * w2445) + (w796 * w2395 + w275 * w2448) - w797 * w2396
+    w2452 = w794 * w2429 + w341 * w2443 + (w795 * w2430 + w343 * w2445) + (w796 * w2432 + w345 * w2448) + w797 * w2434
+    w2453 = (w798 * w2436 + w348 * w2450 - w2452) / w340 + w1160 * w2428
+    w2454 = w794 * w2409 + w311 * w2443 + (w795 * w2410 + w313 * w2445) + (w796 * w2412 + w315 * w2448) + w797 * w2414
+    w2455 = (w798 * w2416 + w318 * w2450 - w2454 - (w1000 * w2423 + w335 * w2453)) / w310 - w1186 * w2408
+    w2456 = w798 * w2397 + w289 * w2450 - w2451 - (w1000 * w2418 + w330 * w2453) - (w1004 * w2403 + w305 * w2455)
+    w2457 = hinge0_angle_dot * (w2456 / w235 - w1208 * w2392)
+    w2458 = w68 * w2457
+    w2459 = w2285 - w2389
+    w2460 = w2272 + w2362
+    w2461 = w158 * w2275 - w2284 - w162 * w2459 + w68 * w2460
+    w2462 = w155 * w2261 - w2280
+    w2463 = w2262 - (w2260 + w54 * w2271)
+    w2464 = w2269 + w2383
+    w2465 = w2464 - w2275
+    w2466 = w2278 - w2283
+    w2467 = w158 * w2462 - w153 * w2463 - w162 * w2465 + w68 * w2466
+    w2468 = w2265 - w2264
+    w2469 = w2268 - (w153 * w2468 + w158 * w2262) - w68 * w2464
+    w2470 = (w1227 * w2461 + w1225 * w2467 + w1223 * w2469) / w1220
+    w2471 = w2461 / w235 - w1216 * w2470
+    w2472 = w2467 / w235 - w1213 * w2470
+    w2473 = w2469 / w235 - w1210 * w2470
+    w2474 = w1209 * w2470
+    w2475 = w130 * w2471 + w260 * w2472 + w274 * w2473 - w287 * w2474
+    w2476 = w236 * w2475 + w289 * w2471
+    w2477 = w150 * w295 - (w133 * w296 - (w141 * w294 + w145 * w292))
+    w2478 = w180 * w295 - (w170 * w296 - (w178 * w294 + w179 * w292))
+    w2479 = w194 * w295 - (w190 * w296 - (w192 * w294 + w193 * w292))
+    w2480 = w228 * w296 - (w226 * w294 + w227 * w292) - w229 * w295
+    w2481 = w236 * w2477 + w301 * w2471 + (w261 * w2478 + w302 * w2472) + (w275 * w2479 + w303 * w2473) + (w288 * w2480 - w304 * w2474)
+    w2482 = w2477 - (w236 * w2481 + w305 * w2471)
+    w2483 = w2478 - (w261 * w2481 + w305 * w2472)
+    w2484 = w2479 - (w275 * w2481 + w305 * w2473)
+    w2485 = w2480 - (w288 * w2481 - w305 * w2474)
+    w2486 = (w1202 * w2482 + w1200 * w2483 + w1198 * w2484 + w1185 * w2485) / w1195
+    w2487 = w2482 / w310 - w1192 * w2486
+    w2488 = w2483 / w310 - w1190 * w2486
+    w2489 = w261 * w2475 + w289 * w2472
+    w2490 = w2484 / w310 - w1188 * w2486
+    w2491 = w275 * w2475 + w289 * w2473
+    w2492 = w2485 / w310 - w1187 * w2486
+    w2493 = w288 * w2475 - w289 * w2474
+    w2494 = w290 * w2487 - w311 * w2476 + (w312 * w2488 - w313 * w2489) + (w314 * w2490 - w315 * w2491) + (w316 * w2492 - w317 * w2493)
+    w2495 = w2476 + (w311 * w2494 + w318 * w2487)
+    w2496 = w326 * w2471 + w327 * w2472 + w328 * w2473 - w329 * w2474
+    w2497 = w236 * w2496 + w330 * w2471
+    w2498 = w261 * w2496 + w330 * w2472
+    w2499 = w275 * w2496 + w330 * w2473
+    w2500 = w288 * w2496 - w330 * w2474
+    w2501 = w331 * w2487 - w311 * w2497 + (w332 * w2488 - w313 * w2498) + (w333 * w2490 - w315 * w2499) + (w334 * w2492 - w317 * w2500)
+    w2502 = w2497 + (w311 * w2501 + w335 * w2487)
+    w2503 = w2498 + (w313 * w2501 + w335 * w2488)
+    w2504 = w2499 + (w315 * w2501 + w335 * w2490)
+    w2505 = w2500 + (w317 * w2501 + w335 * w2492)
+    w2506 = (w1176 * w2502 + w1174 * w2503 + w1172 * w2504 + w1159 * w2505) / w1169
+    w2507 = w1166 * w2506 - w2502 / w340
+    w2508 = w1164 * w2506 - w2503 / w340
+    w2509 = w2489 + (w313 * w2494 + w318 * w2488)
+    w2510 = w1162 * w2506 - w2504 / w340
+    w2511 = w2491 + (w315 * w2494 + w318 * w2490)
+    w2512 = w1161 * w2506 - w2505 / w340
+    w2513 = w2493 + (w317 * w2494 + w318 * w2492)
+    w2514 = w319 * w2507 - w341 * w2495 + (w342 * w2508 - w343 * w2509) + (w344 * w2510 - w345 * w2511) + (w346 * w2512 - w347 * w2513)
+    w2515 = w2495 + (w341 * w2514 + w348 * w2507)
+    w2516 = w2509 + (w343 * w2514 + w348 * w2508)
+    w2517 = w2511 + (w345 * w2514 + w348 * w2510)
+    w2518 = w2513 + (w347 * w2514 + w348 * w2512)
+    w2519 = (w1145 * w2515 + w1143 * w2516 + w1141 * w2517 + w1128 * w2518) / w1138
+    w2520 = w3 * (w65 * w2460 - w2344) + w754 * (w5 * w2275 + w65 * w2459) + w777 * (w65 * w2275 - w5 * w2459)
+    w2521 = w2520 + w788 * (w2346 + w5 * w2460)
+    w2522 = w3 * (w65 * w2466 - w5 * w2463) + w754 * (w5 * w2462 + w65 * w2465) + w777 * (w65 * w2462 - w5 * w2465)
+    w2523 = w2522 + w788 * (w65 * w2463 + w5 * w2466)
+    w2524 = w794 * (w1135 * w2519 - w2515 / w353) + w354 * w2521 + (w795 * (w1133 * w2519 - w2516 / w353) + w360 * w2523)
+    w2525 = w777 * (w2339 - w65 * w2262) - (w3 * (w5 * w2468 + w65 * w2464) + w754 * (w2338 + w5 * w2262)) - w788 * (w5 * w2464 - w65 * w2468)
+    w2526 = w2524 + (w796 * (w1131 * w2519 - w2517 / w353) + w375 * w2525) + w797 * (w1130 * w2519 - w2518 / w353)
+    w2527 = w2526 / w353 + w1129 * w2519
+    w2528 = w794 * w2471 + w236 * w2521 + (w795 * w2472 + w261 * w2523) + (w796 * w2473 + w275 * w2525) - w797 * w2474
+    w2529 = w794 * w2507 + w341 * w2521 + (w795 * w2508 + w343 * w2523) + (w796 * w2510 + w345 * w2525) + w797 * w2512
+    w2530 = (w798 * w2514 + w348 * w2527 - w2529) / w340 + w1160 * w2506
+    w2531 = w794 * w2487 + w311 * w2521 + (w795 * w2488 + w313 * w2523) + (w796 * w2490 + w315 * w2525) + w797 * w2492
+    w2532 = (w798 * w2494 + w318 * w2527 - w2531 - (w1000 * w2501 + w335 * w2530)) / w310 - w1186 * w2486
+    w2533 = w798 * w2475 + w289 * w2527 - w2528 - (w1000 * w2496 + w330 * w2530) - (w1004 * w2481 + w305 * w2532)
+    w2534 = hinge0_angle_dot * (w2533 / w235 - w1208 * w2470)
+    w2535 = w68 * w2534
+    w2536 = w788 * w2043 - w777 * w2111 + w754 * w2190 - w3 * w2259 + w1419 * w2357 - w1435 * w2458 + w1446 * w2535
+    w2537 = bar2_e3 * c126
+    w2538 = w2376 + w155 * w2537
+    w2539 = w52 * w2537
+    w2540 = w2384 + w2539
+    w2541 = w2260 + w2387 + w51 * w2537
+    w2542 = w2389 - w58 * w2537
+    w2543 = w2378 - w2542
+    w2544 = w158 * w2538 - w153 * w2540 - w162 * w2541 + w68 * w2543
+    w2545 = w2359 + w54 * w2373
+    w2546 = w155 * w2358 + (w2362 + w2380)
+    w2547 = w2369 + w2376
+    w2548 = w2383 - w2374 - w2384
+    w2549 = w153 * w2545 - w158 * w2546 + w162 * w2547 + w68 * w2548
+    w2550 = w2359 + w2542
+    w2551 = w2363 - w54 * w2537
+    w2552 = w2539 + (w2274 - w2367)
+    w2553 = w2369 - w134 * w2537
+    w2554 = w158 * w2550 - w153 * w2551 + w162 * w2552 + w68 * w2553
+    w2555 = (w1227 * w2544 + w1225 * w2549 + w1223 * w2554) / w1220
+    w2556 = w2544 / w235 - w1216 * w2555
+    w2557 = w2549 / w235 - w1213 * w2555
+    w2558 = w2554 / w235 - w1210 * w2555
+    w2559 = w1209 * w2555
+    w2560 = w130 * w2556 + w260 * w2557 + w274 * w2558 - w287 * w2559
+    w2561 = w236 * w2560 + w289 * w2556
+    w2562 = w150 * w296 - (w145 * w294 - w141 * w292 - w133 * w295)
+    w2563 = w180 * w296 - (w179 * w294 - w178 * w292 - w170 * w295)
+    w2564 = w194 * w296 - (w193 * w294 - w192 * w292 - w190 * w295)
+    w2565 = w227 * w294 - w226 * w292 - w228 * w295 - w229 * w296
+    w2566 = w236 * w2562 + w301 * w2556 + (w261 * w2563 + w302 * w2557) + (w275 * w2564 + w303 * w2558) + (w288 * w2565 - w304 * w2559)
+    w2567 = w2562 - (w236 * w2566 + w305 * w2556)
+    w2568 = w2563 - (w261 * w2566 + w305 * w2557)
+    w2569 = w2564 - (w275 * w2566 + w305 * w2558)
+    w2570 = w2565 - (w288 * w2566 - w305 * w2559)
+    w2571 = (w1202 * w2567 + w1200 * w2568 + w1198 * w2569 + w1185 * w2570) / w1195
+    w2572 = w2567 / w310 - w1192 * w2571
+    w2573 = w2568 / w310 - w1190 * w2571
+    w2574 = w261 * w2560 + w289 * w2557
+    w2575 = w2569 / w310 - w1188 * w2571
+    w2576 = w275 * w2560 + w289 * w2558
+    w2577 = w2570 / w310 - w1187 * w2571
+    w2578 = w288 * w2560 - w289 * w2559
+    w2579 = w290 * w2572 - w311 * w2561 + (w312 * w2573 - w313 * w2574) + (w314 * w2575 - w315 * w2576) + (w316 * w2577 - w317 * w2578)
+    w2580 = w2561 + (w311 * w2579 + w318 * w2572)
+    w2581 = w326 * w2556 + w327 * w2557 + w328 * w2558 - w329 * w2559
+    w2582 = w236 * w2581 + w330 * w2556
+    w2583 = w261 * w2581 + w330 * w2557
+    w2584 = w275 * w2581 + w330 * w2558
+    w2585 = w288 * w2581 - w330 * w2559
+    w2586 = w331 * w2572 - w311 * w2582 + (w332 * w2573 - w313 * w2583) + (w333 * w2575 - w315 * w2584) + (w334 * w2577 - w317 * w2585)
+    w2587 = w2582 + (w311 * w2586 + w335 * w2572)
+    w2588 = w2583 + (w313 * w2586 + w335 * w2573)
+    w2589 = w2584 + (w315 * w2586 + w335 * w2575)
+    w2590 = w2585 + (w317 * w2586 + w335 * w2577)
+    w2591 = (w1176 * w2587 + w1174 * w2588 + w1172 * w2589 + w1159 * w2590) / w1169
+    w2592 = w1166 * w2591 - w2587 / w340
+    w2593 = w1164 * w2591 - w2588 / w340
+    w2594 = w2574 + (w313 * w2579 + w318 * w2573)
+    w2595 = w1162 * w2591 - w2589 / w340
+    w2596 = w2576 + (w315 * w2579 + w318 * w2575)
+    w2597 = w1161 * w2591 - w2590 / w340
+    w2598 = w2578 + (w317 * w2579 + w318 * w2577)
+    w2599 = w319 * w2592 - w341 * w2580 + (w342 * w2593 - w343 * w2594) + (w344 * w2595 - w345 * w2596) + (w346 * w2597 - w347 * w2598)
+    w2600 = w2580 + (w341 * w2599 + w348 * w2592)
+    w2601 = w2594 + (w343 * w2599 + w348 * w2593)
+    w2602 = w2596 + (w345 * w2599 + w348 * w2595)
+    w2603 = w2598 + (w347 * w2599 + w348 * w2597)
+    w2604 = (w1145 * w2600 + w1143 * w2601 + w1141 * w2602 + w1128 * w2603) / w1138
+    w2605 = w3 * (w65 * w2543 - w5 * w2540) + w754 * (w5 * w2538 + w65 * w2541) + w777 * (w65 * w2538 - w5 * w2541)
+    w2606 = w2605 + w788 * (w65 * w2540 + w5 * w2543)
+    w2607 = w3 * (w5 * w2545 + w65 * w2548) - w754 * (w5 * w2546 + w65 * w2547) + w777 * (w5 * w2547 - w65 * w2546)
+    w2608 = w2607 - w788 * (w65 * w2545 - w5 * w2548)
+    w2609 = w794 * (w1135 * w2604 - w2600 / w353) + w354 * w2606 + (w795 * (w1133 * w2604 - w2601 / w353) + w360 * w2608)
+    w2610 = w3 * (w65 * w2553 - w5 * w2551) - w754 * (w65 * w2552 - w5 * w2550) + w777 * (w5 * w2552 + w65 * w2550)
+    w2611 = w2610 + w788 * (w65 * w2551 + w5 * w2553)
+    w2612 = w2609 + (w796 * (w1131 * w2604 - w2602 / w353) + w375 * w2611) + w797 * (w1130 * w2604 - w2603 / w353)
+    w2613 = w2612 / w353 + w1129 * w2604
+    w2614 = w794 * w2556 + w236 * w2606 + (w795 * w2557 + w261 * w2608) + (w796 * w2558 + w275 * w2611) - w797 * w2559
+    w2615 = w794 * w2592 + w341 * w2606 + (w795 * w2593 + w343 * w2608) + (w796 * w2595 + w345 * w2611) + w797 * w2597
+    w2616 = (w798 * w2599 + w348 * w2613 - w2615) / w340 + w1160 * w2591
+    w2617 = w794 * w2572 + w311 * w2606 + (w795 * w2573 + w313 * w2608) + (w796 * w2575 + w315 * w2611) + w797 * w2577
+    w2618 = (w798 * w2579 + w318 * w2613 - w2617 - (w1000 * w2586 + w335 * w2616)) / w310 - w1186 * w2571
+    w2619 = w798 * w2560 + w289 * w2613 - w2614 - (w1000 * w2581 + w330 * w2616) - (w1004 * w2566 + w305 * w2618)
+    w2620 = hinge0_angle_dot * (w2619 / w235 - w1208 * w2555)
+    w2621 = w68 * w2620
+    w2622 = w144 * bar3_end_z
+    w2623 = w14 * w2622
+    w2624 = w8 * w2623
+    w2625 = 2 * w131
+    w2626 = w144 * w2622
+    w2627 = w2625 + w2626
+    w2628 = 2 * w132
+    w2629 = w17 * w2622
+    w2630 = w2628 - w2629
+    w2631 = w148 * w2622
+    w2632 = w2624 - (w147 * w2627 - w142 * w2630) + w151 * w2631
+    w2633 = w151 * w2623
+    w2634 = w8 * w2631 - (w147 * w2630 + w142 * w2627 + w2633)
+    w2635 = w142 * w2623
+    w2636 = w151 * w2627 + w8 * w2630 - w2635 + w147 * w2631
+    w2637 = w147 * w2623
+    w2638 = w8 * w2627 - w151 * w2630 + w2637 + w142 * w2631
+    w2639 = w153 * w2632 - w158 * w2634 + w162 * w2636 + w68 * w2638
+    w2640 = w15 * bar3_end_z
+    w2641 = w14 * w2640
+    w2642 = w2641 - w2625
+    w2643 = 2 * w168
+    w2644 = w17 * w2640
+    w2645 = w2643 + w2644
+    w2646 = w144 * w2640
+    w2647 = w147 * w2646
+    w2648 = w148 * w2640
+    w2649 = w8 * w2642 - (w142 * w2645 + w2647) + w151 * w2648
+    w2650 = w142 * w2646
+    w2651 = w147 * w2645 - w2650 - w151 * w2642 + w8 * w2648
+    w2652 = w151 * w2646
+    w2653 = w2652 - w8 * w2645 - w142 * w2642 + w147 * w2648
+    w2654 = w8 * w2646
+    w2655 = w151 * w2645 + w2654 + w147 * w2642 + w142 * w2648
+    w2656 = w153 * w2649 - w158 * w2651 + w162 * w2653 + w68 * w2655
+    w2657 = w2630 - w9 * w2640
+    w2658 = w138 * w2640
+    w2659 = w15 * w2622 + w2658
+    w2660 = w2631 + w2645
+    w2661 = w138 * w2622
+    w2662 = w2641 + w2661
+    w2663 = w8 * w2657 + (w142 * w2659 + w147 * w2660) - w151 * w2662
+    w2664 = w142 * w2660 - w147 * w2659 - w151 * w2657 - w8 * w2662
+    w2665 = w8 * w2659 - w151 * w2660 - w142 * w2657 - w147 * w2662
+    w2666 = w147 * w2657 - (w151 * w2659 + w8 * w2660) - w142 * w2662
+    w2667 = w153 * w2663 - w158 * w2664 + w162 * w2665 + w68 * w2666
+    w2668 = w9 * w209 + w15 * w214
+    w2669 = w15 * w217
+    w2670 = 2 * w225
+    w2671 = w9 * w217
+    w2672 = w17 * w2671
+    w2673 = w15 * w2668 - w138 * w2669 + (w2670 - w2672)
+    w2674 = 2 * w222
+    w2675 = w17 * w2669
+    w2676 = w148 * w2668 + (w2674 - w2675) - w144 * w2671
+    w2677 = 2 * w216
+    w2678 = w14 * w2671
+    w2679 = w17 * w2668 + w2677 - w9 * w2669 - w2678
+    w2680 = w14 * w2669
+    w2681 = w138 * w2668 - w2680 - w148 * w2671
+    w2682 = w142 * w2673 + w147 * w2676 - w8 * w2679 - w151 * w2681
+    w2683 = w142 * w2676 - w147 * w2673 + w151 * w2679 - w8 * w2681
+    w2684 = w8 * w2673 - w151 * w2676 + w142 * w2679 - w147 * w2681
+    w2685 = w151 * w2673 + w8 * w2676 + w147 * w2679 + w142 * w2681
+    w2686 = w153 * w2682 - w158 * w2683 + w162 * w2684 - w68 * w2685
+    w2687 = (w1227 * w2639 + w1225 * w2656 + w1223 * w2667 + w1207 * w2686) / w1220
+    w2688 = w2639 / w235 - w1216 * w2687
+    w2689 = w2656 / w235 - w1213 * w2687
+    w2690 = w2667 / w235 - w1210 * w2687
+    w2691 = w72 * w2671
+    w2692 = w105 * w2669 - w207 * w2668 + w2691
+    w2693 = w76 * w2669
+    w2694 = w2693 - w105 * w2668 + w109 * w2671
+    w2695 = w72 * w2669
+    w2696 = w2695 - w109 * w2668 + w70 * w2671
+    w2697 = w76 * w2671
+    w2698 = w69 * w2669 - w72 * w2668 + w2697
+    w2699 = w119 * (w86 * w2692 + w83 * w2694) + w104 * (w86 * w2696 - w83 * w2698) - w124 * (w83 * w2696 + w86 * w2698)
+    w2700 = w2699 - w129 * (w86 * w2694 - w83 * w2692)
+    w2701 = w2686 / w235 - w1209 * w2687
+    w2702 = w130 * w2688 + w260 * w2689 + w274 * w2690 + (w288 * w2700 + w287 * w2701)
+    w2703 = w3 * (w5 * w2632 + w65 * w2638) - w754 * (w5 * w2634 + w65 * w2636) + w777 * (w5 * w2636 - w65 * w2634)
+    w2704 = w2703 - w788 * (w65 * w2632 - w5 * w2638)
+    w2705 = w236 * w2702 + w289 * w2688
+    w2706 = w300 * w2623
+    w2707 = w297 * w2631 - (w299 * w2627 - w298 * w2630 + w2706)
+    w2708 = w299 * w2646
+    w2709 = w297 * w2648 - (w298 * w2645 + w2708 + w300 * w2642)
+    w2710 = w297 * w2662 + (w300 * w2657 - (w298 * w2659 + w299 * w2660))
+    w2711 = w298 * w2673 + w299 * w2676 + w300 * w2679 - w297 * w2681
+    w2712 = w236 * w2707 + w301 * w2688 + (w261 * w2709 + w302 * w2689) + (w303 * w2690 - w275 * w2710) + (w288 * w2711 + w304 * w2701)
+    w2713 = w2707 - (w236 * w2712 + w305 * w2688)
+    w2714 = w2709 - (w261 * w2712 + w305 * w2689)
+    w2715 = w2710 + (w275 * w2712 + w305 * w2690)
+    w2716 = w2711 - (w288 * w2712 + w305 * w2701)
+    w2717 = (w1202 * w2713 + w1200 * w2714 - w1198 * w2715 + w1185 * w2716) / w1195
+    w2718 = w2713 / w310 - w1192 * w2717
+    w2719 = w2714 / w310 - w1190 * w2717
+    w2720 = w261 * w2702 + w289 * w2689
+    w2721 = w275 * w2702 + w289 * w2690
+    w2722 = w2715 / w310 + w1188 * w2717
+    w2723 = w2700 - (w288 * w2702 + w289 * w2701)
+    w2724 = w2716 / w310 - w1187 * w2717
+    w2725 = w290 * w2718 - w311 * w2705 + (w312 * w2719 - w313 * w2720) - (w315 * w2721 + w314 * w2722) + (w317 * w2723 + w316 * w2724)
+    w2726 = w2705 + (w311 * w2725 + w318 * w2718)
+    w2727 = w2723 - (w317 * w2725 + w318 * w2724)
+    w2728 = w323 * w2696 - w322 * w2692 - w324 * w2698 + w325 * w2694
+    w2729 = w326 * w2688 + w327 * w2689 + w328 * w2690 + (w288 * w2728 + w329 * w2701)
+    w2730 = w2728 - (w288 * w2729 + w330 * w2701)
+    w2731 = w236 * w2729 + w330 * w2688
+    w2732 = w261 * w2729 + w330 * w2689
+    w2733 = w275 * w2729 + w330 * w2690
+    w2734 = w331 * w2718 - w311 * w2731 + (w332 * w2719 - w313 * w2732) - (w315 * w2733 + w333 * w2722) + (w317 * w2730 + w334 * w2724)
+    w2735 = w2730 - (w317 * w2734 + w335 * w2724)
+    w2736 = w2731 + (w311 * w2734 + w335 * w2718)
+    w2737 = w2732 + (w313 * w2734 + w335 * w2719)
+    w2738 = w2733 + (w315 * w2734 - w335 * w2722)
+    w2739 = (w1159 * w2735 - (w1176 * w2736 + w1174 * w2737 + w1172 * w2738)) / w1169
+    w2740 = w2735 / w340 - w1161 * w2739
+    w2741 = w2736 / w340 + w1166 * w2739
+    w2742 = w2720 + (w313 * w2725 + w318 * w2719)
+    w2743 = w2737 / w340 + w1164 * w2739
+    w2744 = w2721 + (w315 * w2725 - w318 * w2722)
+    w2745 = w2738 / w340 + w1162 * w2739
+    w2746 = w347 * w2727 + w346 * w2740 - (w341 * w2726 + w319 * w2741 + (w343 * w2742 + w342 * w2743) + (w345 * w2744 + w344 * w2745))
+    w2747 = w2726 + (w341 * w2746 - w348 * w2741)
+    w2748 = w2727 - (w347 * w2746 + w348 * w2740)
+    w2749 = w2742 + (w343 * w2746 - w348 * w2743)
+    w2750 = w2744 + (w345 * w2746 - w348 * w2745)
+    w2751 = (w1128 * w2748 - (w1145 * w2747 + w1143 * w2749 + w1141 * w2750)) / w1138
+    w2752 = w3 * (w5 * w2649 + w65 * w2655) - w754 * (w5 * w2651 + w65 * w2653) + w777 * (w5 * w2653 - w65 * w2651)
+    w2753 = w2752 - w788 * (w65 * w2649 - w5 * w2655)
+    w2754 = w354 * w2704 - w794 * (w2747 / w353 + w1135 * w2751) + (w360 * w2753 - w795 * (w2749 / w353 + w1133 * w2751))
+    w2755 = w3 * (w5 * w2663 + w65 * w2666) - w754 * (w5 * w2664 + w65 * w2665) + w777 * (w5 * w2665 - w65 * w2664)
+    w2756 = w2755 - w788 * (w65 * w2663 - w5 * w2666)
+    w2757 = w3 * (w5 * w2682 - w65 * w2685) - w754 * (w5 * w2683 + w65 * w2684) + w777 * (w5 * w2684 - w65 * w2683)
+    w2758 = w2757 - w788 * (w65 * w2682 + w5 * w2685)
+    w2759 = w2754 + (w375 * w2756 - w796 * (w2750 / w353 + w1131 * w2751)) + (w797 * (w2748 / w353 - w1130 * w2751) + w385 * w2758)
+    w2760 = w2759 / w353 - w1129 * w2751
+    w2761 = w794 * w2688 + w236 * w2704 + (w795 * w2689 + w261 * w2753) + (w796 * w2690 + w275 * w2756) + (w797 * w2701 + w288 * w2758)
+    w2762 = w341 * w2704 - w794 * w2741 + (w343 * w2753 - w795 * w2743) + (w345 * w2756 - w796 * w2745) + (w797 * w2740 + w347 * w2758)
+    w2763 = (w798 * w2746 + w348 * w2760 - w2762) / w340 - w1160 * w2739
+    w2764 = w794 * w2718 + w311 * w2704 + (w795 * w2719 + w313 * w2753) + (w315 * w2756 - w796 * w2722) + (w797 * w2724 + w317 * w2758)
+    w2765 = (w798 * w2725 + w318 * w2760 - w2764 - (w1000 * w2734 + w335 * w2763)) / w310 - w1186 * w2717
+    w2766 = w798 * w2702 + w289 * w2760 - w2761 - (w1000 * w2729 + w330 * w2763) - (w1004 * w2712 + w305 * w2765)
+    w2767 = hinge0_angle_dot * (w2766 / w235 - w1208 * w2687)
+    w2768 = w68 * w2767
+    w2769 = w17 * bar3_end_z
+    w2770 = w14 * w2769
+    w2771 = bar3_e1 * c107
+    w2772 = w2770 - w9 * w2771
+    w2773 = w131 * -2.0
+    w2774 = w2773 - w138 * w2771
+    w2775 = w17 * w2769
+    w2776 = w2774 + w2775
+    w2777 = w17 * w2771
+    w2778 = w144 * w2769
+    w2779 = w2777 + (w2628 - w2778)
+    w2780 = w148 * w2769
+    w2781 = w2780 - w14 * w2771
+    w2782 = w8 * w2772 - (w142 * w2776 - w147 * w2779) + w151 * w2781
+    w2783 = w147 * w2776 + w142 * w2779 - w151 * w2772 + w8 * w2781
+    w2784 = w147 * w2781 - (w151 * w2779 + w8 * w2776 + w142 * w2772)
+    w2785 = w151 * w2776 - w8 * w2779 + w147 * w2772 + w142 * w2781
+    w2786 = w153 * w2782 - w158 * w2783 + w162 * w2784 + w68 * w2785
+    w2787 = w9 * bar3_end_z
+    w2788 = w14 * w2787
+    w2789 = w2777 + w2788
+    w2790 = w17 * w2787
+    w2791 = w2790 + w15 * w2771
+    w2792 = w144 * w2787
+    w2793 = w2643 + w2792 + w148 * w2771
+    w2794 = w148 * w2787
+    w2795 = w2794 - w2774
+    w2796 = w8 * w2789 - (w142 * w2791 + w147 * w2793) + w151 * w2795
+    w2797 = w147 * w2791 - w142 * w2793 - w151 * w2789 + w8 * w2795
+    w2798 = w151 * w2793 - w8 * w2791 - w142 * w2789 + w147 * w2795
+    w2799 = w151 * w2791 + w8 * w2793 + w147 * w2789 + w142 * w2795
+    w2800 = w153 * w2796 - w158 * w2797 + w162 * w2798 + w68 * w2799
+    w2801 = w168 * -2.0
+    w2802 = w138 * w2787
+    w2803 = w15 * w2769 + (w2801 + w2802)
+    w2804 = w2780 + w2790
+    w2805 = w2775 + w9 * w2787
+    w2806 = w132 * -2.0
+    w2807 = w138 * w2769
+    w2808 = w2806 - w2807 - w2788
+    w2809 = w142 * w2803 + w147 * w2804 - w8 * w2805 + w151 * w2808
+    w2810 = w142 * w2804 - w147 * w2803 + w151 * w2805 + w8 * w2808
+    w2811 = w8 * w2803 - w151 * w2804 + w142 * w2805 + w147 * w2808
+    w2812 = w142 * w2808 - (w151 * w2803 + w8 * w2804 + w147 * w2805)
+    w2813 = w153 * w2809 - w158 * w2810 + w162 * w2811 + w68 * w2812
+    w2814 = w15 * w209
+    w2815 = w9 * w214
+    w2816 = w2814 - w2815
+    w2817 = w222 * -2.0
+    w2818 = w15 * w2816 + (w138 * w2671 + w2817) - w2675
+    w2819 = w2672 + w148 * w2816 + (w2670 - w144 * w2669)
+    w2820 = w17 * w2816 + w9 * w2671 - w2680
+    w2821 = w216 * -2.0
+    w2822 = w2678 + (w138 * w2816 + w2821) - w148 * w2669
+    w2823 = w142 * w2818 + w147 * w2819 - w8 * w2820 - w151 * w2822
+    w2824 = w142 * w2819 - w147 * w2818 + w151 * w2820 - w8 * w2822
+    w2825 = w8 * w2818 - w151 * w2819 + w142 * w2820 - w147 * w2822
+    w2826 = w151 * w2818 + w8 * w2819 + w147 * w2820 + w142 * w2822
+    w2827 = w153 * w2823 - w158 * w2824 + w162 * w2825 - w68 * w2826
+    w2828 = (w1227 * w2786 + w1225 * w2800 + w1223 * w2813 + w1207 * w2827) / w1220
+    w2829 = w2786 / w235 - w1216 * w2828
+    w2830 = w2800 / w235 - w1213 * w2828
+    w2831 = w2813 / w235 - w1210 * w2828
+    w2832 = w2815 - w2814
+    w2833 = w2695 + (w207 * w2832 - w105 * w2671)
+    w2834 = w105 * w2832 - w2697 + w109 * w2669
+    w2835 = w109 * w2832 - w2691 + w70 * w2669
+    w2836 = w2693 + (w72 * w2832 - w69 * w2671)
+    w2837 = w119 * (w86 * w2833 + w83 * w2834) + w104 * (w86 * w2835 - w83 * w2836) - w124 * (w83 * w2835 + w86 * w2836)
+    w2838 = w2837 - w129 * (w86 * w2834 - w83 * w2833)
+    w2839 = w2827 / w235 - w1209 * w2828
+    w2840 = w130 * w2829 + w260 * w2830 + w274 * w2831 + (w288 * w2838 + w287 * w2839)
+    w2841 = w3 * (w5 * w2782 + w65 * w2785) - w754 * (w5 * w2783 + w65 * w2784) + w777 * (w5 * w2784 - w65 * w2783)
+    w2842 = w2841 - w788 * (w65 * w2782 - w5 * w2785)
+    w2843 = w236 * w2840 + w289 * w2829
+    w2844 = w297 * w2781 - (w298 * w2776 - w299 * w2779 + w300 * w2772)
+    w2845 = w297 * w2795 - (w298 * w2791 + w299 * w2793 + w300 * w2789)
+    w2846 = w297 * w2808 + (w298 * w2803 + w299 * w2804 + w300 * w2805)
+    w2847 = w298 * w2818 + w299 * w2819 + w300 * w2820 - w297 * w2822
+    w2848 = w236 * w2844 + w301 * w2829 + (w261 * w2845 + w302 * w2830) + (w275 * w2846 + w303 * w2831) + (w288 * w2847 + w304 * w2839)
+    w2849 = w2844 - (w236 * w2848 + w305 * w2829)
+    w2850 = w2845 - (w261 * w2848 + w305 * w2830)
+    w2851 = w2846 - (w275 * w2848 + w305 * w2831)
+    w2852 = w2847 - (w288 * w2848 + w305 * w2839)
+    w2853 = (w1202 * w2849 + w1200 * w2850 + w1198 * w2851 + w1185 * w2852) / w1195
+    w2854 = w2849 / w310 - w1192 * w2853
+    w2855 = w2850 / w310 - w1190 * w2853
+    w2856 = w261 * w2840 + w289 * w2830
+    w2857 = w2851 / w310 - w1188 * w2853
+    w2858 = w275 * w2840 + w289 * w2831
+    w2859 = w2838 - (w288 * w2840 + w289 * w2839)
+    w2860 = w2852 / w310 - w1187 * w2853
+    w2861 = w290 * w2854 - w311 * w2843 + (w312 * w2855 - w313 * w2856) + (w314 * w2857 - w315 * w2858) + (w317 * w2859 + w316 * w2860)
+    w2862 = w2843 + (w311 * w2861 + w318 * w2854)
+    w2863 = w2859 - (w317 * w2861 + w318 * w2860)
+    w2864 = w323 * w2835 - w322 * w2833 - w324 * w2836 + w325 * w2834
+    w2865 = w326 * w2829 + w327 * w2830 + w328 * w2831 + (w288 * w2864 + w329 * w2839)
+    w2866 = w2864 - (w288 * w2865 + w330 * w2839)
+    w2867 = w236 * w2865 + w330 * w2829
+    w2868 = w261 * w2865 + w330 * w2830
+    w2869 = w275 * w2865 + w330 * w2831
+    w2870 = w331 * w2854 - w311 * w2867 + (w332 * w2855 - w313 * w2868) + (w333 * w2857 - w315 * w2869) + (w317 * w2866 + w334 * w2860)
+    w2871 = w2866 - (w317 * w2870 + w335 * w2860)
+    w2872 = w2867 + (w311 * w2870 + w335 * w2854)
+    w2873 = w2868 + (w313 * w2870 + w335 * w2855)
+    w2874 = w2869 + (w315 * w2870 + w335 * w2857)
+    w2875 = (w1159 * w2871 - (w1176 * w2872 + w1174 * w2873 + w1172 * w2874)) / w1169
+    w2876 = w2871 / w340 - w1161 * w2875
+    w2877 = w2872 / w340 + w1166 * w2875
+    w2878 = w2856 + (w313 * w2861 + w318 * w2855)
+    w2879 = w2873 / w340 + w1164 * w2875
+    w2880 = w2858 + (w315 * w2861 + w318 * w2857)
+    w2881 = w2874 / w340 + w1162 * w2875
+    w2882 = w347 * w2863 + w346 * w2876 - (w341 * w2862 + w319 * w2877 + (w343 * w2878 + w342 * w2879) + (w345 * w2880 + w344 * w2881))
+    w2883 = w2862 + (w341 * w2882 - w348 * w2877)
+    w2884 = w2863 - (w347 * w2882 + w348 * w2876)
+    w2885 = w2878 + (w343 * w2882 - w348 * w2879)
+    w2886 = w2880 + (w345 * w2882 - w348 * w2881)
+    w2887 = (w1128 * w2884 - (w1145 * w2883 + w1143 * w2885 + w1141 * w2886)) / w1138
+    w2888 = w3 * (w5 * w2796 + w65 * w2799) - w754 * (w5 * w2797 + w65 * w2798) + w777 * (w5 * w2798 - w65 * w2797)
+    w2889 = w2888 - w788 * (w65 * w2796 - w5 * w2799)
+    w2890 = w354 * w2842 - w794 * (w2883 / w353 + w1135 * w2887) + (w360 * w2889 - w795 * (w2885 / w353 + w1133 * w2887))
+    w2891 = w3 * (w5 * w2809 + w65 * w2812) - w754 * (w5 * w2810 + w65 * w2811) + w777 * (w5 * w2811 - w65 * w2810)
+    w2892 = w2891 - w788 * (w65 * w2809 - w5 * w2812)
+    w2893 = w3 * (w5 * w2823 - w65 * w2826) - w754 * (w5 * w2824 + w65 * w2825) + w777 * (w5 * w2825 - w65 * w2824)
+    w2894 = w2893 - w788 * (w65 * w2823 + w5 * w2826)
+    w2895 = w2890 + (w375 * w2892 - w796 * (w2886 / w353 + w1131 * w2887)) + (w797 * (w2884 / w353 - w1130 * w2887) + w385 * w2894)
+    w2896 = w2895 / w353 - w1129 * w2887
+    w2897 = w794 * w2829 + w236 * w2842 + (w795 * w2830 + w261 * w2889) + (w796 * w2831 + w275 * w2892) + (w797 * w2839 + w288 * w2894)
+    w2898 = w341 * w2842 - w794 * w2877 + (w343 * w2889 - w795 * w2879) + (w345 * w2892 - w796 * w2881) + (w797 * w2876 + w347 * w2894)
+    w2899 = (w798 * w2882 + w348 * w2896 - w2898) / w340 - w1160 * w2875
+    w2900 = w794 * w2854 + w311 * w2842 + (w795 * w2855 + w313 * w2889) + (w796 * w2857 + w315 * w2892) + (w797 * w2860 + w317 * w2894)
+    w2901 = (w798 * w2861 + w318 * w2896 - w2900 - (w1000 * w2870 + w335 * w2899)) / w310 - w1186 * w2853
+    w2902 = w798 * w2840 + w289 * w2896 - w2897 - (w1000 * w2865 + w330 * w2899) - (w1004 * w2848 + w305 * w2901)
+    w2903 = hinge0_angle_dot * (w2902 / w235 - w1208 * w2828)
+    w2904 = w68 * w2903
+    w2905 = bar3_e2 * 4.0
+    w2906 = w2905 * bar3_end_z
+    w2907 = w138 * w2906
+    w2908 = w2790 + w2907
+    w2909 = w17 * w2906
+    w2910 = w2792 + w2909
+    w2911 = w9 * w2906 + (w2788 + w2806)
+    w2912 = w2773 - w14 * w2906 - w2794
+    w2913 = w142 * w2908 + w147 * w2910 - w8 * w2911 + w151 * w2912
+    w2914 = w142 * w2910 - w147 * w2908 + w151 * w2911 + w8 * w2912
+    w2915 = w8 * w2908 - w151 * w2910 + w142 * w2911 + w147 * w2912
+    w2916 = w142 * w2912 - (w151 * w2908 + w8 * w2910 + w147 * w2911)
     w2917 = w153 * w2913 - w158 * w2914 + w162 * w2915 + w68 * w2916
-    w2918 = w144 * w209 + w17 * w214
-    w2919 = w209 * w2886
-    w2920 = w17 * w217
-    w2921 = w2919 - w2920
-    w2922 = w144 * w217
-    w2923 = w214 * w2886 + w2922
-    w2924 = w2658 + w15 * w2918 + w138 * w2921 - w17 * w2923
-    w2925 = w148 * w2918 + w17 * w2921 - w144 * w2923
-    w2926 = w225 * -2.0
-    w2927 = w17 * w2918 + w9 * w2921 + (w2926 - w14 * w2923)
-    w2928 = w138 * w2918 + (w2798 + w14 * w2921) - w148 * w2923
-    w2929 = w142 * w2924 + w147 * w2925 - w8 * w2927 - w151 * w2928
-    w2930 = w142 * w2925 - w147 * w2924 + w151 * w2927 - w8 * w2928
-    w2931 = w8 * w2924 - w151 * w2925 + w142 * w2927 - w147 * w2928
-    w2932 = w151 * w2924 + w8 * w2925 + w147 * w2927 + w142 * w2928
-    w2933 = w153 * w2929 - w158 * w2930 + w162 * w2931 - w68 * w2932
-    w2934 = (w1227 * w2898 + w1225 * w2908 + w1223 * w2917 + w1207 * w2933) / w1220
-    w2935 = w2898 / w235 - w1216 * w2934
-    w2936 = w2908 / w235 - w1213 * w2934
-    w2937 = w2917 / w235 - w1210 * w2934
-    w2938 = w2920 - w2919
-    w2939 = w105 * w2938 - w207 * w2918 + w72 * w2923
-    w2940 = w76 * w2938 - w105 * w2918 + w109 * w2923
-    w2941 = w72 * w2938 - w109 * w2918 + w70 * w2923
-    w2942 = w69 * w2938 - w72 * w2918 + w76 * w2923
-    w2943 = w119 * (w86 * w2939 + w83 * w2940) + w104 * (w86 * w2941 - w83 * w2942) - w124 * (w83 * w2941 + w86 * w2942)
-    w2944 = w2943 - w129 * (w86 * w2940 - w83 * w2939)
-    w2945 = w2933 / w235 - w1209 * w2934
-    w2946 = w130 * w2935 + w260 * w2936 + w274 * w2937 + (w288 * w2944 + w287 * w2945)
-    w2947 = w3 * (w5 * w2894 + w65 * w2897) - w754 * (w5 * w2895 + w65 * w2896) + w777 * (w5 * w2896 - w65 * w2895)
-    w2948 = w2947 - w788 * (w65 * w2894 - w5 * w2897)
-    w2949 = w236 * w2946 + w289 * w2935
-    w2950 = w297 * w2893 + (w298 * w2889 + w299 * w2891 + w300 * w2892)
-    w2951 = w297 * w2903 - (w298 * w2901 + w299 * w2902 + w300 * w2900)
-    w2952 = w297 * w2912 - (w298 * w2910 + w299 * w2911 + w300 * w2909)
-    w2953 = w298 * w2924 + w299 * w2925 + w300 * w2927 - w297 * w2928
-    w2954 = w236 * w2950 + w301 * w2935 + (w261 * w2951 + w302 * w2936) + (w275 * w2952 + w303 * w2937) + (w288 * w2953 + w304 * w2945)
-    w2955 = w2950 - (w236 * w2954 + w305 * w2935)
-    w2956 = w2951 - (w261 * w2954 + w305 * w2936)
-    w2957 = w2952 - (w275 * w2954 + w305 * w2937)
-    w2958 = w2953 - (w288 * w2954 + w305 * w2945)
-    w2959 = (w1202 * w2955 + w1200 * w2956 + w1198 * w2957 + w1185 * w2958) / w1195
-    w2960 = w2955 / w310 - w1192 * w2959
-    w2961 = w2956 / w310 - w1190 * w2959
-    w2962 = w261 * w2946 + w289 * w2936
-    w2963 = w2957 / w310 - w1188 * w2959
-    w2964 = w275 * w2946 + w289 * w2937
-    w2965 = w2944 - (w288 * w2946 + w289 * w2945)
-    w2966 = w2958 / w310 - w1187 * w2959
-    w2967 = w290 * w2960 - w311 * w2949 + (w312 * w2961 - w313 * w2962) + (w314 * w2963 - w315 * w2964) + (w317 * w2965 + w316 * w2966)
-    w2968 = w2949 + (w311 * w2967 + w318 * w2960)
-    w2969 = w2965 - (w317 * w2967 + w318 * w2966)
-    w2970 = w323 * w2941 - w322 * w2939 - w324 * w2942 + w325 * w2940
-    w2971 = w326 * w2935 + w327 * w2936 + w328 * w2937 + (w288 * w2970 + w329 * w2945)
-    w2972 = w2970 - (w288 * w2971 + w330 * w2945)
-    w2973 = w236 * w2971 + w330 * w2935
-    w2974 = w261 * w2971 + w330 * w2936
-    w2975 = w275 * w2971 + w330 * w2937
-    w2976 = w331 * w2960 - w311 * w2973 + (w332 * w2961 - w313 * w2974) + (w333 * w2963 - w315 * w2975) + (w317 * w2972 + w334 * w2966)
-    w2977 = w2972 - (w317 * w2976 + w335 * w2966)
-    w2978 = w2973 + (w311 * w2976 + w335 * w2960)
-    w2979 = w2974 + (w313 * w2976 + w335 * w2961)
-    w2980 = w2975 + (w315 * w2976 + w335 * w2963)
-    w2981 = (w1159 * w2977 - (w1176 * w2978 + w1174 * w2979 + w1172 * w2980)) / w1169
-    w2982 = w2977 / w340 - w1161 * w2981
-    w2983 = w2978 / w340 + w1166 * w2981
-    w2984 = w2962 + (w313 * w2967 + w318 * w2961)
-    w2985 = w2979 / w340 + w1164 * w2981
-    w2986 = w2964 + (w315 * w2967 + w318 * w2963)
-    w2987 = w2980 / w340 + w1162 * w2981
-    w2988 = w347 * w2969 + w346 * w2982 - (w341 * w2968 + w319 * w2983 + (w343 * w2984 + w342 * w2985) + (w345 * w2986 + w344 * w2987))
-    w2989 = w2968 + (w341 * w2988 - w348 * w2983)
-    w2990 = w2969 - (w347 * w2988 + w348 * w2982)
-    w2991 = w2984 + (w343 * w2988 - w348 * w2985)
-    w2992 = w2986 + (w345 * w2988 - w348 * w2987)
-    w2993 = (w1128 * w2990 - (w1145 * w2989 + w1143 * w2991 + w1141 * w2992)) / w1138
-    w2994 = w3 * (w5 * w2904 + w65 * w2907) - w754 * (w5 * w2905 + w65 * w2906) + w777 * (w5 * w2906 - w65 * w2905)
-    w2995 = w2994 - w788 * (w65 * w2904 - w5 * w2907)
-    w2996 = w354 * w2948 - w794 * (w2989 / w353 + w1135 * w2993) + (w360 * w2995 - w795 * (w2991 / w353 + w1133 * w2993))
-    w2997 = w3 * (w5 * w2913 + w65 * w2916) - w754 * (w5 * w2914 + w65 * w2915) + w777 * (w5 * w2915 - w65 * w2914)
-    w2998 = w2997 - w788 * (w65 * w2913 - w5 * w2916)
-    w2999 = w3 * (w5 * w2929 - w65 * w2932) - w754 * (w5 * w2930 + w65 * w2931) + w777 * (w5 * w2931 - w65 * w2930)
-    w3000 = w2999 - w788 * (w65 * w2929 + w5 * w2932)
-    w3001 = w2996 + (w375 * w2998 - w796 * (w2992 / w353 + w1131 * w2993)) + (w797 * (w2990 / w353 - w1130 * w2993) + w385 * w3000)
-    w3002 = w3001 / w353 - w1129 * w2993
-    w3003 = w794 * w2935 + w236 * w2948 + (w795 * w2936 + w261 * w2995) + (w796 * w2937 + w275 * w2998) + (w797 * w2945 + w288 * w3000)
-    w3004 = w341 * w2948 - w794 * w2983 + (w343 * w2995 - w795 * w2985) + (w345 * w2998 - w796 * w2987) + (w797 * w2982 + w347 * w3000)
-    w3005 = (w798 * w2988 + w348 * w3002 - w3004) / w340 - w1160 * w2981
-    w3006 = w794 * w2960 + w311 * w2948 + (w795 * w2961 + w313 * w2995) + (w796 * w2963 + w315 * w2998) + (w797 * w2966 + w317 * w3000)
-    w3007 = (w798 * w2967 + w318 * w3002 - w3006 - (w1000 * w2976 + w335 * w3005)) / w310 - w1186 * w2959
-    w3008 = w798 * w2946 + w289 * w3002 - w3003 - (w1000 * w2971 + w330 * w3005) - (w1004 * w2954 + w305 * w3007)
-    w3009 = hinge0_angle_dot * (w3008 / w235 - w1208 * w2934)
-    w3010 = w68 * w3009
-    w3011 = w2606 - w2622
-    w3012 = w2629 + w2787
-    w3013 = w8 * w3011 + (w2628 + w142 * w2625) - w151 * w3012
-    w3014 = w2631 - w147 * w2625 - w151 * w3011 - w8 * w3012
-    w3015 = w8 * w2625 - w2633 - w142 * w3011 - w147 * w3012
-    w3016 = w147 * w3011 - (w2635 + w151 * w2625) - w142 * w3012
-    w3017 = w153 * w3013 - w158 * w3014 + w162 * w3015 + w68 * w3016
-    w3018 = w2607 - w2754
-    w3019 = w2612 + w2782
-    w3020 = w2605 - (w142 * w2610 + w147 * w3018) + w151 * w3019
-    w3021 = w147 * w2610 - w142 * w3018 - w2614 + w8 * w3019
-    w3022 = w151 * w3018 - w8 * w2610 - w2616 + w147 * w3019
-    w3023 = w2618 + (w151 * w2610 + w8 * w3018) + w142 * w3019
-    w3024 = w153 * w3020 - w158 * w3021 + w162 * w3022 + w68 * w3023
-    w3025 = w2625 - (w2624 + w9 * w2603)
-    w3026 = w15 * w2621 - w2642
-    w3027 = w3012 - w2610
-    w3028 = w2639 - w2604
-    w3029 = w8 * w3025 - (w142 * w3026 + w147 * w3027) + w151 * w3028
-    w3030 = w147 * w3026 - w142 * w3027 - w151 * w3025 + w8 * w3028
-    w3031 = w151 * w3027 - w8 * w3026 - w142 * w3025 + w147 * w3028
-    w3032 = w151 * w3026 + w8 * w3027 + w147 * w3025 + w142 * w3028
-    w3033 = w153 * w3029 - w158 * w3030 + w162 * w3031 + w68 * w3032
-    w3034 = w17 * w209
-    w3035 = w144 * w214
-    w3036 = w3034 - w3035
-    w3037 = bar3_e3 * 4.0
-    w3038 = w2922 + w209 * w3037
-    w3039 = w2920 + w214 * w3037
-    w3040 = w15 * w3036 + w138 * w3038 - w17 * w3039
-    w3041 = w2802 + w148 * w3036 + w17 * w3038 - w144 * w3039
-    w3042 = w17 * w3036 + (w2655 + w9 * w3038) - w14 * w3039
-    w3043 = w138 * w3036 + w14 * w3038 + (w2926 - w148 * w3039)
-    w3044 = w142 * w3040 + w147 * w3041 - w8 * w3042 - w151 * w3043
-    w3045 = w142 * w3041 - w147 * w3040 + w151 * w3042 - w8 * w3043
-    w3046 = w8 * w3040 - w151 * w3041 + w142 * w3042 - w147 * w3043
-    w3047 = w151 * w3040 + w8 * w3041 + w147 * w3042 + w142 * w3043
-    w3048 = w153 * w3044 - w158 * w3045 + w162 * w3046 - w68 * w3047
-    w3049 = (w1227 * w3017 + w1225 * w3024 + w1223 * w3033 + w1207 * w3048) / w1220
-    w3050 = w3017 / w235 - w1216 * w3049
-    w3051 = w3024 / w235 - w1213 * w3049
-    w3052 = w3033 / w235 - w1210 * w3049
-    w3053 = w3035 - w3034
-    w3054 = w207 * w3053 - w105 * w3038 + w72 * w3039
-    w3055 = w105 * w3053 - w76 * w3038 + w109 * w3039
-    w3056 = w109 * w3053 - w72 * w3038 + w70 * w3039
-    w3057 = w72 * w3053 - w69 * w3038 + w76 * w3039
-    w3058 = w119 * (w86 * w3054 + w83 * w3055) + w104 * (w86 * w3056 - w83 * w3057) - w124 * (w83 * w3056 + w86 * w3057)
-    w3059 = w3058 - w129 * (w86 * w3055 - w83 * w3054)
-    w3060 = w3048 / w235 - w1209 * w3049
-    w3061 = w130 * w3050 + w260 * w3051 + w274 * w3052 + (w288 * w3059 + w287 * w3060)
-    w3062 = w3 * (w5 * w3013 + w65 * w3016) - w754 * (w5 * w3014 + w65 * w3015) + w777 * (w5 * w3015 - w65 * w3014)
-    w3063 = w3062 - w788 * (w65 * w3013 - w5 * w3016)
-    w3064 = w236 * w3061 + w289 * w3050
-    w3065 = w297 * w3019 - (w2687 + (w298 * w2610 + w299 * w3018))
-    w3066 = w297 * w3012 + (w300 * w3011 - (w2689 + w298 * w2625))
-    w3067 = w297 * w3028 - (w298 * w3026 + w299 * w3027 + w300 * w3025)
-    w3068 = w298 * w3040 + w299 * w3041 + w300 * w3042 - w297 * w3043
-    w3069 = w301 * w3050 - w236 * w3066 + (w261 * w3065 + w302 * w3051) + (w275 * w3067 + w303 * w3052) + (w288 * w3068 + w304 * w3060)
-    w3070 = w3065 - (w261 * w3069 + w305 * w3051)
-    w3071 = w3066 + (w236 * w3069 + w305 * w3050)
-    w3072 = w3067 - (w275 * w3069 + w305 * w3052)
-    w3073 = w3068 - (w288 * w3069 + w305 * w3060)
-    w3074 = (w1200 * w3070 - w1202 * w3071 + w1198 * w3072 + w1185 * w3073) / w1195
-    w3075 = w3070 / w310 - w1190 * w3074
-    w3076 = w261 * w3061 + w289 * w3051
-    w3077 = w3071 / w310 + w1192 * w3074
-    w3078 = w3072 / w310 - w1188 * w3074
-    w3079 = w275 * w3061 + w289 * w3052
-    w3080 = w3059 - (w288 * w3061 + w289 * w3060)
-    w3081 = w3073 / w310 - w1187 * w3074
-    w3082 = w312 * w3075 - w313 * w3076 - (w311 * w3064 + w290 * w3077) + (w314 * w3078 - w315 * w3079) + (w317 * w3080 + w316 * w3081)
-    w3083 = w3064 + (w311 * w3082 - w318 * w3077)
-    w3084 = w3080 - (w317 * w3082 + w318 * w3081)
-    w3085 = w323 * w3056 - w322 * w3054 - w324 * w3057 + w325 * w3055
-    w3086 = w326 * w3050 + w327 * w3051 + w328 * w3052 + (w288 * w3085 + w329 * w3060)
-    w3087 = w3085 - (w288 * w3086 + w330 * w3060)
-    w3088 = w261 * w3086 + w330 * w3051
-    w3089 = w236 * w3086 + w330 * w3050
-    w3090 = w275 * w3086 + w330 * w3052
-    w3091 = w332 * w3075 - w313 * w3088 - (w311 * w3089 + w331 * w3077) + (w333 * w3078 - w315 * w3090) + (w317 * w3087 + w334 * w3081)
-    w3092 = w3087 - (w317 * w3091 + w335 * w3081)
-    w3093 = w3089 + (w311 * w3091 - w335 * w3077)
-    w3094 = w3088 + (w313 * w3091 + w335 * w3075)
-    w3095 = w3090 + (w315 * w3091 + w335 * w3078)
-    w3096 = (w1159 * w3092 - (w1176 * w3093 + w1174 * w3094 + w1172 * w3095)) / w1169
-    w3097 = w3092 / w340 - w1161 * w3096
-    w3098 = w3093 / w340 + w1166 * w3096
-    w3099 = w3076 + (w313 * w3082 + w318 * w3075)
-    w3100 = w3094 / w340 + w1164 * w3096
-    w3101 = w3079 + (w315 * w3082 + w318 * w3078)
-    w3102 = w3095 / w340 + w1162 * w3096
-    w3103 = w347 * w3084 + w346 * w3097 - (w341 * w3083 + w319 * w3098 + (w343 * w3099 + w342 * w3100) + (w345 * w3101 + w344 * w3102))
-    w3104 = w3083 + (w341 * w3103 - w348 * w3098)
-    w3105 = w3084 - (w347 * w3103 + w348 * w3097)
-    w3106 = w3099 + (w343 * w3103 - w348 * w3100)
-    w3107 = w3101 + (w345 * w3103 - w348 * w3102)
-    w3108 = (w1128 * w3105 - (w1145 * w3104 + w1143 * w3106 + w1141 * w3107)) / w1138
-    w3109 = w3 * (w5 * w3020 + w65 * w3023) - w754 * (w5 * w3021 + w65 * w3022) + w777 * (w5 * w3022 - w65 * w3021)
-    w3110 = w3109 - w788 * (w65 * w3020 - w5 * w3023)
-    w3111 = w354 * w3063 - w794 * (w3104 / w353 + w1135 * w3108) + (w360 * w3110 - w795 * (w3106 / w353 + w1133 * w3108))
-    w3112 = w3 * (w5 * w3029 + w65 * w3032) - w754 * (w5 * w3030 + w65 * w3031) + w777 * (w5 * w3031 - w65 * w3030)
-    w3113 = w3112 - w788 * (w65 * w3029 - w5 * w3032)
-    w3114 = w3 * (w5 * w3044 - w65 * w3047) - w754 * (w5 * w3045 + w65 * w3046) + w777 * (w5 * w3046 - w65 * w3045)
-    w3115 = w3114 - w788 * (w65 * w3044 + w5 * w3047)
-    w3116 = w3111 + (w375 * w3113 - w796 * (w3107 / w353 + w1131 * w3108)) + (w797 * (w3105 / w353 - w1130 * w3108) + w385 * w3115)
-    w3117 = w3116 / w353 - w1129 * w3108
-    w3118 = w794 * w3050 + w236 * w3063 + (w795 * w3051 + w261 * w3110) + (w796 * w3052 + w275 * w3113) + (w797 * w3060 + w288 * w3115)
-    w3119 = w341 * w3063 - w794 * w3098 + (w343 * w3110 - w795 * w3100) + (w345 * w3113 - w796 * w3102) + (w797 * w3097 + w347 * w3115)
-    w3120 = (w798 * w3103 + w348 * w3117 - w3119) / w340 - w1160 * w3096
-    w3121 = w311 * w3063 - w794 * w3077 + (w795 * w3075 + w313 * w3110) + (w796 * w3078 + w315 * w3113) + (w797 * w3081 + w317 * w3115)
-    w3122 = (w798 * w3082 + w318 * w3117 - w3121 - (w1000 * w3091 + w335 * w3120)) / w310 - w1186 * w3074
-    w3123 = w798 * w3061 + w289 * w3117 - w3118 - (w1000 * w3086 + w330 * w3120) - (w1004 * w3069 + w305 * w3122)
-    w3124 = hinge0_angle_dot * (w3123 / w235 - w1208 * w3049)
-    w3125 = w68 * w3124
-    w3126 = w207 * c55
-    w3127 = w105 * w3126
-    w3128 = 2 * w80
-    w3129 = w69 * c55
-    w3130 = w72 * w3129
-    w3131 = w3128 + w3130
-    w3132 = w3127 + w3131
-    w3133 = w76 * w3126
-    w3134 = w109 * w3129
-    w3135 = w3133 + w3134
-    w3136 = w76 * w3129
-    w3137 = w69 * w3126 + w3136
-    w3138 = 2 * w75
-    w3139 = w72 * w3126
-    w3140 = w3138 - w3139
-    w3141 = w3140 - w70 * w3129
-    w3142 = w119 * (w86 * w3132 + w83 * w3135) - w104 * (w83 * w3137 + w86 * w3141) + w124 * (w83 * w3141 - w86 * w3137)
-    w3143 = w3142 - w129 * (w86 * w3135 - w83 * w3132)
-    w3144 = w70 * w205
-    w3145 = w69 * w211 + w70 * w220
-    w3146 = w69 * w205
-    w3147 = w17 * w3146
-    w3148 = w15 * w3144 - w138 * w3145 + w3147
-    w3149 = w148 * w3144
-    w3150 = w3149 - w17 * w3145 + w144 * w3146
-    w3151 = w17 * w3144
-    w3152 = w3151 - w9 * w3145 + w14 * w3146
-    w3153 = w148 * w3146
-    w3154 = w138 * w3144 - w14 * w3145 + w3153
-    w3155 = w142 * w3148 + w147 * w3150 - w8 * w3152 - w151 * w3154
-    w3156 = w142 * w3150 - w147 * w3148 + w151 * w3152 - w8 * w3154
-    w3157 = w8 * w3148 - w151 * w3150 + w142 * w3152 - w147 * w3154
-    w3158 = w151 * w3148 + w8 * w3150 + w147 * w3152 + w142 * w3154
-    w3159 = w153 * w3155 - w158 * w3156 + w162 * w3157 - w68 * w3158
-    w3160 = w1207 * w3159 / w1220
-    w3161 = w1216 * w3160
-    w3162 = w109 * w3126
-    w3163 = w83 * w3162
-    w3164 = w86 * w3162
-    w3165 = 2 * w239
-    w3166 = w207 * w3126
-    w3167 = w3165 + w3166
-    w3168 = w124 * (w3163 - w86 * w3140) - (w104 * (w83 * w3140 + w3164) + w119 * (w86 * w3167 + w83 * w3127))
-    w3169 = w3168 - w129 * (w83 * w3167 - w86 * w3127)
-    w3170 = w1213 * w3160
-    w3171 = w3134 - w3165
-    w3172 = w207 * w3129
-    w3173 = w86 * w3172
-    w3174 = w105 * w3129
-    w3175 = w104 * (w83 * w3131 - w86 * w3171) - w119 * (w3173 + w83 * w3174) + w124 * (w83 * w3171 + w86 * w3131)
-    w3176 = w83 * w3172
-    w3177 = w3175 - w129 * (w3176 - w86 * w3174)
-    w3178 = w1210 * w3160
-    w3179 = 2 * w278
-    w3180 = w72 * w3146
-    w3181 = w105 * w3145 - w207 * w3144 + (w3179 - w3180)
-    w3182 = w109 * w3146
-    w3183 = w76 * w3145 - w105 * w3144 - w3182
-    w3184 = 2 * w277
-    w3185 = w109 * w3144
-    w3186 = w72 * w3145 + w3184 - w3185 - w70 * w3146
-    w3187 = 2 * w276
-    w3188 = w72 * w3144
-    w3189 = w3187 - w3188 + w69 * w3145 - w76 * w3146
-    w3190 = w119 * (w86 * w3181 + w83 * w3183) + w104 * (w86 * w3186 - w83 * w3189) - w124 * (w83 * w3186 + w86 * w3189)
-    w3191 = w3190 - w129 * (w86 * w3183 - w83 * w3181)
-    w3192 = w3159 / w235 - w1209 * w3160
-    w3193 = w236 * w3143 - w130 * w3161 + (w261 * w3169 - w260 * w3170) + (w275 * w3177 - w274 * w3178) + (w288 * w3191 + w287 * w3192)
-    w3194 = w3143 - (w236 * w3193 - w289 * w3161)
-    w3195 = w298 * w3148 + w299 * w3150 + w300 * w3152 - w297 * w3154
-    w3196 = w288 * w3195 + w304 * w3192 - (w301 * w3161 + w302 * w3170 + w303 * w3178)
-    w3197 = w236 * w3196 - w305 * w3161
-    w3198 = w3195 - (w288 * w3196 + w305 * w3192)
-    w3199 = w261 * w3196 - w305 * w3170
-    w3200 = w275 * w3196 - w305 * w3178
-    w3201 = (w1185 * w3198 - (w1202 * w3197 + w1200 * w3199 + w1198 * w3200)) / w1195
-    w3202 = w3197 / w310 + w1192 * w3201
-    w3203 = w3169 - (w261 * w3193 - w289 * w3170)
-    w3204 = w3199 / w310 + w1190 * w3201
-    w3205 = w3177 - (w275 * w3193 - w289 * w3178)
-    w3206 = w3200 / w310 + w1188 * w3201
-    w3207 = w3191 - (w288 * w3193 + w289 * w3192)
-    w3208 = w3198 / w310 - w1187 * w3201
-    w3209 = w311 * w3194 - w290 * w3202 + (w313 * w3203 - w312 * w3204) + (w315 * w3205 - w314 * w3206) + (w317 * w3207 + w316 * w3208)
-    w3210 = w3194 - (w311 * w3209 - w318 * w3202)
-    w3211 = w325 * w3135 - (w322 * w3132 + w323 * w3141 + w324 * w3137)
-    w3212 = w323 * w3162
-    w3213 = w322 * w3167 - w3212 - w324 * w3140 - w325 * w3127
-    w3214 = w322 * w3172
-    w3215 = w3214 - w323 * w3171 + w324 * w3131 - w325 * w3174
-    w3216 = w323 * w3186 - w322 * w3181 - w324 * w3189 + w325 * w3183
-    w3217 = w236 * w3211 - w326 * w3161 + (w261 * w3213 - w327 * w3170) + (w275 * w3215 - w328 * w3178) + (w288 * w3216 + w329 * w3192)
-    w3218 = w3211 - (w236 * w3217 - w330 * w3161)
-    w3219 = w3213 - (w261 * w3217 - w330 * w3170)
-    w3220 = w3215 - (w275 * w3217 - w330 * w3178)
-    w3221 = w3216 - (w288 * w3217 + w330 * w3192)
-    w3222 = w311 * w3218 - w331 * w3202 + (w313 * w3219 - w332 * w3204) + (w315 * w3220 - w333 * w3206) + (w317 * w3221 + w334 * w3208)
-    w3223 = w3218 - (w311 * w3222 - w335 * w3202)
-    w3224 = w3219 - (w313 * w3222 - w335 * w3204)
-    w3225 = w3220 - (w315 * w3222 - w335 * w3206)
-    w3226 = w3221 - (w317 * w3222 + w335 * w3208)
-    w3227 = (w1176 * w3223 + w1174 * w3224 + w1172 * w3225 + w1159 * w3226) / w1169
-    w3228 = w3223 / w340 - w1166 * w3227
-    w3229 = w3203 - (w313 * w3209 - w318 * w3204)
-    w3230 = w3224 / w340 - w1164 * w3227
-    w3231 = w3205 - (w315 * w3209 - w318 * w3206)
-    w3232 = w3225 / w340 - w1162 * w3227
-    w3233 = w3207 - (w317 * w3209 + w318 * w3208)
-    w3234 = w3226 / w340 - w1161 * w3227
-    w3235 = w341 * w3210 + w319 * w3228 + (w343 * w3229 + w342 * w3230) + (w345 * w3231 + w344 * w3232) + (w347 * w3233 + w346 * w3234)
-    w3236 = w3210 - (w341 * w3235 + w348 * w3228)
-    w3237 = w3229 - (w343 * w3235 + w348 * w3230)
-    w3238 = w3231 - (w345 * w3235 + w348 * w3232)
-    w3239 = w3233 - (w347 * w3235 + w348 * w3234)
-    w3240 = (w1145 * w3236 + w1143 * w3237 + w1141 * w3238 + w1128 * w3239) / w1138
-    w3241 = w794 * (w3236 / w353 - w1135 * w3240) + w795 * (w3237 / w353 - w1133 * w3240) + w796 * (w3238 / w353 - w1131 * w3240)
-    w3242 = w3 * (w5 * w3155 - w65 * w3158) - w754 * (w5 * w3156 + w65 * w3157) + w777 * (w5 * w3157 - w65 * w3156)
-    w3243 = w3242 - w788 * (w65 * w3155 + w5 * w3158)
-    w3244 = (w3241 + (w797 * (w3239 / w353 - w1130 * w3240) + w385 * w3243)) / w353 - w1129 * w3240
-    w3245 = w798 * w3193 + w289 * w3244 - (w797 * w3192 + w288 * w3243 - (w794 * w3161 + w795 * w3170 + w796 * w3178))
-    w3246 = w798 * w3235 + w348 * w3244 - (w794 * w3228 + w795 * w3230 + w796 * w3232 + (w797 * w3234 + w347 * w3243))
-    w3247 = w3246 / w340 - w1160 * w3227
-    w3248 = w798 * w3209 + w318 * w3244 - (w797 * w3208 + w317 * w3243 - (w794 * w3202 + w795 * w3204 + w796 * w3206))
-    w3249 = (w3248 - (w1000 * w3222 + w335 * w3247)) / w310 - w1186 * w3201
-    w3250 = hinge0_angle_dot * ((w3245 - (w1000 * w3217 + w330 * w3247) - (w1004 * w3196 + w305 * w3249)) / w235 - w1208 * w3160)
-    w3251 = w68 * w3250
-    w3252 = w2517 - w1455 * w2602 - w1565 * w2749 - w1580 * w2885 - w1592 * w3010 - w1600 * w3125 - w1699 * w3251
-    w3253 = w69 * w3129 - w3133
-    w3254 = w3130 - (w3128 + w70 * w3126)
-    w3255 = w75 * -2.0
-    w3256 = w3174 + w3255
-    w3257 = w3256 - w3139
-    w3258 = w3136 - w3162
-    w3259 = w104 * (w83 * w3253 - w86 * w3254) - w119 * (w86 * w3257 + w83 * w3258) + w124 * (w83 * w3254 + w86 * w3253)
-    w3260 = w3259 - w129 * (w83 * w3257 - w86 * w3258)
-    w3261 = w72 * w205
-    w3262 = bar4_e1 * 4.0
-    w3263 = w3261 + w211 * w3262
-    w3264 = w207 * w211
-    w3265 = w72 * w220
-    w3266 = w3264 - w3265
-    w3267 = w205 * w207
-    w3268 = w220 * w3262 + w3267
-    w3269 = w15 * w3263 + w138 * w3266 - w17 * w3268
-    w3270 = w148 * w3263 + w17 * w3266 - w144 * w3268
-    w3271 = w17 * w3263 + w9 * w3266 - w14 * w3268
-    w3272 = w138 * w3263 + w14 * w3266 - w148 * w3268
-    w3273 = w142 * w3269 + w147 * w3270 - w8 * w3271 - w151 * w3272
-    w3274 = w142 * w3270 - w147 * w3269 + w151 * w3271 - w8 * w3272
-    w3275 = w8 * w3269 - w151 * w3270 + w142 * w3271 - w147 * w3272
-    w3276 = w151 * w3269 + w8 * w3270 + w147 * w3271 + w142 * w3272
-    w3277 = w153 * w3273 - w158 * w3274 + w162 * w3275 - w68 * w3276
-    w3278 = w1207 * w3277 / w1220
-    w3279 = w1216 * w3278
-    w3280 = w3165 - w3134
-    w3281 = w119 * (w3173 + w83 * w3256) - w104 * (w83 * w3130 + w86 * w3280) + w124 * (w83 * w3280 - w86 * w3130)
-    w3282 = w3281 - w129 * (w86 * w3256 - w3176)
-    w3283 = w1213 * w3278
-    w3284 = w239 * -2.0
-    w3285 = w3166 - w3284
-    w3286 = w80 * -2.0
-    w3287 = w3127 + w3286
-    w3288 = w104 * (w83 * w3139 - w3164) - w119 * (w86 * w3285 + w83 * w3287) + w124 * (w3163 + w86 * w3139) - w129 * (w83 * w3285 - w86 * w3287)
-    w3289 = w1210 * w3278
-    w3290 = w3265 - w3264
-    w3291 = w277 * -2.0
-    w3292 = w105 * w3290 + w3291 - w207 * w3263 + w72 * w3268
-    w3293 = w276 * -2.0
-    w3294 = w3293 - w105 * w3263 + w76 * w3290 + w109 * w3268
-    w3295 = w72 * w3290 - w109 * w3263 + (w3179 + w70 * w3268)
-    w3296 = w69 * w3290 - w72 * w3263 + w76 * w3268
-    w3297 = w119 * (w86 * w3292 + w83 * w3294) + w104 * (w86 * w3295 - w83 * w3296) - w124 * (w83 * w3295 + w86 * w3296)
-    w3298 = w3297 - w129 * (w86 * w3294 - w83 * w3292)
-    w3299 = w3277 / w235 - w1209 * w3278
-    w3300 = w236 * w3260 - w130 * w3279 + (w261 * w3282 - w260 * w3283) + (w275 * w3288 - w274 * w3289) + (w288 * w3298 + w287 * w3299)
-    w3301 = w3260 - (w236 * w3300 - w289 * w3279)
-    w3302 = w298 * w3269 + w299 * w3270 + w300 * w3271 - w297 * w3272
-    w3303 = w288 * w3302 + w304 * w3299 - (w301 * w3279 + w302 * w3283 + w303 * w3289)
-    w3304 = w236 * w3303 - w305 * w3279
-    w3305 = w3302 - (w288 * w3303 + w305 * w3299)
-    w3306 = w261 * w3303 - w305 * w3283
-    w3307 = w275 * w3303 - w305 * w3289
-    w3308 = (w1185 * w3305 - (w1202 * w3304 + w1200 * w3306 + w1198 * w3307)) / w1195
-    w3309 = w3304 / w310 + w1192 * w3308
-    w3310 = w3282 - (w261 * w3300 - w289 * w3283)
-    w3311 = w3306 / w310 + w1190 * w3308
-    w3312 = w3288 - (w275 * w3300 - w289 * w3289)
-    w3313 = w3307 / w310 + w1188 * w3308
-    w3314 = w3298 - (w288 * w3300 + w289 * w3299)
-    w3315 = w3305 / w310 - w1187 * w3308
-    w3316 = w311 * w3301 - w290 * w3309 + (w313 * w3310 - w312 * w3311) + (w315 * w3312 - w314 * w3313) + (w317 * w3314 + w316 * w3315)
-    w3317 = w3301 - (w311 * w3316 - w318 * w3309)
-    w3318 = w322 * w3257 - w323 * w3254 + w324 * w3253 - w325 * w3258
-    w3319 = w325 * w3256 - (w3214 + w323 * w3280 + w324 * w3130)
-    w3320 = w322 * w3285 - w3212 + w324 * w3139 - w325 * w3287
-    w3321 = w323 * w3295 - w322 * w3292 - w324 * w3296 + w325 * w3294
-    w3322 = w236 * w3318 - w326 * w3279 + (w261 * w3319 - w327 * w3283) + (w275 * w3320 - w328 * w3289) + (w288 * w3321 + w329 * w3299)
-    w3323 = w3318 - (w236 * w3322 - w330 * w3279)
-    w3324 = w3319 - (w261 * w3322 - w330 * w3283)
-    w3325 = w3320 - (w275 * w3322 - w330 * w3289)
-    w3326 = w3321 - (w288 * w3322 + w330 * w3299)
-    w3327 = w311 * w3323 - w331 * w3309 + (w313 * w3324 - w332 * w3311) + (w315 * w3325 - w333 * w3313) + (w317 * w3326 + w334 * w3315)
-    w3328 = w3323 - (w311 * w3327 - w335 * w3309)
-    w3329 = w3324 - (w313 * w3327 - w335 * w3311)
-    w3330 = w3325 - (w315 * w3327 - w335 * w3313)
-    w3331 = w3326 - (w317 * w3327 + w335 * w3315)
-    w3332 = (w1176 * w3328 + w1174 * w3329 + w1172 * w3330 + w1159 * w3331) / w1169
-    w3333 = w3328 / w340 - w1166 * w3332
-    w3334 = w3310 - (w313 * w3316 - w318 * w3311)
-    w3335 = w3329 / w340 - w1164 * w3332
-    w3336 = w3312 - (w315 * w3316 - w318 * w3313)
-    w3337 = w3330 / w340 - w1162 * w3332
-    w3338 = w3314 - (w317 * w3316 + w318 * w3315)
-    w3339 = w3331 / w340 - w1161 * w3332
-    w3340 = w341 * w3317 + w319 * w3333 + (w343 * w3334 + w342 * w3335) + (w345 * w3336 + w344 * w3337) + (w347 * w3338 + w346 * w3339)
-    w3341 = w3317 - (w341 * w3340 + w348 * w3333)
-    w3342 = w3334 - (w343 * w3340 + w348 * w3335)
-    w3343 = w3336 - (w345 * w3340 + w348 * w3337)
-    w3344 = w3338 - (w347 * w3340 + w348 * w3339)
-    w3345 = (w1145 * w3341 + w1143 * w3342 + w1141 * w3343 + w1128 * w3344) / w1138
-    w3346 = w794 * (w3341 / w353 - w1135 * w3345) + w795 * (w3342 / w353 - w1133 * w3345) + w796 * (w3343 / w353 - w1131 * w3345)
-    w3347 = w3 * (w5 * w3273 - w65 * w3276) - w754 * (w5 * w3274 + w65 * w3275) + w777 * (w5 * w3275 - w65 * w3274)
-    w3348 = w3347 - w788 * (w65 * w3273 + w5 * w3276)
-    w3349 = (w3346 + (w797 * (w3344 / w353 - w1130 * w3345) + w385 * w3348)) / w353 - w1129 * w3345
-    w3350 = w798 * w3300 + w289 * w3349 - (w797 * w3299 + w288 * w3348 - (w794 * w3279 + w795 * w3283 + w796 * w3289))
-    w3351 = w798 * w3340 + w348 * w3349 - (w794 * w3333 + w795 * w3335 + w796 * w3337 + (w797 * w3339 + w347 * w3348))
-    w3352 = w3351 / w340 - w1160 * w3332
-    w3353 = w798 * w3316 + w318 * w3349 - (w797 * w3315 + w317 * w3348 - (w794 * w3309 + w795 * w3311 + w796 * w3313))
-    w3354 = (w3353 - (w1000 * w3327 + w335 * w3352)) / w310 - w1186 * w3308
-    w3355 = hinge0_angle_dot * ((w3350 - (w1000 * w3322 + w330 * w3352) - (w1004 * w3303 + w305 * w3354)) / w235 - w1208 * w3278)
-    w3356 = w68 * w3355
-    w3357 = w72 * c55
-    w3358 = w72 * w3357
-    w3359 = w70 * c55
-    w3360 = w3358 + w70 * w3359
-    w3361 = w76 * w3359
-    w3362 = w69 * w3357 + (w3286 + w3361)
-    w3363 = w76 * w3357
-    w3364 = w109 * w3359
-    w3365 = w3255 - w3363 - w3364
-    w3366 = w105 * w3357
-    w3367 = w72 * w3359
-    w3368 = w3366 + w3367
-    w3369 = w104 * (w86 * w3360 - w83 * w3362) - w119 * (w83 * w3365 - w86 * w3368) - w124 * (w83 * w3360 + w86 * w3362)
-    w3370 = w3369 + w129 * (w83 * w3368 + w86 * w3365)
-    w3371 = w70 * w211
-    w3372 = w69 * w220
-    w3373 = w3371 - w3372
-    w3374 = w15 * w3146 + w138 * w3373 - w3151
-    w3375 = w3153 + w17 * w3373 - w144 * w3144
-    w3376 = w3147 + w9 * w3373 - w14 * w3144
-    w3377 = w138 * w3146 + w14 * w3373 - w3149
-    w3378 = w142 * w3374 + w147 * w3375 - w8 * w3376 - w151 * w3377
-    w3379 = w142 * w3375 - w147 * w3374 + w151 * w3376 - w8 * w3377
-    w3380 = w8 * w3374 - w151 * w3375 + w142 * w3376 - w147 * w3377
-    w3381 = w151 * w3374 + w8 * w3375 + w147 * w3376 + w142 * w3377
-    w3382 = w153 * w3378 - w158 * w3379 + w162 * w3380 - w68 * w3381
-    w3383 = w1207 * w3382 / w1220
-    w3384 = w1216 * w3383
-    w3385 = bar4_e2 * c127
-    w3386 = w3284 - w76 * w3385
-    w3387 = w3358 + w3386
-    w3388 = w109 * w3357
-    w3389 = w3388 - w70 * w3385
-    w3390 = w3366 - w109 * w3385
-    w3391 = w72 * w3385
-    w3392 = w207 * w3357
-    w3393 = w3391 + (w3138 - w3392)
-    w3394 = w104 * (w83 * w3387 - w86 * w3389) - w119 * (w83 * w3390 - w86 * w3393) + w124 * (w83 * w3389 + w86 * w3387)
-    w3395 = w3394 + w129 * (w83 * w3393 + w86 * w3390)
-    w3396 = w1213 * w3383
-    w3397 = w3367 + w69 * w3385
-    w3398 = w3364 + w3391
-    w3399 = w207 * w3359
-    w3400 = w3128 + w3399 + w105 * w3385
-    w3401 = w105 * w3359
-    w3402 = w3401 - w3386
-    w3403 = w104 * (w83 * w3397 - w86 * w3398) - w119 * (w86 * w3400 + w83 * w3402) + w124 * (w83 * w3398 + w86 * w3397)
-    w3404 = w3403 - w129 * (w83 * w3400 - w86 * w3402)
-    w3405 = w1210 * w3383
-    w3406 = w3372 - w3371
-    w3407 = w3188 + (w3187 - w207 * w3146 + w105 * w3406)
-    w3408 = w3185 + (w3291 + w76 * w3406 - w105 * w3146)
-    w3409 = w72 * w3406 - w3182 + w70 * w3144
-    w3410 = w278 * -2.0
-    w3411 = w69 * w3406 - w3180 + (w76 * w3144 + w3410)
-    w3412 = w119 * (w86 * w3407 + w83 * w3408) + w104 * (w86 * w3409 - w83 * w3411) - w124 * (w83 * w3409 + w86 * w3411)
-    w3413 = w3412 - w129 * (w86 * w3408 - w83 * w3407)
-    w3414 = w3382 / w235 - w1209 * w3383
-    w3415 = w236 * w3370 - w130 * w3384 + (w261 * w3395 - w260 * w3396) + (w275 * w3404 - w274 * w3405) + (w288 * w3413 + w287 * w3414)
-    w3416 = w3370 - (w236 * w3415 - w289 * w3384)
-    w3417 = w298 * w3374 + w299 * w3375 + w300 * w3376 - w297 * w3377
-    w3418 = w288 * w3417 + w304 * w3414 - (w301 * w3384 + w302 * w3396 + w303 * w3405)
-    w3419 = w236 * w3418 - w305 * w3384
-    w3420 = w3417 - (w288 * w3418 + w305 * w3414)
-    w3421 = w261 * w3418 - w305 * w3396
-    w3422 = w275 * w3418 - w305 * w3405
-    w3423 = (w1185 * w3420 - (w1202 * w3419 + w1200 * w3421 + w1198 * w3422)) / w1195
-    w3424 = w3419 / w310 + w1192 * w3423
-    w3425 = w3395 - (w261 * w3415 - w289 * w3396)
-    w3426 = w3421 / w310 + w1190 * w3423
-    w3427 = w3404 - (w275 * w3415 - w289 * w3405)
-    w3428 = w3422 / w310 + w1188 * w3423
-    w3429 = w3413 - (w288 * w3415 + w289 * w3414)
-    w3430 = w3420 / w310 - w1187 * w3423
-    w3431 = w311 * w3416 - w290 * w3424 + (w313 * w3425 - w312 * w3426) + (w315 * w3427 - w314 * w3428) + (w317 * w3429 + w316 * w3430)
-    w3432 = w3416 - (w311 * w3431 - w318 * w3424)
-    w3433 = w323 * w3360 - w322 * w3368 - w324 * w3362 - w325 * w3365
-    w3434 = w324 * w3387 - (w322 * w3393 + w323 * w3389) - w325 * w3390
-    w3435 = w322 * w3400 - w323 * w3398 + w324 * w3397 - w325 * w3402
-    w3436 = w323 * w3409 - w322 * w3407 - w324 * w3411 + w325 * w3408
-    w3437 = w236 * w3433 - w326 * w3384 + (w261 * w3434 - w327 * w3396) + (w275 * w3435 - w328 * w3405) + (w288 * w3436 + w329 * w3414)
-    w3438 = w3433 - (w236 * w3437 - w330 * w3384)
-    w3439 = w3434 - (w261 * w3437 - w330 * w3396)
-    w3440 = w3435 - (w275 * w3437 - w330 * w3405)
-    w3441 = w3436 - (w288 * w3437 + w330 * w3414)
-    w3442 = w311 * w3438 - w331 * w3424 + (w313 * w3439 - w332 * w3426) + (w315 * w3440 - w333 * w3428) + (w317 * w3441 + w334 * w3430)
-    w3443 = w3438 - (w311 * w3442 - w335 * w3424)
-    w3444 = w3439 - (w313 * w3442 - w335 * w3426)
-    w3445 = w3440 - (w315 * w3442 - w335 * w3428)
-    w3446 = w3441 - (w317 * w3442 + w335 * w3430)
-    w3447 = (w1176 * w3443 + w1174 * w3444 + w1172 * w3445 + w1159 * w3446) / w1169
-    w3448 = w3443 / w340 - w1166 * w3447
-    w3449 = w3425 - (w313 * w3431 - w318 * w3426)
-    w3450 = w3444 / w340 - w1164 * w3447
-    w3451 = w3427 - (w315 * w3431 - w318 * w3428)
-    w3452 = w3445 / w340 - w1162 * w3447
-    w3453 = w3429 - (w317 * w3431 + w318 * w3430)
-    w3454 = w3446 / w340 - w1161 * w3447
-    w3455 = w341 * w3432 + w319 * w3448 + (w343 * w3449 + w342 * w3450) + (w345 * w3451 + w344 * w3452) + (w347 * w3453 + w346 * w3454)
-    w3456 = w3432 - (w341 * w3455 + w348 * w3448)
-    w3457 = w3449 - (w343 * w3455 + w348 * w3450)
-    w3458 = w3451 - (w345 * w3455 + w348 * w3452)
-    w3459 = w3453 - (w347 * w3455 + w348 * w3454)
-    w3460 = (w1145 * w3456 + w1143 * w3457 + w1141 * w3458 + w1128 * w3459) / w1138
-    w3461 = w794 * (w3456 / w353 - w1135 * w3460) + w795 * (w3457 / w353 - w1133 * w3460) + w796 * (w3458 / w353 - w1131 * w3460)
-    w3462 = w3 * (w5 * w3378 - w65 * w3381) - w754 * (w5 * w3379 + w65 * w3380) + w777 * (w5 * w3380 - w65 * w3379)
-    w3463 = w3462 - w788 * (w65 * w3378 + w5 * w3381)
-    w3464 = (w3461 + (w797 * (w3459 / w353 - w1130 * w3460) + w385 * w3463)) / w353 - w1129 * w3460
-    w3465 = w798 * w3415 + w289 * w3464 - (w797 * w3414 + w288 * w3463 - (w794 * w3384 + w795 * w3396 + w796 * w3405))
-    w3466 = w798 * w3455 + w348 * w3464 - (w794 * w3448 + w795 * w3450 + w796 * w3452 + (w797 * w3454 + w347 * w3463))
-    w3467 = w3466 / w340 - w1160 * w3447
-    w3468 = w798 * w3431 + w318 * w3464 - (w797 * w3430 + w317 * w3463 - (w794 * w3424 + w795 * w3426 + w796 * w3428))
-    w3469 = (w3468 - (w1000 * w3442 + w335 * w3467)) / w310 - w1186 * w3423
-    w3470 = hinge0_angle_dot * ((w3465 - (w1000 * w3437 + w330 * w3467) - (w1004 * w3418 + w305 * w3469)) / w235 - w1208 * w3383)
-    w3471 = w68 * w3470
-    w3472 = w3138 + w69 * w3359 - w3363
-    w3473 = w3367 - w70 * w3357
-    w3474 = w3401 - w3358
-    w3475 = w3286 + w3388
-    w3476 = w3361 - w3475
-    w3477 = w104 * (w83 * w3472 - w86 * w3473) - w119 * (w86 * w3474 + w83 * w3476) + w124 * (w83 * w3473 + w86 * w3472)
-    w3478 = w3477 - w129 * (w83 * w3474 - w86 * w3476)
-    w3479 = bar4_e3 * 4.0
-    w3480 = w3267 + w211 * w3479
-    w3481 = w72 * w211 + w207 * w220
-    w3482 = w220 * w3479
-    w3483 = w3261 - w3482
-    w3484 = w15 * w3480 - w138 * w3481 + w17 * w3483
-    w3485 = w148 * w3480 - w17 * w3481 + w144 * w3483
-    w3486 = w17 * w3480 - w9 * w3481 + w14 * w3483
-    w3487 = w138 * w3480 - w14 * w3481 + w148 * w3483
-    w3488 = w142 * w3484 + w147 * w3485 - w8 * w3486 - w151 * w3487
-    w3489 = w142 * w3485 - w147 * w3484 + w151 * w3486 - w8 * w3487
-    w3490 = w8 * w3484 - w151 * w3485 + w142 * w3486 - w147 * w3487
-    w3491 = w151 * w3484 + w8 * w3485 + w147 * w3486 + w142 * w3487
-    w3492 = w153 * w3488 - w158 * w3489 + w162 * w3490 - w68 * w3491
-    w3493 = w1207 * w3492 / w1220
-    w3494 = w1216 * w3493
-    w3495 = w3479 * c55
-    w3496 = w70 * w3495 + (w3255 + w3364)
-    w3497 = w76 * w3495
-    w3498 = w3367 + w3497
-    w3499 = w3284 - w109 * w3495 - w3401
-    w3500 = w72 * w3495
-    w3501 = w3399 + w3500
-    w3502 = w104 * (w86 * w3496 - w83 * w3498) - w119 * (w83 * w3499 - w86 * w3501) - w124 * (w83 * w3496 + w86 * w3498)
-    w3503 = w3502 + w129 * (w83 * w3501 + w86 * w3499)
-    w3504 = w1213 * w3493
-    w3505 = w3358 - (w3165 - w69 * w3495)
-    w3506 = w3475 + w3500
-    w3507 = w3392 + w105 * w3495
-    w3508 = w3366 + w3497
-    w3509 = w104 * (w83 * w3505 - w86 * w3506) - w119 * (w86 * w3507 + w83 * w3508) + w124 * (w83 * w3506 + w86 * w3505)
-    w3510 = w3509 - w129 * (w83 * w3507 - w86 * w3508)
-    w3511 = w1210 * w3493
-    w3512 = w3482 - w3261
-    w3513 = w105 * w3481 - w207 * w3480 + w72 * w3512
-    w3514 = w76 * w3481 - w105 * w3480 + (w3410 + w109 * w3512)
-    w3515 = w3293 - w109 * w3480 + w72 * w3481 + w70 * w3512
-    w3516 = w3184 + w69 * w3481 - w72 * w3480 + w76 * w3512
-    w3517 = w119 * (w86 * w3513 + w83 * w3514) + w104 * (w86 * w3515 - w83 * w3516) - w124 * (w83 * w3515 + w86 * w3516)
-    w3518 = w3517 - w129 * (w86 * w3514 - w83 * w3513)
-    w3519 = w3492 / w235 - w1209 * w3493
-    w3520 = w236 * w3478 - w130 * w3494 + (w261 * w3503 - w260 * w3504) + (w275 * w3510 - w274 * w3511) + (w288 * w3518 + w287 * w3519)
-    w3521 = w3478 - (w236 * w3520 - w289 * w3494)
-    w3522 = w298 * w3484 + w299 * w3485 + w300 * w3486 - w297 * w3487
-    w3523 = w288 * w3522 + w304 * w3519 - (w301 * w3494 + w302 * w3504 + w303 * w3511)
-    w3524 = w236 * w3523 - w305 * w3494
-    w3525 = w3522 - (w288 * w3523 + w305 * w3519)
-    w3526 = w261 * w3523 - w305 * w3504
-    w3527 = w275 * w3523 - w305 * w3511
-    w3528 = (w1185 * w3525 - (w1202 * w3524 + w1200 * w3526 + w1198 * w3527)) / w1195
-    w3529 = w3524 / w310 + w1192 * w3528
-    w3530 = w3503 - (w261 * w3520 - w289 * w3504)
-    w3531 = w3526 / w310 + w1190 * w3528
-    w3532 = w3510 - (w275 * w3520 - w289 * w3511)
-    w3533 = w3527 / w310 + w1188 * w3528
-    w3534 = w3518 - (w288 * w3520 + w289 * w3519)
-    w3535 = w3525 / w310 - w1187 * w3528
-    w3536 = w311 * w3521 - w290 * w3529 + (w313 * w3530 - w312 * w3531) + (w315 * w3532 - w314 * w3533) + (w317 * w3534 + w316 * w3535)
-    w3537 = w3521 - (w311 * w3536 - w318 * w3529)
-    w3538 = w322 * w3474 - w323 * w3473 + w324 * w3472 - w325 * w3476
-    w3539 = w323 * w3496 - w322 * w3501 - w324 * w3498 - w325 * w3499
-    w3540 = w322 * w3507 - w323 * w3506 + w324 * w3505 - w325 * w3508
-    w3541 = w323 * w3515 - w322 * w3513 - w324 * w3516 + w325 * w3514
-    w3542 = w236 * w3538 - w326 * w3494 + (w261 * w3539 - w327 * w3504) + (w275 * w3540 - w328 * w3511) + (w288 * w3541 + w329 * w3519)
-    w3543 = w3538 - (w236 * w3542 - w330 * w3494)
-    w3544 = w3539 - (w261 * w3542 - w330 * w3504)
-    w3545 = w3540 - (w275 * w3542 - w330 * w3511)
-    w3546 = w3541 - (w288 * w3542 + w330 * w3519)
-    w3547 = w311 * w3543 - w331 * w3529 + (w313 * w3544 - w332 * w3531) + (w315 * w3545 - w333 * w3533) + (w317 * w3546 + w334 * w3535)
-    w3548 = w3543 - (w311 * w3547 - w335 * w3529)
-    w3549 = w3544 - (w313 * w3547 - w335 * w3531)
-    w3550 = w3545 - (w315 * w3547 - w335 * w3533)
-    w3551 = w3546 - (w317 * w3547 + w335 * w3535)
-    w3552 = (w1176 * w3548 + w1174 * w3549 + w1172 * w3550 + w1159 * w3551) / w1169
-    w3553 = w3548 / w340 - w1166 * w3552
-    w3554 = w3530 - (w313 * w3536 - w318 * w3531)
-    w3555 = w3549 / w340 - w1164 * w3552
-    w3556 = w3532 - (w315 * w3536 - w318 * w3533)
-    w3557 = w3550 / w340 - w1162 * w3552
-    w3558 = w3534 - (w317 * w3536 + w318 * w3535)
-    w3559 = w3551 / w340 - w1161 * w3552
-    w3560 = w341 * w3537 + w319 * w3553 + (w343 * w3554 + w342 * w3555) + (w345 * w3556 + w344 * w3557) + (w347 * w3558 + w346 * w3559)
-    w3561 = w3537 - (w341 * w3560 + w348 * w3553)
-    w3562 = w3554 - (w343 * w3560 + w348 * w3555)
-    w3563 = w3556 - (w345 * w3560 + w348 * w3557)
-    w3564 = w3558 - (w347 * w3560 + w348 * w3559)
-    w3565 = (w1145 * w3561 + w1143 * w3562 + w1141 * w3563 + w1128 * w3564) / w1138
-    w3566 = w794 * (w3561 / w353 - w1135 * w3565) + w795 * (w3562 / w353 - w1133 * w3565) + w796 * (w3563 / w353 - w1131 * w3565)
-    w3567 = w3 * (w5 * w3488 - w65 * w3491) - w754 * (w5 * w3489 + w65 * w3490) + w777 * (w5 * w3490 - w65 * w3489)
-    w3568 = w3567 - w788 * (w65 * w3488 + w5 * w3491)
-    w3569 = (w3566 + (w797 * (w3564 / w353 - w1130 * w3565) + w385 * w3568)) / w353 - w1129 * w3565
-    w3570 = w798 * w3520 + w289 * w3569 - (w797 * w3519 + w288 * w3568 - (w794 * w3494 + w795 * w3504 + w796 * w3511))
-    w3571 = w798 * w3560 + w348 * w3569 - (w794 * w3553 + w795 * w3555 + w796 * w3557 + (w797 * w3559 + w347 * w3568))
-    w3572 = w3571 / w340 - w1160 * w3552
-    w3573 = w798 * w3536 + w318 * w3569 - (w797 * w3535 + w317 * w3568 - (w794 * w3529 + w795 * w3531 + w796 * w3533))
-    w3574 = (w3573 - (w1000 * w3547 + w335 * w3572)) / w310 - w1186 * w3528
-    w3575 = hinge0_angle_dot * ((w3570 - (w1000 * w3542 + w330 * w3572) - (w1004 * w3523 + w305 * w3574)) / w235 - w1208 * w3493)
-    w3576 = w68 * w3575
-    w3577 = w94 * c56
-    w3578 = w124 * (w120 * w3577)
-    w3579 = 2 * w92
-    w3580 = w87 * w3577
-    w3581 = w3579 + w3580
-    w3582 = w112 * w3577
-    w3583 = 2 * w98
-    w3584 = w121 * w3577
-    w3585 = w3578 - (w104 * w3581 + w119 * (w3582 - w3583)) + w129 * w3584
-    w3586 = w120 * c56
-    w3587 = w125 * w3577
-    w3588 = 2 * w246
-    w3589 = w87 * w3586
-    w3590 = w3588 - w3589
-    w3591 = w121 * w3586
-    w3592 = w125 * w3586
-    w3593 = w104 * (w94 * w3586 + w3587) - w119 * (w3590 - w89 * w3577) - w124 * (w3581 + w3591) - w129 * (w3582 + w3592)
-    w3594 = w112 * w3586
-    w3595 = w119 * w3594
-    w3596 = w120 * w3586
-    w3597 = w104 * w3590 - w3595 + w124 * (w3583 + w3596) + w129 * w3591
-    w3598 = w236 * w3585 + w261 * w3593 + w275 * w3597
-    w3599 = w3585 - w236 * w3598
-    w3600 = w3593 - w261 * w3598
-    w3601 = w3597 - w275 * w3598
-    w3602 = w288 * w3598
-    w3603 = w311 * w3599 + w313 * w3600 + w315 * w3601 - w317 * w3602
-    w3604 = w3599 - w311 * w3603
-    w3605 = w108 * w320 + w111 * w321
-    w3606 = w250 * w320 + w251 * w321
-    w3607 = w266 * w320 + w267 * w321
-    w3608 = w279 * w320 + w280 * w321
-    w3609 = w236 * w3605 + w261 * w3606 + w275 * w3607 - w288 * w3608
-    w3610 = w3605 - w236 * w3609
-    w3611 = w3606 - w261 * w3609
-    w3612 = w3607 - w275 * w3609
-    w3613 = w3608 + w288 * w3609
-    w3614 = w311 * w3610 + w313 * w3611 + w315 * w3612 - w317 * w3613
-    w3615 = w3610 - w311 * w3614
-    w3616 = w3611 - w313 * w3614
-    w3617 = w3612 - w315 * w3614
-    w3618 = w3613 + w317 * w3614
-    w3619 = (w1176 * w3615 + w1174 * w3616 + w1172 * w3617 - w1159 * w3618) / w1169
-    w3620 = w3615 / w340 - w1166 * w3619
-    w3621 = w3600 - w313 * w3603
-    w3622 = w3616 / w340 - w1164 * w3619
-    w3623 = w3601 - w315 * w3603
-    w3624 = w3617 / w340 - w1162 * w3619
-    w3625 = w3602 + w317 * w3603
-    w3626 = w3618 / w340 + w1161 * w3619
-    w3627 = w341 * w3604 + w319 * w3620 + (w343 * w3621 + w342 * w3622) + (w345 * w3623 + w344 * w3624) - (w347 * w3625 + w346 * w3626)
-    w3628 = w3604 - (w341 * w3627 + w348 * w3620)
-    w3629 = w3621 - (w343 * w3627 + w348 * w3622)
-    w3630 = w3623 - (w345 * w3627 + w348 * w3624)
-    w3631 = w3625 + (w347 * w3627 - w348 * w3626)
-    w3632 = (w1145 * w3628 + w1143 * w3629 + w1141 * w3630 - w1128 * w3631) / w1138
-    w3633 = w794 * (w3628 / w353 - w1135 * w3632) + w795 * (w3629 / w353 - w1133 * w3632) + w796 * (w3630 / w353 - w1131 * w3632)
-    w3634 = (w3633 - w797 * (w3631 / w353 + w1130 * w3632)) / w353 - w1129 * w3632
-    w3635 = (w798 * w3627 + w348 * w3634 - (w794 * w3620 + w795 * w3622 + w796 * w3624 - w797 * w3626)) / w340
-    w3636 = w3635 - w1160 * w3619
-    w3637 = (w798 * w3603 + w318 * w3634 - (w1000 * w3614 + w335 * w3636)) / w310
-    w3638 = hinge0_angle_dot * ((w798 * w3598 + w289 * w3634 - (w1000 * w3609 + w330 * w3636) - w305 * w3637) / w235)
-    w3639 = w68 * w3638
-    w3640 = w87 * c56
-    w3641 = w120 * w3640
-    w3642 = bar5_e1 * c128
-    w3643 = w87 * w3640
-    w3644 = w92 * -2.0
-    w3645 = w112 * w3640
-    w3646 = w3644 + w3645
-    w3647 = w87 * w3642
-    w3648 = w124 * (w3641 + w121 * w3642) - (w104 * (w3643 - (w3583 - w94 * w3642)) + w119 * (w3646 + w3647))
-    w3649 = w121 * w3640
-    w3650 = w125 * w3642
-    w3651 = w3648 + w129 * (w3649 + w3650)
-    w3652 = w89 * c56
-    w3653 = w121 * w3652
-    w3654 = w125 * w3640
-    w3655 = w87 * w3652
-    w3656 = w125 * w3652
-    w3657 = w124 * (w3653 - w3643) - (w104 * (w3588 + w94 * w3652 - w3654) + w119 * (w3655 - w89 * w3640)) + w129 * (w3656 - w3646)
-    w3658 = w246 * -2.0
-    w3659 = w112 * w3652
-    w3660 = w120 * w3652
-    w3661 = w98 * -2.0
-    w3662 = w104 * (w3650 + w3655) + w119 * (w89 * w3642 + (w3658 + w3659)) - w124 * (w3647 + w3660) + w129 * (w3661 - w112 * w3642 - w3653)
-    w3663 = w236 * w3651 + w261 * w3657 + w275 * w3662
-    w3664 = w3651 - w236 * w3663
-    w3665 = w3657 - w261 * w3663
-    w3666 = w3662 - w275 * w3663
-    w3667 = w288 * w3663
-    w3668 = w311 * w3664 + w313 * w3665 + w315 * w3666 - w317 * w3667
-    w3669 = w3664 - w311 * w3668
-    w3670 = w81 * w321 - w85 * w320
-    w3671 = w241 * w321 - w242 * w320
-    w3672 = w262 * w321 - w263 * w320
-    w3673 = w282 * w320 - w283 * w321
-    w3674 = w236 * w3670 + w261 * w3671 + w275 * w3672 + w288 * w3673
-    w3675 = w3670 - w236 * w3674
-    w3676 = w3671 - w261 * w3674
-    w3677 = w3672 - w275 * w3674
-    w3678 = w3673 - w288 * w3674
-    w3679 = w311 * w3675 + w313 * w3676 + w315 * w3677 + w317 * w3678
-    w3680 = w3675 - w311 * w3679
-    w3681 = w3676 - w313 * w3679
-    w3682 = w3677 - w315 * w3679
-    w3683 = w3678 - w317 * w3679
-    w3684 = (w1176 * w3680 + w1174 * w3681 + w1172 * w3682 + w1159 * w3683) / w1169
-    w3685 = w3680 / w340 - w1166 * w3684
-    w3686 = w3665 - w313 * w3668
-    w3687 = w3681 / w340 - w1164 * w3684
-    w3688 = w3666 - w315 * w3668
-    w3689 = w3682 / w340 - w1162 * w3684
-    w3690 = w3683 / w340 - w1161 * w3684
-    w3691 = w3667 + w317 * w3668
-    w3692 = w341 * w3669 + w319 * w3685 + (w343 * w3686 + w342 * w3687) + (w345 * w3688 + w344 * w3689) + (w346 * w3690 - w347 * w3691)
-    w3693 = w3669 - (w341 * w3692 + w348 * w3685)
-    w3694 = w3686 - (w343 * w3692 + w348 * w3687)
-    w3695 = w3688 - (w345 * w3692 + w348 * w3689)
-    w3696 = w3691 + (w347 * w3692 + w348 * w3690)
-    w3697 = (w1145 * w3693 + w1143 * w3694 + w1141 * w3695 - w1128 * w3696) / w1138
-    w3698 = w794 * (w3693 / w353 - w1135 * w3697) + w795 * (w3694 / w353 - w1133 * w3697) + w796 * (w3695 / w353 - w1131 * w3697)
-    w3699 = (w3698 - w797 * (w3696 / w353 + w1130 * w3697)) / w353 - w1129 * w3697
-    w3700 = (w798 * w3692 + w348 * w3699 - (w794 * w3685 + w795 * w3687 + w796 * w3689 + w797 * w3690)) / w340
-    w3701 = w3700 - w1160 * w3684
-    w3702 = (w798 * w3668 + w318 * w3699 - (w1000 * w3679 + w335 * w3701)) / w310
-    w3703 = hinge0_angle_dot * ((w798 * w3663 + w289 * w3699 - (w1000 * w3674 + w330 * w3701) - w305 * w3702) / w235)
-    w3704 = w68 * w3703
-    w3705 = w124 * (w3596 - w3661) - (w3595 + w104 * w3589) + w129 * (w3591 + w3644)
-    w3706 = w3584 + w3658
-    w3707 = w124 * (w3706 - w3589) - (w104 * (w94 * w3577 - w3592) + w119 * (w3580 - (w3579 + w89 * w3586))) + w129 * (w3587 - w3594)
-    w3708 = w104 * w3580 - w119 * (w3583 - w3582) - w3578 - w129 * w3706
-    w3709 = w236 * w3705 + w261 * w3707 + w275 * w3708
-    w3710 = w3705 - w236 * w3709
-    w3711 = w3707 - w261 * w3709
-    w3712 = w3708 - w275 * w3709
-    w3713 = w288 * w3709
-    w3714 = w311 * w3710 + w313 * w3711 + w315 * w3712 - w317 * w3713
-    w3715 = w3710 - w311 * w3714
-    w3716 = w85 * w321 + w81 * w320
-    w3717 = w242 * w321 + w241 * w320
-    w3718 = w263 * w321 + w262 * w320
-    w3719 = w282 * w321 + w283 * w320
-    w3720 = w236 * w3716 + w261 * w3717 + w275 * w3718 - w288 * w3719
-    w3721 = w3716 - w236 * w3720
-    w3722 = w3717 - w261 * w3720
-    w3723 = w3718 - w275 * w3720
-    w3724 = w3719 + w288 * w3720
-    w3725 = w311 * w3721 + w313 * w3722 + w315 * w3723 - w317 * w3724
-    w3726 = w3721 - w311 * w3725
-    w3727 = w3722 - w313 * w3725
-    w3728 = w3723 - w315 * w3725
-    w3729 = w3724 + w317 * w3725
-    w3730 = (w1176 * w3726 + w1174 * w3727 + w1172 * w3728 - w1159 * w3729) / w1169
-    w3731 = w3726 / w340 - w1166 * w3730
-    w3732 = w3711 - w313 * w3714
-    w3733 = w3727 / w340 - w1164 * w3730
-    w3734 = w3712 - w315 * w3714
-    w3735 = w3728 / w340 - w1162 * w3730
-    w3736 = w3713 + w317 * w3714
-    w3737 = w3729 / w340 + w1161 * w3730
-    w3738 = w341 * w3715 + w319 * w3731 + (w343 * w3732 + w342 * w3733) + (w345 * w3734 + w344 * w3735) - (w347 * w3736 + w346 * w3737)
-    w3739 = w3715 - (w341 * w3738 + w348 * w3731)
-    w3740 = w3732 - (w343 * w3738 + w348 * w3733)
-    w3741 = w3734 - (w345 * w3738 + w348 * w3735)
-    w3742 = w3736 + (w347 * w3738 - w348 * w3737)
-    w3743 = (w1145 * w3739 + w1143 * w3740 + w1141 * w3741 - w1128 * w3742) / w1138
-    w3744 = w794 * (w3739 / w353 - w1135 * w3743) + w795 * (w3740 / w353 - w1133 * w3743) + w796 * (w3741 / w353 - w1131 * w3743)
-    w3745 = (w3744 - w797 * (w3742 / w353 + w1130 * w3743)) / w353 - w1129 * w3743
-    w3746 = (w798 * w3738 + w348 * w3745 - (w794 * w3731 + w795 * w3733 + w796 * w3735 - w797 * w3737)) / w340
-    w3747 = w3746 - w1160 * w3730
-    w3748 = (w798 * w3714 + w318 * w3745 - (w1000 * w3725 + w335 * w3747)) / w310
-    w3749 = hinge0_angle_dot * ((w798 * w3709 + w289 * w3745 - (w1000 * w3720 + w330 * w3747) - w305 * w3748) / w235)
-    w3750 = w68 * w3749
-    w3751 = w3252 - w1713 * w3356 - w1725 * w3471 + w1733 * w3576 - w1063 * w3639 - w1068 * w3704 + w1071 * w3750
-    w3752 = bar5_e3 * c128
-    w3753 = w87 * w3752
-    w3754 = w3661 - w125 * w3752
-    w3755 = w124 * (w3579 + w3660 + w121 * w3752) - (w104 * (w3655 + w94 * w3752) + w119 * (w3659 + w3753)) + w129 * (w3653 - w3754)
-    w3756 = w104 * (w94 * w3640 + (w3644 + w3656)) + w119 * (w3643 + w89 * w3652) - w124 * (w3649 + w3655) + w129 * (w3658 - w3654 - w3659)
-    w3757 = w129 * (w3649 - w112 * w3752) - (w104 * (w3643 + w3754) + w119 * (w3645 - w89 * w3752) + w124 * (w3753 + (w3588 - w3641)))
-    w3758 = w236 * w3755 + w261 * w3756 + w275 * w3757
-    w3759 = w3755 - w236 * w3758
-    w3760 = w3756 - w261 * w3758
-    w3761 = w3757 - w275 * w3758
-    w3762 = w288 * w3758
-    w3763 = w311 * w3759 + w313 * w3760 + w315 * w3761 - w317 * w3762
-    w3764 = w3759 - w311 * w3763
-    w3765 = w108 * w321 - w111 * w320
-    w3766 = w250 * w321 - w251 * w320
-    w3767 = w266 * w321 - w267 * w320
-    w3768 = w280 * w320 - w279 * w321
-    w3769 = w236 * w3765 + w261 * w3766 + w275 * w3767 + w288 * w3768
-    w3770 = w3765 - w236 * w3769
-    w3771 = w3766 - w261 * w3769
-    w3772 = w3767 - w275 * w3769
-    w3773 = w3768 - w288 * w3769
-    w3774 = w311 * w3770 + w313 * w3771 + w315 * w3772 + w317 * w3773
-    w3775 = w3770 - w311 * w3774
-    w3776 = w3771 - w313 * w3774
-    w3777 = w3772 - w315 * w3774
-    w3778 = w3773 - w317 * w3774
-    w3779 = (w1176 * w3775 + w1174 * w3776 + w1172 * w3777 + w1159 * w3778) / w1169
-    w3780 = w3775 / w340 - w1166 * w3779
-    w3781 = w3760 - w313 * w3763
-    w3782 = w3776 / w340 - w1164 * w3779
-    w3783 = w3761 - w315 * w3763
-    w3784 = w3777 / w340 - w1162 * w3779
-    w3785 = w3778 / w340 - w1161 * w3779
-    w3786 = w3762 + w317 * w3763
-    w3787 = w341 * w3764 + w319 * w3780 + (w343 * w3781 + w342 * w3782) + (w345 * w3783 + w344 * w3784) + (w346 * w3785 - w347 * w3786)
-    w3788 = w3764 - (w341 * w3787 + w348 * w3780)
-    w3789 = w3781 - (w343 * w3787 + w348 * w3782)
-    w3790 = w3783 - (w345 * w3787 + w348 * w3784)
-    w3791 = w3786 + (w347 * w3787 + w348 * w3785)
-    w3792 = (w1145 * w3788 + w1143 * w3789 + w1141 * w3790 - w1128 * w3791) / w1138
-    w3793 = w794 * (w3788 / w353 - w1135 * w3792) + w795 * (w3789 / w353 - w1133 * w3792) + w796 * (w3790 / w353 - w1131 * w3792)
-    w3794 = (w3793 - w797 * (w3791 / w353 + w1130 * w3792)) / w353 - w1129 * w3792
-    w3795 = (w798 * w3787 + w348 * w3794 - (w794 * w3780 + w795 * w3782 + w796 * w3784 + w797 * w3785)) / w340
-    w3796 = w3795 - w1160 * w3779
-    w3797 = (w798 * w3763 + w318 * w3794 - (w1000 * w3774 + w335 * w3796)) / w310
-    w3798 = hinge0_angle_dot * ((w798 * w3758 + w289 * w3794 - (w1000 * w3769 + w330 * w3796) - w305 * w3797) / w235)
-    w3799 = w68 * w3798
-    w3800 = w3 * hinge0_angle_dot
-    w3801 = w5 * 0.5
-    w3802 = hinge0_angle_dot * w788
-    w3803 = w65 * 0.5
-    w3804 = w5 * 0.25
-    w3805 = w65 * 0.25
-    w3806 = bar1_e0 * w3804 - bar1_e3 * w3805
-    w3807 = bar1_e0 * w3805 + bar1_e3 * w3804
-    w3808 = bar1_e2 * w3804 - bar1_e1 * w3805
-    w3809 = bar1_e2 * w3805 + bar1_e1 * w3804
-    w3810 = w163 * w3806 - (w152 * w3807 + w157 * w3808 + w161 * w3809)
-    w3811 = w188 * w3806 - (w181 * w3807 + w183 * w3808 + w186 * w3809)
-    w3812 = w201 * w3806 - (w195 * w3807 + w197 * w3808 + w199 * w3809)
-    w3813 = w230 * w3807 + w231 * w3808 + w232 * w3809 + w233 * w3806
-    w3814 = (w1227 * w3810 + w1225 * w3811 + w1223 * w3812 - w1207 * w3813) / w1220
-    w3815 = w3810 / w235 - w1216 * w3814
-    w3816 = w3811 / w235 - w1213 * w3814
-    w3817 = w3812 / w235 - w1210 * w3814
-    w3818 = w3813 / w235 + w1209 * w3814
-    w3819 = w130 * w3815 + w260 * w3816 + w274 * w3817 - w287 * w3818
-    w3820 = w236 * w3819 + w289 * w3815
-    w3821 = w301 * w3815 + w302 * w3816 + w303 * w3817 - w304 * w3818
-    w3822 = w236 * w3821 + w305 * w3815
-    w3823 = w261 * w3821 + w305 * w3816
-    w3824 = w275 * w3821 + w305 * w3817
-    w3825 = w288 * w3821 - w305 * w3818
-    w3826 = (w1202 * w3822 + w1200 * w3823 + w1198 * w3824 + w1185 * w3825) / w1195
-    w3827 = w1192 * w3826 - w3822 / w310
-    w3828 = w1190 * w3826 - w3823 / w310
-    w3829 = w261 * w3819 + w289 * w3816
-    w3830 = w1188 * w3826 - w3824 / w310
-    w3831 = w275 * w3819 + w289 * w3817
-    w3832 = w1187 * w3826 - w3825 / w310
-    w3833 = w288 * w3819 - w289 * w3818
-    w3834 = w290 * w3827 - w311 * w3820 + (w312 * w3828 - w313 * w3829) + (w314 * w3830 - w315 * w3831) + (w316 * w3832 - w317 * w3833)
-    w3835 = w3820 + (w311 * w3834 + w318 * w3827)
-    w3836 = w326 * w3815 + w327 * w3816 + w328 * w3817 - w329 * w3818
-    w3837 = w236 * w3836 + w330 * w3815
-    w3838 = w261 * w3836 + w330 * w3816
-    w3839 = w275 * w3836 + w330 * w3817
-    w3840 = w288 * w3836 - w330 * w3818
-    w3841 = w331 * w3827 - w311 * w3837 + (w332 * w3828 - w313 * w3838) + (w333 * w3830 - w315 * w3839) + (w334 * w3832 - w317 * w3840)
-    w3842 = w3837 + (w311 * w3841 + w335 * w3827)
-    w3843 = w3838 + (w313 * w3841 + w335 * w3828)
-    w3844 = w3839 + (w315 * w3841 + w335 * w3830)
-    w3845 = w3840 + (w317 * w3841 + w335 * w3832)
-    w3846 = (w1176 * w3842 + w1174 * w3843 + w1172 * w3844 + w1159 * w3845) / w1169
-    w3847 = w1166 * w3846 - w3842 / w340
-    w3848 = w1164 * w3846 - w3843 / w340
-    w3849 = w3829 + (w313 * w3834 + w318 * w3828)
-    w3850 = w1162 * w3846 - w3844 / w340
-    w3851 = w3831 + (w315 * w3834 + w318 * w3830)
-    w3852 = w1161 * w3846 - w3845 / w340
-    w3853 = w3833 + (w317 * w3834 + w318 * w3832)
-    w3854 = w319 * w3847 - w341 * w3835 + (w342 * w3848 - w343 * w3849) + (w344 * w3850 - w345 * w3851) + (w346 * w3852 - w347 * w3853)
-    w3855 = w3835 + (w341 * w3854 + w348 * w3847)
-    w3856 = w3849 + (w343 * w3854 + w348 * w3848)
-    w3857 = w3851 + (w345 * w3854 + w348 * w3850)
-    w3858 = w3853 + (w347 * w3854 + w348 * w3852)
-    w3859 = (w1145 * w3855 + w1143 * w3856 + w1141 * w3857 + w1128 * w3858) / w1138
-    w3860 = w3 * (w163 * w3801 - w152 * w3803) - w754 * (w161 * w3801 - w157 * w3803) - w777 * (w161 * w3803 + w157 * w3801)
-    w3861 = w3860 - w788 * (w152 * w3801 + w163 * w3803)
-    w3862 = w3 * (w188 * w3801 - w181 * w3803) - w754 * (w186 * w3801 - w183 * w3803) - w777 * (w186 * w3803 + w183 * w3801)
-    w3863 = w3862 - w788 * (w181 * w3801 + w188 * w3803)
-    w3864 = w794 * (w1135 * w3859 - w3855 / w353) + w354 * w3861 + (w795 * (w1133 * w3859 - w3856 / w353) + w360 * w3863)
-    w3865 = w3 * (w201 * w3801 - w195 * w3803) - w754 * (w199 * w3801 - w197 * w3803) - w777 * (w199 * w3803 + w197 * w3801)
-    w3866 = w3865 - w788 * (w195 * w3801 + w201 * w3803)
-    w3867 = w3 * (w230 * w3803 + w233 * w3801) + w754 * (w232 * w3801 - w231 * w3803) + w777 * (w232 * w3803 + w231 * w3801)
-    w3868 = w3867 + w788 * (w230 * w3801 - w233 * w3803)
-    w3869 = w3864 + (w796 * (w1131 * w3859 - w3857 / w353) + w375 * w3866) + (w797 * (w1130 * w3859 - w3858 / w353) - w385 * w3868)
-    w3870 = w3869 / w353 + w1129 * w3859
-    w3871 = w794 * w3815 + w236 * w3861 + (w795 * w3816 + w261 * w3863) + (w796 * w3817 + w275 * w3866) - (w797 * w3818 + w288 * w3868)
-    w3872 = w794 * w3847 + w341 * w3861 + (w795 * w3848 + w343 * w3863) + (w796 * w3850 + w345 * w3866) + (w797 * w3852 - w347 * w3868)
-    w3873 = (w798 * w3854 + w348 * w3870 - w3872) / w340 + w1160 * w3846
-    w3874 = w794 * w3827 + w311 * w3861 + (w795 * w3828 + w313 * w3863) + (w796 * w3830 + w315 * w3866) + (w797 * w3832 - w317 * w3868)
-    w3875 = (w798 * w3834 + w318 * w3870 - w3874 - (w1000 * w3841 + w335 * w3873)) / w310 + w1186 * w3826
-    w3876 = w798 * w3819 + w289 * w3870 - w3871 - (w1000 * w3836 + w330 * w3873) - (w1004 * w3821 + w305 * w3875)
-    w3877 = hinge0_angle_dot * (w3876 / w235 - w1208 * w3814)
-    w3878 = w3800 * w3801 - w3802 * w3803 + (w1941 * w3806 + w68 * w3877)
-    w3879 = w146 * 0.5
-    w3880 = w3879 * c18 * c17 - w3879 * c16 * c19
-    w3881 = w7 * 0.5
-    w3882 = w7 * c129
-    w3883 = w146 * c130
-    w3884 = w3881 * c18 * c19 - w3881 * c16 * c17
-    w3885 = w133 * w3880 - (w145 * w3882 - w141 * w3883) + w150 * w3884
-    w3886 = w141 * w3882 + w145 * w3883 - w133 * w3884 + w150 * w3880
-    w3887 = w145 * w3884 - w141 * w3880 + w133 * w3883 + w150 * w3882
-    w3888 = w141 * w3884 + w145 * w3880 + w133 * w3882 - w150 * w3883
-    w3889 = w153 * w3885 - w158 * w3886 + w162 * w3887 + w68 * w3888
-    w3890 = w170 * w3880 - (w179 * w3882 - w178 * w3883) + w180 * w3884
-    w3891 = w178 * w3882 + w179 * w3883 - w170 * w3884 + w180 * w3880
-    w3892 = w179 * w3884 - w178 * w3880 + w170 * w3883 + w180 * w3882
-    w3893 = w178 * w3884 + w179 * w3880 + w170 * w3882 - w180 * w3883
-    w3894 = w153 * w3890 - w158 * w3891 + w162 * w3892 + w68 * w3893
-    w3895 = w190 * w3880 - (w193 * w3882 - w192 * w3883) + w194 * w3884
-    w3896 = w192 * w3882 + w193 * w3883 - w190 * w3884 + w194 * w3880
-    w3897 = w193 * w3884 - w192 * w3880 + w190 * w3883 + w194 * w3882
-    w3898 = w192 * w3884 + w193 * w3880 + w190 * w3882 - w194 * w3883
-    w3899 = w153 * w3895 - w158 * w3896 + w162 * w3897 + w68 * w3898
-    w3900 = w227 * w3882 - w226 * w3883 - w228 * w3880 - w229 * w3884
-    w3901 = w228 * w3884 - (w227 * w3883 + w226 * w3882) - w229 * w3880
-    w3902 = w226 * w3880 - w227 * w3884 - w228 * w3883 - w229 * w3882
-    w3903 = w226 * w3884 + w227 * w3880 + w228 * w3882 - w229 * w3883
-    w3904 = w153 * w3900 - w158 * w3901 + w162 * w3902 - w68 * w3903
-    w3905 = (w1227 * w3889 + w1225 * w3894 + w1223 * w3899 + w1207 * w3904) / w1220
-    w3906 = w3889 / w235 - w1216 * w3905
-    w3907 = w3894 / w235 - w1213 * w3905
-    w3908 = w3899 / w235 - w1210 * w3905
-    w3909 = w3904 / w235 - w1209 * w3905
-    w3910 = w130 * w3906 + w260 * w3907 + w274 * w3908 + w287 * w3909
-    w3911 = w236 * w3910 + w289 * w3906
-    w3912 = w7 * 0.25
-    w3913 = w7 * c131
-    w3914 = w3912 * c18 * c17 - w3912 * c16 * c19
-    w3915 = w146 * 0.25
-    w3916 = w146 * c132
-    w3917 = w3915 * c16 * c17 - w3915 * c18 * c19
-    w3918 = bar2_e0 * w3913 + (bar2_e2 * w3914 - bar2_e1 * w3916 + bar2_e3 * w3917)
-    w3919 = bar2_e0 * w3917 - bar2_e3 * w3913 + (bar2_e1 * w3914 + bar2_e2 * w3916)
-    w3920 = bar2_e0 * w3914 - bar2_e2 * w3913 - (bar2_e3 * w3916 + bar2_e1 * w3917)
-    w3921 = bar2_e2 * w3917 - bar2_e3 * w3914 - (bar2_e0 * w3916 + bar2_e1 * w3913)
-    w3922 = w150 * w3918 - (w141 * w3919 + w145 * w3920 + w133 * w3921)
-    w3923 = w180 * w3918 - (w178 * w3919 + w179 * w3920 + w170 * w3921)
-    w3924 = w194 * w3918 - (w192 * w3919 + w193 * w3920 + w190 * w3921)
-    w3925 = w226 * w3919 + w227 * w3920 + w228 * w3921 - w229 * w3918
-    w3926 = w236 * w3922 + w301 * w3906 + (w261 * w3923 + w302 * w3907) + (w275 * w3924 + w303 * w3908) + (w288 * w3925 + w304 * w3909)
-    w3927 = w3922 - (w236 * w3926 + w305 * w3906)
-    w3928 = w3923 - (w261 * w3926 + w305 * w3907)
-    w3929 = w3924 - (w275 * w3926 + w305 * w3908)
-    w3930 = w3925 - (w288 * w3926 + w305 * w3909)
-    w3931 = (w1202 * w3927 + w1200 * w3928 + w1198 * w3929 + w1185 * w3930) / w1195
-    w3932 = w3927 / w310 - w1192 * w3931
-    w3933 = w3928 / w310 - w1190 * w3931
-    w3934 = w261 * w3910 + w289 * w3907
-    w3935 = w3929 / w310 - w1188 * w3931
-    w3936 = w275 * w3910 + w289 * w3908
-    w3937 = w3930 / w310 - w1187 * w3931
-    w3938 = w288 * w3910 + w289 * w3909
-    w3939 = w290 * w3932 - w311 * w3911 + (w312 * w3933 - w313 * w3934) + (w314 * w3935 - w315 * w3936) + (w316 * w3937 - w317 * w3938)
-    w3940 = w3911 + (w311 * w3939 + w318 * w3932)
-    w3941 = w326 * w3906 + w327 * w3907 + w328 * w3908 + w329 * w3909
-    w3942 = w236 * w3941 + w330 * w3906
-    w3943 = w261 * w3941 + w330 * w3907
-    w3944 = w275 * w3941 + w330 * w3908
-    w3945 = w288 * w3941 + w330 * w3909
-    w3946 = w331 * w3932 - w311 * w3942 + (w332 * w3933 - w313 * w3943) + (w333 * w3935 - w315 * w3944) + (w334 * w3937 - w317 * w3945)
-    w3947 = w3942 + (w311 * w3946 + w335 * w3932)
-    w3948 = w3943 + (w313 * w3946 + w335 * w3933)
-    w3949 = w3944 + (w315 * w3946 + w335 * w3935)
-    w3950 = w3945 + (w317 * w3946 + w335 * w3937)
-    w3951 = (w1176 * w3947 + w1174 * w3948 + w1172 * w3949 + w1159 * w3950) / w1169
-    w3952 = w1166 * w3951 - w3947 / w340
-    w3953 = w1164 * w3951 - w3948 / w340
-    w3954 = w3934 + (w313 * w3939 + w318 * w3933)
-    w3955 = w1162 * w3951 - w3949 / w340
-    w3956 = w3936 + (w315 * w3939 + w318 * w3935)
-    w3957 = w1161 * w3951 - w3950 / w340
-    w3958 = w3938 + (w317 * w3939 + w318 * w3937)
-    w3959 = w319 * w3952 - w341 * w3940 + (w342 * w3953 - w343 * w3954) + (w344 * w3955 - w345 * w3956) + (w346 * w3957 - w347 * w3958)
-    w3960 = w3940 + (w341 * w3959 + w348 * w3952)
-    w3961 = w3954 + (w343 * w3959 + w348 * w3953)
-    w3962 = w3956 + (w345 * w3959 + w348 * w3955)
-    w3963 = w3958 + (w347 * w3959 + w348 * w3957)
-    w3964 = (w1145 * w3960 + w1143 * w3961 + w1141 * w3962 + w1128 * w3963) / w1138
-    w3965 = w3 * (w5 * w3885 + w65 * w3888) - w754 * (w5 * w3886 + w65 * w3887) + w777 * (w5 * w3887 - w65 * w3886)
-    w3966 = w3965 - w788 * (w65 * w3885 - w5 * w3888)
-    w3967 = w3 * (w5 * w3890 + w65 * w3893) - w754 * (w5 * w3891 + w65 * w3892) + w777 * (w5 * w3892 - w65 * w3891)
-    w3968 = w3967 - w788 * (w65 * w3890 - w5 * w3893)
-    w3969 = w794 * (w1135 * w3964 - w3960 / w353) + w354 * w3966 + (w795 * (w1133 * w3964 - w3961 / w353) + w360 * w3968)
-    w3970 = w3 * (w5 * w3895 + w65 * w3898) - w754 * (w5 * w3896 + w65 * w3897) + w777 * (w5 * w3897 - w65 * w3896)
-    w3971 = w3970 - w788 * (w65 * w3895 - w5 * w3898)
-    w3972 = w3 * (w5 * w3900 - w65 * w3903) - w754 * (w5 * w3901 + w65 * w3902) + w777 * (w5 * w3902 - w65 * w3901)
-    w3973 = w3972 - w788 * (w65 * w3900 + w5 * w3903)
-    w3974 = w3969 + (w796 * (w1131 * w3964 - w3962 / w353) + w375 * w3971) + (w797 * (w1130 * w3964 - w3963 / w353) + w385 * w3973)
-    w3975 = w3974 / w353 + w1129 * w3964
-    w3976 = w794 * w3906 + w236 * w3966 + (w795 * w3907 + w261 * w3968) + (w796 * w3908 + w275 * w3971) + (w797 * w3909 + w288 * w3973)
-    w3977 = w794 * w3952 + w341 * w3966 + (w795 * w3953 + w343 * w3968) + (w796 * w3955 + w345 * w3971) + (w797 * w3957 + w347 * w3973)
-    w3978 = (w798 * w3959 + w348 * w3975 - w3977) / w340 + w1160 * w3951
-    w3979 = w794 * w3932 + w311 * w3966 + (w795 * w3933 + w313 * w3968) + (w796 * w3935 + w315 * w3971) + (w797 * w3937 + w317 * w3973)
-    w3980 = (w798 * w3939 + w318 * w3975 - w3979 - (w1000 * w3946 + w335 * w3978)) / w310 - w1186 * w3931
-    w3981 = w798 * w3910 + w289 * w3975 - w3976 - (w1000 * w3941 + w330 * w3978) - (w1004 * w3926 + w305 * w3980)
-    w3982 = hinge0_angle_dot * (w3981 / w235 - w1208 * w3905)
-    w3983 = w68 * w3982
-    w3984 = w86 * 0.5
-    w3985 = w83 * 0.5
-    w3986 = w104 * (w81 * w3984 + w85 * w3985) - w119 * (w111 * w3984 - w108 * w3985) + w124 * (w85 * w3984 - w81 * w3985)
-    w3987 = w3986 - w129 * (w108 * w3984 + w111 * w3985)
-    w3988 = w104 * (w241 * w3984 + w242 * w3985) - w119 * (w251 * w3984 - w250 * w3985) + w124 * (w242 * w3984 - w241 * w3985)
-    w3989 = w3988 - w129 * (w250 * w3984 + w251 * w3985)
-    w3990 = w104 * (w262 * w3984 + w263 * w3985) - w119 * (w267 * w3984 - w266 * w3985) + w124 * (w263 * w3984 - w262 * w3985)
-    w3991 = w3990 - w129 * (w266 * w3984 + w267 * w3985)
-    w3992 = w119 * (w280 * w3984 - w279 * w3985) - w104 * (w282 * w3985 + w283 * w3984) - w124 * (w282 * w3984 - w283 * w3985)
-    w3993 = w3992 + w129 * (w280 * w3985 + w279 * w3984)
-    w3994 = w236 * w3987 + w261 * w3989 + w275 * w3991 + w288 * w3993
-    w3995 = w3987 - w236 * w3994
-    w3996 = w3989 - w261 * w3994
-    w3997 = w3991 - w275 * w3994
-    w3998 = w3993 - w288 * w3994
-    w3999 = w311 * w3995 + w313 * w3996 + w315 * w3997 + w317 * w3998
-    w4000 = w3995 - w311 * w3999
-    w4001 = w86 * 0.25
-    w4002 = w83 * 0.25
-    w4003 = bar5_e3 * w4001 - bar5_e0 * w4002
-    w4004 = bar5_e1 * w4002 + bar5_e2 * w4001
-    w4005 = bar5_e1 * w4001 - bar5_e2 * w4002
-    w4006 = bar5_e3 * w4002 + bar5_e0 * w4001
-    w4007 = w108 * w4003 + w85 * w4004 + w81 * w4005 + w111 * w4006
-    w4008 = w250 * w4003 + w242 * w4004 + w241 * w4005 + w251 * w4006
-    w4009 = w266 * w4003 + w263 * w4004 + w262 * w4005 + w267 * w4006
-    w4010 = w282 * w4004 + w279 * w4003 + w283 * w4005 + w280 * w4006
-    w4011 = w236 * w4007 + w261 * w4008 + w275 * w4009 - w288 * w4010
-    w4012 = w4007 - w236 * w4011
-    w4013 = w4008 - w261 * w4011
-    w4014 = w4009 - w275 * w4011
-    w4015 = w4010 + w288 * w4011
-    w4016 = w311 * w4012 + w313 * w4013 + w315 * w4014 - w317 * w4015
-    w4017 = w4012 - w311 * w4016
-    w4018 = w4013 - w313 * w4016
-    w4019 = w4014 - w315 * w4016
-    w4020 = w4015 + w317 * w4016
-    w4021 = (w1176 * w4017 + w1174 * w4018 + w1172 * w4019 - w1159 * w4020) / w1169
-    w4022 = w4017 / w340 - w1166 * w4021
-    w4023 = w3996 - w313 * w3999
-    w4024 = w4018 / w340 - w1164 * w4021
-    w4025 = w3997 - w315 * w3999
-    w4026 = w4019 / w340 - w1162 * w4021
-    w4027 = w3998 - w317 * w3999
-    w4028 = w4020 / w340 + w1161 * w4021
-    w4029 = w341 * w4000 + w319 * w4022 + (w343 * w4023 + w342 * w4024) + (w345 * w4025 + w344 * w4026) + (w347 * w4027 - w346 * w4028)
-    w4030 = w4000 - (w341 * w4029 + w348 * w4022)
-    w4031 = w4023 - (w343 * w4029 + w348 * w4024)
-    w4032 = w4025 - (w345 * w4029 + w348 * w4026)
-    w4033 = w4027 - (w347 * w4029 - w348 * w4028)
-    w4034 = (w1145 * w4030 + w1143 * w4031 + w1141 * w4032 + w1128 * w4033) / w1138
-    w4035 = w794 * (w4030 / w353 - w1135 * w4034) + w795 * (w4031 / w353 - w1133 * w4034) + w796 * (w4032 / w353 - w1131 * w4034)
-    w4036 = (w4035 + w797 * (w4033 / w353 - w1130 * w4034)) / w353 - w1129 * w4034
-    w4037 = (w798 * w4029 + w348 * w4036 - (w794 * w4022 + w795 * w4024 + w796 * w4026 - w797 * w4028)) / w340
-    w4038 = w4037 - w1160 * w4021
-    w4039 = (w798 * w3999 + w318 * w4036 - (w1000 * w4016 + w335 * w4038)) / w310
-    w4040 = hinge0_angle_dot * ((w798 * w3994 + w289 * w4036 - (w1000 * w4011 + w330 * w4038) - w305 * w4039) / w235)
-    w4041 = w68 * w4040
-    w4042 = w117 * 0.25
-    w4043 = w4042 * c57 * c58 - w4042 * c59 * c60
-    w4044 = w102 * 0.25
-    w4045 = w4044 * c57 * c60 - w4044 * c59 * c58
-    w4046 = w102 * c133
-    w4047 = w117 * c134
-    w4048 = w100 * w4043 - w116 * w4045 - w123 * w4046 - w128 * w4047
-    w4049 = w248 * w4043 - w254 * w4045 - w257 * w4046 - w259 * w4047
-    w4050 = w265 * w4043 - w269 * w4045 - w271 * w4046 - w273 * w4047
-    w4051 = w281 * w4045 + w284 * w4043 + w285 * w4046 - w286 * w4047
-    w4052 = w236 * w4048 + w261 * w4049 + w275 * w4050 + w288 * w4051
-    w4053 = w4048 - w236 * w4052
-    w4054 = w4049 - w261 * w4052
-    w4055 = w4050 - w275 * w4052
-    w4056 = w4051 - w288 * w4052
-    w4057 = w311 * w4053 + w313 * w4054 + w315 * w4055 + w317 * w4056
-    w4058 = w4053 - w311 * w4057
-    w4059 = w4054 - w313 * w4057
-    w4060 = w4055 - w315 * w4057
-    w4061 = w4056 - w317 * w4057
-    w4062 = w341 * w4058 + w343 * w4059 + w345 * w4060 + w347 * w4061
-    w4063 = w4058 - w341 * w4062
-    w4064 = w4059 - w343 * w4062
-    w4065 = w4060 - w345 * w4062
-    w4066 = w4061 - w347 * w4062
-    w4067 = (w1145 * w4063 + w1143 * w4064 + w1141 * w4065 + w1128 * w4066) / w1138
-    w4068 = w794 * (w4063 / w353 - w1135 * w4067) + w795 * (w4064 / w353 - w1133 * w4067) + w796 * (w4065 / w353 - w1131 * w4067)
-    w4069 = (w4068 + w797 * (w4066 / w353 - w1130 * w4067)) / w353 - w1129 * w4067
-    w4070 = (w798 * w4062 + w348 * w4069) / w340
-    w4071 = (w798 * w4057 + w318 * w4069 - w335 * w4070) / w310
-    w4072 = hinge0_angle_dot * ((w798 * w4052 + w289 * w4069 - w330 * w4070 - w305 * w4071) / w235)
-    w4073 = w68 * w4072
-    w4074 = hinge0_angle_dot * w1011
-    w4075 = w5 * w1934 + w65 * w1938 + w68 * w4074
-    w4076 = (w1940 + w51 * w1401 + w58 * w1404 + w134 * w1406) * (w3751 + w1065 * w3799 - w1008 * w3878 - w1004 * w3983 - w1000 * w4041 + w798 * w4073 - w4075)
-    w4077 = w588 * w1863 - w586 * w1864 - w584 * w1865 + w587 * w1866 + w51 * w1389 + w52 * w1390 + w159 * w1391
-    w4078 = w5 * w1932 + w65 * w1936 + w162 * w4074
-    w4079 = w162 * w2091 - w1942
-    w4080 = w162 * w2023
-    w4081 = w2172 + w162 * w2170
-    w4082 = w162 * w2239
-    w4083 = w162 * w2337
-    w4084 = w162 * w2438
-    w4085 = w162 * w2515
-    w4086 = w777 * w4079 - w788 * w4080 - w754 * w4081 + w3 * w4082 - w1419 * w4083 + w1435 * w4084 - w1446 * w4085
-    w4087 = w162 * w2601
-    w4088 = w162 * w2748
-    w4089 = w162 * w2884
-    w4090 = w162 * w3009
-    w4091 = w162 * w3124
-    w4092 = w162 * w3250
-    w4093 = w4086 + w1455 * w4087 + w1565 * w4088 + w1580 * w4089 + w1592 * w4090 + w1600 * w4091 + w1699 * w4092
-    w4094 = w162 * w3355
-    w4095 = w162 * w3470
-    w4096 = w162 * w3575
-    w4097 = w162 * w3638
-    w4098 = w162 * w3703
-    w4099 = w162 * w3749
-    w4100 = w4093 + w1713 * w4094 + w1725 * w4095 - w1733 * w4096 + w1063 * w4097 + w1068 * w4098 - w1071 * w4099
-    w4101 = w162 * w3798
-    w4102 = hinge0_angle_dot * w777
-    w4103 = hinge0_angle_dot * w754
-    w4104 = w162 * w3877 - w1941 * w3809 - (w3803 * w4102 + w3801 * w4103)
-    w4105 = w162 * w3982
-    w4106 = w162 * w4040
-    w4107 = w162 * w4072
-    w4108 = (w4077 + w58 * w1401 + w54 * w1404 + w52 * w1406) * (w4078 + (w4100 - w1065 * w4101 + w1008 * w4104 + w1004 * w4105 + w1000 * w4106 - w798 * w4107))
-    w4109 = w587 * w1863 + w584 * w1864 - w586 * w1865 - w588 * w1866 + w155 * w1389 + w58 * w1390 + w52 * w1391
-    w4110 = w158 * w2023
-    w4111 = w2172 + w158 * w2091
-    w4112 = w1942 + w158 * w2170
-    w4113 = w158 * w2239
-    w4114 = w158 * w2337
-    w4115 = w158 * w2438
-    w4116 = w158 * w2515
-    w4117 = w788 * w4110 - w777 * w4111 + w754 * w4112 - w3 * w4113 + w1419 * w4114 - w1435 * w4115 + w1446 * w4116
-    w4118 = w158 * w2601
-    w4119 = w158 * w2748
-    w4120 = w158 * w2884
-    w4121 = w158 * w3009
-    w4122 = w158 * w3124
-    w4123 = w158 * w3250
-    w4124 = w4117 - w1455 * w4118 - w1565 * w4119 - w1580 * w4120 - w1592 * w4121 - w1600 * w4122 - w1699 * w4123
-    w4125 = w158 * w3355
-    w4126 = w158 * w3470
-    w4127 = w158 * w3575
-    w4128 = w158 * w3638
-    w4129 = w158 * w3703
-    w4130 = w158 * w3749
-    w4131 = w4124 - w1713 * w4125 - w1725 * w4126 + w1733 * w4127 - w1063 * w4128 - w1068 * w4129 + w1071 * w4130
-    w4132 = w158 * w3798
-    w4133 = w3801 * w4102 - w3803 * w4103 + (w1941 * w3808 + w158 * w3877)
-    w4134 = w158 * w3982
-    w4135 = w158 * w4040
-    w4136 = w158 * w4072
-    w4137 = w65 * w1932 - w5 * w1936 + w158 * w4074
-    w4138 = (w4109 + w52 * w1401 + w134 * w1404 + w159 * w1406) * (w4131 + w1065 * w4132 - w1008 * w4133 - w1004 * w4134 - w1000 * w4135 + w798 * w4136 - w4137)
-    w4139 = w584 * w1863 - w587 * w1864 + w588 * w1865 - w586 * w1866 + w52 * w1389 + w54 * w1390 + w134 * w1391
-    w4140 = w5 * w1938 - w65 * w1934 + w153 * w4074
-    w4141 = w153 * w2091
-    w4142 = w2172 + w153 * w2023
-    w4143 = w153 * w2170
-    w4144 = w153 * w2239 - w1942
-    w4145 = w153 * w2337
-    w4146 = w153 * w2438
-    w4147 = w153 * w2515
-    w4148 = w777 * w4141 - w788 * w4142 - w754 * w4143 + w3 * w4144 - w1419 * w4145 + w1435 * w4146 - w1446 * w4147
-    w4149 = w153 * w2601
-    w4150 = w153 * w2748
-    w4151 = w153 * w2884
-    w4152 = w153 * w3009
-    w4153 = w153 * w3124
-    w4154 = w153 * w3250
-    w4155 = w4148 + w1455 * w4149 + w1565 * w4150 + w1580 * w4151 + w1592 * w4152 + w1600 * w4153 + w1699 * w4154
-    w4156 = w153 * w3355
-    w4157 = w153 * w3470
-    w4158 = w153 * w3575
-    w4159 = w153 * w3638
-    w4160 = w153 * w3703
-    w4161 = w153 * w3749
-    w4162 = w4155 + w1713 * w4156 + w1725 * w4157 - w1733 * w4158 + w1063 * w4159 + w1068 * w4160 - w1071 * w4161
-    w4163 = w153 * w3798
-    w4164 = w153 * w3877 - w1941 * w3807 - (w3800 * w3803 + w3801 * w3802)
-    w4165 = w153 * w3982
-    w4166 = w153 * w4040
-    w4167 = w153 * w4072
-    w4168 = (w4139 + w155 * w1401 + w52 * w1404 + w51 * w1406) * (w4140 + (w4162 - w1065 * w4163 + w1008 * w4164 + w1004 * w4165 + w1000 * w4166 - w798 * w4167))
-    w4169 = hinge0_angle_dot * w1006
-    w4170 = hinge0_angle_dot * w2089
-    w4171 = hinge0_angle_dot * w2021
-    w4172 = w777 * (w8 * w4111 - (w142 * w2092 + w147 * w4079) - w151 * w4141 - w297 * w4170) - w788 * (w8 * w4110 - (w142 * w2024 + w147 * w4080) - w151 * w4142 - w297 * w4171)
-    w4173 = hinge0_angle_dot * w2168
-    w4174 = hinge0_angle_dot * w2237
-    w4175 = w4172 - w754 * (w8 * w4112 - (w142 * w2171 + w147 * w4081) - w151 * w4143 - w297 * w4173) + w3 * (w8 * w4113 - (w142 * w2240 + w147 * w4082) - w151 * w4144 - w297 * w4174)
-    w4176 = hinge0_angle_dot * w1004
-    w4177 = w292 * w4176
-    w4178 = hinge0_angle_dot * w2335
-    w4179 = w4175 - w1419 * (w8 * w4114 - (w142 * w2338 + w147 * w4083) - w151 * w4145 - (w4177 + w297 * w4178))
-    w4180 = w294 * w4176
-    w4181 = hinge0_angle_dot * w2436
-    w4182 = w4179 + w1435 * (w8 * w4115 - (w142 * w2439 + w147 * w4084) - w151 * w4146 - (w4180 + w297 * w4181))
-    w4183 = w295 * w4176
-    w4184 = hinge0_angle_dot * w2513
-    w4185 = w4182 - w1446 * (w8 * w4116 - (w142 * w2516 + w147 * w4085) - w151 * w4147 - (w4183 + w297 * w4184))
-    w4186 = w296 * w4176
-    w4187 = hinge0_angle_dot * w2599
-    w4188 = w4185 + w1455 * (w8 * w4118 - (w142 * w2602 + w147 * w4087) - w151 * w4149 - (w4186 + w297 * w4187))
-    w4189 = hinge0_angle_dot * w2746
-    w4190 = hinge0_angle_dot * w2882
-    w4191 = w4188 + w1565 * (w8 * w4119 - (w142 * w2749 + w147 * w4088) - w151 * w4150 - w297 * w4189) + w1580 * (w8 * w4120 - (w142 * w2885 + w147 * w4089) - w151 * w4151 - w297 * w4190)
-    w4192 = hinge0_angle_dot * w3007
-    w4193 = hinge0_angle_dot * w3122
-    w4194 = w4191 + w1592 * (w8 * w4121 - (w142 * w3010 + w147 * w4090) - w151 * w4152 - w297 * w4192) + w1600 * (w8 * w4122 - (w142 * w3125 + w147 * w4091) - w151 * w4153 - w297 * w4193)
-    w4195 = hinge0_angle_dot * w3249
-    w4196 = hinge0_angle_dot * w3354
-    w4197 = w4194 + w1699 * (w8 * w4123 - (w142 * w3251 + w147 * w4092) - w151 * w4154 - w297 * w4195) + w1713 * (w8 * w4125 - (w142 * w3356 + w147 * w4094) - w151 * w4156 - w297 * w4196)
-    w4198 = hinge0_angle_dot * w3469
-    w4199 = hinge0_angle_dot * w3574
-    w4200 = w4197 + w1725 * (w8 * w4126 - (w142 * w3471 + w147 * w4095) - w151 * w4157 - w297 * w4198) - w1733 * (w8 * w4127 - (w142 * w3576 + w147 * w4096) - w151 * w4158 - w297 * w4199)
-    w4201 = hinge0_angle_dot * w3637
-    w4202 = hinge0_angle_dot * w3702
-    w4203 = w4200 + w1063 * (w8 * w4128 - (w142 * w3639 + w147 * w4097) - w151 * w4159 - w297 * w4201) + w1068 * (w8 * w4129 - (w142 * w3704 + w147 * w4098) - w151 * w4160 - w297 * w4202)
-    w4204 = hinge0_angle_dot * w3748
-    w4205 = hinge0_angle_dot * w3797
-    w4206 = w4203 - w1071 * (w8 * w4130 - (w142 * w3750 + w147 * w4099) - w151 * w4161 - w297 * w4204) - w1065 * (w8 * w4132 - (w142 * w3799 + w147 * w4101) - w151 * w4163 - w297 * w4205)
-    w4207 = hinge0_angle_dot * w3875
-    w4208 = w65 * w4102 + w5 * w4103 + w158 * w1941
-    w4209 = w5 * w3802 + w65 * w3800 + w68 * w1941
-    w4210 = w5 * w4102 - w65 * w4103 + w162 * w1941
-    w4211 = w5 * w3800 - w65 * w3802 + w153 * w1941
-    w4212 = w3880 * w4208 + w8 * w4134 - (w142 * w3983 - w3883 * w4209 + (w3882 * w4210 + w147 * w4105)) - (w3884 * w4211 + w151 * w4165)
-    w4213 = hinge0_angle_dot * w3980
-    w4214 = w4206 + w1008 * (w8 * w4133 - (w142 * w3878 + w147 * w4104) - w151 * w4164 - w297 * w4207) + w1004 * (w4212 - (w3918 * w4176 + w297 * w4213))
-    w4215 = hinge0_angle_dot * w4039
-    w4216 = hinge0_angle_dot * w4071
-    w4217 = w4214 + w1000 * (w8 * w4135 - (w142 * w4041 + w147 * w4106) - w151 * w4166 - w297 * w4215) - w798 * (w8 * w4136 - (w142 * w4073 + w147 * w4107) - w151 * w4167 - w297 * w4216)
-    w4218 = (w148 * w1539 + w138 * w1542 + w14 * w1543 + w148 * w1546 + w138 * w1548 + w14 * w1551) * (w8 * w4137 - (w142 * w4075 + w147 * w4078) - w151 * w4140 - w297 * w4169 + w4217)
-    w4219 = w777 * (w142 * w4079 - w147 * w2092 - w151 * w4111 - w8 * w4141 + w300 * w4170) - w788 * (w142 * w4080 - w147 * w2024 - w151 * w4110 - w8 * w4142 + w300 * w4171)
-    w4220 = w4219 - w754 * (w142 * w4081 - w147 * w2171 - w151 * w4112 - w8 * w4143 + w300 * w4173) + w3 * (w142 * w4082 - w147 * w2240 - w151 * w4113 - w8 * w4144 + w300 * w4174)
-    w4221 = w4220 - w1419 * (w142 * w4083 - w147 * w2338 - w151 * w4114 - w8 * w4145 + (w4180 + w300 * w4178))
-    w4222 = w4221 + w1435 * (w142 * w4084 - w147 * w2439 - w151 * w4115 - w8 * w4146 + (w300 * w4181 - w4177))
-    w4223 = w4222 - w1446 * (w142 * w4085 - w147 * w2516 - w151 * w4116 - w8 * w4147 + (w4186 + w300 * w4184))
-    w4224 = w4223 + w1455 * (w142 * w4087 - w147 * w2602 - w151 * w4118 - w8 * w4149 + (w300 * w4187 - w4183))
-    w4225 = w4224 + w1565 * (w142 * w4088 - w147 * w2749 - w151 * w4119 - w8 * w4150 + w300 * w4189) + w1580 * (w142 * w4089 - w147 * w2885 - w151 * w4120 - w8 * w4151 + w300 * w4190)
-    w4226 = w4225 + w1592 * (w142 * w4090 - w147 * w3010 - w151 * w4121 - w8 * w4152 + w300 * w4192) + w1600 * (w142 * w4091 - w147 * w3125 - w151 * w4122 - w8 * w4153 + w300 * w4193)
-    w4227 = w4226 + w1699 * (w142 * w4092 - w147 * w3251 - w151 * w4123 - w8 * w4154 + w300 * w4195) + w1713 * (w142 * w4094 - w147 * w3356 - w151 * w4125 - w8 * w4156 + w300 * w4196)
-    w4228 = w4227 + w1725 * (w142 * w4095 - w147 * w3471 - w151 * w4126 - w8 * w4157 + w300 * w4198) - w1733 * (w142 * w4096 - w147 * w3576 - w151 * w4127 - w8 * w4158 + w300 * w4199)
-    w4229 = w4228 + w1063 * (w142 * w4097 - w147 * w3639 - w151 * w4128 - w8 * w4159 + w300 * w4201) + w1068 * (w142 * w4098 - w147 * w3704 - w151 * w4129 - w8 * w4160 + w300 * w4202)
-    w4230 = w4229 - w1071 * (w142 * w4099 - w147 * w3750 - w151 * w4130 - w8 * w4161 + w300 * w4204) - w1065 * (w142 * w4101 - w147 * w3799 - w151 * w4132 - w8 * w4163 + w300 * w4205)
-    w4231 = w142 * w4105 - w3883 * w4210 - (w3882 * w4209 + w147 * w3983) - (w3884 * w4208 + w151 * w4134) - (w3880 * w4211 + w8 * w4165)
-    w4232 = w4230 + w1008 * (w142 * w4104 - w147 * w3878 - w151 * w4133 - w8 * w4164 + w300 * w4207) + w1004 * (w4231 + (w3921 * w4176 + w300 * w4213))
-    w4233 = w4232 + w1000 * (w142 * w4106 - w147 * w4041 - w151 * w4135 - w8 * w4166 + w300 * w4215) - w798 * (w142 * w4107 - w147 * w4073 - w151 * w4136 - w8 * w4167 + w300 * w4216)
-    w4234 = (w15 * w1539 + w17 * w1542 + w148 * w1543 + w14 * w1546 + w17 * w1548 + w9 * w1551) * (w142 * w4078 - w147 * w4075 - w151 * w4137 - w8 * w4140 + w300 * w4169 + w4233)
-    w4235 = w777 * (w147 * w4141 - (w8 * w2092 + w151 * w4079 + w142 * w4111) + w299 * w4170) - w788 * (w147 * w4142 - (w8 * w2024 + w151 * w4080 + w142 * w4110) + w299 * w4171)
-    w4236 = w4235 - w754 * (w147 * w4143 - (w8 * w2171 + w151 * w4081 + w142 * w4112) + w299 * w4173) + w3 * (w147 * w4144 - (w8 * w2240 + w151 * w4082 + w142 * w4113) + w299 * w4174)
-    w4237 = w4236 - w1419 * (w147 * w4145 - (w8 * w2338 + w151 * w4083 + w142 * w4114) + (w4183 + w299 * w4178))
-    w4238 = w4237 + w1435 * (w147 * w4146 - (w8 * w2439 + w151 * w4084 + w142 * w4115) + (w299 * w4181 - w4186))
-    w4239 = w4238 - w1446 * (w147 * w4147 - (w8 * w2516 + w151 * w4085 + w142 * w4116) + (w299 * w4184 - w4177))
-    w4240 = w4239 + w1455 * (w147 * w4149 - (w8 * w2602 + w151 * w4087 + w142 * w4118) + (w4180 + w299 * w4187))
-    w4241 = w4240 + w1565 * (w147 * w4150 - (w8 * w2749 + w151 * w4088 + w142 * w4119) + w299 * w4189) + w1580 * (w147 * w4151 - (w8 * w2885 + w151 * w4089 + w142 * w4120) + w299 * w4190)
-    w4242 = w4241 + w1592 * (w147 * w4152 - (w8 * w3010 + w151 * w4090 + w142 * w4121) + w299 * w4192) + w1600 * (w147 * w4153 - (w8 * w3125 + w151 * w4091 + w142 * w4122) + w299 * w4193)
-    w4243 = w4242 + w1699 * (w147 * w4154 - (w8 * w3251 + w151 * w4092 + w142 * w4123) + w299 * w4195) + w1713 * (w147 * w4156 - (w8 * w3356 + w151 * w4094 + w142 * w4125) + w299 * w4196)
-    w4244 = w4243 + w1725 * (w147 * w4157 - (w8 * w3471 + w151 * w4095 + w142 * w4126) + w299 * w4198) - w1733 * (w147 * w4158 - (w8 * w3576 + w151 * w4096 + w142 * w4127) + w299 * w4199)
-    w4245 = w4244 + w1063 * (w147 * w4159 - (w8 * w3639 + w151 * w4097 + w142 * w4128) + w299 * w4201) + w1068 * (w147 * w4160 - (w8 * w3704 + w151 * w4098 + w142 * w4129) + w299 * w4202)
-    w4246 = w4245 - w1071 * (w147 * w4161 - (w8 * w3750 + w151 * w4099 + w142 * w4130) + w299 * w4204) - w1065 * (w147 * w4163 - (w8 * w3799 + w151 * w4101 + w142 * w4132) + w299 * w4205)
-    w4247 = w3882 * w4211 + w147 * w4165 - (w3880 * w4209 + w8 * w3983 + (w3884 * w4210 + w151 * w4105) + (w142 * w4134 - w3883 * w4208))
-    w4248 = w4246 + w1008 * (w147 * w4164 - (w8 * w3878 + w151 * w4104 + w142 * w4133) + w299 * w4207) + w1004 * (w4247 + (w3920 * w4176 + w299 * w4213))
-    w4249 = w4248 + w1000 * (w147 * w4166 - (w8 * w4041 + w151 * w4106 + w142 * w4135) + w299 * w4215) - w798 * (w147 * w4167 - (w8 * w4073 + w151 * w4107 + w142 * w4136) + w299 * w4216)
-    w4250 = (w138 * w1539 + w9 * w1542 + w17 * w1543 + w144 * w1546 + w148 * w1548 + w17 * w1551) * (w147 * w4140 - (w8 * w4075 + w151 * w4078 + w142 * w4137) + w299 * w4169 + w4249)
-    w4251 = w777 * (w8 * w4079 - w151 * w2092 + w147 * w4111 + w142 * w4141 + w298 * w4170) - w788 * (w8 * w4080 - w151 * w2024 + w147 * w4110 + w142 * w4142 + w298 * w4171)
-    w4252 = w4251 - w754 * (w8 * w4081 - w151 * w2171 + w147 * w4112 + w142 * w4143 + w298 * w4173) + w3 * (w8 * w4082 - w151 * w2240 + w147 * w4113 + w142 * w4144 + w298 * w4174)
-    w4253 = w4252 - w1419 * (w8 * w4083 - w151 * w2338 + w147 * w4114 + w142 * w4145 + (w4186 + w298 * w4178))
-    w4254 = w4253 + w1435 * (w8 * w4084 - w151 * w2439 + w147 * w4115 + w142 * w4146 + (w4183 + w298 * w4181))
-    w4255 = w4254 - w1446 * (w8 * w4085 - w151 * w2516 + w147 * w4116 + w142 * w4147 + (w298 * w4184 - w4180))
-    w4256 = w4255 + w1455 * (w8 * w4087 - w151 * w2602 + w147 * w4118 + w142 * w4149 + (w298 * w4187 - w4177))
-    w4257 = w4256 + w1565 * (w8 * w4088 - w151 * w2749 + w147 * w4119 + w142 * w4150 + w298 * w4189) + w1580 * (w8 * w4089 - w151 * w2885 + w147 * w4120 + w142 * w4151 + w298 * w4190)
-    w4258 = w4257 + w1592 * (w8 * w4090 - w151 * w3010 + w147 * w4121 + w142 * w4152 + w298 * w4192) + w1600 * (w8 * w4091 - w151 * w3125 + w147 * w4122 + w142 * w4153 + w298 * w4193)
-    w4259 = w4258 + w1699 * (w8 * w4092 - w151 * w3251 + w147 * w4123 + w142 * w4154 + w298 * w4195) + w1713 * (w8 * w4094 - w151 * w3356 + w147 * w4125 + w142 * w4156 + w298 * w4196)
-    w4260 = w4259 + w1725 * (w8 * w4095 - w151 * w3471 + w147 * w4126 + w142 * w4157 + w298 * w4198) - w1733 * (w8 * w4096 - w151 * w3576 + w147 * w4127 + w142 * w4158 + w298 * w4199)
-    w4261 = w4260 + w1063 * (w8 * w4097 - w151 * w3639 + w147 * w4128 + w142 * w4159 + w298 * w4201) + w1068 * (w8 * w4098 - w151 * w3704 + w147 * w4129 + w142 * w4160 + w298 * w4202)
-    w4262 = w4261 - w1071 * (w8 * w4099 - w151 * w3750 + w147 * w4130 + w142 * w4161 + w298 * w4204) - w1065 * (w8 * w4101 - w151 * w3799 + w147 * w4132 + w142 * w4163 + w298 * w4205)
-    w4263 = w3880 * w4210 + w8 * w4105 - (w3884 * w4209 + w151 * w3983) + (w3882 * w4208 + w147 * w4134) + (w142 * w4165 - w3883 * w4211)
-    w4264 = w4262 + w1008 * (w8 * w4104 - w151 * w3878 + w147 * w4133 + w142 * w4164 + w298 * w4207) + w1004 * (w4263 + (w3919 * w4176 + w298 * w4213))
-    w4265 = w4264 + w1000 * (w8 * w4106 - w151 * w4041 + w147 * w4135 + w142 * w4166 + w298 * w4215) - w798 * (w8 * w4107 - w151 * w4073 + w147 * w4136 + w142 * w4167 + w298 * w4216)
-    w4266 = (w17 * w1539 + w14 * w1542 + w144 * w1543 + w17 * w1546 + w15 * w1548 + w138 * w1551) * (w8 * w4078 - w151 * w4075 + w147 * w4137 + w142 * w4140 + w298 * w4169 + w4265)
-    w4267 = hinge0_angle_dot * w999
-    w4268 = w129 * w4267
-    w4269 = w119 * w4267
-    w4270 = hinge0_angle_dot * w1002
-    w4271 = hinge0_angle_dot * w2084
-    w4272 = w129 * w4271
-    w4273 = w119 * w4271
-    w4274 = hinge0_angle_dot * w2087
-    w4275 = hinge0_angle_dot * w2016
-    w4276 = w129 * w4275
-    w4277 = w119 * w4275
-    w4278 = hinge0_angle_dot * w2019
-    w4279 = w777 * (w86 * w4272 - w83 * w4273 + w325 * w4274) - w788 * (w86 * w4276 - w83 * w4277 + w325 * w4278)
-    w4280 = hinge0_angle_dot * w2163
-    w4281 = w129 * w4280
-    w4282 = w119 * w4280
-    w4283 = hinge0_angle_dot * w2166
-    w4284 = hinge0_angle_dot * w2232
-    w4285 = w129 * w4284
-    w4286 = w119 * w4284
-    w4287 = hinge0_angle_dot * w2235
-    w4288 = w4279 - w754 * (w86 * w4281 - w83 * w4282 + w325 * w4283) + w3 * (w86 * w4285 - w83 * w4286 + w325 * w4287)
-    w4289 = hinge0_angle_dot * w2330
-    w4290 = w129 * w4289
-    w4291 = w119 * w4289
-    w4292 = hinge0_angle_dot * w2333
-    w4293 = hinge0_angle_dot * w2431
-    w4294 = w129 * w4293
-    w4295 = w119 * w4293
-    w4296 = hinge0_angle_dot * w2434
-    w4297 = w4288 - w1419 * (w86 * w4290 - w83 * w4291 + w325 * w4292) + w1435 * (w86 * w4294 - w83 * w4295 + w325 * w4296)
-    w4298 = hinge0_angle_dot * w2508
-    w4299 = w129 * w4298
-    w4300 = w119 * w4298
-    w4301 = hinge0_angle_dot * w2511
-    w4302 = hinge0_angle_dot * w2594
-    w4303 = w129 * w4302
-    w4304 = w119 * w4302
-    w4305 = hinge0_angle_dot * w2597
-    w4306 = w4297 - w1446 * (w86 * w4299 - w83 * w4300 + w325 * w4301) + w1455 * (w86 * w4303 - w83 * w4304 + w325 * w4305)
-    w4307 = hinge0_angle_dot * w2741
-    w4308 = w129 * w4307
-    w4309 = w119 * w4307
-    w4310 = hinge0_angle_dot * w2744
-    w4311 = hinge0_angle_dot * w2877
-    w4312 = w129 * w4311
-    w4313 = w119 * w4311
-    w4314 = hinge0_angle_dot * w2880
-    w4315 = w4306 + w1565 * (w86 * w4308 - w83 * w4309 + w325 * w4310) + w1580 * (w86 * w4312 - w83 * w4313 + w325 * w4314)
-    w4316 = hinge0_angle_dot * w3002
-    w4317 = w129 * w4316
-    w4318 = w119 * w4316
-    w4319 = hinge0_angle_dot * w3005
-    w4320 = hinge0_angle_dot * w3117
-    w4321 = w129 * w4320
-    w4322 = w119 * w4320
-    w4323 = hinge0_angle_dot * w3120
-    w4324 = w4315 + w1592 * (w86 * w4317 - w83 * w4318 + w325 * w4319) + w1600 * (w86 * w4321 - w83 * w4322 + w325 * w4323)
-    w4325 = hinge0_angle_dot * w3244
-    w4326 = w129 * w4325
-    w4327 = w119 * w4325
-    w4328 = hinge0_angle_dot * w3247
-    w4329 = hinge0_angle_dot * w3349
-    w4330 = w129 * w4329
-    w4331 = w119 * w4329
-    w4332 = hinge0_angle_dot * w3352
-    w4333 = w4324 + w1699 * (w86 * w4326 - w83 * w4327 + w325 * w4328) + w1713 * (w86 * w4330 - w83 * w4331 + w325 * w4332)
-    w4334 = hinge0_angle_dot * w3464
-    w4335 = w129 * w4334
-    w4336 = w119 * w4334
-    w4337 = hinge0_angle_dot * w3467
-    w4338 = hinge0_angle_dot * w3569
-    w4339 = w129 * w4338
-    w4340 = w119 * w4338
-    w4341 = hinge0_angle_dot * w3572
-    w4342 = w4333 + w1725 * (w86 * w4335 - w83 * w4336 + w325 * w4337) - w1733 * (w86 * w4339 - w83 * w4340 + w325 * w4341)
-    w4343 = hinge0_angle_dot * w3634
-    w4344 = w129 * w4343
-    w4345 = w119 * w4343
-    w4346 = hinge0_angle_dot * w3636
-    w4347 = hinge0_angle_dot * w1000
-    w4348 = w321 * w4347
-    w4349 = hinge0_angle_dot * w3699
-    w4350 = w129 * w4349
-    w4351 = w119 * w4349
-    w4352 = hinge0_angle_dot * w3701
-    w4353 = w4342 + w1063 * (w86 * w4344 - w83 * w4345 + (w325 * w4346 - w4348)) + w1068 * (w86 * w4350 - w83 * w4351 + w325 * w4352)
-    w4354 = hinge0_angle_dot * w3745
-    w4355 = w129 * w4354
-    w4356 = w119 * w4354
-    w4357 = hinge0_angle_dot * w3747
-    w4358 = hinge0_angle_dot * w3794
-    w4359 = w129 * w4358
-    w4360 = w119 * w4358
-    w4361 = w320 * w4347
-    w4362 = hinge0_angle_dot * w3796
-    w4363 = w4353 - w1071 * (w86 * w4355 - w83 * w4356 + w325 * w4357) - w1065 * (w86 * w4359 - w83 * w4360 + (w4361 + w325 * w4362))
-    w4364 = hinge0_angle_dot * w3870
-    w4365 = w129 * w4364
-    w4366 = w119 * w4364
-    w4367 = hinge0_angle_dot * w3873
-    w4368 = hinge0_angle_dot * w3975
+    w2918 = w2770 + w2801
+    w2919 = w2909 + w2918
+    w2920 = w2775 - (w2625 - w15 * w2906)
+    w2921 = w2778 + w148 * w2906
+    w2922 = w2780 + w2907
+    w2923 = w8 * w2919 - (w142 * w2920 + w147 * w2921) + w151 * w2922
+    w2924 = w147 * w2920 - w142 * w2921 - w151 * w2919 + w8 * w2922
+    w2925 = w151 * w2921 - w8 * w2920 - w142 * w2919 + w147 * w2922
+    w2926 = w151 * w2920 + w8 * w2921 + w147 * w2919 + w142 * w2922
+    w2927 = w153 * w2923 - w158 * w2924 + w162 * w2925 + w68 * w2926
+    w2928 = w2790 - w9 * w2769
+    w2929 = w2628 + w15 * w2787 - w2807
+    w2930 = w2794 - w2775
+    w2931 = w2802 - w2918
+    w2932 = w8 * w2928 - (w142 * w2929 + w147 * w2930) + w151 * w2931
+    w2933 = w147 * w2929 - w142 * w2930 - w151 * w2928 + w8 * w2931
+    w2934 = w151 * w2930 - w8 * w2929 - w142 * w2928 + w147 * w2931
+    w2935 = w151 * w2929 + w8 * w2930 + w147 * w2928 + w142 * w2931
+    w2936 = w153 * w2932 - w158 * w2933 + w162 * w2934 + w68 * w2935
+    w2937 = w144 * w209 + w17 * w214
+    w2938 = w209 * w2905
+    w2939 = w17 * w217
+    w2940 = w2938 - w2939
+    w2941 = w144 * w217
+    w2942 = w214 * w2905 + w2941
+    w2943 = w2677 + w15 * w2937 + w138 * w2940 - w17 * w2942
+    w2944 = w148 * w2937 + w17 * w2940 - w144 * w2942
+    w2945 = w225 * -2.0
+    w2946 = w17 * w2937 + w9 * w2940 + (w2945 - w14 * w2942)
+    w2947 = w138 * w2937 + (w2817 + w14 * w2940) - w148 * w2942
+    w2948 = w142 * w2943 + w147 * w2944 - w8 * w2946 - w151 * w2947
+    w2949 = w142 * w2944 - w147 * w2943 + w151 * w2946 - w8 * w2947
+    w2950 = w8 * w2943 - w151 * w2944 + w142 * w2946 - w147 * w2947
+    w2951 = w151 * w2943 + w8 * w2944 + w147 * w2946 + w142 * w2947
+    w2952 = w153 * w2948 - w158 * w2949 + w162 * w2950 - w68 * w2951
+    w2953 = (w1227 * w2917 + w1225 * w2927 + w1223 * w2936 + w1207 * w2952) / w1220
+    w2954 = w2917 / w235 - w1216 * w2953
+    w2955 = w2927 / w235 - w1213 * w2953
+    w2956 = w2936 / w235 - w1210 * w2953
+    w2957 = w2939 - w2938
+    w2958 = w105 * w2957 - w207 * w2937 + w72 * w2942
+    w2959 = w76 * w2957 - w105 * w2937 + w109 * w2942
+    w2960 = w72 * w2957 - w109 * w2937 + w70 * w2942
+    w2961 = w69 * w2957 - w72 * w2937 + w76 * w2942
+    w2962 = w119 * (w86 * w2958 + w83 * w2959) + w104 * (w86 * w2960 - w83 * w2961) - w124 * (w83 * w2960 + w86 * w2961)
+    w2963 = w2962 - w129 * (w86 * w2959 - w83 * w2958)
+    w2964 = w2952 / w235 - w1209 * w2953
+    w2965 = w130 * w2954 + w260 * w2955 + w274 * w2956 + (w288 * w2963 + w287 * w2964)
+    w2966 = w3 * (w5 * w2913 + w65 * w2916) - w754 * (w5 * w2914 + w65 * w2915) + w777 * (w5 * w2915 - w65 * w2914)
+    w2967 = w2966 - w788 * (w65 * w2913 - w5 * w2916)
+    w2968 = w236 * w2965 + w289 * w2954
+    w2969 = w297 * w2912 + (w298 * w2908 + w299 * w2910 + w300 * w2911)
+    w2970 = w297 * w2922 - (w298 * w2920 + w299 * w2921 + w300 * w2919)
+    w2971 = w297 * w2931 - (w298 * w2929 + w299 * w2930 + w300 * w2928)
+    w2972 = w298 * w2943 + w299 * w2944 + w300 * w2946 - w297 * w2947
+    w2973 = w236 * w2969 + w301 * w2954 + (w261 * w2970 + w302 * w2955) + (w275 * w2971 + w303 * w2956) + (w288 * w2972 + w304 * w2964)
+    w2974 = w2969 - (w236 * w2973 + w305 * w2954)
+    w2975 = w2970 - (w261 * w2973 + w305 * w2955)
+    w2976 = w2971 - (w275 * w2973 + w305 * w2956)
+    w2977 = w2972 - (w288 * w2973 + w305 * w2964)
+    w2978 = (w1202 * w2974 + w1200 * w2975 + w1198 * w2976 + w1185 * w2977) / w1195
+    w2979 = w2974 / w310 - w1192 * w2978
+    w2980 = w2975 / w310 - w1190 * w2978
+    w2981 = w261 * w2965 + w289 * w2955
+    w2982 = w2976 / w310 - w1188 * w2978
+    w2983 = w275 * w2965 + w289 * w2956
+    w2984 = w2963 - (w288 * w2965 + w289 * w2964)
+    w2985 = w2977 / w310 - w1187 * w2978
+    w2986 = w290 * w2979 - w311 * w2968 + (w312 * w2980 - w313 * w2981) + (w314 * w2982 - w315 * w2983) + (w317 * w2984 + w316 * w2985)
+    w2987 = w2968 + (w311 * w2986 + w318 * w2979)
+    w2988 = w2984 - (w317 * w2986 + w318 * w2985)
+    w2989 = w323 * w2960 - w322 * w2958 - w324 * w2961 + w325 * w2959
+    w2990 = w326 * w2954 + w327 * w2955 + w328 * w2956 + (w288 * w2989 + w329 * w2964)
+    w2991 = w2989 - (w288 * w2990 + w330 * w2964)
+    w2992 = w236 * w2990 + w330 * w2954
+    w2993 = w261 * w2990 + w330 * w2955
+    w2994 = w275 * w2990 + w330 * w2956
+    w2995 = w331 * w2979 - w311 * w2992 + (w332 * w2980 - w313 * w2993) + (w333 * w2982 - w315 * w2994) + (w317 * w2991 + w334 * w2985)
+    w2996 = w2991 - (w317 * w2995 + w335 * w2985)
+    w2997 = w2992 + (w311 * w2995 + w335 * w2979)
+    w2998 = w2993 + (w313 * w2995 + w335 * w2980)
+    w2999 = w2994 + (w315 * w2995 + w335 * w2982)
+    w3000 = (w1159 * w2996 - (w1176 * w2997 + w1174 * w2998 + w1172 * w2999)) / w1169
+    w3001 = w2996 / w340 - w1161 * w3000
+    w3002 = w2997 / w340 + w1166 * w3000
+    w3003 = w2981 + (w313 * w2986 + w318 * w2980)
+    w3004 = w2998 / w340 + w1164 * w3000
+    w3005 = w2983 + (w315 * w2986 + w318 * w2982)
+    w3006 = w2999 / w340 + w1162 * w3000
+    w3007 = w347 * w2988 + w346 * w3001 - (w341 * w2987 + w319 * w3002 + (w343 * w3003 + w342 * w3004) + (w345 * w3005 + w344 * w3006))
+    w3008 = w2987 + (w341 * w3007 - w348 * w3002)
+    w3009 = w2988 - (w347 * w3007 + w348 * w3001)
+    w3010 = w3003 + (w343 * w3007 - w348 * w3004)
+    w3011 = w3005 + (w345 * w3007 - w348 * w3006)
+    w3012 = (w1128 * w3009 - (w1145 * w3008 + w1143 * w3010 + w1141 * w3011)) / w1138
+    w3013 = w3 * (w5 * w2923 + w65 * w2926) - w754 * (w5 * w2924 + w65 * w2925) + w777 * (w5 * w2925 - w65 * w2924)
+    w3014 = w3013 - w788 * (w65 * w2923 - w5 * w2926)
+    w3015 = w354 * w2967 - w794 * (w3008 / w353 + w1135 * w3012) + (w360 * w3014 - w795 * (w3010 / w353 + w1133 * w3012))
+    w3016 = w3 * (w5 * w2932 + w65 * w2935) - w754 * (w5 * w2933 + w65 * w2934) + w777 * (w5 * w2934 - w65 * w2933)
+    w3017 = w3016 - w788 * (w65 * w2932 - w5 * w2935)
+    w3018 = w3 * (w5 * w2948 - w65 * w2951) - w754 * (w5 * w2949 + w65 * w2950) + w777 * (w5 * w2950 - w65 * w2949)
+    w3019 = w3018 - w788 * (w65 * w2948 + w5 * w2951)
+    w3020 = w3015 + (w375 * w3017 - w796 * (w3011 / w353 + w1131 * w3012)) + (w797 * (w3009 / w353 - w1130 * w3012) + w385 * w3019)
+    w3021 = w3020 / w353 - w1129 * w3012
+    w3022 = w794 * w2954 + w236 * w2967 + (w795 * w2955 + w261 * w3014) + (w796 * w2956 + w275 * w3017) + (w797 * w2964 + w288 * w3019)
+    w3023 = w341 * w2967 - w794 * w3002 + (w343 * w3014 - w795 * w3004) + (w345 * w3017 - w796 * w3006) + (w797 * w3001 + w347 * w3019)
+    w3024 = (w798 * w3007 + w348 * w3021 - w3023) / w340 - w1160 * w3000
+    w3025 = w794 * w2979 + w311 * w2967 + (w795 * w2980 + w313 * w3014) + (w796 * w2982 + w315 * w3017) + (w797 * w2985 + w317 * w3019)
+    w3026 = (w798 * w2986 + w318 * w3021 - w3025 - (w1000 * w2995 + w335 * w3024)) / w310 - w1186 * w2978
+    w3027 = w798 * w2965 + w289 * w3021 - w3022 - (w1000 * w2990 + w330 * w3024) - (w1004 * w2973 + w305 * w3026)
+    w3028 = hinge0_angle_dot * (w3027 / w235 - w1208 * w2953)
+    w3029 = w68 * w3028
+    w3030 = w2625 - w2641
+    w3031 = w2648 + w2806
+    w3032 = w8 * w3030 + (w2647 + w142 * w2644) - w151 * w3031
+    w3033 = w2650 - w147 * w2644 - w151 * w3030 - w8 * w3031
+    w3034 = w8 * w2644 - w2652 - w142 * w3030 - w147 * w3031
+    w3035 = w147 * w3030 - (w2654 + w151 * w2644) - w142 * w3031
+    w3036 = w153 * w3032 - w158 * w3033 + w162 * w3034 + w68 * w3035
+    w3037 = w2626 - w2773
+    w3038 = w2631 + w2801
+    w3039 = w2624 - (w142 * w2629 + w147 * w3037) + w151 * w3038
+    w3040 = w147 * w2629 - w142 * w3037 - w2633 + w8 * w3038
+    w3041 = w151 * w3037 - w8 * w2629 - w2635 + w147 * w3038
+    w3042 = w2637 + (w151 * w2629 + w8 * w3037) + w142 * w3038
+    w3043 = w153 * w3039 - w158 * w3040 + w162 * w3041 + w68 * w3042
+    w3044 = w2644 - (w2643 + w9 * w2622)
+    w3045 = w15 * w2640 - w2661
+    w3046 = w3031 - w2629
+    w3047 = w2658 - w2623
+    w3048 = w8 * w3044 - (w142 * w3045 + w147 * w3046) + w151 * w3047
+    w3049 = w147 * w3045 - w142 * w3046 - w151 * w3044 + w8 * w3047
+    w3050 = w151 * w3046 - w8 * w3045 - w142 * w3044 + w147 * w3047
+    w3051 = w151 * w3045 + w8 * w3046 + w147 * w3044 + w142 * w3047
+    w3052 = w153 * w3048 - w158 * w3049 + w162 * w3050 + w68 * w3051
+    w3053 = w17 * w209
+    w3054 = w144 * w214
+    w3055 = w3053 - w3054
+    w3056 = bar3_e3 * 4.0
+    w3057 = w2941 + w209 * w3056
+    w3058 = w2939 + w214 * w3056
+    w3059 = w15 * w3055 + w138 * w3057 - w17 * w3058
+    w3060 = w2821 + w148 * w3055 + w17 * w3057 - w144 * w3058
+    w3061 = w17 * w3055 + (w2674 + w9 * w3057) - w14 * w3058
+    w3062 = w138 * w3055 + w14 * w3057 + (w2945 - w148 * w3058)
+    w3063 = w142 * w3059 + w147 * w3060 - w8 * w3061 - w151 * w3062
+    w3064 = w142 * w3060 - w147 * w3059 + w151 * w3061 - w8 * w3062
+    w3065 = w8 * w3059 - w151 * w3060 + w142 * w3061 - w147 * w3062
+    w3066 = w151 * w3059 + w8 * w3060 + w147 * w3061 + w142 * w3062
+    w3067 = w153 * w3063 - w158 * w3064 + w162 * w3065 - w68 * w3066
+    w3068 = (w1227 * w3036 + w1225 * w3043 + w1223 * w3052 + w1207 * w3067) / w1220
+    w3069 = w3036 / w235 - w1216 * w3068
+    w3070 = w3043 / w235 - w1213 * w3068
+    w3071 = w3052 / w235 - w1210 * w3068
+    w3072 = w3054 - w3053
+    w3073 = w207 * w3072 - w105 * w3057 + w72 * w3058
+    w3074 = w105 * w3072 - w76 * w3057 + w109 * w3058
+    w3075 = w109 * w3072 - w72 * w3057 + w70 * w3058
+    w3076 = w72 * w3072 - w69 * w3057 + w76 * w3058
+    w3077 = w119 * (w86 * w3073 + w83 * w3074) + w104 * (w86 * w3075 - w83 * w3076) - w124 * (w83 * w3075 + w86 * w3076)
+    w3078 = w3077 - w129 * (w86 * w3074 - w83 * w3073)
+    w3079 = w3067 / w235 - w1209 * w3068
+    w3080 = w130 * w3069 + w260 * w3070 + w274 * w3071 + (w288 * w3078 + w287 * w3079)
+    w3081 = w3 * (w5 * w3032 + w65 * w3035) - w754 * (w5 * w3033 + w65 * w3034) + w777 * (w5 * w3034 - w65 * w3033)
+    w3082 = w3081 - w788 * (w65 * w3032 - w5 * w3035)
+    w3083 = w236 * w3080 + w289 * w3069
+    w3084 = w297 * w3038 - (w2706 + (w298 * w2629 + w299 * w3037))
+    w3085 = w297 * w3031 + (w300 * w3030 - (w2708 + w298 * w2644))
+    w3086 = w297 * w3047 - (w298 * w3045 + w299 * w3046 + w300 * w3044)
+    w3087 = w298 * w3059 + w299 * w3060 + w300 * w3061 - w297 * w3062
+    w3088 = w301 * w3069 - w236 * w3085 + (w261 * w3084 + w302 * w3070) + (w275 * w3086 + w303 * w3071) + (w288 * w3087 + w304 * w3079)
+    w3089 = w3084 - (w261 * w3088 + w305 * w3070)
+    w3090 = w3085 + (w236 * w3088 + w305 * w3069)
+    w3091 = w3086 - (w275 * w3088 + w305 * w3071)
+    w3092 = w3087 - (w288 * w3088 + w305 * w3079)
+    w3093 = (w1200 * w3089 - w1202 * w3090 + w1198 * w3091 + w1185 * w3092) / w1195
+    w3094 = w3089 / w310 - w1190 * w3093
+    w3095 = w261 * w3080 + w289 * w3070
+    w3096 = w3090 / w310 + w1192 * w3093
+    w3097 = w3091 / w310 - w1188 * w3093
+    w3098 = w275 * w3080 + w289 * w3071
+    w3099 = w3078 - (w288 * w3080 + w289 * w3079)
+    w3100 = w3092 / w310 - w1187 * w3093
+    w3101 = w312 * w3094 - w313 * w3095 - (w311 * w3083 + w290 * w3096) + (w314 * w3097 - w315 * w3098) + (w317 * w3099 + w316 * w3100)
+    w3102 = w3083 + (w311 * w3101 - w318 * w3096)
+    w3103 = w3099 - (w317 * w3101 + w318 * w3100)
+    w3104 = w323 * w3075 - w322 * w3073 - w324 * w3076 + w325 * w3074
+    w3105 = w326 * w3069 + w327 * w3070 + w328 * w3071 + (w288 * w3104 + w329 * w3079)
+    w3106 = w3104 - (w288 * w3105 + w330 * w3079)
+    w3107 = w261 * w3105 + w330 * w3070
+    w3108 = w236 * w3105 + w330 * w3069
+    w3109 = w275 * w3105 + w330 * w3071
+    w3110 = w332 * w3094 - w313 * w3107 - (w311 * w3108 + w331 * w3096) + (w333 * w3097 - w315 * w3109) + (w317 * w3106 + w334 * w3100)
+    w3111 = w3106 - (w317 * w3110 + w335 * w3100)
+    w3112 = w3108 + (w311 * w3110 - w335 * w3096)
+    w3113 = w3107 + (w313 * w3110 + w335 * w3094)
+    w3114 = w3109 + (w315 * w3110 + w335 * w3097)
+    w3115 = (w1159 * w3111 - (w1176 * w3112 + w1174 * w3113 + w1172 * w3114)) / w1169
+    w3116 = w3111 / w340 - w1161 * w3115
+    w3117 = w3112 / w340 + w1166 * w3115
+    w3118 = w3095 + (w313 * w3101 + w318 * w3094)
+    w3119 = w3113 / w340 + w1164 * w3115
+    w3120 = w3098 + (w315 * w3101 + w318 * w3097)
+    w3121 = w3114 / w340 + w1162 * w3115
+    w3122 = w347 * w3103 + w346 * w3116 - (w341 * w3102 + w319 * w3117 + (w343 * w3118 + w342 * w3119) + (w345 * w3120 + w344 * w3121))
+    w3123 = w3102 + (w341 * w3122 - w348 * w3117)
+    w3124 = w3103 - (w347 * w3122 + w348 * w3116)
+    w3125 = w3118 + (w343 * w3122 - w348 * w3119)
+    w3126 = w3120 + (w345 * w3122 - w348 * w3121)
+    w3127 = (w1128 * w3124 - (w1145 * w3123 + w1143 * w3125 + w1141 * w3126)) / w1138
+    w3128 = w3 * (w5 * w3039 + w65 * w3042) - w754 * (w5 * w3040 + w65 * w3041) + w777 * (w5 * w3041 - w65 * w3040)
+    w3129 = w3128 - w788 * (w65 * w3039 - w5 * w3042)
+    w3130 = w354 * w3082 - w794 * (w3123 / w353 + w1135 * w3127) + (w360 * w3129 - w795 * (w3125 / w353 + w1133 * w3127))
+    w3131 = w3 * (w5 * w3048 + w65 * w3051) - w754 * (w5 * w3049 + w65 * w3050) + w777 * (w5 * w3050 - w65 * w3049)
+    w3132 = w3131 - w788 * (w65 * w3048 - w5 * w3051)
+    w3133 = w3 * (w5 * w3063 - w65 * w3066) - w754 * (w5 * w3064 + w65 * w3065) + w777 * (w5 * w3065 - w65 * w3064)
+    w3134 = w3133 - w788 * (w65 * w3063 + w5 * w3066)
+    w3135 = w3130 + (w375 * w3132 - w796 * (w3126 / w353 + w1131 * w3127)) + (w797 * (w3124 / w353 - w1130 * w3127) + w385 * w3134)
+    w3136 = w3135 / w353 - w1129 * w3127
+    w3137 = w794 * w3069 + w236 * w3082 + (w795 * w3070 + w261 * w3129) + (w796 * w3071 + w275 * w3132) + (w797 * w3079 + w288 * w3134)
+    w3138 = w341 * w3082 - w794 * w3117 + (w343 * w3129 - w795 * w3119) + (w345 * w3132 - w796 * w3121) + (w797 * w3116 + w347 * w3134)
+    w3139 = (w798 * w3122 + w348 * w3136 - w3138) / w340 - w1160 * w3115
+    w3140 = w311 * w3082 - w794 * w3096 + (w795 * w3094 + w313 * w3129) + (w796 * w3097 + w315 * w3132) + (w797 * w3100 + w317 * w3134)
+    w3141 = (w798 * w3101 + w318 * w3136 - w3140 - (w1000 * w3110 + w335 * w3139)) / w310 - w1186 * w3093
+    w3142 = w798 * w3080 + w289 * w3136 - w3137 - (w1000 * w3105 + w330 * w3139) - (w1004 * w3088 + w305 * w3141)
+    w3143 = hinge0_angle_dot * (w3142 / w235 - w1208 * w3068)
+    w3144 = w68 * w3143
+    w3145 = w207 * bar4_end_x
+    w3146 = w105 * w3145
+    w3147 = 2 * w80
+    w3148 = w69 * bar4_end_x
+    w3149 = w72 * w3148
+    w3150 = w3147 + w3149
+    w3151 = w3146 + w3150
+    w3152 = w76 * w3145
+    w3153 = w109 * w3148
+    w3154 = w3152 + w3153
+    w3155 = w76 * w3148
+    w3156 = w69 * w3145 + w3155
+    w3157 = 2 * w75
+    w3158 = w72 * w3145
+    w3159 = w3157 - w3158
+    w3160 = w3159 - w70 * w3148
+    w3161 = w119 * (w86 * w3151 + w83 * w3154) - w104 * (w83 * w3156 + w86 * w3160) + w124 * (w83 * w3160 - w86 * w3156)
+    w3162 = w3161 - w129 * (w86 * w3154 - w83 * w3151)
+    w3163 = w70 * w205
+    w3164 = w69 * w211 + w70 * w220
+    w3165 = w69 * w205
+    w3166 = w17 * w3165
+    w3167 = w15 * w3163 - w138 * w3164 + w3166
+    w3168 = w148 * w3163
+    w3169 = w3168 - w17 * w3164 + w144 * w3165
+    w3170 = w17 * w3163
+    w3171 = w3170 - w9 * w3164 + w14 * w3165
+    w3172 = w148 * w3165
+    w3173 = w138 * w3163 - w14 * w3164 + w3172
+    w3174 = w142 * w3167 + w147 * w3169 - w8 * w3171 - w151 * w3173
+    w3175 = w142 * w3169 - w147 * w3167 + w151 * w3171 - w8 * w3173
+    w3176 = w8 * w3167 - w151 * w3169 + w142 * w3171 - w147 * w3173
+    w3177 = w151 * w3167 + w8 * w3169 + w147 * w3171 + w142 * w3173
+    w3178 = w153 * w3174 - w158 * w3175 + w162 * w3176 - w68 * w3177
+    w3179 = w1207 * w3178 / w1220
+    w3180 = w1216 * w3179
+    w3181 = w109 * w3145
+    w3182 = w83 * w3181
+    w3183 = w86 * w3181
+    w3184 = 2 * w239
+    w3185 = w207 * w3145
+    w3186 = w3184 + w3185
+    w3187 = w124 * (w3182 - w86 * w3159) - (w104 * (w83 * w3159 + w3183) + w119 * (w86 * w3186 + w83 * w3146))
+    w3188 = w3187 - w129 * (w83 * w3186 - w86 * w3146)
+    w3189 = w1213 * w3179
+    w3190 = w3153 - w3184
+    w3191 = w207 * w3148
+    w3192 = w86 * w3191
+    w3193 = w105 * w3148
+    w3194 = w104 * (w83 * w3150 - w86 * w3190) - w119 * (w3192 + w83 * w3193) + w124 * (w83 * w3190 + w86 * w3150)
+    w3195 = w83 * w3191
+    w3196 = w3194 - w129 * (w3195 - w86 * w3193)
+    w3197 = w1210 * w3179
+    w3198 = 2 * w278
+    w3199 = w72 * w3165
+    w3200 = w105 * w3164 - w207 * w3163 + (w3198 - w3199)
+    w3201 = w109 * w3165
+    w3202 = w76 * w3164 - w105 * w3163 - w3201
+    w3203 = 2 * w277
+    w3204 = w109 * w3163
+    w3205 = w72 * w3164 + w3203 - w3204 - w70 * w3165
+    w3206 = 2 * w276
+    w3207 = w72 * w3163
+    w3208 = w3206 - w3207 + w69 * w3164 - w76 * w3165
+    w3209 = w119 * (w86 * w3200 + w83 * w3202) + w104 * (w86 * w3205 - w83 * w3208) - w124 * (w83 * w3205 + w86 * w3208)
+    w3210 = w3209 - w129 * (w86 * w3202 - w83 * w3200)
+    w3211 = w3178 / w235 - w1209 * w3179
+    w3212 = w236 * w3162 - w130 * w3180 + (w261 * w3188 - w260 * w3189) + (w275 * w3196 - w274 * w3197) + (w288 * w3210 + w287 * w3211)
+    w3213 = w3162 - (w236 * w3212 - w289 * w3180)
+    w3214 = w298 * w3167 + w299 * w3169 + w300 * w3171 - w297 * w3173
+    w3215 = w288 * w3214 + w304 * w3211 - (w301 * w3180 + w302 * w3189 + w303 * w3197)
+    w3216 = w236 * w3215 - w305 * w3180
+    w3217 = w3214 - (w288 * w3215 + w305 * w3211)
+    w3218 = w261 * w3215 - w305 * w3189
+    w3219 = w275 * w3215 - w305 * w3197
+    w3220 = (w1185 * w3217 - (w1202 * w3216 + w1200 * w3218 + w1198 * w3219)) / w1195
+    w3221 = w3216 / w310 + w1192 * w3220
+    w3222 = w3188 - (w261 * w3212 - w289 * w3189)
+    w3223 = w3218 / w310 + w1190 * w3220
+    w3224 = w3196 - (w275 * w3212 - w289 * w3197)
+    w3225 = w3219 / w310 + w1188 * w3220
+    w3226 = w3210 - (w288 * w3212 + w289 * w3211)
+    w3227 = w3217 / w310 - w1187 * w3220
+    w3228 = w311 * w3213 - w290 * w3221 + (w313 * w3222 - w312 * w3223) + (w315 * w3224 - w314 * w3225) + (w317 * w3226 + w316 * w3227)
+    w3229 = w3213 - (w311 * w3228 - w318 * w3221)
+    w3230 = w325 * w3154 - (w322 * w3151 + w323 * w3160 + w324 * w3156)
+    w3231 = w323 * w3181
+    w3232 = w322 * w3186 - w3231 - w324 * w3159 - w325 * w3146
+    w3233 = w322 * w3191
+    w3234 = w3233 - w323 * w3190 + w324 * w3150 - w325 * w3193
+    w3235 = w323 * w3205 - w322 * w3200 - w324 * w3208 + w325 * w3202
+    w3236 = w236 * w3230 - w326 * w3180 + (w261 * w3232 - w327 * w3189) + (w275 * w3234 - w328 * w3197) + (w288 * w3235 + w329 * w3211)
+    w3237 = w3230 - (w236 * w3236 - w330 * w3180)
+    w3238 = w3232 - (w261 * w3236 - w330 * w3189)
+    w3239 = w3234 - (w275 * w3236 - w330 * w3197)
+    w3240 = w3235 - (w288 * w3236 + w330 * w3211)
+    w3241 = w311 * w3237 - w331 * w3221 + (w313 * w3238 - w332 * w3223) + (w315 * w3239 - w333 * w3225) + (w317 * w3240 + w334 * w3227)
+    w3242 = w3237 - (w311 * w3241 - w335 * w3221)
+    w3243 = w3238 - (w313 * w3241 - w335 * w3223)
+    w3244 = w3239 - (w315 * w3241 - w335 * w3225)
+    w3245 = w3240 - (w317 * w3241 + w335 * w3227)
+    w3246 = (w1176 * w3242 + w1174 * w3243 + w1172 * w3244 + w1159 * w3245) / w1169
+    w3247 = w3242 / w340 - w1166 * w3246
+    w3248 = w3222 - (w313 * w3228 - w318 * w3223)
+    w3249 = w3243 / w340 - w1164 * w3246
+    w3250 = w3224 - (w315 * w3228 - w318 * w3225)
+    w3251 = w3244 / w340 - w1162 * w3246
+    w3252 = w3226 - (w317 * w3228 + w318 * w3227)
+    w3253 = w3245 / w340 - w1161 * w3246
+    w3254 = w341 * w3229 + w319 * w3247 + (w343 * w3248 + w342 * w3249) + (w345 * w3250 + w344 * w3251) + (w347 * w3252 + w346 * w3253)
+    w3255 = w3229 - (w341 * w3254 + w348 * w3247)
+    w3256 = w3248 - (w343 * w3254 + w348 * w3249)
+    w3257 = w3250 - (w345 * w3254 + w348 * w3251)
+    w3258 = w3252 - (w347 * w3254 + w348 * w3253)
+    w3259 = (w1145 * w3255 + w1143 * w3256 + w1141 * w3257 + w1128 * w3258) / w1138
+    w3260 = w794 * (w3255 / w353 - w1135 * w3259) + w795 * (w3256 / w353 - w1133 * w3259) + w796 * (w3257 / w353 - w1131 * w3259)
+    w3261 = w3 * (w5 * w3174 - w65 * w3177) - w754 * (w5 * w3175 + w65 * w3176) + w777 * (w5 * w3176 - w65 * w3175)
+    w3262 = w3261 - w788 * (w65 * w3174 + w5 * w3177)
+    w3263 = (w3260 + (w797 * (w3258 / w353 - w1130 * w3259) + w385 * w3262)) / w353 - w1129 * w3259
+    w3264 = w798 * w3212 + w289 * w3263 - (w797 * w3211 + w288 * w3262 - (w794 * w3180 + w795 * w3189 + w796 * w3197))
+    w3265 = w798 * w3254 + w348 * w3263 - (w794 * w3247 + w795 * w3249 + w796 * w3251 + (w797 * w3253 + w347 * w3262))
+    w3266 = w3265 / w340 - w1160 * w3246
+    w3267 = w798 * w3228 + w318 * w3263 - (w797 * w3227 + w317 * w3262 - (w794 * w3221 + w795 * w3223 + w796 * w3225))
+    w3268 = (w3267 - (w1000 * w3241 + w335 * w3266)) / w310 - w1186 * w3220
+    w3269 = hinge0_angle_dot * ((w3264 - (w1000 * w3236 + w330 * w3266) - (w1004 * w3215 + w305 * w3268)) / w235 - w1208 * w3179)
+    w3270 = w68 * w3269
+    w3271 = w2536 - w1455 * w2621 - w1565 * w2768 - w1580 * w2904 - w1592 * w3029 - w1600 * w3144 - w1699 * w3270
+    w3272 = w69 * w3148 - w3152
+    w3273 = w3149 - (w3147 + w70 * w3145)
+    w3274 = w75 * -2.0
+    w3275 = w3193 + w3274
+    w3276 = w3275 - w3158
+    w3277 = w3155 - w3181
+    w3278 = w104 * (w83 * w3272 - w86 * w3273) - w119 * (w86 * w3276 + w83 * w3277) + w124 * (w83 * w3273 + w86 * w3272)
+    w3279 = w3278 - w129 * (w83 * w3276 - w86 * w3277)
+    w3280 = w72 * w205
+    w3281 = bar4_e1 * 4.0
+    w3282 = w3280 + w211 * w3281
+    w3283 = w207 * w211
+    w3284 = w72 * w220
+    w3285 = w3283 - w3284
+    w3286 = w205 * w207
+    w3287 = w220 * w3281 + w3286
+    w3288 = w15 * w3282 + w138 * w3285 - w17 * w3287
+    w3289 = w148 * w3282 + w17 * w3285 - w144 * w3287
+    w3290 = w17 * w3282 + w9 * w3285 - w14 * w3287
+    w3291 = w138 * w3282 + w14 * w3285 - w148 * w3287
+    w3292 = w142 * w3288 + w147 * w3289 - w8 * w3290 - w151 * w3291
+    w3293 = w142 * w3289 - w147 * w3288 + w151 * w3290 - w8 * w3291
+    w3294 = w8 * w3288 - w151 * w3289 + w142 * w3290 - w147 * w3291
+    w3295 = w151 * w3288 + w8 * w3289 + w147 * w3290 + w142 * w3291
+    w3296 = w153 * w3292 - w158 * w3293 + w162 * w3294 - w68 * w3295
+    w3297 = w1207 * w3296 / w1220
+    w3298 = w1216 * w3297
+    w3299 = w3184 - w3153
+    w3300 = w119 * (w3192 + w83 * w3275) - w104 * (w83 * w3149 + w86 * w3299) + w124 * (w83 * w3299 - w86 * w3149)
+    w3301 = w3300 - w129 * (w86 * w3275 - w3195)
+    w3302 = w1213 * w3297
+    w3303 = w239 * -2.0
+    w3304 = w3185 - w3303
+    w3305 = w80 * -2.0
+    w3306 = w3146 + w3305
+    w3307 = w104 * (w83 * w3158 - w3183) - w119 * (w86 * w3304 + w83 * w3306) + w124 * (w3182 + w86 * w3158) - w129 * (w83 * w3304 - w86 * w3306)
+    w3308 = w1210 * w3297
+    w3309 = w3284 - w3283
+    w3310 = w277 * -2.0
+    w3311 = w105 * w3309 + w3310 - w207 * w3282 + w72 * w3287
+    w3312 = w276 * -2.0
+    w3313 = w3312 - w105 * w3282 + w76 * w3309 + w109 * w3287
+    w3314 = w72 * w3309 - w109 * w3282 + (w3198 + w70 * w3287)
+    w3315 = w69 * w3309 - w72 * w3282 + w76 * w3287
+    w3316 = w119 * (w86 * w3311 + w83 * w3313) + w104 * (w86 * w3314 - w83 * w3315) - w124 * (w83 * w3314 + w86 * w3315)
+    w3317 = w3316 - w129 * (w86 * w3313 - w83 * w3311)
+    w3318 = w3296 / w235 - w1209 * w3297
+    w3319 = w236 * w3279 - w130 * w3298 + (w261 * w3301 - w260 * w3302) + (w275 * w3307 - w274 * w3308) + (w288 * w3317 + w287 * w3318)
+    w3320 = w3279 - (w236 * w3319 - w289 * w3298)
+    w3321 = w298 * w3288 + w299 * w3289 + w300 * w3290 - w297 * w3291
+    w3322 = w288 * w3321 + w304 * w3318 - (w301 * w3298 + w302 * w3302 + w303 * w3308)
+    w3323 = w236 * w3322 - w305 * w3298
+    w3324 = w3321 - (w288 * w3322 + w305 * w3318)
+    w3325 = w261 * w3322 - w305 * w3302
+    w3326 = w275 * w3322 - w305 * w3308
+    w3327 = (w1185 * w3324 - (w1202 * w3323 + w1200 * w3325 + w1198 * w3326)) / w1195
+    w3328 = w3323 / w310 + w1192 * w3327
+    w3329 = w3301 - (w261 * w3319 - w289 * w3302)
+    w3330 = w3325 / w310 + w1190 * w3327
+    w3331 = w3307 - (w275 * w3319 - w289 * w3308)
+    w3332 = w3326 / w310 + w1188 * w3327
+    w3333 = w3317 - (w288 * w3319 + w289 * w3318)
+    w3334 = w3324 / w310 - w1187 * w3327
+    w3335 = w311 * w3320 - w290 * w3328 + (w313 * w3329 - w312 * w3330) + (w315 * w3331 - w314 * w3332) + (w317 * w3333 + w316 * w3334)
+    w3336 = w3320 - (w311 * w3335 - w318 * w3328)
+    w3337 = w322 * w3276 - w323 * w3273 + w324 * w3272 - w325 * w3277
+    w3338 = w325 * w3275 - (w3233 + w323 * w3299 + w324 * w3149)
+    w3339 = w322 * w3304 - w3231 + w324 * w3158 - w325 * w3306
+    w3340 = w323 * w3314 - w322 * w3311 - w324 * w3315 + w325 * w3313
+    w3341 = w236 * w3337 - w326 * w3298 + (w261 * w3338 - w327 * w3302) + (w275 * w3339 - w328 * w3308) + (w288 * w3340 + w329 * w3318)
+    w3342 = w3337 - (w236 * w3341 - w330 * w3298)
+    w3343 = w3338 - (w261 * w3341 - w330 * w3302)
+    w3344 = w3339 - (w275 * w3341 - w330 * w3308)
+    w3345 = w3340 - (w288 * w3341 + w330 * w3318)
+    w3346 = w311 * w3342 - w331 * w3328 + (w313 * w3343 - w332 * w3330) + (w315 * w3344 - w333 * w3332) + (w317 * w3345 + w334 * w3334)
+    w3347 = w3342 - (w311 * w3346 - w335 * w3328)
+    w3348 = w3343 - (w313 * w3346 - w335 * w3330)
+    w3349 = w3344 - (w315 * w3346 - w335 * w3332)
+    w3350 = w3345 - (w317 * w3346 + w335 * w3334)
+    w3351 = (w1176 * w3347 + w1174 * w3348 + w1172 * w3349 + w1159 * w3350) / w1169
+    w3352 = w3347 / w340 - w1166 * w3351
+    w3353 = w3329 - (w313 * w3335 - w318 * w3330)
+    w3354 = w3348 / w340 - w1164 * w3351
+    w3355 = w3331 - (w315 * w3335 - w318 * w3332)
+    w3356 = w3349 / w340 - w1162 * w3351
+    w3357 = w3333 - (w317 * w3335 + w318 * w3334)
+    w3358 = w3350 / w340 - w1161 * w3351
+    w3359 = w341 * w3336 + w319 * w3352 + (w343 * w3353 + w342 * w3354) + (w345 * w3355 + w344 * w3356) + (w347 * w3357 + w346 * w3358)
+    w3360 = w3336 - (w341 * w3359 + w348 * w3352)
+    w3361 = w3353 - (w343 * w3359 + w348 * w3354)
+    w3362 = w3355 - (w345 * w3359 + w348 * w3356)
+    w3363 = w3357 - (w347 * w3359 + w348 * w3358)
+    w3364 = (w1145 * w3360 + w1143 * w3361 + w1141 * w3362 + w1128 * w3363) / w1138
+    w3365 = w794 * (w3360 / w353 - w1135 * w3364) + w795 * (w3361 / w353 - w1133 * w3364) + w796 * (w3362 / w353 - w1131 * w3364)
+    w3366 = w3 * (w5 * w3292 - w65 * w3295) - w754 * (w5 * w3293 + w65 * w3294) + w777 * (w5 * w3294 - w65 * w3293)
+    w3367 = w3366 - w788 * (w65 * w3292 + w5 * w3295)
+    w3368 = (w3365 + (w797 * (w3363 / w353 - w1130 * w3364) + w385 * w3367)) / w353 - w1129 * w3364
+    w3369 = w798 * w3319 + w289 * w3368 - (w797 * w3318 + w288 * w3367 - (w794 * w3298 + w795 * w3302 + w796 * w3308))
+    w3370 = w798 * w3359 + w348 * w3368 - (w794 * w3352 + w795 * w3354 + w796 * w3356 + (w797 * w3358 + w347 * w3367))
+    w3371 = w3370 / w340 - w1160 * w3351
+    w3372 = w798 * w3335 + w318 * w3368 - (w797 * w3334 + w317 * w3367 - (w794 * w3328 + w795 * w3330 + w796 * w3332))
+    w3373 = (w3372 - (w1000 * w3346 + w335 * w3371)) / w310 - w1186 * w3327
+    w3374 = hinge0_angle_dot * ((w3369 - (w1000 * w3341 + w330 * w3371) - (w1004 * w3322 + w305 * w3373)) / w235 - w1208 * w3297)
+    w3375 = w68 * w3374
+    w3376 = w72 * bar4_end_x
+    w3377 = w72 * w3376
+    w3378 = w70 * bar4_end_x
+    w3379 = w3377 + w70 * w3378
+    w3380 = w76 * w3378
+    w3381 = w69 * w3376 + (w3305 + w3380)
+    w3382 = w76 * w3376
+    w3383 = w109 * w3378
+    w3384 = w3274 - w3382 - w3383
+    w3385 = w105 * w3376
+    w3386 = w72 * w3378
+    w3387 = w3385 + w3386
+    w3388 = w104 * (w86 * w3379 - w83 * w3381) - w119 * (w83 * w3384 - w86 * w3387) - w124 * (w83 * w3379 + w86 * w3381)
+    w3389 = w3388 + w129 * (w83 * w3387 + w86 * w3384)
+    w3390 = w70 * w211
+    w3391 = w69 * w220
+    w3392 = w3390 - w3391
+    w3393 = w15 * w3165 + w138 * w3392 - w3170
+    w3394 = w3172 + w17 * w3392 - w144 * w3163
+    w3395 = w3166 + w9 * w3392 - w14 * w3163
+    w3396 = w138 * w3165 + w14 * w3392 - w3168
+    w3397 = w142 * w3393 + w147 * w3394 - w8 * w3395 - w151 * w3396
+    w3398 = w142 * w3394 - w147 * w3393 + w151 * w3395 - w8 * w3396
+    w3399 = w8 * w3393 - w151 * w3394 + w142 * w3395 - w147 * w3396
+    w3400 = w151 * w3393 + w8 * w3394 + w147 * w3395 + w142 * w3396
+    w3401 = w153 * w3397 - w158 * w3398 + w162 * w3399 - w68 * w3400
+    w3402 = w1207 * w3401 / w1220
+    w3403 = w1216 * w3402
+    w3404 = bar4_e2 * c127
+    w3405 = w3303 - w76 * w3404
+    w3406 = w3377 + w3405
+    w3407 = w109 * w3376
+    w3408 = w3407 - w70 * w3404
+    w3409 = w3385 - w109 * w3404
+    w3410 = w72 * w3404
+    w3411 = w207 * w3376
+    w3412 = w3410 + (w3157 - w3411)
+    w3413 = w104 * (w83 * w3406 - w86 * w3408) - w119 * (w83 * w3409 - w86 * w3412) + w124 * (w83 * w3408 + w86 * w3406)
+    w3414 = w3413 + w129 * (w83 * w3412 + w86 * w3409)
+    w3415 = w1213 * w3402
+    w3416 = w3386 + w69 * w3404
+    w3417 = w3383 + w3410
+    w3418 = w207 * w3378
+    w3419 = w3147 + w3418 + w105 * w3404
+    w3420 = w105 * w3378
+    w3421 = w3420 - w3405
+    w3422 = w104 * (w83 * w3416 - w86 * w3417) - w119 * (w86 * w3419 + w83 * w3421) + w124 * (w83 * w3417 + w86 * w3416)
+    w3423 = w3422 - w129 * (w83 * w3419 - w86 * w3421)
+    w3424 = w1210 * w3402
+    w3425 = w3391 - w3390
+    w3426 = w3207 + (w3206 - w207 * w3165 + w105 * w3425)
+    w3427 = w3204 + (w3310 + w76 * w3425 - w105 * w3165)
+    w3428 = w72 * w3425 - w3201 + w70 * w3163
+    w3429 = w278 * -2.0
+    w3430 = w69 * w3425 - w3199 + (w76 * w3163 + w3429)
+    w3431 = w119 * (w86 * w3426 + w83 * w3427) + w104 * (w86 * w3428 - w83 * w3430) - w124 * (w83 * w3428 + w86 * w3430)
+    w3432 = w3431 - w129 * (w86 * w3427 - w83 * w3426)
+    w3433 = w3401 / w235 - w1209 * w3402
+    w3434 = w236 * w3389 - w130 * w3403 + (w261 * w3414 - w260 * w3415) + (w275 * w3423 - w274 * w3424) + (w288 * w3432 + w287 * w3433)
+    w3435 = w3389 - (w236 * w3434 - w289 * w3403)
+    w3436 = w298 * w3393 + w299 * w3394 + w300 * w3395 - w297 * w3396
+    w3437 = w288 * w3436 + w304 * w3433 - (w301 * w3403 + w302 * w3415 + w303 * w3424)
+    w3438 = w236 * w3437 - w305 * w3403
+    w3439 = w3436 - (w288 * w3437 + w305 * w3433)
+    w3440 = w261 * w3437 - w305 * w3415
+    w3441 = w275 * w3437 - w305 * w3424
+    w3442 = (w1185 * w3439 - (w1202 * w3438 + w1200 * w3440 + w1198 * w3441)) / w1195
+    w3443 = w3438 / w310 + w1192 * w3442
+    w3444 = w3414 - (w261 * w3434 - w289 * w3415)
+    w3445 = w3440 / w310 + w1190 * w3442
+    w3446 = w3423 - (w275 * w3434 - w289 * w3424)
+    w3447 = w3441 / w310 + w1188 * w3442
+    w3448 = w3432 - (w288 * w3434 + w289 * w3433)
+    w3449 = w3439 / w310 - w1187 * w3442
+    w3450 = w311 * w3435 - w290 * w3443 + (w313 * w3444 - w312 * w3445) + (w315 * w3446 - w314 * w3447) + (w317 * w3448 + w316 * w3449)
+    w3451 = w3435 - (w311 * w3450 - w318 * w3443)
+    w3452 = w323 * w3379 - w322 * w3387 - w324 * w3381 - w325 * w3384
+    w3453 = w324 * w3406 - (w322 * w3412 + w323 * w3408) - w325 * w3409
+    w3454 = w322 * w3419 - w323 * w3417 + w324 * w3416 - w325 * w3421
+    w3455 = w323 * w3428 - w322 * w3426 - w324 * w3430 + w325 * w3427
+    w3456 = w236 * w3452 - w326 * w3403 + (w261 * w3453 - w327 * w3415) + (w275 * w3454 - w328 * w3424) + (w288 * w3455 + w329 * w3433)
+    w3457 = w3452 - (w236 * w3456 - w330 * w3403)
+    w3458 = w3453 - (w261 * w3456 - w330 * w3415)
+    w3459 = w3454 - (w275 * w3456 - w330 * w3424)
+    w3460 = w3455 - (w288 * w3456 + w330 * w3433)
+    w3461 = w311 * w3457 - w331 * w3443 + (w313 * w3458 - w332 * w3445) + (w315 * w3459 - w333 * w3447) + (w317 * w3460 + w334 * w3449)
+    w3462 = w3457 - (w311 * w3461 - w335 * w3443)
+    w3463 = w3458 - (w313 * w3461 - w335 * w3445)
+    w3464 = w3459 - (w315 * w3461 - w335 * w3447)
+    w3465 = w3460 - (w317 * w3461 + w335 * w3449)
+    w3466 = (w1176 * w3462 + w1174 * w3463 + w1172 * w3464 + w1159 * w3465) / w1169
+    w3467 = w3462 / w340 - w1166 * w3466
+    w3468 = w3444 - (w313 * w3450 - w318 * w3445)
+    w3469 = w3463 / w340 - w1164 * w3466
+    w3470 = w3446 - (w315 * w3450 - w318 * w3447)
+    w3471 = w3464 / w340 - w1162 * w3466
+    w3472 = w3448 - (w317 * w3450 + w318 * w3449)
+    w3473 = w3465 / w340 - w1161 * w3466
+    w3474 = w341 * w3451 + w319 * w3467 + (w343 * w3468 + w342 * w3469) + (w345 * w3470 + w344 * w3471) + (w347 * w3472 + w346 * w3473)
+    w3475 = w3451 - (w341 * w3474 + w348 * w3467)
+    w3476 = w3468 - (w343 * w3474 + w348 * w3469)
+    w3477 = w3470 - (w345 * w3474 + w348 * w3471)
+    w3478 = w3472 - (w347 * w3474 + w348 * w3473)
+    w3479 = (w1145 * w3475 + w1143 * w3476 + w1141 * w3477 + w1128 * w3478) / w1138
+    w3480 = w794 * (w3475 / w353 - w1135 * w3479) + w795 * (w3476 / w353 - w1133 * w3479) + w796 * (w3477 / w353 - w1131 * w3479)
+    w3481 = w3 * (w5 * w3397 - w65 * w3400) - w754 * (w5 * w3398 + w65 * w3399) + w777 * (w5 * w3399 - w65 * w3398)
+    w3482 = w3481 - w788 * (w65 * w3397 + w5 * w3400)
+    w3483 = (w3480 + (w797 * (w3478 / w353 - w1130 * w3479) + w385 * w3482)) / w353 - w1129 * w3479
+    w3484 = w798 * w3434 + w289 * w3483 - (w797 * w3433 + w288 * w3482 - (w794 * w3403 + w795 * w3415 + w796 * w3424))
+    w3485 = w798 * w3474 + w348 * w3483 - (w794 * w3467 + w795 * w3469 + w796 * w3471 + (w797 * w3473 + w347 * w3482))
+    w3486 = w3485 / w340 - w1160 * w3466
+    w3487 = w798 * w3450 + w318 * w3483 - (w797 * w3449 + w317 * w3482 - (w794 * w3443 + w795 * w3445 + w796 * w3447))
+    w3488 = (w3487 - (w1000 * w3461 + w335 * w3486)) / w310 - w1186 * w3442
+    w3489 = hinge0_angle_dot * ((w3484 - (w1000 * w3456 + w330 * w3486) - (w1004 * w3437 + w305 * w3488)) / w235 - w1208 * w3402)
+    w3490 = w68 * w3489
+    w3491 = w3157 + w69 * w3378 - w3382
+    w3492 = w3386 - w70 * w3376
+    w3493 = w3420 - w3377
+    w3494 = w3305 + w3407
+    w3495 = w3380 - w3494
+    w3496 = w104 * (w83 * w3491 - w86 * w3492) - w119 * (w86 * w3493 + w83 * w3495) + w124 * (w83 * w3492 + w86 * w3491)
+    w3497 = w3496 - w129 * (w83 * w3493 - w86 * w3495)
+    w3498 = bar4_e3 * 4.0
+    w3499 = w3286 + w211 * w3498
+    w3500 = w72 * w211 + w207 * w220
+    w3501 = w220 * w3498
+    w3502 = w3280 - w3501
+    w3503 = w15 * w3499 - w138 * w3500 + w17 * w3502
+    w3504 = w148 * w3499 - w17 * w3500 + w144 * w3502
+    w3505 = w17 * w3499 - w9 * w3500 + w14 * w3502
+    w3506 = w138 * w3499 - w14 * w3500 + w148 * w3502
+    w3507 = w142 * w3503 + w147 * w3504 - w8 * w3505 - w151 * w3506
+    w3508 = w142 * w3504 - w147 * w3503 + w151 * w3505 - w8 * w3506
+    w3509 = w8 * w3503 - w151 * w3504 + w142 * w3505 - w147 * w3506
+    w3510 = w151 * w3503 + w8 * w3504 + w147 * w3505 + w142 * w3506
+    w3511 = w153 * w3507 - w158 * w3508 + w162 * w3509 - w68 * w3510
+    w3512 = w1207 * w3511 / w1220
+    w3513 = w1216 * w3512
+    w3514 = w3498 * bar4_end_x
+    w3515 = w70 * w3514 + (w3274 + w3383)
+    w3516 = w76 * w3514
+    w3517 = w3386 + w3516
+    w3518 = w3303 - w109 * w3514 - w3420
+    w3519 = w72 * w3514
+    w3520 = w3418 + w3519
+    w3521 = w104 * (w86 * w3515 - w83 * w3517) - w119 * (w83 * w3518 - w86 * w3520) - w124 * (w83 * w3515 + w86 * w3517)
+    w3522 = w3521 + w129 * (w83 * w3520 + w86 * w3518)
+    w3523 = w1213 * w3512
+    w3524 = w3377 - (w3184 - w69 * w3514)
+    w3525 = w3494 + w3519
+    w3526 = w3411 + w105 * w3514
+    w3527 = w3385 + w3516
+    w3528 = w104 * (w83 * w3524 - w86 * w3525) - w119 * (w86 * w3526 + w83 * w3527) + w124 * (w83 * w3525 + w86 * w3524)
+    w3529 = w3528 - w129 * (w83 * w3526 - w86 * w3527)
+    w3530 = w1210 * w3512
+    w3531 = w3501 - w3280
+    w3532 = w105 * w3500 - w207 * w3499 + w72 * w3531
+    w3533 = w76 * w3500 - w105 * w3499 + (w3429 + w109 * w3531)
+    w3534 = w3312 - w109 * w3499 + w72 * w3500 + w70 * w3531
+    w3535 = w3203 + w69 * w3500 - w72 * w3499 + w76 * w3531
+    w3536 = w119 * (w86 * w3532 + w83 * w3533) + w104 * (w86 * w3534 - w83 * w3535) - w124 * (w83 * w3534 + w86 * w3535)
+    w3537 = w3536 - w129 * (w86 * w3533 - w83 * w3532)
+    w3538 = w3511 / w235 - w1209 * w3512
+    w3539 = w236 * w3497 - w130 * w3513 + (w261 * w3522 - w260 * w3523) + (w275 * w3529 - w274 * w3530) + (w288 * w3537 + w287 * w3538)
+    w3540 = w3497 - (w236 * w3539 - w289 * w3513)
+    w3541 = w298 * w3503 + w299 * w3504 + w300 * w3505 - w297 * w3506
+    w3542 = w288 * w3541 + w304 * w3538 - (w301 * w3513 + w302 * w3523 + w303 * w3530)
+    w3543 = w236 * w3542 - w305 * w3513
+    w3544 = w3541 - (w288 * w3542 + w305 * w3538)
+    w3545 = w261 * w3542 - w305 * w3523
+    w3546 = w275 * w3542 - w305 * w3530
+    w3547 = (w1185 * w3544 - (w1202 * w3543 + w1200 * w3545 + w1198 * w3546)) / w1195
+    w3548 = w3543 / w310 + w1192 * w3547
+    w3549 = w3522 - (w261 * w3539 - w289 * w3523)
+    w3550 = w3545 / w310 + w1190 * w3547
+    w3551 = w3529 - (w275 * w3539 - w289 * w3530)
+    w3552 = w3546 / w310 + w1188 * w3547
+    w3553 = w3537 - (w288 * w3539 + w289 * w3538)
+    w3554 = w3544 / w310 - w1187 * w3547
+    w3555 = w311 * w3540 - w290 * w3548 + (w313 * w3549 - w312 * w3550) + (w315 * w3551 - w314 * w3552) + (w317 * w3553 + w316 * w3554)
+    w3556 = w3540 - (w311 * w3555 - w318 * w3548)
+    w3557 = w322 * w3493 - w323 * w3492 + w324 * w3491 - w325 * w3495
+    w3558 = w323 * w3515 - w322 * w3520 - w324 * w3517 - w325 * w3518
+    w3559 = w322 * w3526 - w323 * w3525 + w324 * w3524 - w325 * w3527
+    w3560 = w323 * w3534 - w322 * w3532 - w324 * w3535 + w325 * w3533
+    w3561 = w236 * w3557 - w326 * w3513 + (w261 * w3558 - w327 * w3523) + (w275 * w3559 - w328 * w3530) + (w288 * w3560 + w329 * w3538)
+    w3562 = w3557 - (w236 * w3561 - w330 * w3513)
+    w3563 = w3558 - (w261 * w3561 - w330 * w3523)
+    w3564 = w3559 - (w275 * w3561 - w330 * w3530)
+    w3565 = w3560 - (w288 * w3561 + w330 * w3538)
+    w3566 = w311 * w3562 - w331 * w3548 + (w313 * w3563 - w332 * w3550) + (w315 * w3564 - w333 * w3552) + (w317 * w3565 + w334 * w3554)
+    w3567 = w3562 - (w311 * w3566 - w335 * w3548)
+    w3568 = w3563 - (w313 * w3566 - w335 * w3550)
+    w3569 = w3564 - (w315 * w3566 - w335 * w3552)
+    w3570 = w3565 - (w317 * w3566 + w335 * w3554)
+    w3571 = (w1176 * w3567 + w1174 * w3568 + w1172 * w3569 + w1159 * w3570) / w1169
+    w3572 = w3567 / w340 - w1166 * w3571
+    w3573 = w3549 - (w313 * w3555 - w318 * w3550)
+    w3574 = w3568 / w340 - w1164 * w3571
+    w3575 = w3551 - (w315 * w3555 - w318 * w3552)
+    w3576 = w3569 / w340 - w1162 * w3571
+    w3577 = w3553 - (w317 * w3555 + w318 * w3554)
+    w3578 = w3570 / w340 - w1161 * w3571
+    w3579 = w341 * w3556 + w319 * w3572 + (w343 * w3573 + w342 * w3574) + (w345 * w3575 + w344 * w3576) + (w347 * w3577 + w346 * w3578)
+    w3580 = w3556 - (w341 * w3579 + w348 * w3572)
+    w3581 = w3573 - (w343 * w3579 + w348 * w3574)
+    w3582 = w3575 - (w345 * w3579 + w348 * w3576)
+    w3583 = w3577 - (w347 * w3579 + w348 * w3578)
+    w3584 = (w1145 * w3580 + w1143 * w3581 + w1141 * w3582 + w1128 * w3583) / w1138
+    w3585 = w794 * (w3580 / w353 - w1135 * w3584) + w795 * (w3581 / w353 - w1133 * w3584) + w796 * (w3582 / w353 - w1131 * w3584)
+    w3586 = w3 * (w5 * w3507 - w65 * w3510) - w754 * (w5 * w3508 + w65 * w3509) + w777 * (w5 * w3509 - w65 * w3508)
+    w3587 = w3586 - w788 * (w65 * w3507 + w5 * w3510)
+    w3588 = (w3585 + (w797 * (w3583 / w353 - w1130 * w3584) + w385 * w3587)) / w353 - w1129 * w3584
+    w3589 = w798 * w3539 + w289 * w3588 - (w797 * w3538 + w288 * w3587 - (w794 * w3513 + w795 * w3523 + w796 * w3530))
+    w3590 = w798 * w3579 + w348 * w3588 - (w794 * w3572 + w795 * w3574 + w796 * w3576 + (w797 * w3578 + w347 * w3587))
+    w3591 = w3590 / w340 - w1160 * w3571
+    w3592 = w798 * w3555 + w318 * w3588 - (w797 * w3554 + w317 * w3587 - (w794 * w3548 + w795 * w3550 + w796 * w3552))
+    w3593 = (w3592 - (w1000 * w3566 + w335 * w3591)) / w310 - w1186 * w3547
+    w3594 = hinge0_angle_dot * ((w3589 - (w1000 * w3561 + w330 * w3591) - (w1004 * w3542 + w305 * w3593)) / w235 - w1208 * w3512)
+    w3595 = w68 * w3594
+    w3596 = w94 * bar5_end_y
+    w3597 = w124 * (w120 * w3596)
+    w3598 = 2 * w92
+    w3599 = w87 * w3596
+    w3600 = w3598 + w3599
+    w3601 = w112 * w3596
+    w3602 = 2 * w98
+    w3603 = w121 * w3596
+    w3604 = w3597 - (w104 * w3600 + w119 * (w3601 - w3602)) + w129 * w3603
+    w3605 = w120 * bar5_end_y
+    w3606 = w125 * w3596
+    w3607 = 2 * w246
+    w3608 = w87 * w3605
+    w3609 = w3607 - w3608
+    w3610 = w121 * w3605
+    w3611 = w125 * w3605
+    w3612 = w104 * (w94 * w3605 + w3606) - w119 * (w3609 - w89 * w3596) - w124 * (w3600 + w3610) - w129 * (w3601 + w3611)
+    w3613 = w112 * w3605
+    w3614 = w119 * w3613
+    w3615 = w120 * w3605
+    w3616 = w104 * w3609 - w3614 + w124 * (w3602 + w3615) + w129 * w3610
+    w3617 = w236 * w3604 + w261 * w3612 + w275 * w3616
+    w3618 = w3604 - w236 * w3617
+    w3619 = w3612 - w261 * w3617
+    w3620 = w3616 - w275 * w3617
+    w3621 = w288 * w3617
+    w3622 = w311 * w3618 + w313 * w3619 + w315 * w3620 - w317 * w3621
+    w3623 = w3618 - w311 * w3622
+    w3624 = w108 * w320 + w111 * w321
+    w3625 = w250 * w320 + w251 * w321
+    w3626 = w266 * w320 + w267 * w321
+    w3627 = w279 * w320 + w280 * w321
+    w3628 = w236 * w3624 + w261 * w3625 + w275 * w3626 - w288 * w3627
+    w3629 = w3624 - w236 * w3628
+    w3630 = w3625 - w261 * w3628
+    w3631 = w3626 - w275 * w3628
+    w3632 = w3627 + w288 * w3628
+    w3633 = w311 * w3629 + w313 * w3630 + w315 * w3631 - w317 * w3632
+    w3634 = w3629 - w311 * w3633
+    w3635 = w3630 - w313 * w3633
+    w3636 = w3631 - w315 * w3633
+    w3637 = w3632 + w317 * w3633
+    w3638 = (w1176 * w3634 + w1174 * w3635 + w1172 * w3636 - w1159 * w3637) / w1169
+    w3639 = w3634 / w340 - w1166 * w3638
+    w3640 = w3619 - w313 * w3622
+    w3641 = w3635 / w340 - w1164 * w3638
+    w3642 = w3620 - w315 * w3622
+    w3643 = w3636 / w340 - w1162 * w3638
+    w3644 = w3621 + w317 * w3622
+    w3645 = w3637 / w340 + w1161 * w3638
+    w3646 = w341 * w3623 + w319 * w3639 + (w343 * w3640 + w342 * w3641) + (w345 * w3642 + w344 * w3643) - (w347 * w3644 + w346 * w3645)
+    w3647 = w3623 - (w341 * w3646 + w348 * w3639)
+    w3648 = w3640 - (w343 * w3646 + w348 * w3641)
+    w3649 = w3642 - (w345 * w3646 + w348 * w3643)
+    w3650 = w3644 + (w347 * w3646 - w348 * w3645)
+    w3651 = (w1145 * w3647 + w1143 * w3648 + w1141 * w3649 - w1128 * w3650) / w1138
+    w3652 = w794 * (w3647 / w353 - w1135 * w3651) + w795 * (w3648 / w353 - w1133 * w3651) + w796 * (w3649 / w353 - w1131 * w3651)
+    w3653 = (w3652 - w797 * (w3650 / w353 + w1130 * w3651)) / w353 - w1129 * w3651
+    w3654 = (w798 * w3646 + w348 * w3653 - (w794 * w3639 + w795 * w3641 + w796 * w3643 - w797 * w3645)) / w340
+    w3655 = w3654 - w1160 * w3638
+    w3656 = (w798 * w3622 + w318 * w3653 - (w1000 * w3633 + w335 * w3655)) / w310
+    w3657 = hinge0_angle_dot * ((w798 * w3617 + w289 * w3653 - (w1000 * w3628 + w330 * w3655) - w305 * w3656) / w235)
+    w3658 = w68 * w3657
+    w3659 = w87 * bar5_end_y
+    w3660 = w120 * w3659
+    w3661 = bar5_e1 * c128
+    w3662 = w87 * w3659
+    w3663 = w92 * -2.0
+    w3664 = w112 * w3659
+    w3665 = w3663 + w3664
+    w3666 = w87 * w3661
+    w3667 = w124 * (w3660 + w121 * w3661) - (w104 * (w3662 - (w3602 - w94 * w3661)) + w119 * (w3665 + w3666))
+    w3668 = w121 * w3659
+    w3669 = w125 * w3661
+    w3670 = w3667 + w129 * (w3668 + w3669)
+    w3671 = w89 * bar5_end_y
+    w3672 = w121 * w3671
+    w3673 = w125 * w3659
+    w3674 = w87 * w3671
+    w3675 = w125 * w3671
+    w3676 = w124 * (w3672 - w3662) - (w104 * (w3607 + w94 * w3671 - w3673) + w119 * (w3674 - w89 * w3659)) + w129 * (w3675 - w3665)
+    w3677 = w246 * -2.0
+    w3678 = w112 * w3671
+    w3679 = w120 * w3671
+    w3680 = w98 * -2.0
+    w3681 = w104 * (w3669 + w3674) + w119 * (w89 * w3661 + (w3677 + w3678)) - w124 * (w3666 + w3679) + w129 * (w3680 - w112 * w3661 - w3672)
+    w3682 = w236 * w3670 + w261 * w3676 + w275 * w3681
+    w3683 = w3670 - w236 * w3682
+    w3684 = w3676 - w261 * w3682
+    w3685 = w3681 - w275 * w3682
+    w3686 = w288 * w3682
+    w3687 = w311 * w3683 + w313 * w3684 + w315 * w3685 - w317 * w3686
+    w3688 = w3683 - w311 * w3687
+    w3689 = w81 * w321 - w85 * w320
+    w3690 = w241 * w321 - w242 * w320
+    w3691 = w262 * w321 - w263 * w320
+    w3692 = w282 * w320 - w283 * w321
+    w3693 = w236 * w3689 + w261 * w3690 + w275 * w3691 + w288 * w3692
+    w3694 = w3689 - w236 * w3693
+    w3695 = w3690 - w261 * w3693
+    w3696 = w3691 - w275 * w3693
+    w3697 = w3692 - w288 * w3693
+    w3698 = w311 * w3694 + w313 * w3695 + w315 * w3696 + w317 * w3697
+    w3699 = w3694 - w311 * w3698
+    w3700 = w3695 - w313 * w3698
+    w3701 = w3696 - w315 * w3698
+    w3702 = w3697 - w317 * w3698
+    w3703 = (w1176 * w3699 + w1174 * w3700 + w1172 * w3701 + w1159 * w3702) / w1169
+    w3704 = w3699 / w340 - w1166 * w3703
+    w3705 = w3684 - w313 * w3687
+    w3706 = w3700 / w340 - w1164 * w3703
+    w3707 = w3685 - w315 * w3687
+    w3708 = w3701 / w340 - w1162 * w3703
+    w3709 = w3702 / w340 - w1161 * w3703
+    w3710 = w3686 + w317 * w3687
+    w3711 = w341 * w3688 + w319 * w3704 + (w343 * w3705 + w342 * w3706) + (w345 * w3707 + w344 * w3708) + (w346 * w3709 - w347 * w3710)
+    w3712 = w3688 - (w341 * w3711 + w348 * w3704)
+    w3713 = w3705 - (w343 * w3711 + w348 * w3706)
+    w3714 = w3707 - (w345 * w3711 + w348 * w3708)
+    w3715 = w3710 + (w347 * w3711 + w348 * w3709)
+    w3716 = (w1145 * w3712 + w1143 * w3713 + w1141 * w3714 - w1128 * w3715) / w1138
+    w3717 = w794 * (w3712 / w353 - w1135 * w3716) + w795 * (w3713 / w353 - w1133 * w3716) + w796 * (w3714 / w353 - w1131 * w3716)
+    w3718 = (w3717 - w797 * (w3715 / w353 + w1130 * w3716)) / w353 - w1129 * w3716
+    w3719 = (w798 * w3711 + w348 * w3718 - (w794 * w3704 + w795 * w3706 + w796 * w3708 + w797 * w3709)) / w340
+    w3720 = w3719 - w1160 * w3703
+    w3721 = (w798 * w3687 + w318 * w3718 - (w1000 * w3698 + w335 * w3720)) / w310
+    w3722 = hinge0_angle_dot * ((w798 * w3682 + w289 * w3718 - (w1000 * w3693 + w330 * w3720) - w305 * w3721) / w235)
+    w3723 = w68 * w3722
+    w3724 = w124 * (w3615 - w3680) - (w3614 + w104 * w3608) + w129 * (w3610 + w3663)
+    w3725 = w3603 + w3677
+    w3726 = w124 * (w3725 - w3608) - (w104 * (w94 * w3596 - w3611) + w119 * (w3599 - (w3598 + w89 * w3605))) + w129 * (w3606 - w3613)
+    w3727 = w104 * w3599 - w119 * (w3602 - w3601) - w3597 - w129 * w3725
+    w3728 = w236 * w3724 + w261 * w3726 + w275 * w3727
+    w3729 = w3724 - w236 * w3728
+    w3730 = w3726 - w261 * w3728
+    w3731 = w3727 - w275 * w3728
+    w3732 = w288 * w3728
+    w3733 = w311 * w3729 + w313 * w3730 + w315 * w3731 - w317 * w3732
+    w3734 = w3729 - w311 * w3733
+    w3735 = w85 * w321 + w81 * w320
+    w3736 = w242 * w321 + w241 * w320
+    w3737 = w263 * w321 + w262 * w320
+    w3738 = w282 * w321 + w283 * w320
+    w3739 = w236 * w3735 + w261 * w3736 + w275 * w3737 - w288 * w3738
+    w3740 = w3735 - w236 * w3739
+    w3741 = w3736 - w261 * w3739
+    w3742 = w3737 - w275 * w3739
+    w3743 = w3738 + w288 * w3739
+    w3744 = w311 * w3740 + w313 * w3741 + w315 * w3742 - w317 * w3743
+    w3745 = w3740 - w311 * w3744
+    w3746 = w3741 - w313 * w3744
+    w3747 = w3742 - w315 * w3744
+    w3748 = w3743 + w317 * w3744
+    w3749 = (w1176 * w3745 + w1174 * w3746 + w1172 * w3747 - w1159 * w3748) / w1169
+    w3750 = w3745 / w340 - w1166 * w3749
+    w3751 = w3730 - w313 * w3733
+    w3752 = w3746 / w340 - w1164 * w3749
+    w3753 = w3731 - w315 * w3733
+    w3754 = w3747 / w340 - w1162 * w3749
+    w3755 = w3732 + w317 * w3733
+    w3756 = w3748 / w340 + w1161 * w3749
+    w3757 = w341 * w3734 + w319 * w3750 + (w343 * w3751 + w342 * w3752) + (w345 * w3753 + w344 * w3754) - (w347 * w3755 + w346 * w3756)
+    w3758 = w3734 - (w341 * w3757 + w348 * w3750)
+    w3759 = w3751 - (w343 * w3757 + w348 * w3752)
+    w3760 = w3753 - (w345 * w3757 + w348 * w3754)
+    w3761 = w3755 + (w347 * w3757 - w348 * w3756)
+    w3762 = (w1145 * w3758 + w1143 * w3759 + w1141 * w3760 - w1128 * w3761) / w1138
+    w3763 = w794 * (w3758 / w353 - w1135 * w3762) + w795 * (w3759 / w353 - w1133 * w3762) + w796 * (w3760 / w353 - w1131 * w3762)
+    w3764 = (w3763 - w797 * (w3761 / w353 + w1130 * w3762)) / w353 - w1129 * w3762
+    w3765 = (w798 * w3757 + w348 * w3764 - (w794 * w3750 + w795 * w3752 + w796 * w3754 - w797 * w3756)) / w340
+    w3766 = w3765 - w1160 * w3749
+    w3767 = (w798 * w3733 + w318 * w3764 - (w1000 * w3744 + w335 * w3766)) / w310
+    w3768 = hinge0_angle_dot * ((w798 * w3728 + w289 * w3764 - (w1000 * w3739 + w330 * w3766) - w305 * w3767) / w235)
+    w3769 = w68 * w3768
+    w3770 = w3271 - w1713 * w3375 - w1725 * w3490 + w1733 * w3595 - w1063 * w3658 - w1068 * w3723 + w1071 * w3769
+    w3771 = bar5_e3 * c128
+    w3772 = w87 * w3771
+    w3773 = w3680 - w125 * w3771
+    w3774 = w124 * (w3598 + w3679 + w121 * w3771) - (w104 * (w3674 + w94 * w3771) + w119 * (w3678 + w3772)) + w129 * (w3672 - w3773)
+    w3775 = w104 * (w94 * w3659 + (w3663 + w3675)) + w119 * (w3662 + w89 * w3671) - w124 * (w3668 + w3674) + w129 * (w3677 - w3673 - w3678)
+    w3776 = w129 * (w3668 - w112 * w3771) - (w104 * (w3662 + w3773) + w119 * (w3664 - w89 * w3771) + w124 * (w3772 + (w3607 - w3660)))
+    w3777 = w236 * w3774 + w261 * w3775 + w275 * w3776
+    w3778 = w3774 - w236 * w3777
+    w3779 = w3775 - w261 * w3777
+    w3780 = w3776 - w275 * w3777
+    w3781 = w288 * w3777
+    w3782 = w311 * w3778 + w313 * w3779 + w315 * w3780 - w317 * w3781
+    w3783 = w3778 - w311 * w3782
+    w3784 = w108 * w321 - w111 * w320
+    w3785 = w250 * w321 - w251 * w320
+    w3786 = w266 * w321 - w267 * w320
+    w3787 = w280 * w320 - w279 * w321
+    w3788 = w236 * w3784 + w261 * w3785 + w275 * w3786 + w288 * w3787
+    w3789 = w3784 - w236 * w3788
+    w3790 = w3785 - w261 * w3788
+    w3791 = w3786 - w275 * w3788
+    w3792 = w3787 - w288 * w3788
+    w3793 = w311 * w3789 + w313 * w3790 + w315 * w3791 + w317 * w3792
+    w3794 = w3789 - w311 * w3793
+    w3795 = w3790 - w313 * w3793
+    w3796 = w3791 - w315 * w3793
+    w3797 = w3792 - w317 * w3793
+    w3798 = (w1176 * w3794 + w1174 * w3795 + w1172 * w3796 + w1159 * w3797) / w1169
+    w3799 = w3794 / w340 - w1166 * w3798
+    w3800 = w3779 - w313 * w3782
+    w3801 = w3795 / w340 - w1164 * w3798
+    w3802 = w3780 - w315 * w3782
+    w3803 = w3796 / w340 - w1162 * w3798
+    w3804 = w3797 / w340 - w1161 * w3798
+    w3805 = w3781 + w317 * w3782
+    w3806 = w341 * w3783 + w319 * w3799 + (w343 * w3800 + w342 * w3801) + (w345 * w3802 + w344 * w3803) + (w346 * w3804 - w347 * w3805)
+    w3807 = w3783 - (w341 * w3806 + w348 * w3799)
+    w3808 = w3800 - (w343 * w3806 + w348 * w3801)
+    w3809 = w3802 - (w345 * w3806 + w348 * w3803)
+    w3810 = w3805 + (w347 * w3806 + w348 * w3804)
+    w3811 = (w1145 * w3807 + w1143 * w3808 + w1141 * w3809 - w1128 * w3810) / w1138
+    w3812 = w794 * (w3807 / w353 - w1135 * w3811) + w795 * (w3808 / w353 - w1133 * w3811) + w796 * (w3809 / w353 - w1131 * w3811)
+    w3813 = (w3812 - w797 * (w3810 / w353 + w1130 * w3811)) / w353 - w1129 * w3811
+    w3814 = (w798 * w3806 + w348 * w3813 - (w794 * w3799 + w795 * w3801 + w796 * w3803 + w797 * w3804)) / w340
+    w3815 = w3814 - w1160 * w3798
+    w3816 = (w798 * w3782 + w318 * w3813 - (w1000 * w3793 + w335 * w3815)) / w310
+    w3817 = hinge0_angle_dot * ((w798 * w3777 + w289 * w3813 - (w1000 * w3788 + w330 * w3815) - w305 * w3816) / w235)
+    w3818 = w68 * w3817
+    w3819 = w3 * hinge0_angle_dot
+    w3820 = w5 * 0.5
+    w3821 = hinge0_angle_dot * w788
+    w3822 = w65 * 0.5
+    w3823 = w5 * 0.25
+    w3824 = w65 * 0.25
+    w3825 = bar1_e0 * w3823 - bar1_e3 * w3824
+    w3826 = bar1_e0 * w3824 + bar1_e3 * w3823
+    w3827 = bar1_e2 * w3823 - bar1_e1 * w3824
+    w3828 = bar1_e2 * w3824 + bar1_e1 * w3823
+    w3829 = w163 * w3825 - (w152 * w3826 + w157 * w3827 + w161 * w3828)
+    w3830 = w188 * w3825 - (w181 * w3826 + w183 * w3827 + w186 * w3828)
+    w3831 = w201 * w3825 - (w195 * w3826 + w197 * w3827 + w199 * w3828)
+    w3832 = w230 * w3826 + w231 * w3827 + w232 * w3828 + w233 * w3825
+    w3833 = (w1227 * w3829 + w1225 * w3830 + w1223 * w3831 - w1207 * w3832) / w1220
+    w3834 = w3829 / w235 - w1216 * w3833
+    w3835 = w3830 / w235 - w1213 * w3833
+    w3836 = w3831 / w235 - w1210 * w3833
+    w3837 = w3832 / w235 + w1209 * w3833
+    w3838 = w130 * w3834 + w260 * w3835 + w274 * w3836 - w287 * w3837
+    w3839 = w236 * w3838 + w289 * w3834
+    w3840 = w301 * w3834 + w302 * w3835 + w303 * w3836 - w304 * w3837
+    w3841 = w236 * w3840 + w305 * w3834
+    w3842 = w261 * w3840 + w305 * w3835
+    w3843 = w275 * w3840 + w305 * w3836
+    w3844 = w288 * w3840 - w305 * w3837
+    w3845 = (w1202 * w3841 + w1200 * w3842 + w1198 * w3843 + w1185 * w3844) / w1195
+    w3846 = w1192 * w3845 - w3841 / w310
+    w3847 = w1190 * w3845 - w3842 / w310
+    w3848 = w261 * w3838 + w289 * w3835
+    w3849 = w1188 * w3845 - w3843 / w310
+    w3850 = w275 * w3838 + w289 * w3836
+    w3851 = w1187 * w3845 - w3844 / w310
+    w3852 = w288 * w3838 - w289 * w3837
+    w3853 = w290 * w3846 - w311 * w3839 + (w312 * w3847 - w313 * w3848) + (w314 * w3849 - w315 * w3850) + (w316 * w3851 - w317 * w3852)
+    w3854 = w3839 + (w311 * w3853 + w318 * w3846)
+    w3855 = w326 * w3834 + w327 * w3835 + w328 * w3836 - w329 * w3837
+    w3856 = w236 * w3855 + w330 * w3834
+    w3857 = w261 * w3855 + w330 * w3835
+    w3858 = w275 * w3855 + w330 * w3836
+    w3859 = w288 * w3855 - w330 * w3837
+    w3860 = w331 * w3846 - w311 * w3856 + (w332 * w3847 - w313 * w3857) + (w333 * w3849 - w315 * w3858) + (w334 * w3851 - w317 * w3859)
+    w3861 = w3856 + (w311 * w3860 + w335 * w3846)
+    w3862 = w3857 + (w313 * w3860 + w335 * w3847)
+    w3863 = w3858 + (w315 * w3860 + w335 * w3849)
+    w3864 = w3859 + (w317 * w3860 + w335 * w3851)
+    w3865 = (w1176 * w3861 + w1174 * w3862 + w1172 * w3863 + w1159 * w3864) / w1169
+    w3866 = w1166 * w3865 - w3861 / w340
+    w3867 = w1164 * w3865 - w3862 / w340
+    w3868 = w3848 + (w313 * w3853 + w318 * w3847)
+    w3869 = w1162 * w3865 - w3863 / w340
+    w3870 = w3850 + (w315 * w3853 + w318 * w3849)
+    w3871 = w1161 * w3865 - w3864 / w340
+    w3872 = w3852 + (w317 * w3853 + w318 * w3851)
+    w3873 = w319 * w3866 - w341 * w3854 + (w342 * w3867 - w343 * w3868) + (w344 * w3869 - w345 * w3870) + (w346 * w3871 - w347 * w3872)
+    w3874 = w3854 + (w341 * w3873 + w348 * w3866)
+    w3875 = w3868 + (w343 * w3873 + w348 * w3867)
+    w3876 = w3870 + (w345 * w3873 + w348 * w3869)
+    w3877 = w3872 + (w347 * w3873 + w348 * w3871)
+    w3878 = (w1145 * w3874 + w1143 * w3875 + w1141 * w3876 + w1128 * w3877) / w1138
+    w3879 = w3 * (w163 * w3820 - w152 * w3822) - w754 * (w161 * w3820 - w157 * w3822) - w777 * (w161 * w3822 + w157 * w3820)
+    w3880 = w3879 - w788 * (w152 * w3820 + w163 * w3822)
+    w3881 = w3 * (w188 * w3820 - w181 * w3822) - w754 * (w186 * w3820 - w183 * w3822) - w777 * (w186 * w3822 + w183 * w3820)
+    w3882 = w3881 - w788 * (w181 * w3820 + w188 * w3822)
+    w3883 = w794 * (w1135 * w3878 - w3874 / w353) + w354 * w3880 + (w795 * (w1133 * w3878 - w3875 / w353) + w360 * w3882)
+    w3884 = w3 * (w201 * w3820 - w195 * w3822) - w754 * (w199 * w3820 - w197 * w3822) - w777 * (w199 * w3822 + w197 * w3820)
+    w3885 = w3884 - w788 * (w195 * w3820 + w201 * w3822)
+    w3886 = w3 * (w230 * w3822 + w233 * w3820) + w754 * (w232 * w3820 - w231 * w3822) + w777 * (w232 * w3822 + w231 * w3820)
+    w3887 = w3886 + w788 * (w230 * w3820 - w233 * w3822)
+    w3888 = w3883 + (w796 * (w1131 * w3878 - w3876 / w353) + w375 * w3885) + (w797 * (w1130 * w3878 - w3877 / w353) - w385 * w3887)
+    w3889 = w3888 / w353 + w1129 * w3878
+    w3890 = w794 * w3834 + w236 * w3880 + (w795 * w3835 + w261 * w3882) + (w796 * w3836 + w275 * w3885) - (w797 * w3837 + w288 * w3887)
+    w3891 = w794 * w3866 + w341 * w3880 + (w795 * w3867 + w343 * w3882) + (w796 * w3869 + w345 * w3885) + (w797 * w3871 - w347 * w3887)
+    w3892 = (w798 * w3873 + w348 * w3889 - w3891) / w340 + w1160 * w3865
+    w3893 = w794 * w3846 + w311 * w3880 + (w795 * w3847 + w313 * w3882) + (w796 * w3849 + w315 * w3885) + (w797 * w3851 - w317 * w3887)
+    w3894 = (w798 * w3853 + w318 * w3889 - w3893 - (w1000 * w3860 + w335 * w3892)) / w310 + w1186 * w3845
+    w3895 = w798 * w3838 + w289 * w3889 - w3890 - (w1000 * w3855 + w330 * w3892) - (w1004 * w3840 + w305 * w3894)
+    w3896 = hinge0_angle_dot * (w3895 / w235 - w1208 * w3833)
+    w3897 = w3819 * w3820 - w3821 * w3822 + (w1960 * w3825 + w68 * w3896)
+    w3898 = w146 * 0.5
+    w3899 = w3898 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w3898 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w3900 = w7 * 0.5
+    w3901 = w7 * c129
+    w3902 = w146 * c130
+    w3903 = w3900 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w3900 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w3904 = w133 * w3899 - (w145 * w3901 - w141 * w3902) + w150 * w3903
+    w3905 = w141 * w3901 + w145 * w3902 - w133 * w3903 + w150 * w3899
+    w3906 = w145 * w3903 - w141 * w3899 + w133 * w3902 + w150 * w3901
+    w3907 = w141 * w3903 + w145 * w3899 + w133 * w3901 - w150 * w3902
+    w3908 = w153 * w3904 - w158 * w3905 + w162 * w3906 + w68 * w3907
+    w3909 = w170 * w3899 - (w179 * w3901 - w178 * w3902) + w180 * w3903
+    w3910 = w178 * w3901 + w179 * w3902 - w170 * w3903 + w180 * w3899
+    w3911 = w179 * w3903 - w178 * w3899 + w170 * w3902 + w180 * w3901
+    w3912 = w178 * w3903 + w179 * w3899 + w170 * w3901 - w180 * w3902
+    w3913 = w153 * w3909 - w158 * w3910 + w162 * w3911 + w68 * w3912
+    w3914 = w190 * w3899 - (w193 * w3901 - w192 * w3902) + w194 * w3903
+    w3915 = w192 * w3901 + w193 * w3902 - w190 * w3903 + w194 * w3899
+    w3916 = w193 * w3903 - w192 * w3899 + w190 * w3902 + w194 * w3901
+    w3917 = w192 * w3903 + w193 * w3899 + w190 * w3901 - w194 * w3902
+    w3918 = w153 * w3914 - w158 * w3915 + w162 * w3916 + w68 * w3917
+    w3919 = w227 * w3901 - w226 * w3902 - w228 * w3899 - w229 * w3903
+    w3920 = w228 * w3903 - (w227 * w3902 + w226 * w3901) - w229 * w3899
+    w3921 = w226 * w3899 - w227 * w3903 - w228 * w3902 - w229 * w3901
+    w3922 = w226 * w3903 + w227 * w3899 + w228 * w3901 - w229 * w3902
+    w3923 = w153 * w3919 - w158 * w3920 + w162 * w3921 - w68 * w3922
+    w3924 = (w1227 * w3908 + w1225 * w3913 + w1223 * w3918 + w1207 * w3923) / w1220
+    w3925 = w3908 / w235 - w1216 * w3924
+    w3926 = w3913 / w235 - w1213 * w3924
+    w3927 = w3918 / w235 - w1210 * w3924
+    w3928 = w3923 / w235 - w1209 * w3924
+    w3929 = w130 * w3925 + w260 * w3926 + w274 * w3927 + w287 * w3928
+    w3930 = w236 * w3929 + w289 * w3925
+    w3931 = w7 * 0.25
+    w3932 = w7 * c131
+    w3933 = w3931 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w3931 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w3934 = w146 * 0.25
+    w3935 = w146 * c132
+    w3936 = w3934 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w3934 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
+    w3937 = bar2_e0 * w3932 + (bar2_e2 * w3933 - bar2_e1 * w3935 + bar2_e3 * w3936)
+    w3938 = bar2_e0 * w3936 - bar2_e3 * w3932 + (bar2_e1 * w3933 + bar2_e2 * w3935)
+    w3939 = bar2_e0 * w3933 - bar2_e2 * w3932 - (bar2_e3 * w3935 + bar2_e1 * w3936)
+    w3940 = bar2_e2 * w3936 - bar2_e3 * w3933 - (bar2_e0 * w3935 + bar2_e1 * w3932)
+    w3941 = w150 * w3937 - (w141 * w3938 + w145 * w3939 + w133 * w3940)
+    w3942 = w180 * w3937 - (w178 * w3938 + w179 * w3939 + w170 * w3940)
+    w3943 = w194 * w3937 - (w192 * w3938 + w193 * w3939 + w190 * w3940)
+    w3944 = w226 * w3938 + w227 * w3939 + w228 * w3940 - w229 * w3937
+    w3945 = w236 * w3941 + w301 * w3925 + (w261 * w3942 + w302 * w3926) + (w275 * w3943 + w303 * w3927) + (w288 * w3944 + w304 * w3928)
+    w3946 = w3941 - (w236 * w3945 + w305 * w3925)
+    w3947 = w3942 - (w261 * w3945 + w305 * w3926)
+    w3948 = w3943 - (w275 * w3945 + w305 * w3927)
+    w3949 = w3944 - (w288 * w3945 + w305 * w3928)
+    w3950 = (w1202 * w3946 + w1200 * w3947 + w1198 * w3948 + w1185 * w3949) / w1195
+    w3951 = w3946 / w310 - w1192 * w3950
+    w3952 = w3947 / w310 - w1190 * w3950
+    w3953 = w261 * w3929 + w289 * w3926
+    w3954 = w3948 / w310 - w1188 * w3950
+    w3955 = w275 * w3929 + w289 * w3927
+    w3956 = w3949 / w310 - w1187 * w3950
+    w3957 = w288 * w3929 + w289 * w3928
+    w3958 = w290 * w3951 - w311 * w3930 + (w312 * w3952 - w313 * w3953) + (w314 * w3954 - w315 * w3955) + (w316 * w3956 - w317 * w3957)
+    w3959 = w3930 + (w311 * w3958 + w318 * w3951)
+    w3960 = w326 * w3925 + w327 * w3926 + w328 * w3927 + w329 * w3928
+    w3961 = w236 * w3960 + w330 * w3925
+    w3962 = w261 * w3960 + w330 * w3926
+    w3963 = w275 * w3960 + w330 * w3927
+    w3964 = w288 * w3960 + w330 * w3928
+    w3965 = w331 * w3951 - w311 * w3961 + (w332 * w3952 - w313 * w3962) + (w333 * w3954 - w315 * w3963) + (w334 * w3956 - w317 * w3964)
+    w3966 = w3961 + (w311 * w3965 + w335 * w3951)
+    w3967 = w3962 + (w313 * w3965 + w335 * w3952)
+    w3968 = w3963 + (w315 * w3965 + w335 * w3954)
+    w3969 = w3964 + (w317 * w3965 + w335 * w3956)
+    w3970 = (w1176 * w3966 + w1174 * w3967 + w1172 * w3968 + w1159 * w3969) / w1169
+    w3971 = w1166 * w3970 - w3966 / w340
+    w3972 = w1164 * w3970 - w3967 / w340
+    w3973 = w3953 + (w313 * w3958 + w318 * w3952)
+    w3974 = w1162 * w3970 - w3968 / w340
+    w3975 = w3955 + (w315 * w3958 + w318 * w3954)
+    w3976 = w1161 * w3970 - w3969 / w340
+    w3977 = w3957 + (w317 * w3958 + w318 * w3956)
+    w3978 = w319 * w3971 - w341 * w3959 + (w342 * w3972 - w343 * w3973) + (w344 * w3974 - w345 * w3975) + (w346 * w3976 - w347 * w3977)
+    w3979 = w3959 + (w341 * w3978 + w348 * w3971)
+    w3980 = w3973 + (w343 * w3978 + w348 * w3972)
+    w3981 = w3975 + (w345 * w3978 + w348 * w3974)
+    w3982 = w3977 + (w347 * w3978 + w348 * w3976)
+    w3983 = (w1145 * w3979 + w1143 * w3980 + w1141 * w3981 + w1128 * w3982) / w1138
+    w3984 = w3 * (w5 * w3904 + w65 * w3907) - w754 * (w5 * w3905 + w65 * w3906) + w777 * (w5 * w3906 - w65 * w3905)
+    w3985 = w3984 - w788 * (w65 * w3904 - w5 * w3907)
+    w3986 = w3 * (w5 * w3909 + w65 * w3912) - w754 * (w5 * w3910 + w65 * w3911) + w777 * (w5 * w3911 - w65 * w3910)
+    w3987 = w3986 - w788 * (w65 * w3909 - w5 * w3912)
+    w3988 = w794 * (w1135 * w3983 - w3979 / w353) + w354 * w3985 + (w795 * (w1133 * w3983 - w3980 / w353) + w360 * w3987)
+    w3989 = w3 * (w5 * w3914 + w65 * w3917) - w754 * (w5 * w3915 + w65 * w3916) + w777 * (w5 * w3916 - w65 * w3915)
+    w3990 = w3989 - w788 * (w65 * w3914 - w5 * w3917)
+    w3991 = w3 * (w5 * w3919 - w65 * w3922) - w754 * (w5 * w3920 + w65 * w3921) + w777 * (w5 * w3921 - w65 * w3920)
+    w3992 = w3991 - w788 * (w65 * w3919 + w5 * w3922)
+    w3993 = w3988 + (w796 * (w1131 * w3983 - w3981 / w353) + w375 * w3990) + (w797 * (w1130 * w3983 - w3982 / w353) + w385 * w3992)
+    w3994 = w3993 / w353 + w1129 * w3983
+    w3995 = w794 * w3925 + w236 * w3985 + (w795 * w3926 + w261 * w3987) + (w796 * w3927 + w275 * w3990) + (w797 * w3928 + w288 * w3992)
+    w3996 = w794 * w3971 + w341 * w3985 + (w795 * w3972 + w343 * w3987) + (w796 * w3974 + w345 * w3990) + (w797 * w3976 + w347 * w3992)
+    w3997 = (w798 * w3978 + w348 * w3994 - w3996) / w340 + w1160 * w3970
+    w3998 = w794 * w3951 + w311 * w3985 + (w795 * w3952 + w313 * w3987) + (w796 * w3954 + w315 * w3990) + (w797 * w3956 + w317 * w3992)
+    w3999 = (w798 * w3958 + w318 * w3994 - w3998 - (w1000 * w3965 + w335 * w3997)) / w310 - w1186 * w3950
+    w4000 = w798 * w3929 + w289 * w3994 - w3995 - (w1000 * w3960 + w330 * w3997) - (w1004 * w3945 + w305 * w3999)
+    w4001 = hinge0_angle_dot * (w4000 / w235 - w1208 * w3924)
+    w4002 = w68 * w4001
+    w4003 = w86 * 0.5
+    w4004 = w83 * 0.5
+    w4005 = w104 * (w81 * w4003 + w85 * w4004) - w119 * (w111 * w4003 - w108 * w4004) + w124 * (w85 * w4003 - w81 * w4004)
+    w4006 = w4005 - w129 * (w108 * w4003 + w111 * w4004)
+    w4007 = w104 * (w241 * w4003 + w242 * w4004) - w119 * (w251 * w4003 - w250 * w4004) + w124 * (w242 * w4003 - w241 * w4004)
+    w4008 = w4007 - w129 * (w250 * w4003 + w251 * w4004)
+    w4009 = w104 * (w262 * w4003 + w263 * w4004) - w119 * (w267 * w4003 - w266 * w4004) + w124 * (w263 * w4003 - w262 * w4004)
+    w4010 = w4009 - w129 * (w266 * w4003 + w267 * w4004)
+    w4011 = w119 * (w280 * w4003 - w279 * w4004) - w104 * (w282 * w4004 + w283 * w4003) - w124 * (w282 * w4003 - w283 * w4004)
+    w4012 = w4011 + w129 * (w280 * w4004 + w279 * w4003)
+    w4013 = w236 * w4006 + w261 * w4008 + w275 * w4010 + w288 * w4012
+    w4014 = w4006 - w236 * w4013
+    w4015 = w4008 - w261 * w4013
+    w4016 = w4010 - w275 * w4013
+    w4017 = w4012 - w288 * w4013
+    w4018 = w311 * w4014 + w313 * w4015 + w315 * w4016 + w317 * w4017
+    w4019 = w4014 - w311 * w4018
+    w4020 = w86 * 0.25
+    w4021 = w83 * 0.25
+    w4022 = bar5_e3 * w4020 - bar5_e0 * w4021
+    w4023 = bar5_e1 * w4021 + bar5_e2 * w4020
+    w4024 = bar5_e1 * w4020 - bar5_e2 * w4021
+    w4025 = bar5_e3 * w4021 + bar5_e0 * w4020
+    w4026 = w108 * w4022 + w85 * w4023 + w81 * w4024 + w111 * w4025
+    w4027 = w250 * w4022 + w242 * w4023 + w241 * w4024 + w251 * w4025
+    w4028 = w266 * w4022 + w263 * w4023 + w262 * w4024 + w267 * w4025
+    w4029 = w282 * w4023 + w279 * w4022 + w283 * w4024 + w280 * w4025
+    w4030 = w236 * w4026 + w261 * w4027 + w275 * w4028 - w288 * w4029
+    w4031 = w4026 - w236 * w4030
+    w4032 = w4027 - w261 * w4030
+    w4033 = w4028 - w275 * w4030
+    w4034 = w4029 + w288 * w4030
+    w4035 = w311 * w4031 + w313 * w4032 + w315 * w4033 - w317 * w4034
+    w4036 = w4031 - w311 * w4035
+    w4037 = w4032 - w313 * w4035
+    w4038 = w4033 - w315 * w4035
+    w4039 = w4034 + w317 * w4035
+    w4040 = (w1176 * w4036 + w1174 * w4037 + w1172 * w4038 - w1159 * w4039) / w1169
+    w4041 = w4036 / w340 - w1166 * w4040
+    w4042 = w4015 - w313 * w4018
+    w4043 = w4037 / w340 - w1164 * w4040
+    w4044 = w4016 - w315 * w4018
+    w4045 = w4038 / w340 - w1162 * w4040
+    w4046 = w4017 - w317 * w4018
+    w4047 = w4039 / w340 + w1161 * w4040
+    w4048 = w341 * w4019 + w319 * w4041 + (w343 * w4042 + w342 * w4043) + (w345 * w4044 + w344 * w4045) + (w347 * w4046 - w346 * w4047)
+    w4049 = w4019 - (w341 * w4048 + w348 * w4041)
+    w4050 = w4042 - (w343 * w4048 + w348 * w4043)
+    w4051 = w4044 - (w345 * w4048 + w348 * w4045)
+    w4052 = w4046 - (w347 * w4048 - w348 * w4047)
+    w4053 = (w1145 * w4049 + w1143 * w4050 + w1141 * w4051 + w1128 * w4052) / w1138
+    w4054 = w794 * (w4049 / w353 - w1135 * w4053) + w795 * (w4050 / w353 - w1133 * w4053) + w796 * (w4051 / w353 - w1131 * w4053)
+    w4055 = (w4054 + w797 * (w4052 / w353 - w1130 * w4053)) / w353 - w1129 * w4053
+    w4056 = (w798 * w4048 + w348 * w4055 - (w794 * w4041 + w795 * w4043 + w796 * w4045 - w797 * w4047)) / w340
+    w4057 = w4056 - w1160 * w4040
+    w4058 = (w798 * w4018 + w318 * w4055 - (w1000 * w4035 + w335 * w4057)) / w310
+    w4059 = hinge0_angle_dot * ((w798 * w4013 + w289 * w4055 - (w1000 * w4030 + w330 * w4057) - w305 * w4058) / w235)
+    w4060 = w68 * w4059
+    w4061 = w117 * 0.25
+    w4062 = w4061 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w4061 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
+    w4063 = w102 * 0.25
+    w4064 = w4063 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w4063 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
+    w4065 = w102 * c133
+    w4066 = w117 * c134
+    w4067 = w100 * w4062 - w116 * w4064 - w123 * w4065 - w128 * w4066
+    w4068 = w248 * w4062 - w254 * w4064 - w257 * w4065 - w259 * w4066
+    w4069 = w265 * w4062 - w269 * w4064 - w271 * w4065 - w273 * w4066
+    w4070 = w281 * w4064 + w284 * w4062 + w285 * w4065 - w286 * w4066
+    w4071 = w236 * w4067 + w261 * w4068 + w275 * w4069 + w288 * w4070
+    w4072 = w4067 - w236 * w4071
+    w4073 = w4068 - w261 * w4071
+    w4074 = w4069 - w275 * w4071
+    w4075 = w4070 - w288 * w4071
+    w4076 = w311 * w4072 + w313 * w4073 + w315 * w4074 + w317 * w4075
+    w4077 = w4072 - w311 * w4076
+    w4078 = w4073 - w313 * w4076
+    w4079 = w4074 - w315 * w4076
+    w4080 = w4075 - w317 * w4076
+    w4081 = w341 * w4077 + w343 * w4078 + w345 * w4079 + w347 * w4080
+    w4082 = w4077 - w341 * w4081
+    w4083 = w4078 - w343 * w4081
+    w4084 = w4079 - w345 * w4081
+    w4085 = w4080 - w347 * w4081
+    w4086 = (w1145 * w4082 + w1143 * w4083 + w1141 * w4084 + w1128 * w4085) / w1138
+    w4087 = w794 * (w4082 / w353 - w1135 * w4086) + w795 * (w4083 / w353 - w1133 * w4086) + w796 * (w4084 / w353 - w1131 * w4086)
+    w4088 = (w4087 + w797 * (w4085 / w353 - w1130 * w4086)) / w353 - w1129 * w4086
+    w4089 = (w798 * w4081 + w348 * w4088) / w340
+    w4090 = (w798 * w4076 + w318 * w4088 - w335 * w4089) / w310
+    w4091 = hinge0_angle_dot * ((w798 * w4071 + w289 * w4088 - w330 * w4089 - w305 * w4090) / w235)
+    w4092 = w68 * w4091
+    w4093 = hinge0_angle_dot * w1011
+    w4094 = w5 * w1953 + w65 * w1957 + w68 * w4093
+    w4095 = (w1959 + w51 * w1401 + w58 * w1404 + w134 * w1406) * (w3770 + w1065 * w3818 - w1008 * w3897 - w1004 * w4002 - w1000 * w4060 + w798 * w4092 - w4094)
+    w4096 = w588 * w1865 - w586 * w1866 - w584 * w1867 + w587 * w1868 + w51 * w1389 + w52 * w1390 + w159 * w1391
+    w4097 = w5 * w1951 + w65 * w1955 + w162 * w4093
+    w4098 = w162 * w2110 - w1961
+    w4099 = w162 * w2042
+    w4100 = w2191 + w162 * w2189
+    w4101 = w162 * w2258
+    w4102 = w162 * w2356
+    w4103 = w162 * w2457
+    w4104 = w162 * w2534
+    w4105 = w777 * w4098 - w788 * w4099 - w754 * w4100 + w3 * w4101 - w1419 * w4102 + w1435 * w4103 - w1446 * w4104
+    w4106 = w162 * w2620
+    w4107 = w162 * w2767
+    w4108 = w162 * w2903
+    w4109 = w162 * w3028
+    w4110 = w162 * w3143
+    w4111 = w162 * w3269
+    w4112 = w4105 + w1455 * w4106 + w1565 * w4107 + w1580 * w4108 + w1592 * w4109 + w1600 * w4110 + w1699 * w4111
+    w4113 = w162 * w3374
+    w4114 = w162 * w3489
+    w4115 = w162 * w3594
+    w4116 = w162 * w3657
+    w4117 = w162 * w3722
+    w4118 = w162 * w3768
+    w4119 = w4112 + w1713 * w4113 + w1725 * w4114 - w1733 * w4115 + w1063 * w4116 + w1068 * w4117 - w1071 * w4118
+    w4120 = w162 * w3817
+    w4121 = hinge0_angle_dot * w777
+    w4122 = hinge0_angle_dot * w754
+    w4123 = w162 * w3896 - w1960 * w3828 - (w3822 * w4121 + w3820 * w4122)
+    w4124 = w162 * w4001
+    w4125 = w162 * w4059
+    w4126 = w162 * w4091
+    w4127 = (w4096 + w58 * w1401 + w54 * w1404 + w52 * w1406) * (w4097 + (w4119 - w1065 * w4120 + w1008 * w4123 + w1004 * w4124 + w1000 * w4125 - w798 * w4126))
+    w4128 = w587 * w1865 + w584 * w1866 - w586 * w1867 - w588 * w1868 + w155 * w1389 + w58 * w1390 + w52 * w1391
+    w4129 = w158 * w2042
+    w4130 = w2191 + w158 * w2110
+    w4131 = w1961 + w158 * w2189
+    w4132 = w158 * w2258
+    w4133 = w158 * w2356
+    w4134 = w158 * w2457
+    w4135 = w158 * w2534
+    w4136 = w788 * w4129 - w777 * w4130 + w754 * w4131 - w3 * w4132 + w1419 * w4133 - w1435 * w4134 + w1446 * w4135
+    w4137 = w158 * w2620
+    w4138 = w158 * w2767
+    w4139 = w158 * w2903
+    w4140 = w158 * w3028
+    w4141 = w158 * w3143
+    w4142 = w158 * w3269
+    w4143 = w4136 - w1455 * w4137 - w1565 * w4138 - w1580 * w4139 - w1592 * w4140 - w1600 * w4141 - w1699 * w4142
+    w4144 = w158 * w3374
+    w4145 = w158 * w3489
+    w4146 = w158 * w3594
+    w4147 = w158 * w3657
+    w4148 = w158 * w3722
+    w4149 = w158 * w3768
+    w4150 = w4143 - w1713 * w4144 - w1725 * w4145 + w1733 * w4146 - w1063 * w4147 - w1068 * w4148 + w1071 * w4149
+    w4151 = w158 * w3817
+    w4152 = w3820 * w4121 - w3822 * w4122 + (w1960 * w3827 + w158 * w3896)
+    w4153 = w158 * w4001
+    w4154 = w158 * w4059
+    w4155 = w158 * w4091
+    w4156 = w65 * w1951 - w5 * w1955 + w158 * w4093
+    w4157 = (w4128 + w52 * w1401 + w134 * w1404 + w159 * w1406) * (w4150 + w1065 * w4151 - w1008 * w4152 - w1004 * w4153 - w1000 * w4154 + w798 * w4155 - w4156)
+    w4158 = w584 * w1865 - w587 * w1866 + w588 * w1867 - w586 * w1868 + w52 * w1389 + w54 * w1390 + w134 * w1391
+    w4159 = w5 * w1957 - w65 * w1953 + w153 * w4093
+    w4160 = w153 * w2110
+    w4161 = w2191 + w153 * w2042
+    w4162 = w153 * w2189
+    w4163 = w153 * w2258 - w1961
+    w4164 = w153 * w2356
+    w4165 = w153 * w2457
+    w4166 = w153 * w2534
+    w4167 = w777 * w4160 - w788 * w4161 - w754 * w4162 + w3 * w4163 - w1419 * w4164 + w1435 * w4165 - w1446 * w4166
+    w4168 = w153 * w2620
+    w4169 = w153 * w2767
+    w4170 = w153 * w2903
+    w4171 = w153 * w3028
+    w4172 = w153 * w3143
+    w4173 = w153 * w3269
+    w4174 = w4167 + w1455 * w4168 + w1565 * w4169 + w1580 * w4170 + w1592 * w4171 + w1600 * w4172 + w1699 * w4173
+    w4175 = w153 * w3374
+    w4176 = w153 * w3489
+    w4177 = w153 * w3594
+    w4178 = w153 * w3657
+    w4179 = w153 * w3722
+    w4180 = w153 * w3768
+    w4181 = w4174 + w1713 * w4175 + w1725 * w4176 - w1733 * w4177 + w1063 * w4178 + w1068 * w4179 - w1071 * w4180
+    w4182 = w153 * w3817
+    w4183 = w153 * w3896 - w1960 * w3826 - (w3819 * w3822 + w3820 * w3821)
+    w4184 = w153 * w4001
+    w4185 = w153 * w4059
+    w4186 = w153 * w4091
+    w4187 = (w4158 + w155 * w1401 + w52 * w1404 + w51 * w1406) * (w4159 + (w4181 - w1065 * w4182 + w1008 * w4183 + w1004 * w4184 + w1000 * w4185 - w798 * w4186))
+    w4188 = hinge0_angle_dot * w1006
+    w4189 = hinge0_angle_dot * w2108
+    w4190 = hinge0_angle_dot * w2040
+    w4191 = w777 * (w8 * w4130 - (w142 * w2111 + w147 * w4098) - w151 * w4160 - w297 * w4189) - w788 * (w8 * w4129 - (w142 * w2043 + w147 * w4099) - w151 * w4161 - w297 * w4190)
+    w4192 = hinge0_angle_dot * w2187
+    w4193 = hinge0_angle_dot * w2256
+    w4194 = w4191 - w754 * (w8 * w4131 - (w142 * w2190 + w147 * w4100) - w151 * w4162 - w297 * w4192) + w3 * (w8 * w4132 - (w142 * w2259 + w147 * w4101) - w151 * w4163 - w297 * w4193)
+    w4195 = hinge0_angle_dot * w1004
+    w4196 = w292 * w4195
+    w4197 = hinge0_angle_dot * w2354
+    w4198 = w4194 - w1419 * (w8 * w4133 - (w142 * w2357 + w147 * w4102) - w151 * w4164 - (w4196 + w297 * w4197))
+    w4199 = w294 * w4195
+    w4200 = hinge0_angle_dot * w2455
+    w4201 = w4198 + w1435 * (w8 * w4134 - (w142 * w2458 + w147 * w4103) - w151 * w4165 - (w4199 + w297 * w4200))
+    w4202 = w295 * w4195
+    w4203 = hinge0_angle_dot * w2532
+    w4204 = w4201 - w1446 * (w8 * w4135 - (w142 * w2535 + w147 * w4104) - w151 * w4166 - (w4202 + w297 * w4203))
+    w4205 = w296 * w4195
+    w4206 = hinge0_angle_dot * w2618
+    w4207 = w4204 + w1455 * (w8 * w4137 - (w142 * w2621 + w147 * w4106) - w151 * w4168 - (w4205 + w297 * w4206))
+    w4208 = hinge0_angle_dot * w2765
+    w4209 = hinge0_angle_dot * w2901
+    w4210 = w4207 + w1565 * (w8 * w4138 - (w142 * w2768 + w147 * w4107) - w151 * w4169 - w297 * w4208) + w1580 * (w8 * w4139 - (w142 * w2904 + w147 * w4108) - w151 * w4170 - w297 * w4209)
+    w4211 = hinge0_angle_dot * w3026
+    w4212 = hinge0_angle_dot * w3141
+    w4213 = w4210 + w1592 * (w8 * w4140 - (w142 * w3029 + w147 * w4109) - w151 * w4171 - w297 * w4211) + w1600 * (w8 * w4141 - (w142 * w3144 + w147 * w4110) - w151 * w4172 - w297 * w4212)
+    w4214 = hinge0_angle_dot * w3268
+    w4215 = hinge0_angle_dot * w3373
+    w4216 = w4213 + w1699 * (w8 * w4142 - (w142 * w3270 + w147 * w4111) - w151 * w4173 - w297 * w4214) + w1713 * (w8 * w4144 - (w142 * w3375 + w147 * w4113) - w151 * w4175 - w297 * w4215)
+    w4217 = hinge0_angle_dot * w3488
+    w4218 = hinge0_angle_dot * w3593
+    w4219 = w4216 + w1725 * (w8 * w4145 - (w142 * w3490 + w147 * w4114) - w151 * w4176 - w297 * w4217) - w1733 * (w8 * w4146 - (w142 * w3595 + w147 * w4115) - w151 * w4177 - w297 * w4218)
+    w4220 = hinge0_angle_dot * w3656
+    w4221 = hinge0_angle_dot * w3721
+    w4222 = w4219 + w1063 * (w8 * w4147 - (w142 * w3658 + w147 * w4116) - w151 * w4178 - w297 * w4220) + w1068 * (w8 * w4148 - (w142 * w3723 + w147 * w4117) - w151 * w4179 - w297 * w4221)
+    w4223 = hinge0_angle_dot * w3767
+    w4224 = hinge0_angle_dot * w3816
+    w4225 = w4222 - w1071 * (w8 * w4149 - (w142 * w3769 + w147 * w4118) - w151 * w4180 - w297 * w4223) - w1065 * (w8 * w4151 - (w142 * w3818 + w147 * w4120) - w151 * w4182 - w297 * w4224)
+    w4226 = hinge0_angle_dot * w3894
+    w4227 = w65 * w4121 + w5 * w4122 + w158 * w1960
+    w4228 = w5 * w3821 + w65 * w3819 + w68 * w1960
+    w4229 = w5 * w4121 - w65 * w4122 + w162 * w1960
+    w4230 = w5 * w3819 - w65 * w3821 + w153 * w1960
+    w4231 = w3899 * w4227 + w8 * w4153 - (w142 * w4002 - w3902 * w4228 + (w3901 * w4229 + w147 * w4124)) - (w3903 * w4230 + w151 * w4184)
+    w4232 = hinge0_angle_dot * w3999
+    w4233 = w4225 + w1008 * (w8 * w4152 - (w142 * w3897 + w147 * w4123) - w151 * w4183 - w297 * w4226) + w1004 * (w4231 - (w3937 * w4195 + w297 * w4232))
+    w4234 = hinge0_angle_dot * w4058
+    w4235 = hinge0_angle_dot * w4090
+    w4236 = w4233 + w1000 * (w8 * w4154 - (w142 * w4060 + w147 * w4125) - w151 * w4185 - w297 * w4234) - w798 * (w8 * w4155 - (w142 * w4092 + w147 * w4126) - w151 * w4186 - w297 * w4235)
+    w4237 = (w148 * w1539 + w138 * w1542 + w14 * w1543 + w148 * w1546 + w138 * w1548 + w14 * w1551) * (w8 * w4156 - (w142 * w4094 + w147 * w4097) - w151 * w4159 - w297 * w4188 + w4236)
+    w4238 = w777 * (w142 * w4098 - w147 * w2111 - w151 * w4130 - w8 * w4160 + w300 * w4189) - w788 * (w142 * w4099 - w147 * w2043 - w151 * w4129 - w8 * w4161 + w300 * w4190)
+    w4239 = w4238 - w754 * (w142 * w4100 - w147 * w2190 - w151 * w4131 - w8 * w4162 + w300 * w4192) + w3 * (w142 * w4101 - w147 * w2259 - w151 * w4132 - w8 * w4163 + w300 * w4193)
+    w4240 = w4239 - w1419 * (w142 * w4102 - w147 * w2357 - w151 * w4133 - w8 * w4164 + (w4199 + w300 * w4197))
+    w4241 = w4240 + w1435 * (w142 * w4103 - w147 * w2458 - w151 * w4134 - w8 * w4165 + (w300 * w4200 - w4196))
+    w4242 = w4241 - w1446 * (w142 * w4104 - w147 * w2535 - w151 * w4135 - w8 * w4166 + (w4205 + w300 * w4203))
+    w4243 = w4242 + w1455 * (w142 * w4106 - w147 * w2621 - w151 * w4137 - w8 * w4168 + (w300 * w4206 - w4202))
+    w4244 = w4243 + w1565 * (w142 * w4107 - w147 * w2768 - w151 * w4138 - w8 * w4169 + w300 * w4208) + w1580 * (w142 * w4108 - w147 * w2904 - w151 * w4139 - w8 * w4170 + w300 * w4209)
+    w4245 = w4244 + w1592 * (w142 * w4109 - w147 * w3029 - w151 * w4140 - w8 * w4171 + w300 * w4211) + w1600 * (w142 * w4110 - w147 * w3144 - w151 * w4141 - w8 * w4172 + w300 * w4212)
+    w4246 = w4245 + w1699 * (w142 * w4111 - w147 * w3270 - w151 * w4142 - w8 * w4173 + w300 * w4214) + w1713 * (w142 * w4113 - w147 * w3375 - w151 * w4144 - w8 * w4175 + w300 * w4215)
+    w4247 = w4246 + w1725 * (w142 * w4114 - w147 * w3490 - w151 * w4145 - w8 * w4176 + w300 * w4217) - w1733 * (w142 * w4115 - w147 * w3595 - w151 * w4146 - w8 * w4177 + w300 * w4218)
+    w4248 = w4247 + w1063 * (w142 * w4116 - w147 * w3658 - w151 * w4147 - w8 * w4178 + w300 * w4220) + w1068 * (w142 * w4117 - w147 * w3723 - w151 * w4148 - w8 * w4179 + w300 * w4221)
+    w4249 = w4248 - w1071 * (w142 * w4118 - w147 * w3769 - w151 * w4149 - w8 * w4180 + w300 * w4223) - w1065 * (w142 * w4120 - w147 * w3818 - w151 * w4151 - w8 * w4182 + w300 * w4224)
+    w4250 = w142 * w4124 - w3902 * w4229 - (w3901 * w4228 + w147 * w4002) - (w3903 * w4227 + w151 * w4153) - (w3899 * w4230 + w8 * w4184)
+    w4251 = w4249 + w1008 * (w142 * w4123 - w147 * w3897 - w151 * w4152 - w8 * w4183 + w300 * w4226) + w1004 * (w4250 + (w3940 * w4195 + w300 * w4232))
+    w4252 = w4251 + w1000 * (w142 * w4125 - w147 * w4060 - w151 * w4154 - w8 * w4185 + w300 * w4234) - w798 * (w142 * w4126 - w147 * w4092 - w151 * w4155 - w8 * w4186 + w300 * w4235)
+    w4253 = (w15 * w1539 + w17 * w1542 + w148 * w1543 + w14 * w1546 + w17 * w1548 + w9 * w1551) * (w142 * w4097 - w147 * w4094 - w151 * w4156 - w8 * w4159 + w300 * w4188 + w4252)
+    w4254 = w777 * (w147 * w4160 - (w8 * w2111 + w151 * w4098 + w142 * w4130) + w299 * w4189) - w788 * (w147 * w4161 - (w8 * w2043 + w151 * w4099 + w142 * w4129) + w299 * w4190)
+    w4255 = w4254 - w754 * (w147 * w4162 - (w8 * w2190 + w151 * w4100 + w142 * w4131) + w299 * w4192) + w3 * (w147 * w4163 - (w8 * w2259 + w151 * w4101 + w142 * w4132) + w299 * w4193)
+    w4256 = w4255 - w1419 * (w147 * w4164 - (w8 * w2357 + w151 * w4102 + w142 * w4133) + (w4202 + w299 * w4197))
+    w4257 = w4256 + w1435 * (w147 * w4165 - (w8 * w2458 + w151 * w4103 + w142 * w4134) + (w299 * w4200 - w4205))
+    w4258 = w4257 - w1446 * (w147 * w4166 - (w8 * w2535 + w151 * w4104 + w142 * w4135) + (w299 * w4203 - w4196))
+    w4259 = w4258 + w1455 * (w147 * w4168 - (w8 * w2621 + w151 * w4106 + w142 * w4137) + (w4199 + w299 * w4206))
+    w4260 = w4259 + w1565 * (w147 * w4169 - (w8 * w2768 + w151 * w4107 + w142 * w4138) + w299 * w4208) + w1580 * (w147 * w4170 - (w8 * w2904 + w151 * w4108 + w142 * w4139) + w299 * w4209)
+    w4261 = w4260 + w1592 * (w147 * w4171 - (w8 * w3029 + w151 * w4109 + w142 * w4140) + w299 * w4211) + w1600 * (w147 * w4172 - (w8 * w3144 + w151 * w4110 + w142 * w4141) + w299 * w4212)
+    w4262 = w4261 + w1699 * (w147 * w4173 - (w8 * w3270 + w151 * w4111 + w142 * w4142) + w299 * w4214) + w1713 * (w147 * w4175 - (w8 * w3375 + w151 * w4113 + w142 * w4144) + w299 * w4215)
+    w4263 = w4262 + w1725 * (w147 * w4176 - (w8 * w3490 + w151 * w4114 + w142 * w4145) + w299 * w4217) - w1733 * (w147 * w4177 - (w8 * w3595 + w151 * w4115 + w142 * w4146) + w299 * w4218)
+    w4264 = w4263 + w1063 * (w147 * w4178 - (w8 * w3658 + w151 * w4116 + w142 * w4147) + w299 * w4220) + w1068 * (w147 * w4179 - (w8 * w3723 + w151 * w4117 + w142 * w4148) + w299 * w4221)
+    w4265 = w4264 - w1071 * (w147 * w4180 - (w8 * w3769 + w151 * w4118 + w142 * w4149) + w299 * w4223) - w1065 * (w147 * w4182 - (w8 * w3818 + w151 * w4120 + w142 * w4151) + w299 * w4224)
+    w4266 = w3901 * w4230 + w147 * w4184 - (w3899 * w4228 + w8 * w4002 + (w3903 * w4229 + w151 * w4124) + (w142 * w4153 - w3902 * w4227))
+    w4267 = w4265 + w1008 * (w147 * w4183 - (w8 * w3897 + w151 * w4123 + w142 * w4152) + w299 * w4226) + w1004 * (w4266 + (w3939 * w4195 + w299 * w4232))
+    w4268 = w4267 + w1000 * (w147 * w4185 - (w8 * w4060 + w151 * w4125 + w142 * w4154) + w299 * w4234) - w798 * (w147 * w4186 - (w8 * w4092 + w151 * w4126 + w142 * w4155) + w299 * w4235)
+    w4269 = (w138 * w1539 + w9 * w1542 + w17 * w1543 + w144 * w1546 + w148 * w1548 + w17 * w1551) * (w147 * w4159 - (w8 * w4094 + w151 * w4097 + w142 * w4156) + w299 * w4188 + w4268)
+    w4270 = w777 * (w8 * w4098 - w151 * w2111 + w147 * w4130 + w142 * w4160 + w298 * w4189) - w788 * (w8 * w4099 - w151 * w2043 + w147 * w4129 + w142 * w4161 + w298 * w4190)
+    w4271 = w4270 - w754 * (w8 * w4100 - w151 * w2190 + w147 * w4131 + w142 * w4162 + w298 * w4192) + w3 * (w8 * w4101 - w151 * w2259 + w147 * w4132 + w142 * w4163 + w298 * w4193)
+    w4272 = w4271 - w1419 * (w8 * w4102 - w151 * w2357 + w147 * w4133 + w142 * w4164 + (w4205 + w298 * w4197))
+    w4273 = w4272 + w1435 * (w8 * w4103 - w151 * w2458 + w147 * w4134 + w142 * w4165 + (w4202 + w298 * w4200))
+    w4274 = w4273 - w1446 * (w8 * w4104 - w151 * w2535 + w147 * w4135 + w142 * w4166 + (w298 * w4203 - w4199))
+    w4275 = w4274 + w1455 * (w8 * w4106 - w151 * w2621 + w147 * w4137 + w142 * w4168 + (w298 * w4206 - w4196))
+    w4276 = w4275 + w1565 * (w8 * w4107 - w151 * w2768 + w147 * w4138 + w142 * w4169 + w298 * w4208) + w1580 * (w8 * w4108 - w151 * w2904 + w147 * w4139 + w142 * w4170 + w298 * w4209)
+    w4277 = w4276 + w1592 * (w8 * w4109 - w151 * w3029 + w147 * w4140 + w142 * w4171 + w298 * w4211) + w1600 * (w8 * w4110 - w151 * w3144 + w147 * w4141 + w142 * w4172 + w298 * w4212)
+    w4278 = w4277 + w1699 * (w8 * w4111 - w151 * w3270 + w147 * w4142 + w142 * w4173 + w298 * w4214) + w1713 * (w8 * w4113 - w151 * w3375 + w147 * w4144 + w142 * w4175 + w298 * w4215)
+    w4279 = w4278 + w1725 * (w8 * w4114 - w151 * w3490 + w147 * w4145 + w142 * w4176 + w298 * w4217) - w1733 * (w8 * w4115 - w151 * w3595 + w147 * w4146 + w142 * w4177 + w298 * w4218)
+    w4280 = w4279 + w1063 * (w8 * w4116 - w151 * w3658 + w147 * w4147 + w142 * w4178 + w298 * w4220) + w1068 * (w8 * w4117 - w151 * w3723 + w147 * w4148 + w142 * w4179 + w298 * w4221)
+    w4281 = w4280 - w1071 * (w8 * w4118 - w151 * w3769 + w147 * w4149 + w142 * w4180 + w298 * w4223) - w1065 * (w8 * w4120 - w151 * w3818 + w147 * w4151 + w142 * w4182 + w298 * w4224)
+    w4282 = w3899 * w4229 + w8 * w4124 - (w3903 * w4228 + w151 * w4002) + (w3901 * w4227 + w147 * w4153) + (w142 * w4184 - w3902 * w4230)
+    w4283 = w4281 + w1008 * (w8 * w4123 - w151 * w3897 + w147 * w4152 + w142 * w4183 + w298 * w4226) + w1004 * (w4282 + (w3938 * w4195 + w298 * w4232))
+    w4284 = w4283 + w1000 * (w8 * w4125 - w151 * w4060 + w147 * w4154 + w142 * w4185 + w298 * w4234) - w798 * (w8 * w4126 - w151 * w4092 + w147 * w4155 + w142 * w4186 + w298 * w4235)
+    w4285 = (w17 * w1539 + w14 * w1542 + w144 * w1543 + w17 * w1546 + w15 * w1548 + w138 * w1551) * (w8 * w4097 - w151 * w4094 + w147 * w4156 + w142 * w4159 + w298 * w4188 + w4284)
+    w4286 = hinge0_angle_dot * w999
+    w4287 = w129 * w4286
+    w4288 = w119 * w4286
+    w4289 = hinge0_angle_dot * w1002
+    w4290 = hinge0_angle_dot * w2103
+    w4291 = w129 * w4290
+    w4292 = w119 * w4290
+    w4293 = hinge0_angle_dot * w2106
+    w4294 = hinge0_angle_dot * w2035
+    w4295 = w129 * w4294
+    w4296 = w119 * w4294
+    w4297 = hinge0_angle_dot * w2038
+    w4298 = w777 * (w86 * w4291 - w83 * w4292 + w325 * w4293) - w788 * (w86 * w4295 - w83 * w4296 + w325 * w4297)
+    w4299 = hinge0_angle_dot * w2182
+    w4300 = w129 * w4299
+    w4301 = w119 * w4299
+    w4302 = hinge0_angle_dot * w2185
+    w4303 = hinge0_angle_dot * w2251
+    w4304 = w129 * w4303
+    w4305 = w119 * w4303
+    w4306 = hinge0_angle_dot * w2254
+    w4307 = w4298 - w754 * (w86 * w4300 - w83 * w4301 + w325 * w4302) + w3 * (w86 * w4304 - w83 * w4305 + w325 * w4306)
+    w4308 = hinge0_angle_dot * w2349
+    w4309 = w129 * w4308
+    w4310 = w119 * w4308
+    w4311 = hinge0_angle_dot * w2352
+    w4312 = hinge0_angle_dot * w2450
+    w4313 = w129 * w4312
+    w4314 = w119 * w4312
+    w4315 = hinge0_angle_dot * w2453
+    w4316 = w4307 - w1419 * (w86 * w4309 - w83 * w4310 + w325 * w4311) + w1435 * (w86 * w4313 - w83 * w4314 + w325 * w4315)
+    w4317 = hinge0_angle_dot * w2527
+    w4318 = w129 * w4317
+    w4319 = w119 * w4317
+    w4320 = hinge0_angle_dot * w2530
+    w4321 = hinge0_angle_dot * w2613
+    w4322 = w129 * w4321
+    w4323 = w119 * w4321
+    w4324 = hinge0_angle_dot * w2616
+    w4325 = w4316 - w1446 * (w86 * w4318 - w83 * w4319 + w325 * w4320) + w1455 * (w86 * w4322 - w83 * w4323 + w325 * w4324)
+    w4326 = hinge0_angle_dot * w2760
+    w4327 = w129 * w4326
+    w4328 = w119 * w4326
+    w4329 = hinge0_angle_dot * w2763
+    w4330 = hinge0_angle_dot * w2896
+    w4331 = w129 * w4330
+    w4332 = w119 * w4330
+    w4333 = hinge0_angle_dot * w2899
+    w4334 = w4325 + w1565 * (w86 * w4327 - w83 * w4328 + w325 * w4329) + w1580 * (w86 * w4331 - w83 * w4332 + w325 * w4333)
+    w4335 = hinge0_angle_dot * w3021
+    w4336 = w129 * w4335
+    w4337 = w119 * w4335
+    w4338 = hinge0_angle_dot * w3024
+    w4339 = hinge0_angle_dot * w3136
+    w4340 = w129 * w4339
+    w4341 = w119 * w4339
+    w4342 = hinge0_angle_dot * w3139
+    w4343 = w4334 + w1592 * (w86 * w4336 - w83 * w4337 + w325 * w4338) + w1600 * (w86 * w4340 - w83 * w4341 + w325 * w4342)
+    w4344 = hinge0_angle_dot * w3263
+    w4345 = w129 * w4344
+    w4346 = w119 * w4344
+    w4347 = hinge0_angle_dot * w3266
+    w4348 = hinge0_angle_dot * w3368
+    w4349 = w129 * w4348
+    w4350 = w119 * w4348
+    w4351 = hinge0_angle_dot * w3371
+    w4352 = w4343 + w1699 * (w86 * w4345 - w83 * w4346 + w325 * w4347) + w1713 * (w86 * w4349 - w83 * w4350 + w325 * w4351)
+    w4353 = hinge0_angle_dot * w3483
+    w4354 = w129 * w4353
+    w4355 = w119 * w4353
+    w4356 = hinge0_angle_dot * w3486
+    w4357 = hinge0_angle_dot * w3588
+    w4358 = w129 * w4357
+    w4359 = w119 * w4357
+    w4360 = hinge0_angle_dot * w3591
+    w4361 = w4352 + w1725 * (w86 * w4354 - w83 * w4355 + w325 * w4356) - w1733 * (w86 * w4358 - w83 * w4359 + w325 * w4360)
+    w4362 = hinge0_angle_dot * w3653
+    w4363 = w129 * w4362
+    w4364 = w119 * w4362
+    w4365 = hinge0_angle_dot * w3655
+    w4366 = hinge0_angle_dot * w1000
+    w4367 = w321 * w4366
+    w4368 = hinge0_angle_dot * w3718
     w4369 = w129 * w4368
     w4370 = w119 * w4368
-    w4371 = hinge0_angle_dot * w3978
-    w4372 = w4363 + w1008 * (w86 * w4365 - w83 * w4366 + w325 * w4367) + w1004 * (w86 * w4369 - w83 * w4370 + w325 * w4371)
-    w4373 = hinge0_angle_dot * w4036
+    w4371 = hinge0_angle_dot * w3720
+    w4372 = w4361 + w1063 * (w86 * w4363 - w83 * w4364 + (w325 * w4365 - w4367)) + w1068 * (w86 * w4369 - w83 * w4370 + w325 * w4371)
+    w4373 = hinge0_angle_dot * w3764
     w4374 = w129 * w4373
-    w4375 = hinge0_angle_dot * w798
-    w4376 = w129 * w4375
-    w4377 = w119 * w4375
-    w4378 = w119 * w4373
-    w4379 = hinge0_angle_dot * w4038
-    w4380 = w1000 * (w86 * w4374 - w3985 * w4376 - (w3984 * w4377 + w83 * w4378) + (w325 * w4379 - w4006 * w4347))
-    w4381 = hinge0_angle_dot * w4069
-    w4382 = w4047 * w4375 + w129 * w4381
-    w4383 = w4045 * w4375 + w119 * w4381
-    w4384 = hinge0_angle_dot * w4070
-    w4385 = w86 * w4268 - w83 * w4269 + w325 * w4270 + (w4372 + w4380 - w798 * (w86 * w4382 - w83 * w4383 + w325 * w4384))
-    w4386 = w1939 + w4076 + w4108 + w4138 + w4168 + w4218 + w4234 + w4250 + w4266 + (w105 * w1657 + w76 * w1661 + w109 * w1662 + w109 * w1677 + w105 * w1681 + w76 * w1683) * w4385
-    w4387 = w124 * w4267
-    w4388 = w104 * w4267
-    w4389 = w124 * w4271
-    w4390 = w104 * w4271
-    w4391 = w124 * w4275
-    w4392 = w104 * w4275
-    w4393 = w777 * (w86 * w4389 + w83 * w4390 - w324 * w4274) - w788 * (w86 * w4391 + w83 * w4392 - w324 * w4278)
-    w4394 = w124 * w4280
-    w4395 = w104 * w4280
-    w4396 = w124 * w4284
-    w4397 = w104 * w4284
-    w4398 = w4393 - w754 * (w86 * w4394 + w83 * w4395 - w324 * w4283) + w3 * (w86 * w4396 + w83 * w4397 - w324 * w4287)
-    w4399 = w124 * w4289
-    w4400 = w104 * w4289
-    w4401 = w124 * w4293
-    w4402 = w104 * w4293
-    w4403 = w4398 - w1419 * (w86 * w4399 + w83 * w4400 - w324 * w4292) + w1435 * (w86 * w4401 + w83 * w4402 - w324 * w4296)
-    w4404 = w124 * w4298
-    w4405 = w104 * w4298
-    w4406 = w124 * w4302
-    w4407 = w104 * w4302
-    w4408 = w4403 - w1446 * (w86 * w4404 + w83 * w4405 - w324 * w4301) + w1455 * (w86 * w4406 + w83 * w4407 - w324 * w4305)
-    w4409 = w124 * w4307
-    w4410 = w104 * w4307
-    w4411 = w124 * w4311
-    w4412 = w104 * w4311
-    w4413 = w4408 + w1565 * (w86 * w4409 + w83 * w4410 - w324 * w4310) + w1580 * (w86 * w4411 + w83 * w4412 - w324 * w4314)
-    w4414 = w124 * w4316
-    w4415 = w104 * w4316
-    w4416 = w124 * w4320
-    w4417 = w104 * w4320
-    w4418 = w4413 + w1592 * (w86 * w4414 + w83 * w4415 - w324 * w4319) + w1600 * (w86 * w4416 + w83 * w4417 - w324 * w4323)
-    w4419 = w124 * w4325
-    w4420 = w104 * w4325
-    w4421 = w124 * w4329
-    w4422 = w104 * w4329
-    w4423 = w4418 + w1699 * (w86 * w4419 + w83 * w4420 - w324 * w4328) + w1713 * (w86 * w4421 + w83 * w4422 - w324 * w4332)
-    w4424 = w124 * w4334
-    w4425 = w104 * w4334
-    w4426 = w124 * w4338
-    w4427 = w104 * w4338
-    w4428 = w4423 + w1725 * (w86 * w4424 + w83 * w4425 - w324 * w4337) - w1733 * (w86 * w4426 + w83 * w4427 - w324 * w4341)
-    w4429 = w124 * w4343
-    w4430 = w104 * w4343
-    w4431 = w124 * w4349
-    w4432 = w104 * w4349
-    w4433 = w4428 + w1063 * (w86 * w4429 + w83 * w4430 - w324 * w4346) + w1068 * (w86 * w4431 + w83 * w4432 - (w4348 + w324 * w4352))
-    w4434 = w124 * w4354
-    w4435 = w104 * w4354
-    w4436 = w124 * w4358
-    w4437 = w104 * w4358
-    w4438 = w4433 - w1071 * (w86 * w4434 + w83 * w4435 - (w4361 + w324 * w4357)) - w1065 * (w86 * w4436 + w83 * w4437 - w324 * w4362)
-    w4439 = w124 * w4364
-    w4440 = w104 * w4364
-    w4441 = w124 * w4368
-    w4442 = w104 * w4368
-    w4443 = w4438 + w1008 * (w86 * w4439 + w83 * w4440 - w324 * w4367) + w1004 * (w86 * w4441 + w83 * w4442 - w324 * w4371)
-    w4444 = w124 * w4373
-    w4445 = w124 * w4375
-    w4446 = w104 * w4375
-    w4447 = w104 * w4373
-    w4448 = w1000 * (w86 * w4444 - w3985 * w4445 + (w3984 * w4446 + w83 * w4447) - (w4005 * w4347 + w324 * w4379))
-    w4449 = w124 * w4381 - w4046 * w4375
-    w4450 = w4043 * w4375 + w104 * w4381
-    w4451 = w86 * w4387 + w83 * w4388 - w324 * w4270 + (w4443 + w4448 - w798 * (w86 * w4449 + w83 * w4450 - w324 * w4384))
-    w4452 = w4386 + (w72 * w1657 + w109 * w1661 + w207 * w1662 + w76 * w1677 + w72 * w1681 + w69 * w1683) * w4451
-    w4453 = w777 * (w83 * w4389 - w86 * w4390 + w323 * w4274) - w788 * (w83 * w4391 - w86 * w4392 + w323 * w4278)
-    w4454 = w4453 - w754 * (w83 * w4394 - w86 * w4395 + w323 * w4283) + w3 * (w83 * w4396 - w86 * w4397 + w323 * w4287)
-    w4455 = w4454 - w1419 * (w83 * w4399 - w86 * w4400 + w323 * w4292) + w1435 * (w83 * w4401 - w86 * w4402 + w323 * w4296)
-    w4456 = w4455 - w1446 * (w83 * w4404 - w86 * w4405 + w323 * w4301) + w1455 * (w83 * w4406 - w86 * w4407 + w323 * w4305)
-    w4457 = w4456 + w1565 * (w83 * w4409 - w86 * w4410 + w323 * w4310) + w1580 * (w83 * w4411 - w86 * w4412 + w323 * w4314)
-    w4458 = w4457 + w1592 * (w83 * w4414 - w86 * w4415 + w323 * w4319) + w1600 * (w83 * w4416 - w86 * w4417 + w323 * w4323)
-    w4459 = w4458 + w1699 * (w83 * w4419 - w86 * w4420 + w323 * w4328) + w1713 * (w83 * w4421 - w86 * w4422 + w323 * w4332)
-    w4460 = w4459 + w1725 * (w83 * w4424 - w86 * w4425 + w323 * w4337) - w1733 * (w83 * w4426 - w86 * w4427 + w323 * w4341)
-    w4461 = w4460 + w1063 * (w83 * w4429 - w86 * w4430 + w323 * w4346) + w1068 * (w83 * w4431 - w86 * w4432 + (w4361 + w323 * w4352))
-    w4462 = w4461 - w1071 * (w83 * w4434 - w86 * w4435 + (w323 * w4357 - w4348)) - w1065 * (w83 * w4436 - w86 * w4437 + w323 * w4362)
-    w4463 = w4462 + w1008 * (w83 * w4439 - w86 * w4440 + w323 * w4367) + w1004 * (w83 * w4441 - w86 * w4442 + w323 * w4371)
-    w4464 = w1000 * (w3984 * w4445 + w83 * w4444 - (w86 * w4447 - w3985 * w4446) + (w323 * w4379 - w4004 * w4347))
-    w4465 = w83 * w4387 - w86 * w4388 + w323 * w4270 + (w4463 + w4464 - w798 * (w83 * w4449 - w86 * w4450 + w323 * w4384))
-    w4466 = w4452 + (w69 * w1657 + w72 * w1661 + w105 * w1662 + w70 * w1677 + w109 * w1681 + w72 * w1683) * w4465
-    w4467 = w788 * (w83 * w4276 + w86 * w4277 + w322 * w4278) - w777 * (w83 * w4272 + w86 * w4273 + w322 * w4274)
-    w4468 = w4467 + w754 * (w83 * w4281 + w86 * w4282 + w322 * w4283) - w3 * (w83 * w4285 + w86 * w4286 + w322 * w4287)
-    w4469 = w4468 + w1419 * (w83 * w4290 + w86 * w4291 + w322 * w4292) - w1435 * (w83 * w4294 + w86 * w4295 + w322 * w4296)
-    w4470 = w4469 + w1446 * (w83 * w4299 + w86 * w4300 + w322 * w4301) - w1455 * (w83 * w4303 + w86 * w4304 + w322 * w4305)
-    w4471 = w4470 - w1565 * (w83 * w4308 + w86 * w4309 + w322 * w4310) - w1580 * (w83 * w4312 + w86 * w4313 + w322 * w4314)
-    w4472 = w4471 - w1592 * (w83 * w4317 + w86 * w4318 + w322 * w4319) - w1600 * (w83 * w4321 + w86 * w4322 + w322 * w4323)
-    w4473 = w4472 - w1699 * (w83 * w4326 + w86 * w4327 + w322 * w4328) - w1713 * (w83 * w4330 + w86 * w4331 + w322 * w4332)
-    w4474 = w4473 - w1725 * (w83 * w4335 + w86 * w4336 + w322 * w4337) + w1733 * (w83 * w4339 + w86 * w4340 + w322 * w4341)
-    w4475 = w4474 - w1063 * (w83 * w4344 + w86 * w4345 + (w4361 + w322 * w4346)) - w1068 * (w83 * w4350 + w86 * w4351 + w322 * w4352)
-    w4476 = w4475 + w1071 * (w83 * w4355 + w86 * w4356 + w322 * w4357) + w1065 * (w83 * w4359 + w86 * w4360 + (w4348 + w322 * w4362))
-    w4477 = w4476 - w1008 * (w83 * w4365 + w86 * w4366 + w322 * w4367) - w1004 * (w83 * w4369 + w86 * w4370 + w322 * w4371)
-    w4478 = w1000 * (w3984 * w4376 + w83 * w4374 + (w86 * w4378 - w3985 * w4377) + (w4003 * w4347 + w322 * w4379))
-    w4479 = w4477 - w4478 + w798 * (w83 * w4382 + w86 * w4383 + w322 * w4384) - (w83 * w4268 + w86 * w4269 + w322 * w4270)
-    w4480 = w4466 + (w76 * w1657 + w70 * w1661 + w72 * w1662 + w72 * w1677 + w207 * w1681 + w105 * w1683) * w4479
-    w4481 = w112 * w1796 + w121 * w1799 + w125 * w1800 + w125 * w1802 + w112 * w1804 + w121 * w1805 - w612 * w1904
-    w4482 = w777 * w4272 - w788 * w4276 - w754 * w4281 + w3 * w4285 - w1419 * w4290 + w1435 * w4294 - w1446 * w4299
-    w4483 = w4482 + w1455 * w4303 + w1565 * w4308 + w1580 * w4312 + w1592 * w4317 + w1600 * w4321 + w1699 * w4326
-    w4484 = w4483 + w1713 * w4330 + w1725 * w4335 - w1733 * w4339 + w1063 * w4344 + w1068 * w4350 - w1071 * w4355
-    w4485 = (w4481 - w611 * w1907) * (w4268 + (w4484 - w1065 * w4359 + w1008 * w4365 + w1004 * w4369 + w1000 * w4374 - w798 * w4382))
-    w4486 = w87 * w1796 + w125 * w1799 + w89 * w1800 + w121 * w1802 + w87 * w1804 + w120 * w1805 - w612 * w1905
-    w4487 = w777 * w4389 - w788 * w4391 - w754 * w4394 + w3 * w4396 - w1419 * w4399 + w1435 * w4401 - w1446 * w4404
-    w4488 = w4487 + w1455 * w4406 + w1565 * w4409 + w1580 * w4411 + w1592 * w4414 + w1600 * w4416 + w1699 * w4419
-    w4489 = w4488 + w1713 * w4421 + w1725 * w4424 - w1733 * w4426 + w1063 * w4429 + w1068 * w4431 - w1071 * w4434
-    w4490 = (w4486 + w611 * w1906) * (w4387 + (w4489 - w1065 * w4436 + w1008 * w4439 + w1004 * w4441 + w1000 * w4444 - w798 * w4449))
-    w4491 = w120 * w1796 + w87 * w1799 + w112 * w1800 + w94 * w1802 + w125 * w1804 + w87 * w1805 - w611 * w1905
-    w4492 = w788 * w4392 - w777 * w4390 + w754 * w4395 - w3 * w4397 + w1419 * w4400 - w1435 * w4402 + w1446 * w4405
-    w4493 = w4492 - w1455 * w4407 - w1565 * w4410 - w1580 * w4412 - w1592 * w4415 - w1600 * w4417 - w1699 * w4420
-    w4494 = w4493 - w1713 * w4422 - w1725 * w4425 + w1733 * w4427 - w1063 * w4430 - w1068 * w4432 + w1071 * w4435
-    w4495 = (w4491 - w612 * w1906) * (w4494 + w1065 * w4437 - w1008 * w4440 - w1004 * w4442 - w1000 * w4447 + w798 * w4450 - w4388)
-    w4496 = w121 * w1796 + w94 * w1799 + w87 * w1800 + w87 * w1802 + w89 * w1804 + w112 * w1805 + w611 * w1904
-    w4497 = w788 * w4277 - w777 * w4273 + w754 * w4282 - w3 * w4286 + w1419 * w4291 - w1435 * w4295 + w1446 * w4300
-    w4498 = w4497 - w1455 * w4304 - w1565 * w4309 - w1580 * w4313 - w1592 * w4318 - w1600 * w4322 - w1699 * w4327
-    w4499 = w4498 - w1713 * w4331 - w1725 * w4336 + w1733 * w4340 - w1063 * w4345 - w1068 * w4351 + w1071 * w4356
-    w4500 = (w4496 - w612 * w1907) * (w4499 + w1065 * w4360 - w1008 * w4366 - w1004 * w4370 - w1000 * w4378 + w798 * w4383 - w4269)
-    w4501 = w777 * w2091 - w788 * w2023 - w754 * w2170 + w3 * w2239 - w1419 * w2337 + w1435 * w2438 - w1446 * w2515
-    w4502 = w4501 + w1455 * w2601 + w1565 * w2748 + w1580 * w2884 + w1592 * w3009 + w1600 * w3124 + w1699 * w3250
-    w4503 = w4502 + w1713 * w3355 + w1725 * w3470 - w1733 * w3575 + w1063 * w3638 + w1068 * w3703 - w1071 * w3749
-    w4504 = (w67 * w1856 - w66 * w1850 + hinge1_angle_dot * (w65 * w1852 - w5 * w1858) * 0.5) * (w4074 + (w4503 - w1065 * w3798 + w1008 * w3877 + w1004 * w3982 + w1000 * w4040 - w798 * w4072))
-    w4505 = w777 * w4170 - w788 * w4171 - w754 * w4173 + w3 * w4174 - w1419 * w4178 + w1435 * w4181 - w1446 * w4184
-    w4506 = w4505 + w1455 * w4187 + w1565 * w4189 + w1580 * w4190 + w1592 * w4192 + w1600 * w4193 + w1699 * w4195
-    w4507 = w4506 + w1713 * w4196 + w1725 * w4198 - w1733 * w4199 + w1063 * w4201 + w1068 * w4202 - w1071 * w4204
-    w4508 = (w291 * w1869 + w293 * w1887 + hinge2_angle_dot * (w7 * w1891 + w146 * w1873) * 0.5) * (w4169 + (w4507 - w1065 * w4205 + w1008 * w4207 + w1004 * w4213 + w1000 * w4215 - w798 * w4216))
-    w4509 = w777 * w4274 - w788 * w4278 - w754 * w4283 + w3 * w4287 - w1419 * w4292 + w1435 * w4296 - w1446 * w4301
-    w4510 = w4509 + w1455 * w4305 + w1565 * w4310 + w1580 * w4314 + w1592 * w4319 + w1600 * w4323 + w1699 * w4328
-    w4511 = w4510 + w1713 * w4332 + w1725 * w4337 - w1733 * w4341 + w1063 * w4346 + w1068 * w4352 - w1071 * w4357
-    w4512 = (w320 * w1914 - w321 * w1908 + hinge4_angle_dot * (w83 * w1910 - w86 * w1916) * 0.5) * (w4270 + (w4511 - w1065 * w4362 + w1008 * w4367 + w1004 * w4371 + w1000 * w4379 - w798 * w4384))
-    w4513 = w788 * w4275 - w777 * w4271 + w754 * w4280 - w3 * w4284 + w1419 * w4289 - w1435 * w4293 + w1446 * w4298
-    w4514 = w4513 - w1455 * w4302 - w1565 * w4307 - w1580 * w4311 - w1592 * w4316 - w1600 * w4320 - w1699 * w4325
-    w4515 = w4514 - w1713 * w4329 - w1725 * w4334 + w1733 * w4338 - w1063 * w4343 - w1068 * w4349 + w1071 * w4354
-    w4516 = hinge5_angle_dot * (w117 * w1928 + w102 * w1922) * 0.5 * (w4515 + w1065 * w4358 - w1008 * w4364 - w1004 * w4368 - w1000 * w4373 + w798 * w4381 - w4267)
-    dQ_hat_dq_i = ca.vertcat(
-        w1930 + (w4480 + w4485 + w4490 + w4495 + w4500 + w4504 + w4508 + w4512 + w4516),
-    )
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    w4375 = w119 * w4373
+    w4376 = hinge0_angle_dot * w3766
+    w4377 = hinge0_angle_dot * w3813
+    w4378 = w129 * w4377
+    w4379 = w119 * w4377
+    w4380 = w320 * w4366
+    w4381 = hinge0_angle_dot * w3815
+    w4382 = w4372 - w1071 * (w86 * w4374 - w83 * w4375 + w325 * w4376) - w1065 * (w86 * w4378 - w83 * w4379 + (w4380 + w325 * w4381))
+    w4383 = hinge0_angle_dot * w3889
+    w4384 = w129 * w4383
+    w4385 = w119 * w4383
+    w4386 = hinge0_angle_dot * w3892
+    w4387 = hinge0_angle_dot * w3994
+    w4388 = w129 * w4387
+    w4389 = w119 * w4387
+    w4390 = hinge0_angle_dot * w3997
+    w4391 = w4382 + w1008 * (w86 * w4384 - w83 * w4385 + w325 * w4386) + w1004 * (w86 * w4388 - w83 * w4389 + w325 * w4390)
+    w4392 = hinge0_angle_dot * w4055
+    w4393 = w129 * w4392
+    w4394 = hinge0_angle_dot * w798
+    w4395 = w129 * w4394
+    w4396 = w119 * w4394
+    w4397 = w119 * w4392
+    w4398 = hinge0_angle_dot * w4057
+    w4399 = w1000 * (w86 * w4393 - w4004 * w4395 - (w4003 * w4396 + w83 * w4397) + (w325 * w4398 - w4025 * w4366))
+    w4400 = hinge0_angle_dot * w4088
+    w4401 = w4066 * w4394 + w129 * w4400
+    w4402 = w4064 * w4394 + w119 * w4400
+    w4403 = hinge0_angle_dot * w4089
+    w4404 = w86 * w4287 - w83 * w4288 + w325 * w4289 + (w4391 + w4399 - w798 * (w86 * w4401 - w83 * w4402 + w325 * w4403))
+    w4405 = w1958 + w4095 + w4127 + w4157 + w4187 + w4237 + w4253 + w4269 + w4285 + (w105 * w1657 + w76 * w1661 + w109 * w1662 + w109 * w1677 + w105 * w1681 + w76 * w1683) * w4404
+    w4406 = w124 * w4286
+    w4407 = w104 * w4286
+    w4408 = w124 * w4290
+    w4409 = w104 * w4290
+    w4410 = w124 * w4294
+    w4411 = w104 * w4294
+    w4412 = w777 * (w86 * w4408 + w83 * w4409 - w324 * w4293) - w788 * (w86 * w4410 + w83 * w4411 - w324 * w4297)
+    w4413 = w124 * w4299
+    w4414 = w104 * w4299
+    w4415 = w124 * w4303
+    w4416 = w104 * w4303
+    w4417 = w4412 - w754 * (w86 * w4413 + w83 * w4414 - w324 * w4302) + w3 * (w86 * w4415 + w83 * w4416 - w324 * w4306)
+    w4418 = w124 * w4308
+    w4419 = w104 * w4308
+    w4420 = w124 * w4312
+    w4421 = w104 * w4312
+    w4422 = w4417 - w1419 * (w86 * w4418 + w83 * w4419 - w324 * w4311) + w1435 * (w86 * w4420 + w83 * w4421 - w324 * w4315)
+    w4423 = w124 * w4317
+    w4424 = w104 * w4317
+    w4425 = w124 * w4321
+    w4426 = w104 * w4321
+    w4427 = w4422 - w1446 * (w86 * w4423 + w83 * w4424 - w324 * w4320) + w1455 * (w86 * w4425 + w83 * w4426 - w324 * w4324)
+    w4428 = w124 * w4326
+    w4429 = w104 * w4326
+    w4430 = w124 * w4330
+    w4431 = w104 * w4330
+    w4432 = w4427 + w1565 * (w86 * w4428 + w83 * w4429 - w324 * w4329) + w1580 * (w86 * w4430 + w83 * w4431 - w324 * w4333)
+    w4433 = w124 * w4335
+    w4434 = w104 * w4335
+    w4435 = w124 * w4339
+    w4436 = w104 * w4339
+    w4437 = w4432 + w1592 * (w86 * w4433 + w83 * w4434 - w324 * w4338) + w1600 * (w86 * w4435 + w83 * w4436 - w324 * w4342)
+    w4438 = w124 * w4344
+    w4439 = w104 * w4344
+    w4440 = w124 * w4348
+    w4441 = w104 * w4348
+    w4442 = w4437 + w1699 * (w86 * w4438 + w83 * w4439 - w324 * w4347) + w1713 * (w86 * w4440 + w83 * w4441 - w324 * w4351)
+    w4443 = w124 * w4353
+    w4444 = w104 * w4353
+    w4445 = w124 * w4357
+    w4446 = w104 * w4357
+    w4447 = w4442 + w1725 * (w86 * w4443 + w83 * w4444 - w324 * w4356) - w1733 * (w86 * w4445 + w83 * w4446 - w324 * w4360)
+    w4448 = w124 * w4362
+    w4449 = w104 * w4362
+    w4450 = w124 * w4368
+    w4451 = w104 * w4368
+    w4452 = w4447 + w1063 * (w86 * w4448 + w83 * w4449 - w324 * w4365) + w1068 * (w86 * w4450 + w83 * w4451 - (w4367 + w324 * w4371))
+    w4453 = w124 * w4373
+    w4454 = w104 * w4373
+    w4455 = w124 * w4377
+    w4456 = w104 * w4377
+    w4457 = w4452 - w1071 * (w86 * w4453 + w83 * w4454 - (w4380 + w324 * w4376)) - w1065 * (w86 * w4455 + w83 * w4456 - w324 * w4381)
+    w4458 = w124 * w4383
+    w4459 = w104 * w4383
+    w4460 = w124 * w4387
+    w4461 = w104 * w4387
+    w4462 = w4457 + w1008 * (w86 * w4458 + w83 * w4459 - w324 * w4386) + w1004 * (w86 * w4460 + w83 * w4461 - w324 * w4390)
+    w4463 = w124 * w4392
+    w4464 = w124 * w4394
+    w4465 = w104 * w4394
+    w4466 = w104 * w4392
+    w4467 = w1000 * (w86 * w4463 - w4004 * w4464 + (w4003 * w4465 + w83 * w4466) - (w4024 * w4366 + w324 * w4398))
+    w4468 = w124 * w4400 - w4065 * w4394
+    w4469 = w4062 * w4394 + w104 * w4400
+    w4470 = w86 * w4406 + w83 * w4407 - w324 * w4289 + (w4462 + w4467 - w798 * (w86 * w4468 + w83 * w4469 - w324 * w4403))
+    w4471 = w4405 + (w72 * w1657 + w109 * w1661 + w207 * w1662 + w76 * w1677 + w72 * w1681 + w69 * w1683) * w4470
+    w4472 = w777 * (w83 * w4408 - w86 * w4409 + w323 * w4293) - w788 * (w83 * w4410 - w86 * w4411 + w323 * w4297)
+    w4473 = w4472 - w754 * (w83 * w4413 - w86 * w4414 + w323 * w4302) + w3 * (w83 * w4415 - w86 * w4416 + w323 * w4306)
+    w4474 = w4473 - w1419 * (w83 * w4418 - w86 * w4419 + w323 * w4311) + w1435 * (w83 * w4420 - w86 * w4421 + w323 * w4315)
+    w4475 = w4474 - w1446 * (w83 * w4423 - w86 * w4424 + w323 * w4320) + w1455 * (w83 * w4425 - w86 * w4426 + w323 * w4324)
+    w4476 = w4475 + w1565 * (w83 * w4428 - w86 * w4429 + w323 * w4329) + w1580 * (w83 * w4430 - w86 * w4431 + w323 * w4333)
+    w4477 = w4476 + w1592 * (w83 * w4433 - w86 * w4434 + w323 * w4338) + w1600 * (w83 * w4435 - w86 * w4436 + w323 * w4342)
+    w4478 = w4477 + w1699 * (w83 * w4438 - w86 * w4439 + w323 * w4347) + w1713 * (w83 * w4440 - w86 * w4441 + w323 * w4351)
+    w4479 = w4478 + w1725 * (w83 * w4443 - w86 * w4444 + w323 * w4356) - w1733 * (w83 * w4445 - w86 * w4446 + w323 * w4360)
+    w4480 = w4479 + w1063 * (w83 * w4448 - w86 * w4449 + w323 * w4365) + w1068 * (w83 * w4450 - w86 * w4451 + (w4380 + w323 * w4371))
+    w4481 = w4480 - w1071 * (w83 * w4453 - w86 * w4454 + (w323 * w4376 - w4367)) - w1065 * (w83 * w4455 - w86 * w4456 + w323 * w4381)
+    w4482 = w4481 + w1008 * (w83 * w4458 - w86 * w4459 + w323 * w4386) + w1004 * (w83 * w4460 - w86 * w4461 + w323 * w4390)
+    w4483 = w1000 * (w4003 * w4464 + w83 * w4463 - (w86 * w4466 - w4004 * w4465) + (w323 * w4398 - w4023 * w4366))
+    w4484 = w83 * w4406 - w86 * w4407 + w323 * w4289 + (w4482 + w4483 - w798 * (w83 * w4468 - w86 * w4469 + w323 * w4403))
+    w4485 = w4471 + (w69 * w1657 + w72 * w1661 + w105 * w1662 + w70 * w1677 + w109 * w1681 + w72 * w1683) * w4484
+    w4486 = w788 * (w83 * w4295 + w86 * w4296 + w322 * w4297) - w777 * (w83 * w4291 + w86 * w4292 + w322 * w4293)
+    w4487 = w4486 + w754 * (w83 * w4300 + w86 * w4301 + w322 * w4302) - w3 * (w83 * w4304 + w86 * w4305 + w322 * w4306)
+    w4488 = w4487 + w1419 * (w83 * w4309 + w86 * w4310 + w322 * w4311) - w1435 * (w83 * w4313 + w86 * w4314 + w322 * w4315)
+    w4489 = w4488 + w1446 * (w83 * w4318 + w86 * w4319 + w322 * w4320) - w1455 * (w83 * w4322 + w86 * w4323 + w322 * w4324)
+    w4490 = w4489 - w1565 * (w83 * w4327 + w86 * w4328 + w322 * w4329) - w1580 * (w83 * w4331 + w86 * w4332 + w322 * w4333)
+    w4491 = w4490 - w1592 * (w83 * w4336 + w86 * w4337 + w322 * w4338) - w1600 * (w83 * w4340 + w86 * w4341 + w322 * w4342)
+    w4492 = w4491 - w1699 * (w83 * w4345 + w86 * w4346 + w322 * w4347) - w1713 * (w83 * w4349 + w86 * w4350 + w322 * w4351)
+    w4493 = w4492 - w1725 * (w83 * w4354 + w86 * w4355 + w322 * w4356) + w1733 * (w83 * w4358 + w86 * w4359 + w322 * w4360)
+    w4494 = w4493 - w1063 * (w83 * w4363 + w86 * w4364 + (w4380 + w322 * w4365)) - w1068 * (w83 * w4369 + w86 * w4370 + w322 * w4371)
+    w4495 = w4494 + w1071 * (w83 * w4374 + w86 * w4375 + w322 * w4376) + w1065 * (w83 * w4378 + w86 * w4379 + (w4367 + w322 * w4381))
+    w4496 = w4495 - w1008 * (w83 * w4384 + w86 * w4385 + w322 * w4386) - w1004 * (w83 * w4388 + w86 * w4389 + w322 * w4390)
+    w4497 = w1000 * (w4003 * w4395 + w83 * w4393 + (w86 * w4397 - w4004 * w4396) + (w4022 * w4366 + w322 * w4398))
+    w4498 = w4496 - w4497 + w798 * (w83 * w4401 + w86 * w4402 + w322 * w4403) - (w83 * w4287 + w86 * w4288 + w322 * w4289)
+    w4499 = w4485 + (w76 * w1657 + w70 * w1661 + w72 * w1662 + w72 * w1677 + w207 * w1681 + w105 * w1683) * w4498
+    w4500 = w112 * w1796 + w121 * w1799 + w125 * w1800 + w125 * w1802 + w112 * w1804 + w121 * w1805 - w612 * w1917
+    w4501 = w777 * w4291 - w788 * w4295 - w754 * w4300 + w3 * w4304 - w1419 * w4309 + w1435 * w4313 - w1446 * w4318
+    w4502 = w4501 + w1455 * w4322 + w1565 * w4327 + w1580 * w4331 + w1592 * w4336 + w1600 * w4340 + w1699 * w4345
+    w4503 = w4502 + w1713 * w4349 + w1725 * w4354 - w1733 * w4358 + w1063 * w4363 + w1068 * w4369 - w1071 * w4374
+    w4504 = (w4500 - w611 * w1920) * (w4287 + (w4503 - w1065 * w4378 + w1008 * w4384 + w1004 * w4388 + w1000 * w4393 - w798 * w4401))
+    w4505 = w87 * w1796 + w125 * w1799 + w89 * w1800 + w121 * w1802 + w87 * w1804 + w120 * w1805 - w612 * w1918
+    w4506 = w777 * w4408 - w788 * w4410 - w754 * w4413 + w3 * w4415 - w1419 * w4418 + w1435 * w4420 - w1446 * w4423
+    w4507 = w4506 + w1455 * w4425 + w1565 * w4428 + w1580 * w4430 + w1592 * w4433 + w1600 * w4435 + w1699 * w4438
+    w4508 = w4507 + w1713 * w4440 + w1725 * w4443 - w1733 * w4445 + w1063 * w4448 + w1068 * w4450 - w1071 * w4453
+    w4509 = (w4505 + w611 * w1919) * (w4406 + (w4508 - w1065 * w4455 + w1008 * w4458 + w1004 * w4460 + w1000 * w4463 - w798 * w4468))
+    w4510 = w120 * w1796 + w87 * w1799 + w112 * w1800 + w94 * w1802 + w125 * w1804 + w87 * w1805 - w611 * w1918
+    w4511 = w788 * w4411 - w777 * w4409 + w754 * w4414 - w3 * w4416 + w1419 * w4419 - w1435 * w4421 + w1446 * w4424
+    w4512 = w4511 - w1455 * w4426 - w1565 * w4429 - w1580 * w4431 - w1592 * w4434 - w1600 * w4436 - w1699 * w4439
+    w4513 = w4512 - w1713 * w4441 - w1725 * w4444 + w1733 * w4446 - w1063 * w4449 - w1068 * w4451 + w1071 * w4454
+    w4514 = (w4510 - w612 * w1919) * (w4513 + w1065 * w4456 - w1008 * w4459 - w1004 * w4461 - w1000 * w4466 + w798 * w4469 - w4407)
+    w4515 = w121 * w1796 + w94 * w1799 + w87 * w1800 + w87 * w1802 + w89 * w1804 + w112 * w1805 + w611 * w1917
+    w4516 = w788 * w4296 - w777 * w4292 + w754 * w4301 - w3 * w4305 + w1419 * w4310 - w1435 * w4314 + w1446 * w4319
+    w4517 = w4516 - w1455 * w4323 - w1565 * w4328 - w1580 * w4332 - w1592 * w4337 - w1600 * w4341 - w1699 * w4346
+    w4518 = w4517 - w1713 * w4350 - w1725 * w4355 + w1733 * w4359 - w1063 * w4364 - w1068 * w4370 + w1071 * w4375
+    w4519 = (w4515 - w612 * w1920) * (w4518 + w1065 * w4379 - w1008 * w4385 - w1004 * w4389 - w1000 * w4397 + w798 * w4402 - w4288)
+    w4520 = w777 * w2110 - w788 * w2042 - w754 * w2189 + w3 * w2258 - w1419 * w2356 + w1435 * w2457 - w1446 * w2534
+    w4521 = w4520 + w1455 * w2620 + w1565 * w2767 + w1580 * w2903 + w1592 * w3028 + w1600 * w3143 + w1699 * w3269
+    w4522 = w4521 + w1713 * w3374 + w1725 * w3489 - w1733 * w3594 + w1063 * w3657 + w1068 * w3722 - w1071 * w3768
+    w4523 = (w67 * w1856 - w66 * w1850 + hinge1_angle_dot * (w65 * w1852 - w5 * w1858) * 0.5) * (w4093 + (w4522 - w1065 * w3817 + w1008 * w3896 + w1004 * w4001 + w1000 * w4059 - w798 * w4091))
+    w4524 = w777 * w4189 - w788 * w4190 - w754 * w4192 + w3 * w4193 - w1419 * w4197 + w1435 * w4200 - w1446 * w4203
+    w4525 = w4524 + w1455 * w4206 + w1565 * w4208 + w1580 * w4209 + w1592 * w4211 + w1600 * w4212 + w1699 * w4214
+    w4526 = w4525 + w1713 * w4215 + w1725 * w4217 - w1733 * w4218 + w1063 * w4220 + w1068 * w4221 - w1071 * w4223
+    w4527 = (w291 * w1873 + w293 * w1897 + hinge2_angle_dot * (w7 * w1902 + w146 * w1878) * 0.5) * (w4188 + (w4526 - w1065 * w4224 + w1008 * w4226 + w1004 * w4232 + w1000 * w4234 - w798 * w4235))
+    w4528 = w777 * w4293 - w788 * w4297 - w754 * w4302 + w3 * w4306 - w1419 * w4311 + w1435 * w4315 - w1446 * w4320
+    w4529 = w4528 + w1455 * w4324 + w1565 * w4329 + w1580 * w4333 + w1592 * w4338 + w1600 * w4342 + w1699 * w4347
+    w4530 = w4529 + w1713 * w4351 + w1725 * w4356 - w1733 * w4360 + w1063 * w4365 + w1068 * w4371 - w1071 * w4376
+    w4531 = (w320 * w1927 - w321 * w1921 + hinge4_angle_dot * (w83 * w1923 - w86 * w1929) * 0.5) * (w4289 + (w4530 - w1065 * w4381 + w1008 * w4386 + w1004 * w4390 + w1000 * w4398 - w798 * w4403))
+    w4532 = w788 * w4294 - w777 * w4290 + w754 * w4299 - w3 * w4303 + w1419 * w4308 - w1435 * w4312 + w1446 * w4317
+    w4533 = w4532 - w1455 * w4321 - w1565 * w4326 - w1580 * w4330 - w1592 * w4335 - w1600 * w4339 - w1699 * w4344
+    w4534 = w4533 - w1713 * w4348 - w1725 * w4353 + w1733 * w4357 - w1063 * w4362 - w1068 * w4368 + w1071 * w4373
+    w4535 = hinge5_angle_dot * (w117 * w1948 + w102 * w1939) * 0.5 * (w4534 + w1065 * w4377 - w1008 * w4383 - w1004 * w4387 - w1000 * w4392 + w798 * w4400 - w4286)
+    w4536 = w1012 + (w1860 + w1004 * (w1913 * 0.5) + w1000 * (w1930 * 0.5) - w798 * w1949) + (w4499 + w4504 + w4509 + w4514 + w4519 + w4523 + w4527 + w4531 + w4535)
+    # outputs
+    dQ_hat_dq_i = ca.vertcat(w4536)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 4077 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    4077 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -17290,25 +11546,25 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     hinge4_angle = q_d[37]
     hinge5_angle = q_d[38]
     hinge0_angle_dot = q_i_dot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -17342,16 +11598,16 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
@@ -17361,7 +11617,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c71 = c[71]
     c72 = c[72]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c75 = c[75]
     c76 = c[76]
     c77 = c[77]
@@ -17396,14 +11652,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c143 = c[143]
     c144 = c[144]
     c145 = c[145]
+    # intermediate terms (980)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
-    w3 = w2 * c1 * c0 - w2 * c2 * c3
+    w3 = w2 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w2 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w4 = bar1_e2 * -2.0
     w5 = ca.sin(w0)
     w6 = w5 / 2.0
-    w7 = w6 * c1 * c3 - w6 * c2 * c0
+    w7 = w6 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w6 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w8 = w7 * hinge0_angle_dot
     w9 = bar1_e3 * -2.0
     w10 = w6 * c51
@@ -17447,16 +11704,16 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w48 = w9 * w46 + bar1_e2 * bar1_e0 * c103
     w49 = hinge0_angle_dot * 0.5
     w50 = w1 * w49
-    w51 = w50 * c1 * c3 - w50 * c2 * c0
+    w51 = w50 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w50 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w52 = bar1_e2 * bar1_e1 * c52 + w9 * w47
     w53 = w1 * hinge0_angle_dot * c108
     w54 = w37 * w45 + bar1_e0 * bar1_e1 * c104
     w55 = w5 * w49
     w56 = w5 * hinge0_angle_dot * c109
-    w57 = w55 * c2 * c3 - w55 * c1 * c0
+    w57 = w55 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w55 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
     w58 = w4 * w35 + w18 * w43 + w15 * w44 - (w48 * w51 - w52 * w53 + w54 * w56 + (w4 * w45 + w18 * w46 + w15 * w47) * w57)
-    w59 = (bar1_e3 * w15 + bar1_e2 * w18) * c10
-    w60 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10
+    w59 = (bar1_e3 * w15 + bar1_e2 * w18) * bar1_end_x
+    w60 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * bar1_end_x
     w61 = w20 * w59 - w22 * w60
     w62 = 2 * bar2_e0
     w63 = w62 * bar2_e1
@@ -17475,12 +11732,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w76 = 2 * bar4_e0
     w77 = w76 * bar4_e2
     w78 = w75 - w77
-    w79 = w78 * c55
+    w79 = w78 * bar4_end_x
     w80 = bar4_e2 * -2.0
     w81 = bar4_e3 * w76
     w82 = w74 * bar4_e2
     w83 = w81 + w82
-    w84 = w83 * c55
+    w84 = w83 * bar4_end_x
     w85 = w73 * w79 - w80 * w84
     w86 = hinge4_angle / 2.0
     w87 = ca.sin(w86)
@@ -17492,19 +11749,19 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w93 = 2 * bar5_e2
     w94 = w93 * bar5_e3
     w95 = w92 + w94
-    w96 = w95 * c56
+    w96 = w95 * bar5_end_y
     w97 = w91 * w96
     w98 = 2 * bar5_e1
     w99 = 1.0 - 2 * bar5_e1**2
     w100 = 2 * bar5_e3**2
     w101 = w99 - w100
-    w102 = w101 * c56
+    w102 = w101 * bar5_end_y
     w103 = w97 - w98 * w102
     w104 = w85 * w87 - w89 * w90 - w103
     w105 = hinge5_angle / 2.0
     w106 = ca.sin(w105)
     w107 = w106 / 2.0
-    w108 = w107 * c57 * c58 - w107 * c59 * c60
+    w108 = w107 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w107 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w109 = bar4_e1 * -2.0
     w110 = w79 * w109
     w111 = w76 * w84
@@ -17519,7 +11776,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w120 = w90 * w112 + w87 * w115 + w119
     w121 = ca.cos(w105)
     w122 = w121 / 2.0
-    w123 = w122 * c59 * c58 - w122 * c57 * c60
+    w123 = w122 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w122 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w124 = 2 * bar5_e3
     w125 = bar5_e2 * -2.0
     w126 = w96 * w124 - w102 * w125
@@ -17535,25 +11792,25 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w136 = 1.0 - 2 * bar3_e1**2
     w137 = 2 * bar3_e2**2
     w138 = w136 - w137
-    w139 = w138 * c63
+    w139 = w138 * bar3_end_z
     w140 = bar3_e2 * -2.0
     w141 = 2 * bar3_e2
     w142 = bar3_e3 * w141
     w143 = 2 * bar3_e0
     w144 = bar3_e1 * w143
     w145 = w142 - w144
-    w146 = w145 * c63
+    w146 = w145 * bar3_end_z
     w147 = w135 * w139 - w140 * w146
     w148 = hinge2_angle / 2.0
     w149 = ca.cos(w148)
-    w150 = w149 * c16 * c19 - w149 * c18 * c17
+    w150 = w149 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w149 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w151 = bar2_e1 * -2.0
-    w152 = w66 * c15
+    w152 = w66 * bar2_end_y
     w153 = w151 * w152
     w154 = 1.0 - 2 * bar2_e1**2
     w155 = 2 * bar2_e3**2
     w156 = w154 - w155
-    w157 = w156 * c15
+    w157 = w156 * bar2_end_y
     w158 = w62 * w157
     w159 = w153 - w158
     w160 = bar3_e1 * -2.0
@@ -17569,7 +11826,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w170 = bar3_e3 * -2.0
     w171 = w146 * w170
     w172 = w139 * w140 - w171
-    w173 = w168 * c18 * c19 - w168 * c16 * c17
+    w173 = w168 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w168 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w174 = w147 * w150 - (w159 + w163 * w164 + w167 * w169) + w172 * w173
     w175 = bar1_e0 * w70 - bar1_e3 * w71
     w176 = w62 * w152
@@ -17590,13 +11847,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w191 = bar3_e2 * w143
     w192 = bar3_e3 * w166
     w193 = w191 + w192
-    w194 = w193 * c63
+    w194 = w193 * bar3_end_z
     w195 = w140 * w194
     w196 = w195 - w165
     w197 = bar2_e2 * w177
     w198 = w62 * bar2_e3
     w199 = w197 - w198
-    w200 = w199 * c15
+    w200 = w199 * bar2_end_y
     w201 = w62 * w200
     w202 = w201 - w64 * w152
     w203 = w143 * w194
@@ -17661,14 +11918,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w262 = w190 / w261
     w263 = 2 * bar4_e2**2
     w264 = 1.0 - w263 - w239
-    w265 = w264 * c55
+    w265 = w264 * bar4_end_x
     w266 = w80 * w265
     w267 = w266 - w88
     w268 = w74 * w265 - w79 * w113
     w269 = bar5_e2 * w98
     w270 = w91 * bar5_e3
     w271 = w269 - w270
-    w272 = w271 * c56
+    w272 = w271 * bar5_end_y
     w273 = w98 * w272 - w96 * w129
     w274 = w87 * w267 - w90 * w268 - w273
     w275 = w76 * w265
@@ -17717,8 +11974,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w318 = w317 * c20
     w319 = w149 / 2.0
     w320 = w319 * c22
-    w321 = w317 * c18 * c17 - w317 * c16 * c19
-    w322 = w319 * c18 * c19 - w319 * c16 * c17
+    w321 = w317 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w317 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w322 = w319 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w319 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w323 = bar2_e0 * w318 + (bar2_e1 * w320 + bar2_e2 * w321 + bar2_e3 * w322)
     w324 = bar2_e0 * w322 - bar2_e3 * w318 + (bar2_e1 * w321 - bar2_e2 * w320)
     w325 = bar2_e0 * w321 - bar2_e2 * w318 + (bar2_e3 * w320 - bar2_e1 * w322)
@@ -17777,7 +12034,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w378 = w372 - w373 * w374
     w379 = ca.sqrt(w375**2 + w376**2 + w377**2 + w378**2)
     w380 = w375 / w379
-    w381 = (bar1_e3 * w18 - bar1_e2 * w15) * c10
+    w381 = (bar1_e3 * w18 - bar1_e2 * w15) * bar1_end_x
     w382 = w22 * w381
     w383 = w15 * w59
     w384 = w382 - w383
@@ -17918,21 +12175,21 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w519 = w511 * w512 + w510 * w514 - (w516 * w517 + w515 * w518)
     w520 = w480 * (w424 * 0.5)
     w521 = w168 * w520
-    w522 = w521 * c16 * c17 - w521 * c18 * c19
+    w522 = w521 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0 - w521 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0
     w523 = w149 * w520
     w524 = w424 * (w424 * (hinge0_angle_dot * w149)) * c130
-    w525 = w523 * c18 * c17 - w523 * c16 * c19
+    w525 = w523 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w523 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w526 = w424 * (w424 * (hinge0_angle_dot * w168)) * c129
     w527 = w317 * w480
-    w528 = w527 * c18 * c17 - w527 * c16 * c19
+    w528 = w527 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w527 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w529 = w317 * w424
-    w530 = w529 * c18 * c17 - w529 * c16 * c19
+    w530 = w529 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w529 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
     w531 = w319 * w480
     w532 = w424 * (hinge0_angle_dot * w319) * c22
     w533 = w319 * w424
     w534 = w533 * c22
-    w535 = w531 * c18 * c19 - w531 * c16 * c17
-    w536 = w533 * c18 * c19 - w533 * c16 * c17
+    w535 = w531 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w531 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
+    w536 = w533 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w533 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w537 = w529 * c20
     w538 = w424 * (hinge0_angle_dot * w317) * c20
     w539 = w434 * w528 + w428 * w530 + (w437 * w532 + w431 * w534) - (w435 * w535 + w429 * w536 + (w432 * w537 + w438 * w538))
@@ -18032,9 +12289,9 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w633 = w618 * w621 + w617 * w624 - (w628 * w631 + w627 * w632)
     w634 = w548 * (w422 * 0.5)
     w635 = w106 * w634
-    w636 = w635 * c57 * c60 - w635 * c59 * c58
+    w636 = w635 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0 - w635 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0
     w637 = w121 * w634
-    w638 = w637 * c57 * c58 - w637 * c59 * c60
+    w638 = w637 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w637 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w639 = w422 * (w422 * (hinge0_angle_dot * w106)) * c141
     w640 = w422 * (w422 * (hinge0_angle_dot * w121)) * c142
     w641 = w607 - w179 * w610 + w184 * w612 + w188 * w479 + w633 + w120 * w636 - w104 * w638 + w127 * w639 + w132 * w640
@@ -18095,7 +12352,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w696 = w610 - w51 * w69 + w56 * w68 - w180 * w688
     w697 = w64 * w470 - w151 * w471
     w698 = w57 * w68 - (w606 + w53 * w69) + w175 * w688
-    w699 = w66 * w446 - (w447 - w448) * w455 - (w154 - w456) * w457 - (w469 * c11 + w473 * w689 + w691 * w692 + w695 * w696 + w697 * w698)
+    w699 = w66 * w446 - (w447 - w448) * w455 - (w154 - w456) * w457 - (w469 * bar2_mass + w473 * w689 + w691 * w692 + w695 * w696 + w697 * w698)
     w700 = w488 + (w487 + w170 * w482) + w166 * w485
     w701 = w495 + (w492 + w170 * w493) + w166 * w496
     w702 = w483 + w135 * w484 + w140 * w485
@@ -18120,7 +12377,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w721 = w542 + w150 * w689 - w173 * w692 + w164 * w696 + w169 * w698 + w325 * w687
     w722 = w141 * w710 - w160 * w711
     w723 = w540 + w173 * w689 + w150 * w692 - w169 * w696 + w164 * w698 + w324 * w687
-    w724 = w138 * w704 - (w237 * w707 + (w142 + w144) * w708) - (w709 * c12 + w713 * w714 + w716 * w717 + w720 * w721 + w722 * w723)
+    w724 = w138 * w704 - (w237 * w707 + (w142 + w144) * w708) - (w709 * bar3_mass + w713 * w714 + w716 * w717 + w720 * w721 + w722 * w723)
     w725 = w699 + w724
     w726 = w652 - w53 * w404 + w51 * w402 + w56 * w399 + w57 * w397
     w727 = w66 * c14
@@ -18130,7 +12387,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w731 = w472 - w730
     w732 = w177 * w471 - w185 * w727
     w733 = w694 - w64 * w727
-    w734 = w156 * w446 - w455 * (w197 + w198) - w457 * (w65 - w63) - (w726 * c11 + w689 * w729 + w692 * w731 + w696 * w732 + w698 * w733)
+    w734 = w156 * w446 - w455 * (w197 + w198) - w457 * (w65 - w63) - (w726 * bar2_mass + w689 * w729 + w692 * w731 + w696 * w732 + w698 * w733)
     w735 = w647 + w726 + w213 * w689 + w211 * w692 + w208 * w696 + w202 * w698
     w736 = w138 * c21
     w737 = w160 * w736
@@ -18139,20 +12396,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w740 = w712 - w739
     w741 = w166 * w711 - w170 * w736
     w742 = w719 - w141 * w736
-    w743 = w145 * w704 - (w231 * w707 + w708 * (w136 - w245)) - (w735 * c12 + w714 * w738 + w717 * w740 + w721 * w741 + w723 * w742)
+    w743 = w145 * w704 - (w231 * w707 + w708 * (w136 - w245)) - (w735 * bar3_mass + w714 * w738 + w717 * w740 + w721 * w741 + w723 * w742)
     w744 = w734 + w743
     w745 = w604 - w53 * w392 + w51 * w389 + w56 * w387 + w57 * w384
     w746 = w182 * w727 - w693
     w747 = w181 * w727 - w182 * w470
     w748 = w730 - w177 * w470
     w749 = w728 - w690
-    w750 = w199 * w446 - w455 * (1.0 - w456 - w155) - w457 * (w447 + w448) - (w745 * c11 + w689 * w746 + w692 * w747 + w696 * w748 + w698 * w749)
+    w750 = w199 * w446 - w455 * (1.0 - w456 - w155) - w457 * (w447 + w448) - (w745 * bar2_mass + w689 * w746 + w692 * w747 + w696 * w748 + w698 * w749)
     w751 = w519 + w745 + w187 * w689 + w183 * w692 + w178 * w696 + w159 * w698
     w752 = w140 * w736 - w718
     w753 = w135 * w736 - w140 * w710
     w754 = w739 - w166 * w710
     w755 = w737 - w715
-    w756 = w193 * w704 - (w246 * w707 + w708 * (w230 - w229)) - (w751 * c12 + w714 * w752 + w717 * w753 + w721 * w754 + w723 * w755)
+    w756 = w193 * w704 - (w246 * w707 + w708 * (w230 - w229)) - (w751 * bar3_mass + w714 * w752 + w717 * w753 + w721 * w754 + w723 * w755)
     w757 = w750 + w756
     w758 = w445 * c24
     w759 = w442 * c24
@@ -18311,16 +12568,16 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w912 = w887 - w73 * w894
     w913 = w113 * w886
     w914 = w913 - w895
-    w915 = w78 * w907 - w235 * w908 - (w238 - w263) * w909 - (w899 * c74 + w889 * w911 + w890 * w912 + w891 * w914 + w892 * w898)
+    w915 = w78 * w907 - w235 * w908 - (w238 - w263) * w909 - (w899 * bar4_mass + w889 * w911 + w890 * w912 + w891 * w914 + w892 * w898)
     w916 = w113 * w894 - w885
     w917 = w76 * w884
     w918 = w910 - w917
     w919 = w74 * w894 - w113 * w884
-    w920 = w83 * w907 - w240 * w908 - w909 * (w234 - w232) - (w897 * c74 + w889 * w916 + w890 * w918 + w891 * w919 + w892 * w896)
+    w920 = w83 * w907 - w240 * w908 - w909 * (w234 - w232) - (w897 * bar4_mass + w889 * w916 + w890 * w918 + w891 * w919 + w892 * w896)
     w921 = w80 * w884 - w913
     w922 = w73 * w884 - w80 * w886
     w923 = w917 - w74 * w886
-    w924 = w264 * w907 - w243 * w908 - w909 * (w75 + w77) - (w893 * c74 + w889 * w921 + w890 * w922 + w891 * w923 + w888 * w892)
+    w924 = w264 * w907 - w243 * w908 - w909 * (w75 + w77) - (w893 * bar4_mass + w889 * w921 + w890 * w922 + w891 * w923 + w888 * w892)
     w925 = w80 * w877 + w74 * w882 + w76 * w883 - w906 - w292 * w915 - w276 * w920 - w112 * w924
     w926 = w893 * w921 + w897 * w916 + w899 * w911 + w889 * (w109 * (w109 * c73) + w80 * (w80 * c76) + w113 * (w113 * c77))
     w927 = w76 * c73
@@ -18341,19 +12598,19 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w942 = w849 - w124 * w856
     w943 = w129 * w848
     w944 = w943 - w857
-    w945 = w95 * w934 - (w935 - w936) * w937 - (w99 - w938) * w939 - (w861 * c64 - w851 * w941 + w852 * w942 + w853 * w944 + w854 * w860)
+    w945 = w95 * w934 - (w935 - w936) * w937 - (w99 - w938) * w939 - (w861 * bar5_mass - w851 * w941 + w852 * w942 + w853 * w944 + w854 * w860)
     w946 = w915 + w945
     w947 = w129 * w856 - w847
     w948 = w91 * w846
     w949 = w940 - w948
     w950 = w98 * w856 - w129 * w846
-    w951 = w101 * w934 - w937 * (w269 + w270) - w939 * (w94 - w92) - (w859 * c64 - w851 * w947 + w852 * w949 + w853 * w950 + w854 * w858)
+    w951 = w101 * w934 - w937 * (w269 + w270) - w939 * (w94 - w92) - (w859 * bar5_mass - w851 * w947 + w852 * w949 + w853 * w950 + w854 * w858)
     w952 = w920 + w951
     w953 = w125 * w839 + w98 * w844 + w91 * w845 - w868 + w90 * w925 + w87 * w933 - w294 * w946 - w279 * w952
     w954 = w125 * w846 - w943
     w955 = w124 * w846 - w125 * w848
     w956 = w948 - w98 * w848
-    w957 = w271 * w934 - w937 * (1.0 - w938 - w100) - w939 * (w935 + w936) - (w855 * c64 - w851 * w954 + w852 * w955 + w853 * w956 + w850 * w854)
+    w957 = w271 * w934 - w937 * (1.0 - w938 - w100) - w939 * (w935 + w936) - (w855 * bar5_mass - w851 * w954 + w852 * w955 + w853 * w956 + w850 * w854)
     w958 = w924 + w957
     w959 = w91 * c69
     w960 = w116 * c70
@@ -18376,16 +12633,22 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w977 = w116 * w839 + w125 * w844 + w129 * w845 - (w976 + w852 * w972 + w853 * w961 + w854 * w865) - w87 * w925
     w978 = w830 - w422 * (w975 - w133 * (w977 + w90 * w933 - w298 * w946 - w284 * w952 - w131 * w958)) + w423 * (w349 * w966 - w348 * w925 - w350 * w969 + w351 * w933)
     w979 = w978 + w424 * (w324 * w790 + w325 * w797 + w326 * w801 - w323 * w803) + w426 * (w175 * w804 - w180 * w821 + w72 * w824 - w189 * w812)
-    dQ_hat_dq_i_dot = ca.vertcat(
-        w979,
-    )
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.vertcat(w979)
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 7615 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 39) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 154) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    7615 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 39)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
@@ -18416,22 +12679,22 @@ def dMa_dq_i() -> ca.Function:
     hinge4_angle = q_d[37]
     hinge5_angle = q_d[38]
     hinge0_angle_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    bar1_start_quaternion_0_0_0 = c[0]
+    ground_P0_quaternion_0_0_0 = c[1]
+    ground_P0_quaternion_1_0_0 = c[2]
+    bar1_start_quaternion_1_0_0 = c[3]
     c6 = c[6]
     c8 = c[8]
     c9 = c[9]
-    c10 = c[10]
-    c11 = c[11]
-    c12 = c[12]
+    bar1_end_x = c[10]
+    bar2_mass = c[11]
+    bar3_mass = c[12]
     c14 = c[14]
-    c15 = c[15]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
+    bar2_end_y = c[15]
+    bar2_end_quaternion_1_0_0 = c[16]
+    bar3_start_quaternion_1_0_0 = c[17]
+    bar2_end_quaternion_3_0_0 = c[18]
+    bar3_start_quaternion_3_0_0 = c[19]
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
@@ -18460,21 +12723,21 @@ def dMa_dq_i() -> ca.Function:
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
-    c55 = c[55]
-    c56 = c[56]
-    c57 = c[57]
-    c58 = c[58]
-    c59 = c[59]
-    c60 = c[60]
+    bar4_end_x = c[55]
+    bar5_end_y = c[56]
+    ground_P5_quaternion_3_0_0 = c[57]
+    bar5_end_quaternion_1_0_0 = c[58]
+    ground_P5_quaternion_1_0_0 = c[59]
+    bar5_end_quaternion_3_0_0 = c[60]
     c61 = c[61]
     c62 = c[62]
-    c63 = c[63]
-    c64 = c[64]
+    bar3_end_z = c[63]
+    bar5_mass = c[64]
     c67 = c[67]
     c69 = c[69]
     c70 = c[70]
     c73 = c[73]
-    c74 = c[74]
+    bar4_mass = c[74]
     c76 = c[76]
     c77 = c[77]
     c78 = c[78]
@@ -18517,10 +12780,11 @@ def dMa_dq_i() -> ca.Function:
     c151 = c[151]
     c152 = c[152]
     c153 = c[153]
+    # intermediate terms (1342)
     w0 = hinge0_angle / 2.0
     w1 = ca.cos(w0)
     w2 = w1 / 2.0
-    w3 = w2 * c1 * c0 - w2 * c2 * c3
+    w3 = w2 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0 - w2 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0
     w4 = 2 * bar1_e0
     w5 = bar1_e2 * -2.0
     w6 = w5 * c6
@@ -18531,7 +12795,7 @@ def dMa_dq_i() -> ca.Function:
     w11 = w4 * c9
     w12 = w7 * w9 + bar1_e0 * bar1_e2 * c103
     w13 = w1 * 0.25
-    w14 = w13 * c1 * c3 - w13 * c2 * c0
+    w14 = w13 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w13 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w15 = hinge0_angle_ddot * w14
     w16 = bar1_e1 * -2.0
     w17 = bar1_e2 * bar1_e1 * c52 + w7 * w11
@@ -18544,10 +12808,10 @@ def dMa_dq_i() -> ca.Function:
     w24 = w22 * c110
     w25 = hinge0_angle_ddot * w24
     w26 = w5 * w6 + w8 * w9 + w4 * w11
-    w27 = w23 * c2 * c3 - w23 * c1 * c0
+    w27 = w23 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_1_0_0 - w23 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_0_0_0
     w28 = hinge0_angle_ddot * w27
-    w29 = (w4 * bar1_e3 + bar1_e2 * w8) * c10
-    w30 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * c10
+    w29 = (w4 * bar1_e3 + bar1_e2 * w8) * bar1_end_x
+    w30 = (1.0 - 2 * bar1_e2**2 - 2 * bar1_e3**2) * bar1_end_x
     w31 = w10 * w29 - w16 * w30
     w32 = w4 * w29
     w33 = w32 - w20 * w30
@@ -18577,12 +12841,12 @@ def dMa_dq_i() -> ca.Function:
     w57 = 2 * bar4_e1
     w58 = 2 * bar4_e0
     w59 = bar4_e3 * w57 - w58 * bar4_e2
-    w60 = w59 * c55
+    w60 = w59 * bar4_end_x
     w61 = bar4_e2 * -2.0
     w62 = bar4_e3 * w58
     w63 = w57 * bar4_e2
     w64 = w62 + w63
-    w65 = w64 * c55
+    w65 = w64 * bar4_end_x
     w66 = w56 * w60 - w61 * w65
     w67 = hinge4_angle / 2.0
     w68 = ca.sin(w67)
@@ -18592,17 +12856,17 @@ def dMa_dq_i() -> ca.Function:
     w72 = 2 * bar5_e0
     w73 = 2 * bar5_e2
     w74 = w72 * bar5_e1 + w73 * bar5_e3
-    w75 = w74 * c56
+    w75 = w74 * bar5_end_y
     w76 = w72 * w75
     w77 = 2 * bar5_e1
     w78 = 1.0 - 2 * bar5_e1**2 - 2 * bar5_e3**2
-    w79 = w78 * c56
+    w79 = w78 * bar5_end_y
     w80 = w76 - w77 * w79
     w81 = w66 * w68 - w70 * w71 - w80
     w82 = hinge5_angle / 2.0
     w83 = ca.sin(w82)
     w84 = w83 / 2.0
-    w85 = w84 * c57 * c58 - w84 * c59 * c60
+    w85 = w84 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_1_0_0 - w84 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_3_0_0
     w86 = bar4_e1 * -2.0
     w87 = w60 * w86
     w88 = w58 * w65
@@ -18617,7 +12881,7 @@ def dMa_dq_i() -> ca.Function:
     w97 = w71 * w89 + w68 * w92 + w96
     w98 = ca.cos(w82)
     w99 = w98 / 2.0
-    w100 = w99 * c59 * c58 - w99 * c57 * c60
+    w100 = w99 * ground_P5_quaternion_1_0_0 * bar5_end_quaternion_1_0_0 - w99 * ground_P5_quaternion_3_0_0 * bar5_end_quaternion_3_0_0
     w101 = 2 * bar5_e3
     w102 = bar5_e2 * -2.0
     w103 = w75 * w101 - w79 * w102
@@ -18632,21 +12896,21 @@ def dMa_dq_i() -> ca.Function:
     w112 = 2 * bar3_e3
     w113 = 2 * bar3_e2**2
     w114 = 1.0 - 2 * bar3_e1**2 - w113
-    w115 = w114 * c63
+    w115 = w114 * bar3_end_z
     w116 = bar3_e2 * -2.0
     w117 = 2 * bar3_e2
     w118 = 2 * bar3_e0
     w119 = bar3_e3 * w117 - bar3_e1 * w118
-    w120 = w119 * c63
+    w120 = w119 * bar3_end_z
     w121 = w112 * w115 - w116 * w120
     w122 = hinge2_angle / 2.0
     w123 = ca.cos(w122)
-    w124 = w123 * c16 * c19 - w123 * c18 * c17
+    w124 = w123 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0 - w123 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0
     w125 = 2 * bar2_e2
     w126 = bar2_e1 * w45 + bar2_e3 * w125
-    w127 = w126 * c15
+    w127 = w126 * bar2_end_y
     w128 = w40 * w127
-    w129 = w41 * c15
+    w129 = w41 * bar2_end_y
     w130 = w45 * w129
     w131 = w128 - w130
     w132 = bar3_e1 * -2.0
@@ -18662,7 +12926,7 @@ def dMa_dq_i() -> ca.Function:
     w142 = bar3_e3 * -2.0
     w143 = w120 * w142
     w144 = w115 * w116 - w143
-    w145 = w140 * c18 * c19 - w140 * c16 * c17
+    w145 = w140 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w140 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w146 = w121 * w124 - (w131 + w135 * w136 + w139 * w141) + w144 * w145
     w147 = bar1_e0 * w54 - bar1_e3 * w53
     w148 = w45 * w127
@@ -18681,10 +12945,10 @@ def dMa_dq_i() -> ca.Function:
     w161 = bar3_e2 * w118
     w162 = bar3_e3 * w138
     w163 = w161 + w162
-    w164 = w163 * c63
+    w164 = w163 * bar3_end_z
     w165 = w116 * w164
     w166 = w165 - w137
-    w167 = w46 * c15
+    w167 = w46 * bar2_end_y
     w168 = w45 * w167
     w169 = w168 - w125 * w127
     w170 = w118 * w164
@@ -18742,12 +13006,12 @@ def dMa_dq_i() -> ca.Function:
     w222 = ca.sqrt(w160**2 + w182**2 + w195**2 + w221**2)
     w223 = w160 / w222
     w224 = 1.0 - 2 * bar4_e2**2 - w201
-    w225 = w224 * c55
+    w225 = w224 * bar4_end_x
     w226 = w61 * w225
     w227 = w226 - w69
     w228 = w57 * w225 - w60 * w90
     w229 = bar5_e2 * w77 - w72 * bar5_e3
-    w230 = w229 * c56
+    w230 = w229 * bar5_end_y
     w231 = w77 * w230 - w75 * w106
     w232 = w68 * w227 - w71 * w228 - w231
     w233 = w58 * w225
@@ -18796,8 +13060,8 @@ def dMa_dq_i() -> ca.Function:
     w276 = w275 * c20
     w277 = w123 / 2.0
     w278 = w277 * c22
-    w279 = w275 * c18 * c17 - w275 * c16 * c19
-    w280 = w277 * c18 * c19 - w277 * c16 * c17
+    w279 = w275 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_1_0_0 - w275 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_3_0_0
+    w280 = w277 * bar2_end_quaternion_3_0_0 * bar3_start_quaternion_3_0_0 - w277 * bar2_end_quaternion_1_0_0 * bar3_start_quaternion_1_0_0
     w281 = bar2_e0 * w276 + (bar2_e1 * w278 + bar2_e2 * w279 + bar2_e3 * w280)
     w282 = bar2_e0 * w280 - bar2_e3 * w276 + (bar2_e1 * w279 - bar2_e2 * w278)
     w283 = bar2_e0 * w279 - bar2_e2 * w276 + (bar2_e3 * w278 - bar2_e1 * w280)
@@ -18856,7 +13120,7 @@ def dMa_dq_i() -> ca.Function:
     w336 = w330 - w331 * w332
     w337 = ca.sqrt(w333**2 + w334**2 + w335**2 + w336**2)
     w338 = w333 / w337
-    w339 = (bar1_e3 * w8 - w4 * bar1_e2) * c10
+    w339 = (bar1_e3 * w8 - w4 * bar1_e2) * bar1_end_x
     w340 = w16 * w339
     w341 = w340 - w32
     w342 = w51 * w146 - w341 + w52 * w159
@@ -18922,8 +13186,8 @@ def dMa_dq_i() -> ca.Function:
     w402 = w141 * w388 - (w124 * w379 + w145 * w382 + w136 * w386) + w283 * w394
     w403 = w117 * w390 - w132 * w391
     w404 = w124 * w382 - w145 * w379 + w141 * w386 + w136 * w388 + w282 * w394
-    w405 = w389 * c12 + w393 * w395 + w397 * w398 + w401 * w402 + w403 * w404
-    w406 = w39 * c11 - w49 * w379 + w381 * w382 - w385 * w386 + w387 * w388 + w405
+    w405 = w389 * bar3_mass + w393 * w395 + w397 * w398 + w401 * w402 + w403 * w404
+    w406 = w39 * bar2_mass - w49 * w379 + w381 * w382 - w385 * w386 + w387 * w388 + w405
     w407 = w15 * w356 - w19 * w358 + w25 * w354 + w28 * w352
     w408 = w126 * c14
     w409 = w40 * w408
@@ -18940,8 +13204,8 @@ def dMa_dq_i() -> ca.Function:
     w420 = w392 - w419
     w421 = w138 * w391 - w142 * w416
     w422 = w400 - w117 * w416
-    w423 = w415 * c12 + w395 * w418 + w398 * w420 + w402 * w421 + w404 * w422
-    w424 = w407 * c11 - w379 * w410 + w382 * w412 - w386 * w413 + w388 * w414 + w423
+    w423 = w415 * bar3_mass + w395 * w418 + w398 * w420 + w402 * w421 + w404 * w422
+    w424 = w407 * bar2_mass - w379 * w410 + w382 * w412 - w386 * w413 + w388 * w414 + w423
     w425 = w15 * w346 - w19 * w348 + w25 * w344 + w28 * w341
     w426 = w43 * w408 - w383
     w427 = w152 * w408 - w42 * w43
@@ -18952,8 +13216,8 @@ def dMa_dq_i() -> ca.Function:
     w432 = w112 * w416 - w116 * w390
     w433 = w419 - w138 * w390
     w434 = w417 - w396
-    w435 = w430 * c12 + w395 * w431 + w398 * w432 + w402 * w433 + w404 * w434
-    w436 = w425 * c11 - w379 * w426 + w382 * w427 - w386 * w428 + w388 * w429 + w435
+    w435 = w430 * bar3_mass + w395 * w431 + w398 * w432 + w402 * w433 + w404 * w434
+    w436 = w425 * bar2_mass - w379 * w426 + w382 * w427 - w386 * w428 + w388 * w429 + w435
     w437 = w43 * c25
     w438 = w44 * c27
     w439 = w45 * c28
@@ -18999,7 +13263,7 @@ def dMa_dq_i() -> ca.Function:
     w479 = w425 * w426 + w407 * w410 + w39 * w49 - w379 * w470 + w382 * w474 - w386 * w478 + w388 * w440 + w193 * w405
     w480 = w479 + w180 * w423 + w158 * w435 + w145 * w452 + w124 * w459 + w141 * w465 + w136 * w467
     w481 = w22 / 2.0
-    w482 = w481 * c1 * c3 - w481 * c2 * c0
+    w482 = w481 * ground_P0_quaternion_0_0_0 * bar1_start_quaternion_1_0_0 - w481 * ground_P0_quaternion_1_0_0 * bar1_start_quaternion_0_0_0
     w483 = hinge0_angle_ddot * w482
     w484 = w481 * c51
     w485 = hinge0_angle_ddot * w484
@@ -19027,16 +13291,16 @@ def dMa_dq_i() -> ca.Function:
     w507 = w136 * w501 - w141 * w500 - w145 * w502 - w124 * w503 + w284 * w505
     w508 = w141 * w503 - (w124 * w500 + w145 * w501 + w136 * w502) + w283 * w505
     w509 = w124 * w501 - w145 * w500 + w141 * w502 + w136 * w503 + w282 * w505
-    w510 = w504 * c12 + w393 * w506 + w397 * w507 + w401 * w508 + w403 * w509
-    w511 = w489 * c11 - w49 * w500 + w381 * w501 - w385 * w502 + w387 * w503 + w510
+    w510 = w504 * bar3_mass + w393 * w506 + w397 * w507 + w401 * w508 + w403 * w509
+    w511 = w489 * bar2_mass - w49 * w500 + w381 * w501 - w385 * w502 + w387 * w503 + w510
     w512 = w356 * w483 - w358 * w485 - w354 * w487 + w352 * w488
     w513 = w512 - w180 * w500 + w178 * w501 - w175 * w502 + w169 * w503
-    w514 = w513 * c12 + w418 * w506 + w420 * w507 + w421 * w508 + w422 * w509
-    w515 = w512 * c11 - w410 * w500 + w412 * w501 - w413 * w502 + w414 * w503 + w514
+    w514 = w513 * bar3_mass + w418 * w506 + w420 * w507 + w421 * w508 + w422 * w509
+    w515 = w512 * bar2_mass - w410 * w500 + w412 * w501 - w413 * w502 + w414 * w503 + w514
     w516 = w346 * w483 - w348 * w485 - w344 * w487 + w341 * w488
     w517 = w516 - w158 * w500 + w153 * w501 - w149 * w502 + w131 * w503
-    w518 = w517 * c12 + w431 * w506 + w432 * w507 + w433 * w508 + w434 * w509
-    w519 = w516 * c11 - w426 * w500 + w427 * w501 - w428 * w502 + w429 * w503 + w518
+    w518 = w517 * bar3_mass + w431 * w506 + w432 * w507 + w433 * w508 + w434 * w509
+    w519 = w516 * bar2_mass - w426 * w500 + w427 * w501 - w428 * w502 + w429 * w503 + w518
     w520 = w429 * w516 + w414 * w512 + w387 * w489 - w440 * w500 + w441 * w501 - w442 * w502 + w443 * w503 + w184 * w510
     w521 = w434 * w517 + w422 * w513 + w403 * w504 + w448 * w506 + w449 * w507 + w450 * w508 + w451 * w509
     w522 = w433 * w517 + w421 * w513 + w401 * w504 + w456 * w506 + w457 * w507 + w458 * w508 + w450 * w509
@@ -19130,17 +13394,17 @@ def dMa_dq_i() -> ca.Function:
     w610 = w587 - w56 * w595
     w611 = w90 * w586
     w612 = w611 - w596
-    w613 = w600 * c74 + w591 * w609 + w592 * w610 + w593 * w612 - w590 * w599
+    w613 = w600 * bar4_mass + w591 * w609 + w592 * w610 + w593 * w612 - w590 * w599
     w614 = w588 * w594 + w597 * w598 + w599 * w600 + w591 * w604 + w592 * w605 + w593 * w606 - w590 * w607 - w250 * w613
     w615 = w90 * w595 - w585
     w616 = w58 * w584
     w617 = w608 - w616
     w618 = w57 * w595 - w90 * w584
-    w619 = w598 * c74 + w591 * w615 + w592 * w617 + w593 * w618 - w590 * w597
+    w619 = w598 * bar4_mass + w591 * w615 + w592 * w617 + w593 * w618 - w590 * w597
     w620 = w61 * w584 - w611
     w621 = w56 * w584 - w61 * w586
     w622 = w616 - w57 * w586
-    w623 = w594 * c74 + w591 * w620 + w592 * w621 + w593 * w622 - w588 * w590
+    w623 = w594 * bar4_mass + w591 * w620 + w592 * w621 + w593 * w622 - w588 * w590
     w624 = w614 - w234 * w619 - w89 * w623
     w625 = w564 * w570 + w573 * w574 + w575 * w576 + w567 * w580 + w568 * w581 - w566 * w582 - w569 * w583 + w71 * w624
     w626 = w86 * (w86 * c73) + w61 * (w61 * c76) + w90 * (w90 * c77)
@@ -19159,16 +13423,16 @@ def dMa_dq_i() -> ca.Function:
     w639 = w563 - w101 * w571
     w640 = w106 * w562
     w641 = w640 - w572
-    w642 = w613 + (w576 * c64 + w567 * w638 + w568 * w639 - w566 * w641 - w569 * w575)
+    w642 = w613 + (w576 * bar5_mass + w567 * w638 + w568 * w639 - w566 * w641 - w569 * w575)
     w643 = w106 * w571 - w561
     w644 = w72 * w560
     w645 = w637 - w644
     w646 = w77 * w571 - w106 * w560
-    w647 = w619 + (w574 * c64 + w567 * w643 + w568 * w645 - w566 * w646 - w569 * w573)
+    w647 = w619 + (w574 * bar5_mass + w567 * w643 + w568 * w645 - w566 * w646 - w569 * w573)
     w648 = w102 * w560 - w640
     w649 = w101 * w560 - w102 * w562
     w650 = w644 - w77 * w562
-    w651 = w623 + (w570 * c64 + w567 * w648 + w568 * w649 - w566 * w650 - w564 * w569)
+    w651 = w623 + (w570 * bar5_mass + w567 * w648 + w568 * w649 - w566 * w650 - w564 * w569)
     w652 = w101 * c67
     w653 = w72 * c69
     w654 = w93 * c70
@@ -19209,17 +13473,17 @@ def dMa_dq_i() -> ca.Function:
     w689 = w681 + (w89 * w685 - (w92 * w686 + w66 * w687 + w70 * w688))
     w690 = w682 + (w234 * w685 - (w235 * w686 + w227 * w687 + w228 * w688))
     w691 = w683 + (w250 * w685 - (w251 * w686 + w246 * w687 + w247 * w688))
-    w692 = w691 * c74 + w609 * w686 + w610 * w687 + w612 * w688 - w599 * w685
+    w692 = w691 * bar4_mass + w609 * w686 + w610 * w687 + w612 * w688 - w599 * w685
     w693 = w588 * w689 + w597 * w690 + w599 * w691 + w604 * w686 + w605 * w687 + w606 * w688 - w607 * w685 - w250 * w692
-    w694 = w690 * c74 + w615 * w686 + w617 * w687 + w618 * w688 - w597 * w685
-    w695 = w689 * c74 + w620 * w686 + w621 * w687 + w622 * w688 - w588 * w685
+    w694 = w690 * bar4_mass + w615 * w686 + w617 * w687 + w618 * w688 - w597 * w685
+    w695 = w689 * bar4_mass + w620 * w686 + w621 * w687 + w622 * w688 - w588 * w685
     w696 = w693 - w234 * w694 - w89 * w695
     w697 = w564 * w681 + w573 * w682 + w575 * w683 + w580 * w678 + w581 * w679 - w582 * w677 - w583 * w680 + w71 * w696
     w698 = w620 * w689 + w615 * w690 + w609 * w691 + w626 * w686 + w630 * w687 + w634 * w688 - w604 * w685 - w251 * w692
     w699 = w698 - w235 * w694 - w92 * w695
-    w700 = w692 + (w683 * c64 + w638 * w678 + w639 * w679 - w641 * w677 - w575 * w680)
-    w701 = w694 + (w682 * c64 + w643 * w678 + w645 * w679 - w646 * w677 - w573 * w680)
-    w702 = w695 + (w681 * c64 + w648 * w678 + w649 * w679 - w650 * w677 - w564 * w680)
+    w700 = w692 + (w683 * bar5_mass + w638 * w678 + w639 * w679 - w641 * w677 - w575 * w680)
+    w701 = w694 + (w682 * bar5_mass + w643 * w678 + w645 * w679 - w646 * w677 - w573 * w680)
+    w702 = w695 + (w681 * bar5_mass + w648 * w678 + w649 * w679 - w650 * w677 - w564 * w680)
     w703 = w697 + w68 * w699 - w252 * w700 - w237 * w701 - w96 * w702
     w704 = w622 * w689 + w618 * w690 + w612 * w691 + w634 * w686 + w658 * w687 + w659 * w688 - w606 * w685 - w247 * w692
     w705 = w704 - w228 * w694 - w70 * w695
@@ -19263,17 +13527,17 @@ def dMa_dq_i() -> ca.Function:
     w743 = w724 - (w66 * w730 + w70 * w734) - w92 * w738 + w89 * w742
     w744 = w725 - (w227 * w730 + w228 * w734) - w235 * w738 + w234 * w742
     w745 = w726 - (w246 * w730 + w247 * w734) - w251 * w738 + w250 * w742
-    w746 = w610 * w730 + w612 * w734 + w609 * w738 + w745 * c74 - w599 * w742
+    w746 = w610 * w730 + w612 * w734 + w609 * w738 + w745 * bar4_mass - w599 * w742
     w747 = w630 * w730 + w634 * w734 + w626 * w738 + w620 * w743 + w615 * w744 + w609 * w745 - w604 * w742 - w251 * w746
-    w748 = w617 * w730 + w618 * w734 + w615 * w738 + w744 * c74 - w597 * w742
-    w749 = w621 * w730 + w622 * w734 + w620 * w738 + w743 * c74 - w588 * w742
+    w748 = w617 * w730 + w618 * w734 + w615 * w738 + w744 * bar4_mass - w597 * w742
+    w749 = w621 * w730 + w622 * w734 + w620 * w738 + w743 * bar4_mass - w588 * w742
     w750 = w747 - w235 * w748 - w92 * w749
     w751 = w607 * w742 - (w605 * w730 + w606 * w734 + w604 * w738 + w588 * w743 + w597 * w744 + w599 * w745)
     w752 = w751 + w250 * w746 + w234 * w748 + w89 * w749
     w753 = w582 * w720 - (w580 * w721 + w581 * w722) - w564 * w724 - w573 * w725 - w575 * w726 - w68 * w750 + w71 * w752
-    w754 = w746 + (w638 * w721 + w639 * w722 - w641 * w720 + w726 * c64) - w575 * w723
-    w755 = w748 + (w643 * w721 + w645 * w722 - w646 * w720 + w725 * c64) - w573 * w723
-    w756 = w749 + (w648 * w721 + w649 * w722 - w650 * w720 + w724 * c64) - w564 * w723
+    w754 = w746 + (w638 * w721 + w639 * w722 - w641 * w720 + w726 * bar5_mass) - w575 * w723
+    w755 = w748 + (w643 * w721 + w645 * w722 - w646 * w720 + w725 * bar5_mass) - w573 * w723
+    w756 = w749 + (w648 * w721 + w649 * w722 - w650 * w720 + w724 * bar5_mass) - w564 * w723
     w757 = w753 + w583 * w723 + w252 * w754 + w237 * w755 + w96 * w756
     w758 = w658 * w730 + w659 * w734 + w634 * w738 + w622 * w743 + w618 * w744 + w612 * w745 - w606 * w742 - w247 * w746
     w759 = w758 - w228 * w748 - w70 * w749
@@ -19319,10 +13583,10 @@ def dMa_dq_i() -> ca.Function:
     w799 = w456 * w785 + w457 * w787 + w458 * w789 + w450 * w791 + w433 * w793 + w421 * w795 + w401 * w797
     w800 = w463 * w785 + w464 * w787 + w457 * w789 + w449 * w791 + w432 * w793 + w420 * w795 + w397 * w797
     w801 = w466 * w785 + w463 * w787 + w456 * w789 + w448 * w791 + w431 * w793 + w418 * w795 + w393 * w797
-    w802 = w431 * w785 + w432 * w787 + w433 * w789 + w434 * w791 + w793 * c12
-    w803 = w418 * w785 + w420 * w787 + w421 * w789 + w422 * w791 + w795 * c12
+    w802 = w431 * w785 + w432 * w787 + w433 * w789 + w434 * w791 + w793 * bar3_mass
+    w803 = w418 * w785 + w420 * w787 + w421 * w789 + w422 * w791 + w795 * bar3_mass
     w804 = w441 * w776 - w442 * w771 - w440 * w780 + w443 * w784 + w131 * w802 + w429 * w792 + w169 * w803 + w414 * w794
-    w805 = w393 * w785 + w397 * w787 + w401 * w789 + w403 * w791 + w797 * c12
+    w805 = w393 * w785 + w397 * w787 + w401 * w789 + w403 * w791 + w797 * bar3_mass
     w806 = w804 + w136 * w798 + w141 * w799 - w124 * w800 - w145 * w801 + w184 * w805 + w387 * w796
     w807 = w536 * w771 - w535 * w776 + w478 * w780 - w442 * w784 - w149 * w802 - w428 * w792 - w175 * w803 - w413 * w794
     w808 = w807 + w141 * w798 - w136 * w799 - w145 * w800 + w124 * w801 - w189 * w805 - w385 * w796
@@ -19341,11 +13605,11 @@ def dMa_dq_i() -> ca.Function:
     w821 = w820 / w337
     w822 = w338 * w821 - (w295 * w816 + w325 * w818 + w223 * w814)
     w823 = w484 * w822
-    w824 = w802 + (w427 * w776 - w428 * w771 - w426 * w780 + w429 * w784) + w792 * c11
+    w824 = w802 + (w427 * w776 - w428 * w771 - w426 * w780 + w429 * w784) + w792 * bar2_mass
     w825 = w823 - (w484 * w519 + w485 * w824)
     w826 = w351 * w821 - (w297 * w816 + w327 * w818 + w245 * w814)
     w827 = w484 * w826
-    w828 = w803 + (w412 * w776 - w413 * w771 - w410 * w780 + w414 * w784) + w794 * c11
+    w828 = w803 + (w412 * w776 - w413 * w771 - w410 * w780 + w414 * w784) + w794 * bar2_mass
     w829 = w827 - (w484 * w515 + w485 * w828)
     w830 = w482 * w826
     w831 = w482 * w515 + w483 * w828 - w830
@@ -19360,7 +13624,7 @@ def dMa_dq_i() -> ca.Function:
     w840 = w3 * w822
     w841 = w3 * w519 + w488 * w824 - w840
     w842 = w5 * w825 - (w16 * w829 + w4 * w831 + w7 * w833 + w10 * w835) + w20 * w837 + w4 * w839 + w16 * w841
-    w843 = w842 * c10
+    w843 = w842 * bar1_end_x
     w844 = w493 * w821
     w845 = w492 * w821
     w846 = w491 * w821
@@ -19423,7 +13687,7 @@ def dMa_dq_i() -> ca.Function:
     w903 = w499 * w808 - w498 * w544 - w218 * w898 - w190 * w899 - w176 * w900 - w150 * w901
     w904 = w361 * w821 - (w299 * w816 + w329 * w818 + w259 * w814)
     w905 = w3 * w904
-    w906 = w805 + (w381 * w776 - w385 * w771 - w49 * w780 + w387 * w784) + w796 * c11
+    w906 = w805 + (w381 * w776 - w385 * w771 - w49 * w780 + w387 * w784) + w796 * bar2_mass
     w907 = w3 * w511 - w905 + w488 * w906
     w908 = w486 * w904
     w909 = w908 - w486 * w511 - w487 * w906
@@ -19432,7 +13696,7 @@ def dMa_dq_i() -> ca.Function:
     w912 = w482 * w904
     w913 = w482 * w511 - w912 + w483 * w906
     w914 = w10 * w907 - (w7 * w825 + w5 * w837 + w8 * w839 + w4 * w841) + w7 * w909 + w16 * w911 + w4 * w913
-    w915 = w914 * c10
+    w915 = w914 * bar1_end_x
     w916 = w482 * (hinge0_angle_ddot * w481) * c137
     w917 = w486 * w487
     w918 = w2 * hinge0_angle_ddot
@@ -19514,7 +13778,7 @@ def dMa_dq_i() -> ca.Function:
     w994 = w51 * w836 - w52 * w838 + w155 * w901
     w995 = w518 * w776 + w501 * w802 - w994
     w996 = w43 * w989 - (w40 * w991 + w45 * w975 + w156 * w993 + w125 * w977) + w152 * w995 + w45 * w979 + w40 * w981
-    w997 = w987 * c14 + w996 * c15
+    w997 = w987 * c14 + w996 * bar2_end_y
     w998 = w51 * w910 + w52 * w905 + w55 * w899
     w999 = w998 - (w510 * w780 + w500 * w805)
     w1000 = w51 * w905 - w52 * w910 + w147 * w899
@@ -19523,13 +13787,13 @@ def dMa_dq_i() -> ca.Function:
     w1003 = w489 * w784 + w503 * w796
     w1004 = w489 * w780 + w500 * w796
     w1005 = w45 * w965 - w44 * w985 + w43 * w966 - w156 * w986 - w40 * w1003 + w45 * w967 - w152 * w968 + w43 * w1004
-    w1006 = w1002 * c15 + w1005 * c14
+    w1006 = w1002 * bar2_end_y + w1005 * c14
     w1007 = w777 + (w778 + w779)
     w1008 = w438 * w958 + (w44 * w958 - w45 * w959 + w156 * w960 - w43 * w961) * c27 + w42 * w964 - w47 * w985
     w1009 = w279 * w950 - (w276 * w948 + w280 * w949) + w278 * w951 + 2 * (w1008 + w167 * w993 - w129 * w979)
     w1010 = w40 * w999 + w45 * w970 + w156 * w973 + w125 * w1001 - w156 * w989 - w43 * w995 - w44 * w979 - w45 * w981
     w1011 = w44 * w964 - w45 * w963 - w43 * w983 + w156 * w984 + w125 * w1003 - w156 * w967 + w45 * w968 - w40 * w1004
-    w1012 = 2 * -(w1010 * c15 + w1011 * c14)
+    w1012 = 2 * -(w1010 * bar2_end_y + w1011 * c14)
     w1013 = w477 * w953 + (w40 * w953 - w125 * w954 + w156 * w955) * c28 + w475 * w955 - w471 * w956 + w780 * (bar2_e1 * w500) * c115
     w1014 = w1013 - w439 * w959 - w437 * w961 + w408 * w963 + w408 * w986 - w47 * w1003 + w129 * w999 - w167 * w1001
     w1015 = w1009 + w45 * w997 + 2 * (bar2_e2 * w1006) + w44 * w1012 + (w1014 - w127 * w991 + w127 * w981 - w42 * w1004) * -2.0
@@ -19594,7 +13858,7 @@ def dMa_dq_i() -> ca.Function:
     w1074 = w145 * w990 - w282 * w946 - w124 * w974 - w141 * w992 - w136 * w976
     w1075 = w142 * w1068 - (w116 * w1069 + w118 * w1070 + w132 * w1071 + w112 * w1072) + w138 * w1073 + w118 * w1074
     w1076 = w141 * w990 - w284 * w946 - w136 * w974 + w145 * w992 + w124 * w976
-    w1077 = (w1066 - w116 * w1067) * c21 + (w1075 + w116 * w1076) * c63
+    w1077 = (w1066 - w116 * w1067) * c21 + (w1075 + w116 * w1076) * bar3_end_z
     w1078 = w116 * w1049 + w112 * w1050 + w118 * w1051 + w132 * w1052
     w1079 = w58 * w1033 - w56 * w1034 + w61 * w1037 + w86 * w1038
     w1080 = w1078 - w1079
@@ -19624,7 +13888,7 @@ def dMa_dq_i() -> ca.Function:
     w1104 = w281 * w947 + w136 * w988 + w141 * w994 - w124 * w978 + w145 * w980
     w1105 = w132 * w1069 + w142 * w1070 + w117 * w1071 + w118 * w1072 - w142 * w1104 - w138 * w1098 - w118 * w1100
     w1106 = w141 * w988 - w284 * w947 - w136 * w994 + w145 * w978 + w124 * w980
-    w1107 = (w1103 + w132 * w1067) * c21 + (w1105 - w116 * w1106) * c63
+    w1107 = (w1103 + w132 * w1067) * c21 + (w1105 - w116 * w1106) * bar3_end_z
     w1108 = 2 * (bar3_e3 * w1058) + 2 * (bar3_e2 * w1083) + 2 * (w1099 - w120 * w1100) + 2 * -(bar3_e1 * w1107)
     w1109 = w1077 + w1082
     w1110 = w446 * w1090 + (w138 * w1090 + w118 * w1091 + w142 * w1092 + w116 * w1093) * c33 - w390 * w1096 + w391 * w1060
@@ -19634,7 +13898,7 @@ def dMa_dq_i() -> ca.Function:
     w1114 = (w1113 + w204 * w1049 + w209 * w1052 + w120 * w1069 - w164 * w1071 - w115 * w1068 + w115 * w1100) * -2.0
     w1115 = w132 * w1095 + w118 * w1096 + w112 * w1101 + w116 * w1102 - w117 * w1059 - w142 * w1060 - w118 * w1061
     w1116 = w116 * w1104 - (w132 * w1068 + w142 * w1073 + w117 * w1074 + w118 * w1076) + w118 * w1098 + w132 * w1100
-    w1117 = (w1115 - w132 * w1062) * c21 + (w1116 + w112 * w1106) * c63
+    w1117 = (w1115 - w132 * w1062) * c21 + (w1116 + w112 * w1106) * bar3_end_z
     w1118 = (w1111 + w1114 - w118 * w1107 + w138 * (2 * -w1117)) * (w786 + (w136 * w1016 - w141 * w1007 - w145 * w1021 - w124 * w1027))
     w1119 = w1022 + w1028 + w1108 * (w124 * w1021 - (w136 * w1007 + w141 * w1016) - w145 * w1027 - w772) + w1118
     w1120 = w462 * w1084 + (w117 * w1084 + w142 * w1085) * c34 + w455 * w1087 + w447 * w1092 - w416 * w1059 + w390 * w1063
@@ -19705,7 +13969,7 @@ def dMa_dq_i() -> ca.Function:
     w1185 = w71 * w1170 - (w695 * w738 + w686 * w749 + w309 * w1168) - w68 * w1171
     w1186 = w308 * w1168 - (w695 * w730 + w687 * w749) + w71 * w1173 + w68 * w1174
     w1187 = w86 * w1183 + w197 * w1184 + w90 * w1157 + w58 * w1158 - w90 * w1185 - w58 * w1172 - w57 * w1175 - w61 * w1186
-    w1188 = (w1180 + w58 * w1151) * c78 + w1187 * c55
+    w1188 = (w1180 + w58 * w1151) * c78 + w1187 * bar4_end_x
     w1189 = w196 * w1054 + w200 * w1080
     w1190 = w1188 - w1189
     w1191 = w690 * w734 + w688 * w744
@@ -19714,7 +13978,7 @@ def dMa_dq_i() -> ca.Function:
     w1194 = w71 * w1161 - (w694 * w738 + w686 * w748 + w309 * w1159) - w68 * w1162
     w1195 = w68 * w1164 - (w694 * w734 + w688 * w748 + w307 * w1159) - w71 * w1165
     w1196 = w61 * w1185 - (w86 * w1194 + w197 * w1163 + w90 * w1195 + w58 * w1166) + w86 * w1172 + w58 * w1175
-    w1197 = w1193 * c78 + (w1196 + w56 * w1186) * c55
+    w1197 = w1193 * c78 + (w1196 + w56 * w1186) * bar4_end_x
     w1198 = 2 * (bar4_e1 * w1134) + 2 * (w1167 - w65 * w1172 + w60 * w1175) + 2 * (bar4_e3 * w1190) + 2 * -(bar4_e2 * w1197)
     w1199 = w207 * w1124 + w200 * w1081
     w1200 = (w86 * w1136 + w197 * w1137 + w90 * w1138) * c77 + (w633 * w1136 + w738 * (bar4_e1 * w686) * c148)
@@ -19727,7 +13991,7 @@ def dMa_dq_i() -> ca.Function:
     w1207 = w629 * w1135 + w633 * w1137 + (w197 * w1135 + w90 * w1139) * c77 - w603 * w1147 - w586 * w1179 + w584 * w1150
     w1208 = w57 * w1191 + w61 * w1142 + w90 * w1192 - w58 * w1143 - w56 * w1144 - w61 * w1178 + w86 * w1179 - w58 * w1150
     w1209 = w90 * w1194 - (w61 * w1183 + w86 * w1184 + w58 * w1157 + w56 * w1158) + w58 * w1163 + w57 * w1195
-    w1210 = w1208 * c78 + (w1209 + w61 * w1166) * c55
+    w1210 = w1208 * c78 + (w1209 + w61 * w1166) * bar4_end_x
     w1211 = 2 * (w1207 + w260 * w1038 + w65 * w1184 - w60 * w1163) + w197 * (2 * -w1210) + 2 * (bar4_e3 * w1134)
     w1212 = w628 * w1139 + (w632 * w1138 + w738 * (bar4_e2 * w686) * c121) - w586 * w1176 + w584 * w1177 + w595 * w1142
     w1213 = w1212 - w595 * w1178 + w601 * w1145 - w602 * w1149 + (w61 * w1145 - w56 * w1146 - w58 * w1147 - w86 * w1149) * c73
@@ -19757,7 +14021,7 @@ def dMa_dq_i() -> ca.Function:
     w1237 = w701 * w723 + w680 * w755 - w1162
     w1238 = w106 * w1231 - (w102 * w1232 + w101 * w1233 + w93 * w1234 + w72 * w1235) + w102 * w1236 + w72 * w1237
     w1239 = w701 * w720 + w677 * w755 - w1165
-    w1240 = (w1229 - w72 * w1230) * c80 + (w1238 + w77 * w1239) * c56
+    w1240 = (w1229 - w72 * w1230) * c80 + (w1238 + w77 * w1239) * bar5_end_y
     w1241 = w681 * w722 + w679 * w724
     w1242 = w681 * w720 + w677 * w724
     w1243 = w681 * w721 + w678 * w724
@@ -19768,7 +14032,7 @@ def dMa_dq_i() -> ca.Function:
     w1248 = w702 * w723 + w680 * w756 - w1171
     w1249 = w102 * w1246 - (w93 * w1231 + w72 * w1236 + w73 * w1237 + w106 * w1239) + w101 * w1247 + w93 * w1248
     w1250 = w702 * w720 + w677 * w756 - w1174
-    w1251 = (w1244 - w93 * w1245) * c80 + (w1249 + w72 * w1250) * c56
+    w1251 = (w1244 - w93 * w1245) * c80 + (w1249 + w72 * w1250) * bar5_end_y
     w1252 = w679 * w722
     w1253 = hinge0_angle_ddot * w84
     w1254 = w494 * (w494 * (w99 * w1253)) * c150
@@ -19792,7 +14056,7 @@ def dMa_dq_i() -> ca.Function:
     w1272 = w1271 + w579 * w1261 - w577 * w1264 + w571 * w1228 - w560 * w1245 + w79 * w1232 - w230 * w1234 - w75 * w1231
     w1273 = w77 * w1242 - w102 * w1241 - w106 * w1243 - w106 * w1225 + w72 * w1226 + w93 * w1227 - w73 * w1228
     w1274 = w93 * w1232 + w72 * w1233 + w73 * w1234 + w106 * w1235 - w106 * w1246 - w102 * w1247 - w72 * w1248
-    w1275 = 2 * -((w1273 + w72 * w1245) * c80 + (w1274 - w77 * w1250) * c56)
+    w1275 = 2 * -((w1273 + w72 * w1245) * c80 + (w1274 - w77 * w1250) * bar5_end_y)
     w1276 = w562 * w1242 - w571 * w1223 + w578 * w1260 + (w77 * w1260 + w72 * w1261 - w106 * w1262 - w102 * w1264) * c69
     w1277 = w305 * w1268 + w304 * w1269 + 2 * (bar5_e2 * w1240) + (w1272 + w75 * w1248) * -2.0 + w77 * w1275 + 2 * (w1276 + w230 * w1239 - w79 * w1250)
     w1278 = w669 * w1252 + (w73 * w1252 + w106 * w1254) * c70 - w654 * w1257 - w579 * w1262 - w562 * w1228 + w560 * w1230
@@ -19815,51 +14079,66 @@ def dMa_dq_i() -> ca.Function:
     w1295 = w1294 + w146 * w840 + (bar1_e2 * w902 + bar1_e1 * w903 + bar1_e0 * w928 + bar1_e3 * w929) * 0.5 + w485 * w812
     w1296 = bar2_e0 * w949 - bar2_e3 * w948 + bar2_e1 * w950 + bar2_e2 * w951
     w1297 = bar2_e0 * w951 - (bar2_e1 * w948 + bar2_e2 * w949 + bar2_e3 * w950)
-    w1298 = w521 * w771 - w524 * w776 - w523 * w780 + w522 * w784 + w502 * w798 + w503 * w799 - w500 * w800 - w501 * w801
-    w1299 = w1298 - w215 * w1046 - w216 * w1047 + w213 * w1043 + w214 * w1048 + w183 * w998 + w187 * w969 - w185 * w972
-    w1300 = w1299 - w186 * w1000 + w166 * w990 + w173 * w974 - w171 * w992 - w172 * w976 + w121 * w988 + w144 * w994
-    w1301 = w1300 - w135 * w978 - w139 * w980
-    w1302 = w522 * w776 + w523 * w771 + w521 * w780 + w524 * w784 + w500 * w798 + w501 * w799 + w502 * w800 + w503 * w801
-    w1303 = w185 * w998 - (w1302 + w213 * w1046 + w214 * w1047 + w215 * w1043 + w216 * w1048) + w186 * w969 + w183 * w972
-    w1304 = w1303 + w187 * w1000 + w171 * w990 + w172 * w974 + w166 * w992 + w173 * w976 + w135 * w988 + w139 * w994
-    w1305 = w1304 + w121 * w978 + w144 * w980
-    w1306 = ((w1296 * c17 + w1297 * c19) * c18 + (w1297 * c17 - w1296 * c19) * c16) * 0.5 + (w1301 * c19 - w1305 * c17) * c16
-    w1307 = bar2_e0 * w948 + bar2_e3 * w949 - bar2_e2 * w950 + bar2_e1 * w951
-    w1308 = bar2_e2 * w948 - bar2_e1 * w949 + bar2_e0 * w950 + bar2_e3 * w951
-    w1309 = w523 * w776 - w522 * w771 - w524 * w780 + w521 * w784 + w503 * w798 - w502 * w799 + w501 * w800 - w500 * w801
-    w1310 = w1309 - w216 * w1046 + w215 * w1047 - w214 * w1043 + w213 * w1048 + w187 * w998 - w183 * w969 + w186 * w972
-    w1311 = w1310 - w185 * w1000 + w173 * w990 - w166 * w974 + w172 * w992 - w171 * w976 + w144 * w988 - w121 * w994
-    w1312 = w1311 + w139 * w978 - w135 * w980
-    w1313 = w521 * w776 + w524 * w771 - w522 * w780 - w523 * w784 + w501 * w798 - w500 * w799 - w503 * w800 + w502 * w801
-    w1314 = w1313 - w214 * w1046 + w213 * w1047 + w216 * w1043 - w215 * w1048 + w186 * w998 - w185 * w969 - w187 * w972
-    w1315 = w1314 + w183 * w1000 + w172 * w990 - w171 * w974 - w173 * w992 + w166 * w976 + w139 * w988 - w135 * w994
-    w1316 = w1315 - w144 * w978 + w121 * w980
-    w1317 = ((w1307 * c19 - w1308 * c17) * c16 + (w1308 * c19 + w1307 * c17) * c18) * 0.5 + (w1312 * c19 - w1316 * c17) * c18
-    w1318 = w123 * (w1306 + (w1305 * c19 + w1301 * c17) * c18) - w140 * (w1317 + (w1312 * c17 + w1316 * c19) * c16)
-    w1319 = w705 * w722 - w696 * w721 + w708 * w720 - w699 * w723 + w679 * w759 + w677 * w761 - w680 * w750 + w678 * w752
-    w1320 = w1319 + (bar5_e1 * w1268 - bar5_e0 * w1221 - bar5_e2 * w1269 + bar5_e3 * w1220) * 0.5 + w263 * w1035
-    w1321 = w1320 - w266 * w1031 - w267 * w1032 + w264 * w1036 - w250 * w1181 + w247 * w1154 - w251 * w1182 + w246 * w1156
-    w1322 = w1321 - w234 * w1161 + w228 * w1164 - w235 * w1162 + w227 * w1165 - w89 * w1170 + w70 * w1173 - w92 * w1171
-    w1323 = w699 * w721 + w708 * w722 - w705 * w720 - w696 * w723 - w677 * w759 + w679 * w761 + w678 * w750 + w680 * w752
-    w1324 = w1323 + (bar5_e3 * w1221 + bar5_e2 * w1268 + bar5_e1 * w1269 + bar5_e0 * w1220) * 0.5 - w264 * w1035
-    w1325 = w1324 - w267 * w1031 + w266 * w1032 + w263 * w1036 + w251 * w1181 + w246 * w1154 - w250 * w1182 - w247 * w1156
-    w1326 = w1325 + w235 * w1161 + w227 * w1164 - w234 * w1162 - w228 * w1165 + w92 * w1170 + w66 * w1173 - w89 * w1171
-    w1327 = w1287 + w498 * ((w51 * w1291 - w52 * w1295) * 0.5) + w496 * (w1318 * 0.5) + w495 * ((w71 * (w1322 + w66 * w1174) - w68 * (w1326 - w70 * w1174)) * 0.5)
-    w1328 = w494 * w713 + w676 * w765 - w270 * w1030 - w257 * w1153 - w243 * w1160 - w109 * w1169
-    w1329 = w676 * w767 - w494 * w709 + w268 * w1030 + w249 * w1153 + w232 * w1160 + w81 * w1169
-    w1330 = w494 * w711 + w676 * w763 - w269 * w1030 + w255 * w1153 + w241 * w1160 + w104 * w1169
-    w1331 = w676 * w757 - w494 * w703 + w265 * w1030 - w253 * w1153 - w238 * w1160 - w97 * w1169
-    w1332 = w98 * (((w1328 * c58 - w1329 * c60) * c59 + (w1328 * c60 + w1329 * c58) * c57) * 0.5) - w83 * (((w1330 * c58 - w1331 * c60) * c57 + (w1330 * c60 + w1331 * c58) * c59) * 0.5)
+    w1298 = (w1296 * bar3_start_quaternion_1_0_0 + w1297 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_3_0_0
+    w1299 = (w1297 * bar3_start_quaternion_1_0_0 - w1296 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1300 = w521 * w771 - w524 * w776 - w523 * w780 + w522 * w784 + w502 * w798 + w503 * w799 - w500 * w800 - w501 * w801
+    w1301 = w1300 - w215 * w1046 - w216 * w1047 + w213 * w1043 + w214 * w1048 + w183 * w998 + w187 * w969 - w185 * w972
+    w1302 = w1301 - w186 * w1000 + w166 * w990 + w173 * w974 - w171 * w992 - w172 * w976 + w121 * w988 + w144 * w994
+    w1303 = w1302 - w135 * w978 - w139 * w980
+    w1304 = w522 * w776 + w523 * w771 + w521 * w780 + w524 * w784 + w500 * w798 + w501 * w799 + w502 * w800 + w503 * w801
+    w1305 = w185 * w998 - (w1304 + w213 * w1046 + w214 * w1047 + w215 * w1043 + w216 * w1048) + w186 * w969 + w183 * w972
+    w1306 = w1305 + w187 * w1000 + w171 * w990 + w172 * w974 + w166 * w992 + w173 * w976 + w135 * w988 + w139 * w994
+    w1307 = w1306 + w121 * w978 + w144 * w980
+    w1308 = (w1303 * bar3_start_quaternion_3_0_0 - w1307 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1309 = (w1307 * bar3_start_quaternion_3_0_0 + w1303 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1310 = bar2_e0 * w948 + bar2_e3 * w949 - bar2_e2 * w950 + bar2_e1 * w951
+    w1311 = bar2_e2 * w948 - bar2_e1 * w949 + bar2_e0 * w950 + bar2_e3 * w951
+    w1312 = (w1310 * bar3_start_quaternion_3_0_0 - w1311 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_1_0_0
+    w1313 = (w1311 * bar3_start_quaternion_3_0_0 + w1310 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1314 = w523 * w776 - w522 * w771 - w524 * w780 + w521 * w784 + w503 * w798 - w502 * w799 + w501 * w800 - w500 * w801
+    w1315 = w1314 - w216 * w1046 + w215 * w1047 - w214 * w1043 + w213 * w1048 + w187 * w998 - w183 * w969 + w186 * w972
+    w1316 = w1315 - w185 * w1000 + w173 * w990 - w166 * w974 + w172 * w992 - w171 * w976 + w144 * w988 - w121 * w994
+    w1317 = w1316 + w139 * w978 - w135 * w980
+    w1318 = w521 * w776 + w524 * w771 - w522 * w780 - w523 * w784 + w501 * w798 - w500 * w799 - w503 * w800 + w502 * w801
+    w1319 = w1318 - w214 * w1046 + w213 * w1047 + w216 * w1043 - w215 * w1048 + w186 * w998 - w185 * w969 - w187 * w972
+    w1320 = w1319 + w183 * w1000 + w172 * w990 - w171 * w974 - w173 * w992 + w166 * w976 + w139 * w988 - w135 * w994
+    w1321 = w1320 - w144 * w978 + w121 * w980
+    w1322 = (w1317 * bar3_start_quaternion_3_0_0 - w1321 * bar3_start_quaternion_1_0_0) * bar2_end_quaternion_3_0_0
+    w1323 = (w1317 * bar3_start_quaternion_1_0_0 + w1321 * bar3_start_quaternion_3_0_0) * bar2_end_quaternion_1_0_0
+    w1324 = (w123 * ((w1298 + w1299) * 0.5 + w1308 + w1309) - w140 * ((w1312 + w1313) * 0.5 + w1322 + w1323)) * 0.5
+    w1325 = w705 * w722 - w696 * w721 + w708 * w720 - w699 * w723 + w679 * w759 + w677 * w761 - w680 * w750 + w678 * w752
+    w1326 = w1325 + (bar5_e1 * w1268 - bar5_e0 * w1221 - bar5_e2 * w1269 + bar5_e3 * w1220) * 0.5 + w263 * w1035
+    w1327 = w1326 - w266 * w1031 - w267 * w1032 + w264 * w1036 - w250 * w1181 + w247 * w1154 - w251 * w1182 + w246 * w1156
+    w1328 = w1327 - w234 * w1161 + w228 * w1164 - w235 * w1162 + w227 * w1165 - w89 * w1170 + w70 * w1173 - w92 * w1171
+    w1329 = w699 * w721 + w708 * w722 - w705 * w720 - w696 * w723 - w677 * w759 + w679 * w761 + w678 * w750 + w680 * w752
+    w1330 = w1329 + (bar5_e3 * w1221 + bar5_e2 * w1268 + bar5_e1 * w1269 + bar5_e0 * w1220) * 0.5 - w264 * w1035
+    w1331 = w1330 - w267 * w1031 + w266 * w1032 + w263 * w1036 + w251 * w1181 + w246 * w1154 - w250 * w1182 - w247 * w1156
+    w1332 = w1331 + w235 * w1161 + w227 * w1164 - w234 * w1162 - w228 * w1165 + w92 * w1170 + w66 * w1173 - w89 * w1171
+    w1333 = w1287 + w498 * ((w51 * w1291 - w52 * w1295) * 0.5) + w496 * w1324 + w495 * ((w71 * (w1328 + w66 * w1174) - w68 * (w1332 - w70 * w1174)) * 0.5)
+    w1334 = w494 * w713 + w676 * w765 - w270 * w1030 - w257 * w1153 - w243 * w1160 - w109 * w1169
+    w1335 = w676 * w767 - w494 * w709 + w268 * w1030 + w249 * w1153 + w232 * w1160 + w81 * w1169
+    w1336 = (w1334 * bar5_end_quaternion_1_0_0 - w1335 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_1_0_0
+    w1337 = (w1334 * bar5_end_quaternion_3_0_0 + w1335 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_3_0_0
+    w1338 = w494 * w711 + w676 * w763 - w269 * w1030 + w255 * w1153 + w241 * w1160 + w104 * w1169
+    w1339 = w676 * w757 - w494 * w703 + w265 * w1030 - w253 * w1153 - w238 * w1160 - w97 * w1169
+    w1340 = (w1338 * bar5_end_quaternion_1_0_0 - w1339 * bar5_end_quaternion_3_0_0) * ground_P5_quaternion_3_0_0
+    w1341 = (w1338 * bar5_end_quaternion_3_0_0 + w1339 * bar5_end_quaternion_1_0_0) * ground_P5_quaternion_1_0_0
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w719 + (w1327 - w494 * (w1332 * 0.5)),
+        w719 + (w1333 - w494 * ((w98 * ((w1336 + w1337) * 0.5) - w83 * ((w1340 + w1341) * 0.5)) * 0.5)),  # hinge0.angle
     )
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 165 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 48) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 13) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
+    165 operations.
+    """
     p = ca.SX.sym("p", 48)
     bar1_end_x = p[30]
     bar2_end_y = p[33]
@@ -19867,171 +14146,55 @@ def geometry() -> ca.Function:
     bar4_end_x = p[41]
     bar5_end_y = p[44]
     ground_P5_z = p[47]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        ground_P5_z,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar1_end_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar2_end_y,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar3_end_z,
-        0.0,
-        0.0,
-        0.0,
-        bar4_end_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        bar5_end_y,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 13)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-    )
-    axes = ca.reshape(axes, 9, 13)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 13)
+    positions[0, 4] = bar1_end_x
+    positions[0, 10] = bar4_end_x
+    positions[1, 6] = bar2_end_y
+    positions[1, 12] = bar5_end_y
+    positions[2, 1] = ground_P5_z
+    positions[2, 8] = bar3_end_z
+    axes = ca.SX(9, 13)
+    axes[0, 0] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[2, 1] = 1.0
+    axes[2, 6] = 1.0
+    axes[2, 7] = 1.0
+    axes[2, 12] = 1.0
+    axes[4, 1] = -1.0
+    axes[4, 2] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = -1.0
+    axes[4, 7] = -1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = -1.0
+    axes[5, 0] = -1.0
+    axes[5, 3] = -1.0
+    axes[5, 8] = -1.0
+    axes[5, 9] = -1.0
+    axes[6, 1] = 1.0
+    axes[6, 6] = 1.0
+    axes[6, 7] = 1.0
+    axes[6, 12] = 1.0
+    axes[7, 0] = 1.0
+    axes[7, 3] = 1.0
+    axes[7, 8] = 1.0
+    axes[7, 9] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

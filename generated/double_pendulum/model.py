@@ -1,13 +1,24 @@
 """Double pendulum: equations of motion, emitted by symgen from the scene `double_pendulum`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 upper.theta [rad], 1 lower.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 upper.x [m], 1 upper.y [m], 2 lower.x [m], 3 lower.y [m]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 51 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    51 operations.
+    """
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
     upper_mass = p[1]
@@ -17,36 +28,45 @@ def constants() -> ca.Function:
     lower_inertia = p[5]
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
+    # intermediate terms (4)
     w0 = upper_tip_x * lower_mass
     w1 = lower_mass * lower_center_of_mass_x
     w2 = upper_mass * upper_center_of_mass_x
     w3 = w2 * gravity_y
+    # outputs
     c = ca.vertcat(
-        upper_inertia + upper_center_of_mass_x * w2 + lower_mass * upper_tip_x**2,
-        w0 * lower_center_of_mass_x,
-        lower_inertia + lower_center_of_mass_x * w1,
-        w3 + w0 * gravity_y,
-        w1 * gravity_y,
-        upper_tip_x,
-        upper_mass,
-        upper_inertia + upper_mass * upper_center_of_mass_x**2,
-        lower_mass,
-        w1,
-        lower_inertia + lower_mass * lower_center_of_mass_x**2,
-        w2,
-        gravity_y,
-        lower_mass * gravity_y,
-        upper_mass * gravity_y,
-        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),
-        w3,
+        upper_inertia + upper_center_of_mass_x * w2 + lower_mass * upper_tip_x**2,  # c0
+        w0 * lower_center_of_mass_x,  # c1
+        lower_inertia + lower_center_of_mass_x * w1,  # c2
+        w3 + w0 * gravity_y,  # c3
+        w1 * gravity_y,  # c4
+        upper_tip_x,  # upper_tip_x
+        upper_mass,  # upper_mass
+        upper_inertia + upper_mass * upper_center_of_mass_x**2,  # c7
+        lower_mass,  # lower_mass
+        w1,  # c9
+        lower_inertia + lower_mass * lower_center_of_mass_x**2,  # c10
+        w2,  # c11
+        gravity_y,  # gravity_y
+        lower_mass * gravity_y,  # c13
+        upper_mass * gravity_y,  # c14
+        lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c15
+        w3,  # c16
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 30 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
+    30 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 17)
@@ -59,64 +79,76 @@ def condensed() -> ca.Function:
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
+    # intermediate terms (3)
     w0 = lower_theta - upper_theta
     w1 = ca.cos(w0) * c1
     w2 = ca.sin(w0) * c1
+    # outputs
     M_hat = ca.vertcat(
-        c0,
-        w1,
-        w1,
-        c2,
+        ca.horzcat(c0, w1),  # upper.theta
+        ca.horzcat(w1, c2),  # lower.theta
     )
-    M_hat = ca.reshape(M_hat, 2, 2)
-    M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        ca.cos(upper_theta) * c3 + lower_theta_dot**2 * w2,
-        ca.cos(lower_theta) * c4 - upper_theta_dot**2 * w2,
+        ca.cos(upper_theta) * c3 + lower_theta_dot**2 * w2,  # upper.theta
+        ca.cos(lower_theta) * c4 - upper_theta_dot**2 * w2,  # lower.theta
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
+    11 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
-    c5 = c[5]
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        ca.cos(upper_theta) * c5,
-        ca.sin(upper_theta) * c5,
-    )
-    q_d_next = ca.densify(q_d_next)
-    inputs, outputs = [q_i, c], [q_d_next]
+    upper_tip_x = c[5]
+    # outputs
+    q_d_next = ca.SX(4, 1)
+    q_d_next[2] = ca.cos(upper_theta) * upper_tip_x  # lower.x
+    q_d_next[3] = ca.sin(upper_theta) * upper_tip_x  # lower.y
+    inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 15 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    15 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 17)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
-    c5 = c[5]
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(ca.sin(upper_theta) * c5 * upper_theta_dot),
-        upper_theta_dot * (ca.cos(upper_theta) * c5),
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
+    upper_tip_x = c[5]
+    # outputs
+    q_d_dot = ca.SX(4, 1)
+    q_d_dot[2] = -(ca.sin(upper_theta) * upper_tip_x * upper_theta_dot)  # lower.x
+    q_d_dot[3] = upper_theta_dot * (ca.cos(upper_theta) * upper_tip_x)  # lower.y
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 21 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
+    21 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
@@ -124,23 +156,32 @@ def accelerations() -> ca.Function:
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
-    c5 = c[5]
+    upper_tip_x = c[5]
+    # intermediate terms (3)
     w0 = upper_theta_dot**2
-    w1 = ca.cos(upper_theta) * c5
-    w2 = ca.sin(upper_theta) * c5
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w1 + w2 * upper_theta_ddot),
-        w1 * upper_theta_ddot - w0 * w2,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [q_d_ddot]
+    w1 = ca.cos(upper_theta) * upper_tip_x
+    w2 = ca.sin(upper_theta) * upper_tip_x
+    # outputs
+    q_d_ddot = ca.SX(4, 1)
+    q_d_ddot[2] = -(w0 * w1 + w2 * upper_theta_ddot)  # lower.x
+    q_d_ddot[3] = w1 * upper_theta_ddot - w0 * w2  # lower.y
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
+    gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    64 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 17)
@@ -150,72 +191,55 @@ def constraints() -> ca.Function:
     lower_x = q[3]
     lower_y = q[4]
     upper_theta_dot = q_dot[2]
-    c5 = c[5]
-    w0 = ca.cos(upper_theta) * c5
-    w1 = ca.sin(upper_theta) * c5
+    upper_tip_x = c[5]
+    # intermediate terms (3)
+    w0 = ca.cos(upper_theta) * upper_tip_x
+    w1 = ca.sin(upper_theta) * upper_tip_x
     w2 = upper_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        upper_x,
-        upper_y,
-        lower_x - (upper_x + w0),
-        lower_y - (upper_y + w1),
+        upper_x,  # shoulder.x
+        upper_y,  # shoulder.y
+        lower_x - (upper_x + w0),  # elbow.x
+        lower_y - (upper_y + w1),  # elbow.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 4, 6)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w2),
-        -(w1 * w2),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(4, 6)
+    # shoulder.x
+    C_q[0, 0] = 1.0
+    # shoulder.y
+    C_q[1, 1] = 1.0
+    # elbow.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # elbow.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    C_t = ca.SX(4, 1)
+    nu = ca.SX(4, 1)
+    gamma = ca.SX(4, 1)
+    gamma[2] = -(w0 * w2)  # elbow.x
+    gamma[3] = -(w1 * w2)  # elbow.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 162 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
+    gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 6) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 6) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    162 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 17)
@@ -223,16 +247,17 @@ def augmented() -> ca.Function:
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
     lower_theta_dot = q_dot[5]
-    c5 = c[5]
-    c6 = c[6]
+    upper_tip_x = c[5]
+    upper_mass = c[6]
     c7 = c[7]
-    c8 = c[8]
+    lower_mass = c[8]
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
+    gravity_y = c[12]
     c13 = c[13]
     c14 = c[14]
+    # intermediate terms (18)
     w0 = ca.sin(upper_theta)
     w1 = w0 * c11
     w2 = -w1
@@ -247,158 +272,88 @@ def augmented() -> ca.Function:
     w11 = lower_theta_dot**2
     w12 = w7 * w11
     w13 = w5 * w11
-    w14 = w4 * c12
-    w15 = w7 * c12
-    w16 = w0 * c5
-    w17 = w3 * c5
-    M = ca.vertcat(
-        c6,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c6,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c8,
-        0.0,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c8,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w7,
-        c10,
-    )
-    M = ca.reshape(M, 6, 6)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 6, 6)
-    K = ca.densify(K)
+    w14 = w4 * gravity_y
+    w15 = w7 * gravity_y
+    w16 = w0 * upper_tip_x
+    w17 = w3 * upper_tip_x
+    # outputs
+    M = ca.SX(6, 6)
+    # upper.x
+    M[0, 0] = upper_mass
+    M[0, 2] = w2
+    # upper.y
+    M[1, 1] = upper_mass
+    M[1, 2] = w4
+    # upper.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c7
+    # lower.x
+    M[3, 3] = lower_mass
+    M[3, 5] = w6
+    # lower.y
+    M[4, 4] = lower_mass
+    M[4, 5] = w7
+    # lower.theta
+    M[5, 3] = w6
+    M[5, 4] = w7
+    M[5, 5] = c10
+    K = ca.SX(6, 6)
     Q_v = ca.vertcat(
-        w9,
-        w10,
-        0.0,
-        w12,
-        w13,
-        0.0,
+        w9,  # upper.x
+        w10,  # upper.y
+        0.0,  # upper.theta
+        w12,  # lower.x
+        w13,  # lower.y
+        0.0,  # lower.theta
     )
-    Q_v = ca.densify(Q_v)
     Q_F = ca.vertcat(
-        0.0,
-        c14,
-        w14,
-        0.0,
-        c13,
-        w15,
+        0.0,  # upper.x
+        c14,  # upper.y
+        w14,  # upper.theta
+        0.0,  # lower.x
+        c13,  # lower.y
+        w15,  # lower.theta
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w9,
-        w10 + c14,
-        w14,
-        w12,
-        c13 + w13,
-        w15,
+        w9,  # upper.x
+        w10 + c14,  # upper.y
+        w14,  # upper.theta
+        w12,  # lower.x
+        c13 + w13,  # lower.y
+        w15,  # lower.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        w16,
-        -w17,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 4, 6)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w8 * w17),
-        -(w8 * w16),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(4, 6)
+    # shoulder.x
+    C_q[0, 0] = 1.0
+    # shoulder.y
+    C_q[1, 1] = 1.0
+    # elbow.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w16
+    C_q[2, 3] = 1.0
+    # elbow.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w17
+    C_q[3, 4] = 1.0
+    gamma_b = ca.SX(4, 1)
+    gamma_b[2] = -(w8 * w17)  # elbow.x
+    gamma_b[3] = -(w8 * w16)  # elbow.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 65 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
+    65 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
@@ -413,45 +368,51 @@ def reactions() -> ca.Function:
     lower_x_ddot = q_ddot[3]
     lower_y_ddot = q_ddot[4]
     lower_theta_ddot = q_ddot[5]
-    c6 = c[6]
-    c8 = c[8]
+    upper_mass = c[6]
+    lower_mass = c[8]
     c9 = c[9]
     c11 = c[11]
     c13 = c[13]
     c14 = c[14]
+    # intermediate terms (10)
     w0 = upper_theta_dot**2
     w1 = ca.cos(upper_theta) * c11
     w2 = ca.sin(upper_theta) * c11
     w3 = lower_theta_dot**2
     w4 = ca.cos(lower_theta) * c9
     w5 = ca.sin(lower_theta) * c9
-    w6 = w3 * w4 - (lower_x_ddot * c8 - w5 * lower_theta_ddot)
-    w7 = w0 * w1 - (upper_x_ddot * c6 - w2 * upper_theta_ddot) + w6
-    w8 = c13 + w3 * w5 - (lower_y_ddot * c8 + w4 * lower_theta_ddot)
-    w9 = c14 + w0 * w2 - (upper_y_ddot * c6 + w1 * upper_theta_ddot) + w8
+    w6 = w3 * w4 - (lower_x_ddot * lower_mass - w5 * lower_theta_ddot)
+    w7 = w0 * w1 - (upper_x_ddot * upper_mass - w2 * upper_theta_ddot) + w6
+    w8 = c13 + w3 * w5 - (lower_y_ddot * lower_mass + w4 * lower_theta_ddot)
+    w9 = c14 + w0 * w2 - (upper_y_ddot * upper_mass + w1 * upper_theta_ddot) + w8
+    # outputs
     lam = ca.vertcat(
-        w7,
-        w9,
-        w6,
-        w8,
+        w7,  # shoulder.x
+        w9,  # shoulder.y
+        w6,  # elbow.x
+        w8,  # elbow.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w7,
-        -w9,
-        0.0,
-        -w6,
-        -w8,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w7, -w9, 0.0),  # shoulder
+        ca.vertcat(-w6, -w8, 0.0),  # elbow
     )
-    joint_forces = ca.reshape(joint_forces, 3, 2)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 74 operations."""
+    """Energies and powers.
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    74 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 17)
@@ -465,46 +426,38 @@ def energy() -> ca.Function:
     lower_x_dot = q_dot[3]
     lower_y_dot = q_dot[4]
     lower_theta_dot = q_dot[5]
-    c6 = c[6]
+    upper_mass = c[6]
     c7 = c[7]
-    c8 = c[8]
+    lower_mass = c[8]
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
+    gravity_y = c[12]
+    # intermediate terms (7)
     w0 = ca.sin(upper_theta) * c11
     w1 = ca.cos(upper_theta) * c11
-    w2 = upper_x_dot * (upper_x_dot * c6 - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * c6 + upper_theta_dot * w1)
+    w2 = upper_x_dot * (upper_x_dot * upper_mass - w0 * upper_theta_dot) + upper_y_dot * (upper_y_dot * upper_mass + upper_theta_dot * w1)
     w3 = ca.sin(lower_theta) * c9
-    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c7) + lower_x_dot * (lower_x_dot * c8 - w3 * lower_theta_dot)
+    w4 = w2 + upper_theta_dot * (upper_y_dot * w1 - upper_x_dot * w0 + upper_theta_dot * c7) + lower_x_dot * (lower_x_dot * lower_mass - w3 * lower_theta_dot)
     w5 = ca.cos(lower_theta) * c9
-    w6 = w4 + lower_y_dot * (lower_y_dot * c8 + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c10)
-    kinetic = ca.vertcat(
-        w6 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + upper_y * c6) * c12 + (w3 + lower_y * c8) * c12),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w6 = w4 + lower_y_dot * (lower_y_dot * lower_mass + lower_theta_dot * w5) + lower_theta_dot * (lower_y_dot * w5 - lower_x_dot * w3 + lower_theta_dot * c10)
+    # outputs
+    kinetic = ca.vertcat(w6 / 2.0)
+    elastic = ca.SX(1, 1)
+    potential = ca.vertcat(-((w0 + upper_y * upper_mass) * gravity_y + (w3 + lower_y * lower_mass) * gravity_y))
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 38 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    38 operations.
+    """
     q = ca.SX.sym("q", 6)
     upper_x = q[0]
     upper_y = q[1]
@@ -512,44 +465,40 @@ def poses() -> ca.Function:
     lower_x = q[3]
     lower_y = q[4]
     lower_theta = q[5]
+    # intermediate terms (4)
     w0 = ca.cos(upper_theta)
     w1 = ca.sin(upper_theta)
     w2 = ca.cos(lower_theta)
     w3 = ca.sin(lower_theta)
-    poses = ca.vertcat(
-        upper_x,
-        upper_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        lower_x,
-        lower_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 2)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 2)
+    poses[0, 0] = upper_x
+    poses[0, 1] = lower_x
+    poses[1, 0] = upper_y
+    poses[1, 1] = lower_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 26 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
+    26 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 17)
@@ -560,23 +509,28 @@ def dQ_hat_dq_i() -> ca.Function:
     c1 = c[1]
     c3 = c[3]
     c4 = c[4]
+    # intermediate terms (3)
     w0 = ca.cos(lower_theta - upper_theta) * c1
     w1 = lower_theta_dot**2 * w0
     w2 = upper_theta_dot**2 * w0
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        -(w1 + ca.sin(upper_theta) * c3),
-        w2,
-        w1,
-        -(w2 + ca.sin(lower_theta) * c4),
+        ca.horzcat(-(w1 + ca.sin(upper_theta) * c3), w1),  # upper.theta
+        ca.horzcat(w2, -(w2 + ca.sin(lower_theta) * c4)),  # lower.theta
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 16 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    16 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 17)
@@ -585,21 +539,27 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
     c15 = c[15]
+    # intermediate terms (1)
     w0 = ca.sin(lower_theta - upper_theta) * c15
-    dQ_hat_dq_i_dot = ca.vertcat(
-        0.0,
-        -(upper_theta_dot * w0),
-        lower_theta_dot * w0,
-        0.0,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 2, 2)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(2, 2)
+    # upper.theta
+    dQ_hat_dq_i_dot[0, 1] = lower_theta_dot * w0
+    # lower.theta
+    dQ_hat_dq_i_dot[1, 0] = -(upper_theta_dot * w0)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    16 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
     c = ca.SX.sym("c", 17)
@@ -608,23 +568,28 @@ def dMa_dq_i() -> ca.Function:
     upper_theta_ddot = q_i_ddot[0]
     lower_theta_ddot = q_i_ddot[1]
     c1 = c[1]
+    # intermediate terms (3)
     w0 = ca.sin(lower_theta - upper_theta) * c1
     w1 = lower_theta_ddot * w0
     w2 = upper_theta_ddot * w0
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w1,
-        w2,
-        -w1,
-        -w2,
+        ca.horzcat(w1, -w1),  # upper.theta
+        ca.horzcat(w2, -w2),  # lower.theta
     )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 2, 2)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 74 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    74 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 17)
@@ -632,115 +597,71 @@ def forward_dynamics() -> ca.Function:
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
     lower_theta_dot = q_i_dot[1]
-    c5 = c[5]
+    upper_tip_x = c[5]
     c7 = c[7]
-    c8 = c[8]
+    lower_mass = c[8]
     c9 = c[9]
     c10 = c[10]
-    c12 = c[12]
+    gravity_y = c[12]
     c13 = c[13]
     c16 = c[16]
+    # intermediate terms (18)
     w0 = ca.cos(upper_theta)
-    w1 = w0 * c5
+    w1 = w0 * upper_tip_x
     w2 = lower_theta_dot**2
     w3 = ca.sin(lower_theta) * c9
     w4 = ca.cos(lower_theta) * c9
     w5 = w4 / c10
-    w6 = w4 * c12
-    w7 = c8 - w4 * w5
+    w6 = w4 * gravity_y
+    w7 = lower_mass - w4 * w5
     w8 = upper_theta_dot**2
-    w9 = ca.sin(upper_theta) * c5
+    w9 = ca.sin(upper_theta) * upper_tip_x
     w10 = w8 * w9
     w11 = w3 / c10
     w12 = w4 * w11
     w13 = w1 * w12
     w14 = w1 * w8
-    w15 = c8 - w3 * w11
+    w15 = lower_mass - w3 * w11
     w16 = w0 * c16 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
     w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
-    q_i_ddot = ca.vertcat(
-        w17,
-        (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10,
-    )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
+    # outputs
+    q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 64 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 5) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 5) [1]: columns of the rotation matrix of the marker at a drawn point
+    64 operations.
+    """
     p = ca.SX.sym("p", 9)
     upper_tip_x = p[7]
     lower_tip_x = p[8]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        upper_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        lower_tip_x,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 5)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 5)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 5)
+    positions[0, 2] = upper_tip_x
+    positions[0, 4] = lower_tip_x
+    axes = ca.SX(9, 5)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

@@ -1,13 +1,21 @@
 """Elastic pendulum: equations of motion, emitted by symgen from the scene `elastic_pendulum`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 bob.x [m], 1 bob.y [m], 2 bob.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 20 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    20 operations.
+    """
     p = ca.SX.sym("p", 6)
     gravity_y = p[0]
     bob_mass = p[1]
@@ -15,25 +23,34 @@ def constants() -> ca.Function:
     spring_stiffness = p[3]
     spring_damping = p[4]
     spring_free_length = p[5]
+    # intermediate terms (1)
     w0 = bob_mass * gravity_y
+    # outputs
     c = ca.vertcat(
-        bob_mass,
-        bob_inertia,
-        spring_free_length,
-        spring_stiffness,
-        spring_damping,
-        w0,
-        spring_stiffness * 0.5,
-        -w0,
-        2 * spring_damping,
+        bob_mass,  # bob_mass
+        bob_inertia,  # bob_inertia
+        spring_free_length,  # spring_free_length
+        spring_stiffness,  # spring_stiffness
+        spring_damping,  # spring_damping
+        w0,  # c5
+        spring_stiffness * 0.5,  # c6
+        -w0,  # c7
+        2 * spring_damping,  # c8
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 46 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
+    46 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -41,40 +58,46 @@ def condensed() -> ca.Function:
     bob_y = q_i[1]
     bob_x_dot = q_i_dot[0]
     bob_y_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    bob_mass = c[0]
+    bob_inertia = c[1]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
     c5 = c[5]
+    # intermediate terms (3)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - c2 / ca.sqrt(w0)
-    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
-    M_hat = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M_hat = ca.reshape(M_hat, 3, 3)
-    M_hat = ca.densify(M_hat)
+    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
+    # outputs
+    M_hat = ca.SX(3, 3)
+    # bob.x
+    M_hat[0, 0] = bob_mass
+    # bob.y
+    M_hat[1, 1] = bob_mass
+    # bob.theta
+    M_hat[2, 2] = bob_inertia
     Q_hat = ca.vertcat(
-        -(bob_x * w1 * c3 + bob_x * w2 / w0),
-        c5 - (bob_y * w1 * c3 + bob_y * w2 / w0),
-        0.0,
+        -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0),  # bob.x
+        c5 - (bob_y * w1 * spring_stiffness + bob_y * w2 / w0),  # bob.y
+        0.0,  # bob.theta
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 61 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 3) [mixed]: rates of all coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 3 x 3) [SI]: mass matrix in all coordinates
+    gives K (n x n = 3 x 3) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 3) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 3) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 3) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    61 operations.
+    """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -82,67 +105,47 @@ def augmented() -> ca.Function:
     bob_y = q[1]
     bob_x_dot = q_dot[0]
     bob_y_dot = q_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    bob_mass = c[0]
+    bob_inertia = c[1]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
     c5 = c[5]
+    # intermediate terms (5)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - c2 / ca.sqrt(w0)
-    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
-    w3 = -(bob_x * w1 * c3 + bob_x * w2 / w0)
-    w4 = c5 - (bob_y * w1 * c3 + bob_y * w2 / w0)
-    M = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M = ca.reshape(M, 3, 3)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 3, 3)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        w3,
-        w4,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
-    Q_star = ca.vertcat(
-        w3,
-        w4,
-        0.0,
-    )
-    Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star]
+    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
+    w3 = -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0)
+    w4 = c5 - (bob_y * w1 * spring_stiffness + bob_y * w2 / w0)
+    # outputs
+    M = ca.SX(3, 3)
+    # bob.x
+    M[0, 0] = bob_mass
+    # bob.y
+    M[1, 1] = bob_mass
+    # bob.theta
+    M[2, 2] = bob_inertia
+    K = ca.SX(3, 3)
+    Q_v = ca.SX(3, 1)
+    Q_F = ca.vertcat(w3, w4, 0.0)
+    Q_star = ca.vertcat(w3, w4, 0.0)
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 51 operations."""
+    """Energies and powers.
+
+    takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 3) [mixed]: rates of all coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    51 operations.
+    """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -151,89 +154,87 @@ def energy() -> ca.Function:
     bob_x_dot = q_dot[0]
     bob_y_dot = q_dot[1]
     bob_theta_dot = q_dot[2]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c4 = c[4]
+    bob_mass = c[0]
+    bob_inertia = c[1]
+    spring_free_length = c[2]
+    spring_damping = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
-    w0 = bob_x_dot * (bob_x_dot * c0) + bob_y_dot * (bob_y_dot * c0) + bob_theta_dot * (bob_theta_dot * c1)
+    # intermediate terms (5)
+    w0 = bob_x_dot * (bob_x_dot * bob_mass) + bob_y_dot * (bob_y_dot * bob_mass) + bob_theta_dot * (bob_theta_dot * bob_inertia)
     w1 = bob_x**2
     w2 = bob_y**2
     w3 = w1 + w2
-    w4 = w1 * (bob_x_dot**2 * c4) / w3 + w2 * (bob_y_dot**2 * c4) / w3 + bob_y * (bob_x * (bob_y_dot * (bob_x_dot * c8))) / w3
-    kinetic = ca.vertcat(
-        w0 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (ca.sqrt(w3) - c2)**2 * c6,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        bob_y * c7,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        w4,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w4 = w1 * (bob_x_dot**2 * spring_damping) / w3 + w2 * (bob_y_dot**2 * spring_damping) / w3 + bob_y * (bob_x * (bob_y_dot * (bob_x_dot * c8))) / w3
+    # outputs
+    kinetic = ca.vertcat(w0 / 2.0)
+    elastic = ca.vertcat((ca.sqrt(w3) - spring_free_length)**2 * c6)
+    potential = ca.vertcat(bob_y * c7)
+    power_dissipated = ca.vertcat(w4)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def measures() -> ca.Function:
-    """The scene's measures and their rates. 17 operations."""
+    """The scene's measures and their rates.
+
+    takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 3) [mixed]: rates of all coordinates
+    gives measures (measures = 2) [mixed]: measures of the scene and their rates
+    17 operations.
+    """
     q = ca.SX.sym("q", 3)
     q_dot = ca.SX.sym("q_dot", 3)
     bob_x = q[0]
     bob_y = q[1]
     bob_x_dot = q_dot[0]
     bob_y_dot = q_dot[1]
+    # intermediate terms (1)
     w0 = ca.sqrt(bob_x**2 + bob_y**2)
-    measures = ca.vertcat(
-        w0,
-        (2 * bob_x * bob_x_dot + 2 * bob_y * bob_y_dot) / (2 * w0),
-    )
-    measures = ca.densify(measures)
-    inputs, outputs = [q, q_dot], [measures]
+    # outputs
+    measures = ca.vertcat(w0, (2 * bob_x * bob_x_dot + 2 * bob_y * bob_y_dot) / (2 * w0))
+    inputs, outputs = [q, q_dot], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot"], ["measures"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 20 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    20 operations.
+    """
     q = ca.SX.sym("q", 3)
     bob_x = q[0]
     bob_y = q[1]
     bob_theta = q[2]
+    # intermediate terms (2)
     w0 = ca.cos(bob_theta)
     w1 = ca.sin(bob_theta)
-    poses = ca.vertcat(
-        bob_x,
-        bob_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 1)
+    poses[0] = bob_x
+    poses[1] = bob_y
+    poses[3] = w0
+    poses[4] = w1
+    poses[6] = -w1
+    poses[7] = w0
+    poses[11] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 78 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
+    78 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -241,88 +242,87 @@ def dQ_hat_dq_i() -> ca.Function:
     bob_y = q_i[1]
     bob_x_dot = q_i_dot[0]
     bob_y_dot = q_i_dot[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
+    # intermediate terms (15)
     w0 = bob_x**2 + bob_y**2
     w1 = ca.sqrt(w0)
-    w2 = c2 / w1
+    w2 = spring_free_length / w1
     w3 = w2 / w1
     w4 = bob_x / w1
-    w5 = bob_x_dot * c4
-    w6 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    w5 = bob_x_dot * spring_damping
+    w6 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
     w7 = bob_x * w6 / w0 / w0
     w8 = bob_y * w6 / w0 / w0
     w9 = bob_y / w1
-    w10 = bob_y_dot * c4
+    w10 = bob_y_dot * spring_damping
     w11 = bob_x * w3
-    w12 = w2 * c3
+    w12 = w2 * spring_stiffness
     w13 = bob_y * w3
-    dQ_hat_dq_i = ca.vertcat(
-        2 * (bob_x * w7) + w12 - c3 - w4 * w11 * c3 - (bob_x * w5 + w6) / w0,
-        2 * (bob_x * w8) - w4 * w13 * c3 - bob_y * w5 / w0,
-        0.0,
-        2 * (bob_y * w7) - w9 * w11 * c3 - bob_x * w10 / w0,
-        w12 + 2 * (bob_y * w8) - c3 - w9 * w13 * c3 - (w6 + bob_y * w10) / w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 3, 3)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    w14 = w12 + 2 * (bob_y * w8) - spring_stiffness - w9 * w13 * spring_stiffness - (w6 + bob_y * w10) / w0
+    # outputs
+    dQ_hat_dq_i = ca.SX(3, 3)
+    # bob.x
+    dQ_hat_dq_i[0, 0] = 2 * (bob_x * w7) + w12 - spring_stiffness - w4 * w11 * spring_stiffness - (bob_x * w5 + w6) / w0
+    dQ_hat_dq_i[0, 1] = 2 * (bob_y * w7) - w9 * w11 * spring_stiffness - bob_x * w10 / w0
+    # bob.y
+    dQ_hat_dq_i[1, 0] = 2 * (bob_x * w8) - w4 * w13 * spring_stiffness - bob_y * w5 / w0
+    dQ_hat_dq_i[1, 1] = w14
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 30 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    30 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     c = ca.SX.sym("c", 9)
     bob_x = q_i[0]
     bob_y = q_i[1]
-    c4 = c[4]
-    w0 = bob_x * c4
+    spring_damping = c[4]
+    # intermediate terms (3)
+    w0 = bob_x * spring_damping
     w1 = bob_x**2 + bob_y**2
-    w2 = bob_y * c4
-    dQ_hat_dq_i_dot = ca.vertcat(
-        -(bob_x * w0 / w1),
-        -(w0 * bob_y / w1),
-        0.0,
-        -(bob_x * w2 / w1),
-        -(bob_y * w2 / w1),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 3, 3)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, c], [dQ_hat_dq_i_dot]
+    w2 = bob_y * spring_damping
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(3, 3)
+    # bob.x
+    dQ_hat_dq_i_dot[0, 0] = -(bob_x * w0 / w1)
+    dQ_hat_dq_i_dot[0, 1] = -(bob_x * w2 / w1)
+    # bob.y
+    dQ_hat_dq_i_dot[1, 0] = -(w0 * bob_y / w1)
+    dQ_hat_dq_i_dot[1, 1] = -(bob_y * w2 / w1)
+    inputs, outputs = [q_i, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 10 operations."""
-    dMa_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 3, 3)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [], [dMa_dq_i]
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    10 operations.
+    """
+    # outputs
+    dMa_dq_i = ca.SX(3, 3)
+    inputs, outputs = [], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 38 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    38 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
     c = ca.SX.sym("c", 9)
@@ -330,60 +330,44 @@ def forward_dynamics() -> ca.Function:
     bob_y = q_i[1]
     bob_x_dot = q_i_dot[0]
     bob_y_dot = q_i_dot[1]
-    c0 = c[0]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    bob_mass = c[0]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
     c5 = c[5]
+    # intermediate terms (3)
     w0 = bob_x**2 + bob_y**2
-    w1 = 1.0 - c2 / ca.sqrt(w0)
-    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * c4
+    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
+    # outputs
     q_i_ddot = ca.vertcat(
-        -((bob_x * w1 * c3 + bob_x * w2 / w0) / c0),
-        (c5 - (bob_y * w1 * c3 + bob_y * w2 / w0)) / c0,
-        0.0,
+        -((bob_x * w1 * spring_stiffness + bob_x * w2 / w0) / bob_mass),  # bob.x
+        (c5 - (bob_y * w1 * spring_stiffness + bob_y * w2 / w0)) / bob_mass,  # bob.y
+        0.0,  # bob.theta
     )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 26 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 2) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 2) [1]: columns of the rotation matrix of the marker at a drawn point
+    26 operations.
+    """
     p = ca.SX.sym("p", 6)
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 2)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 2)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 2)
+    axes = ca.SX(9, 2)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

@@ -1,13 +1,25 @@
 """Four-bar linkage with two flexible links: equations of motion, emitted by symgen from the scene `flexible_four_bar`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 crank.theta [rad], 1 coupler.q1 [m], 2 coupler.q2 [m], 3 rocker.q1 [m], 4 rocker.q2 [m]
+
+q_d, the dependent coordinates by index:
+    0 crank.x [m], 1 crank.y [m], 2 coupler.x [m], 3 coupler.y [m], 4 coupler.theta [rad], 5 rocker.x [m],
+    6 rocker.y [m], 7 rocker.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 179 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    179 operations.
+    """
     p = ca.SX.sym("p", 169)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -43,6 +55,7 @@ def constants() -> ca.Function:
     beam20_pinned_pinned2_1_0_H_0_0 = p[35]
     beam20_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
+    # intermediate terms (30)
     w0 = coupler_density * coupler_area
     w1 = w0 * coupler_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
@@ -73,83 +86,93 @@ def constants() -> ca.Function:
     w27 = w6 * beam20_pinned_pinned2_H_1_1
     w28 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w18)
     w29 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w8)
+    # outputs
     c = ca.vertcat(
-        crank_tip_x,
-        coupler_length,
-        w1,
-        crank_inertia + crank_tip_x * (crank_tip_x * w1),
-        w2,
-        w3,
-        rocker_length,
-        w4,
-        w5,
-        w7 * w8 * beam20_pinned_pinned2_i0_0_0,
-        w9,
-        w10,
-        w7 * beam20_pinned_pinned2_xH_0_1,
-        w11,
-        w7 * beam20_pinned_pinned2_xH_1_0,
-        w12,
-        w13 * beam20_pinned_pinned2_s1_0_0,
-        w14,
-        w15,
-        w16,
-        w17,
-        w1 * beam20_pinned_pinned2_phi_y_0_0,
-        beam20_pinned_pinned2_i0_0_0 * (w1 * w18),
-        w19,
-        w20,
-        w1 * beam20_pinned_pinned2_xH_0_1,
-        w21,
-        w1 * beam20_pinned_pinned2_xH_1_0,
-        w22,
-        w13 * beam20_pinned_pinned2_xi_phi_y_0_0,
-        w13 * beam20_pinned_pinned2_xi_phi_y_1_0,
-        beam20_pinned_pinned2_xi_phi_y_0_0 * w23,
-        beam20_pinned_pinned2_xi_phi_y_1_0 * w23,
-        gravity_y,
-        w1 * gravity_y,
-        beam20_pinned_pinned2_s1_0_0 * w23,
-        w24,
-        w25,
-        w26,
-        w27,
-        w7 * beam20_pinned_pinned2_phi_y_0_0,
-        w28 * beam20_pinned_pinned2_kappa_lateral_0_0,
-        w28 * beam20_pinned_pinned2_kappa_lateral_1_1,
-        beam20_pinned_pinned2_kappa_lateral_0_0 * w29,
-        beam20_pinned_pinned2_kappa_lateral_1_1 * w29,
-        ground_right_x,
-        crank_inertia,
-        w7,
-        crank_mass,
-        gravity_y * crank_mass,
-        w7 * gravity_y,
-        w19 - w20,
-        w2 * w3,
-        w21 - w22,
-        w9 - w10,
-        w4 * w5,
-        gravity_y * w24,
-        gravity_y * w26,
-        w11 - w12,
-        gravity_y * w25,
-        gravity_y * w27,
-        2 * w2,
-        2 * w3,
-        2 * w4,
-        2 * w5,
-        w14 + w14,
-        w15 + w16,
-        w17 + w17,
+        crank_tip_x,  # crank_tip_x
+        coupler_length,  # coupler_length
+        w1,  # c2
+        crank_inertia + crank_tip_x * (crank_tip_x * w1),  # c3
+        w2,  # c4
+        w3,  # c5
+        rocker_length,  # rocker_length
+        w4,  # c7
+        w5,  # c8
+        w7 * w8 * beam20_pinned_pinned2_i0_0_0,  # c9
+        w9,  # c10
+        w10,  # c11
+        w7 * beam20_pinned_pinned2_xH_0_1,  # c12
+        w11,  # c13
+        w7 * beam20_pinned_pinned2_xH_1_0,  # c14
+        w12,  # c15
+        w13 * beam20_pinned_pinned2_s1_0_0,  # c16
+        w14,  # c17
+        w15,  # c18
+        w16,  # c19
+        w17,  # c20
+        w1 * beam20_pinned_pinned2_phi_y_0_0,  # c21
+        beam20_pinned_pinned2_i0_0_0 * (w1 * w18),  # c22
+        w19,  # c23
+        w20,  # c24
+        w1 * beam20_pinned_pinned2_xH_0_1,  # c25
+        w21,  # c26
+        w1 * beam20_pinned_pinned2_xH_1_0,  # c27
+        w22,  # c28
+        w13 * beam20_pinned_pinned2_xi_phi_y_0_0,  # c29
+        w13 * beam20_pinned_pinned2_xi_phi_y_1_0,  # c30
+        beam20_pinned_pinned2_xi_phi_y_0_0 * w23,  # c31
+        beam20_pinned_pinned2_xi_phi_y_1_0 * w23,  # c32
+        gravity_y,  # gravity_y
+        w1 * gravity_y,  # c34
+        beam20_pinned_pinned2_s1_0_0 * w23,  # c35
+        w24,  # c36
+        w25,  # c37
+        w26,  # c38
+        w27,  # c39
+        w7 * beam20_pinned_pinned2_phi_y_0_0,  # c40
+        w28 * beam20_pinned_pinned2_kappa_lateral_0_0,  # c41
+        w28 * beam20_pinned_pinned2_kappa_lateral_1_1,  # c42
+        beam20_pinned_pinned2_kappa_lateral_0_0 * w29,  # c43
+        beam20_pinned_pinned2_kappa_lateral_1_1 * w29,  # c44
+        ground_right_x,  # ground_right_x
+        crank_inertia,  # crank_inertia
+        w7,  # c47
+        crank_mass,  # crank_mass
+        gravity_y * crank_mass,  # c49
+        w7 * gravity_y,  # c50
+        w19 - w20,  # c51
+        w2 * w3,  # c52
+        w21 - w22,  # c53
+        w9 - w10,  # c54
+        w4 * w5,  # c55
+        gravity_y * w24,  # c56
+        gravity_y * w26,  # c57
+        w11 - w12,  # c58
+        gravity_y * w25,  # c59
+        gravity_y * w27,  # c60
+        2 * w2,  # c61
+        2 * w3,  # c62
+        2 * w4,  # c63
+        2 * w5,  # c64
+        w14 + w14,  # c65
+        w15 + w16,  # c66
+        w17 + w17,  # c67
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 521 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
+    521 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -169,13 +192,13 @@ def condensed() -> ca.Function:
     rocker_q2_dot = q_i_dot[4]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -202,7 +225,7 @@ def condensed() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
@@ -214,19 +237,20 @@ def condensed() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
+    # intermediate terms (89)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = ca.sin(coupler_theta)
     w3 = coupler_q1 * c4
     w4 = coupler_q2 * c5
-    w5 = c1 - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
+    w5 = coupler_length - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.cos(coupler_theta)
     w8 = w5 * w7
     w9 = ca.cos(rocker_theta)
     w10 = rocker_q1 * c7
     w11 = rocker_q2 * c8
-    w12 = c6 - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
+    w12 = rocker_length - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
     w13 = w9 * w12
     w14 = ca.sin(rocker_theta)
     w15 = w12 * w14
@@ -296,55 +320,43 @@ def condensed() -> ca.Function:
     w79 = w0 * (w27 * w62 + w2 * w63 + w64 * (w7 * w65 + w2 * w66) + c34 - (w26 * w78 - w76 * c2)) - w1 * (w26 * w62 + w64 * (w7 * w66 - w2 * w65) + w7 * w63 + (w74 * c2 + w27 * w78))
     w80 = rocker_q1 * c36 + rocker_q2 * c37
     w81 = rocker_q1 * c38 + rocker_q2 * c39
-    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * c33
+    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * gravity_y
     w83 = (w8 * w75 + w6 * w77) / w16
     w84 = w82 - w20 * w83
-    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * c33 - (w27 * w74 - w26 * w76 + w31 * w78)
-    w86 = w29 * w62 - coupler_q1 * c41 + w32 * c33 - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
-    w87 = w30 * w62 - coupler_q2 * c42 - w40 * c33 - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
+    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * gravity_y - (w27 * w74 - w26 * w76 + w31 * w78)
+    w86 = w29 * w62 - coupler_q1 * c41 + w32 * gravity_y - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
+    w87 = w30 * w62 - coupler_q2 * c42 - w40 * gravity_y - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
+    w88 = w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * gravity_y - w83 * c31 + w46 * w84 + w48 * w85
+    # outputs
     M_hat = ca.vertcat(
-        c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28),
-        w38,
-        w45,
-        w50,
-        w55,
-        w38,
-        c23 + w34 * w35 - (w36 * w37 + w36 * c29),
-        w56,
-        w57,
-        w58,
-        w45,
-        w56,
-        c26 + w41 * w42 - (w43 * w44 + w43 * c30),
-        w59,
-        w60,
-        w50,
-        w57,
-        w59,
-        c10 + (w46 * w47 + w46 * c31) + w48 * w49,
-        w61,
-        w55,
-        w58,
-        w60,
-        w61,
-        c13 + (w51 * w52 + w51 * c32) + w53 * w54,
+        ca.horzcat(c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28), w38, w45, w50, w55),  # crank.theta
+        ca.horzcat(w38, c23 + w34 * w35 - (w36 * w37 + w36 * c29), w56, w57, w58),  # coupler.q1
+        ca.horzcat(w45, w56, c26 + w41 * w42 - (w43 * w44 + w43 * c30), w59, w60),  # coupler.q2
+        ca.horzcat(w50, w57, w59, c10 + (w46 * w47 + w46 * c31) + w48 * w49, w61),  # rocker.q1
+        ca.horzcat(w55, w58, w60, w61, c13 + (w51 * w52 + w51 * c32) + w53 * w54),  # rocker.q2
     )
-    M_hat = ca.reshape(M_hat, 5, 5)
-    M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w79 + w17 * w84 + w21 * w85,
-        w86,
-        w87,
-        w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * c33 - w83 * c31 + w46 * w84 + w48 * w85,
-        w19 * w72 - rocker_q2 * c44 - w14 * w81 * c33 - w83 * c32 + w51 * w84 + w53 * w85,
+        w79 + w17 * w84 + w21 * w85,  # crank.theta
+        w86,  # coupler.q1
+        w87,  # coupler.q2
+        w88,  # rocker.q1
+        w19 * w72 - rocker_q2 * c44 - w14 * w81 * gravity_y - w83 * c32 + w51 * w84 + w53 * w85,  # rocker.q2
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 72 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    72 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 68)
@@ -355,51 +367,49 @@ def closure() -> ca.Function:
     rocker_q2 = q_i[4]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
-    c45 = c[45]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
-    w2 = c6 - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
+    ground_right_x = c[45]
+    # intermediate terms (11)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = rocker_length - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
     w3 = ca.cos(rocker_theta) * w2
-    w4 = c1 - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
+    w4 = coupler_length - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
     w5 = ca.cos(coupler_theta) * w4
-    w6 = w3 + c45 - (w0 + w5)
+    w6 = w3 + ground_right_x - (w0 + w5)
     w7 = w2 * ca.sin(rocker_theta)
     w8 = w4 * ca.sin(coupler_theta)
     w9 = w7 - (w1 + w8)
     w10 = w3 * w8 - w5 * w7
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        w1,
-        coupler_theta - (w3 * w6 + w7 * w9) / w10,
-        c45,
-        0.0,
-        rocker_theta - (w5 * w6 + w8 * w9) / w10,
-    )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        w6,
-        w9,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        w10,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    # outputs
+    q_d_next = ca.SX(8, 1)
+    q_d_next[2] = w0  # coupler.x
+    q_d_next[3] = w1  # coupler.y
+    q_d_next[4] = coupler_theta - (w3 * w6 + w7 * w9) / w10  # coupler.theta
+    q_d_next[5] = ground_right_x  # rocker.x
+    q_d_next[7] = rocker_theta - (w5 * w6 + w8 * w9) / w10  # rocker.theta
+    C_loop = ca.vertcat(w6, w9)
+    det_loop = ca.vertcat(w10)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 123 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    123 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -416,26 +426,27 @@ def velocities() -> ca.Function:
     coupler_q2_dot = q_i_dot[2]
     rocker_q1_dot = q_i_dot[3]
     rocker_q2_dot = q_i_dot[4]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
-    w0 = ca.sin(crank_theta) * c0
-    w1 = ca.cos(crank_theta) * c0
+    # intermediate terms (21)
+    w0 = ca.sin(crank_theta) * crank_tip_x
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = ca.sin(rocker_theta)
     w3 = rocker_q1 * c7
     w4 = rocker_q2 * c8
-    w5 = c6 - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
+    w5 = rocker_length - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.cos(rocker_theta)
     w8 = w5 * w7
     w9 = ca.sin(coupler_theta)
     w10 = coupler_q1 * c4
     w11 = coupler_q2 * c5
-    w12 = c1 - (coupler_q1 * w10 + coupler_q2 * w11) * 0.5
+    w12 = coupler_length - (coupler_q1 * w10 + coupler_q2 * w11) * 0.5
     w13 = w9 * w12
     w14 = ca.cos(coupler_theta)
     w15 = w12 * w14
@@ -444,23 +455,28 @@ def velocities() -> ca.Function:
     w18 = w17 - (w8 * (w11 * w14) + w6 * (w9 * w11)) / w16 * coupler_q2_dot + rocker_q1 * w5 * c7 / w16 * rocker_q1_dot
     w19 = crank_theta_dot * ((w1 * w13 - w0 * w15) / w16) - coupler_q1_dot * (coupler_q1 * w12 * c4 / w16) - coupler_q2_dot * (coupler_q2 * w12 * c5 / w16)
     w20 = w19 + rocker_q1_dot * ((w15 * (w3 * w7) + w13 * (w2 * w3)) / w16) + rocker_q2_dot * ((w15 * (w4 * w7) + w13 * (w2 * w4)) / w16)
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * crank_theta_dot),
-        crank_theta_dot * w1,
-        w18 + rocker_q2 * w5 * c8 / w16 * rocker_q2_dot,
-        0.0,
-        0.0,
-        w20,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    # outputs
+    q_d_dot = ca.SX(8, 1)
+    q_d_dot[2] = -(w0 * crank_theta_dot)  # coupler.x
+    q_d_dot[3] = crank_theta_dot * w1  # coupler.y
+    q_d_dot[4] = w18 + rocker_q2 * w5 * c8 / w16 * rocker_q2_dot  # coupler.theta
+    q_d_dot[7] = w20  # rocker.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 193 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
+    193 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -486,22 +502,23 @@ def accelerations() -> ca.Function:
     coupler_q2_ddot = q_i_ddot[2]
     rocker_q1_ddot = q_i_ddot[3]
     rocker_q2_ddot = q_i_ddot[4]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
+    # intermediate terms (34)
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c0
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = w0 * w1
-    w3 = ca.sin(crank_theta) * c0
+    w3 = ca.sin(crank_theta) * crank_tip_x
     w4 = w0 * w3
     w5 = ca.cos(rocker_theta)
     w6 = rocker_q1 * c7
     w7 = rocker_q2 * c8
-    w8 = c6 - (rocker_q1 * w6 + rocker_q2 * w7) * 0.5
+    w8 = rocker_length - (rocker_q1 * w6 + rocker_q2 * w7) * 0.5
     w9 = w5 * w8
     w10 = 2 * coupler_theta_dot
     w11 = ca.sin(coupler_theta)
@@ -511,7 +528,7 @@ def accelerations() -> ca.Function:
     w15 = ca.cos(coupler_theta)
     w16 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
     w17 = coupler_theta_dot**2
-    w18 = c1 - (coupler_q1 * w12 + coupler_q2 * w13) * 0.5
+    w18 = coupler_length - (coupler_q1 * w12 + coupler_q2 * w13) * 0.5
     w19 = w15 * w18
     w20 = 2 * rocker_theta_dot
     w21 = ca.sin(rocker_theta)
@@ -527,23 +544,29 @@ def accelerations() -> ca.Function:
     w31 = w30 - (w9 * (w13 * w15) + w26 * (w11 * w13)) / w29 * coupler_q2_ddot + rocker_q1 * w8 * c7 / w29 * rocker_q1_ddot
     w32 = (w19 * w25 + w27 * w28) / w29 + crank_theta_ddot * ((w1 * w27 - w3 * w19) / w29) - coupler_q1_ddot * (coupler_q1 * w18 * c4 / w29)
     w33 = w32 - coupler_q2_ddot * (coupler_q2 * w18 * c5 / w29) + rocker_q1_ddot * ((w19 * (w5 * w6) + w27 * (w6 * w21)) / w29)
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w2 + w3 * crank_theta_ddot),
-        w1 * crank_theta_ddot - w4,
-        w31 + rocker_q2 * w8 * c8 / w29 * rocker_q2_ddot,
-        0.0,
-        0.0,
-        w33 + rocker_q2_ddot * ((w19 * (w5 * w7) + w27 * (w7 * w21)) / w29),
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(8, 1)
+    q_d_ddot[2] = -(w2 + w3 * crank_theta_ddot)  # coupler.x
+    q_d_ddot[3] = w1 * crank_theta_ddot - w4  # coupler.y
+    q_d_ddot[4] = w31 + rocker_q2 * w8 * c8 / w29 * rocker_q2_ddot  # coupler.theta
+    q_d_ddot[7] = w33 + rocker_q2_ddot * ((w19 * (w5 * w7) + w27 * (w7 * w21)) / w29)  # rocker.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 271 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 13) [mixed]: rates of all coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
+    gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    271 operations.
+    """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 68)
@@ -567,25 +590,26 @@ def constraints() -> ca.Function:
     rocker_theta_dot = q_dot[10]
     rocker_q1_dot = q_dot[11]
     rocker_q2_dot = q_dot[12]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
-    c45 = c[45]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
+    ground_right_x = c[45]
+    # intermediate terms (25)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = ca.cos(rocker_theta)
     w3 = rocker_q1 * c7
     w4 = rocker_q2 * c8
-    w5 = c6 - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
+    w5 = rocker_length - (rocker_q1 * w3 + rocker_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.cos(coupler_theta)
     w8 = coupler_q1 * c4
     w9 = coupler_q2 * c5
-    w10 = c1 - (coupler_q1 * w8 + coupler_q2 * w9) * 0.5
+    w10 = coupler_length - (coupler_q1 * w8 + coupler_q2 * w9) * 0.5
     w11 = w7 * w10
     w12 = ca.sin(rocker_theta)
     w13 = w5 * w12
@@ -600,164 +624,78 @@ def constraints() -> ca.Function:
     w22 = w3 * rocker_q1_dot + w4 * rocker_q2_dot
     w23 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
     w24 = rocker_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        crank_x,
-        crank_y,
-        coupler_x - (crank_x + w0),
-        coupler_y - (crank_y + w1),
-        rocker_x + w6 - (coupler_x + w11),
-        rocker_y + w13 - (coupler_y + w15),
-        rocker_x - c45,
-        rocker_y,
+        crank_x,  # A.x
+        crank_y,  # A.y
+        coupler_x - (crank_x + w0),  # B.x
+        coupler_y - (crank_y + w1),  # B.y
+        rocker_x + w6 - (coupler_x + w11),  # C.x
+        rocker_y + w13 - (coupler_y + w15),  # C.y
+        rocker_x - ground_right_x,  # D.x
+        rocker_y,  # D.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        -w11,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7 * w8,
-        w8 * w14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7 * w9,
-        w9 * w14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w13,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w2 * w3),
-        -(w3 * w12),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w2 * w4),
-        -(w4 * w12),
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 13)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w16),
-        -(w1 * w16),
-        w17 * (w14 * w18) - (w7 * w19 + w11 * w20) - (w21 * (w12 * w22) - (w2 * w23 + w6 * w24)),
-        w12 * w23 + w21 * (w2 * w22) + w13 * w24 - (w14 * w19 + w17 * (w7 * w18) + w15 * w20),
-        0.0,
-        0.0,
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(8, 13)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    # C.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w15
+    C_q[4, 6] = w7 * w8
+    C_q[4, 7] = w7 * w9
+    C_q[4, 8] = 1.0
+    C_q[4, 10] = -w13
+    C_q[4, 11] = -(w2 * w3)
+    C_q[4, 12] = -(w2 * w4)
+    # C.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w11
+    C_q[5, 6] = w8 * w14
+    C_q[5, 7] = w9 * w14
+    C_q[5, 9] = 1.0
+    C_q[5, 10] = w6
+    C_q[5, 11] = -(w3 * w12)
+    C_q[5, 12] = -(w4 * w12)
+    # D.x
+    C_q[6, 8] = 1.0
+    # D.y
+    C_q[7, 9] = 1.0
+    C_t = ca.SX(8, 1)
+    nu = ca.SX(8, 1)
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w0 * w16)  # B.x
+    gamma[3] = -(w1 * w16)  # B.y
+    gamma[4] = w17 * (w14 * w18) - (w7 * w19 + w11 * w20) - (w21 * (w12 * w22) - (w2 * w23 + w6 * w24))  # C.x
+    gamma[5] = w12 * w23 + w21 * (w2 * w22) + w13 * w24 - (w14 * w19 + w17 * (w7 * w18) + w15 * w20)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 833 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 13) [mixed]: rates of all coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 13 x 13) [SI]: mass matrix in all coordinates
+    gives K (n x n = 13 x 13) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 13) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 13) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 13) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 8 x 13) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    833 operations.
+    """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 68)
@@ -775,12 +713,12 @@ def augmented() -> ca.Function:
     rocker_theta_dot = q_dot[10]
     rocker_q1_dot = q_dot[11]
     rocker_q2_dot = q_dot[12]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -807,7 +745,7 @@ def augmented() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
@@ -819,11 +757,12 @@ def augmented() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c46 = c[46]
+    crank_inertia = c[46]
     c47 = c[47]
-    c48 = c[48]
+    crank_mass = c[48]
     c49 = c[49]
     c50 = c[50]
+    # intermediate terms (75)
     w0 = ca.sin(coupler_theta)
     w1 = coupler_q1 * c17 + coupler_q2 * c18
     w2 = coupler_q1 * c19 + coupler_q2 * c20
@@ -876,22 +815,22 @@ def augmented() -> ca.Function:
     w49 = rocker_theta_dot * -2.0 * (w30 * rocker_q1_dot + w31 * rocker_q2_dot)
     w50 = w30 * w42
     w51 = w31 * w42
-    w52 = w10 * c33
-    w53 = w11 * c33
-    w54 = w12 * c33
-    w55 = w26 * c33
-    w56 = w27 * c33
-    w57 = w28 * c33
-    w58 = ca.sin(crank_theta) * c0
-    w59 = ca.cos(crank_theta) * c0
+    w52 = w10 * gravity_y
+    w53 = w11 * gravity_y
+    w54 = w12 * gravity_y
+    w55 = w26 * gravity_y
+    w56 = w27 * gravity_y
+    w57 = w28 * gravity_y
+    w58 = ca.sin(crank_theta) * crank_tip_x
+    w59 = ca.cos(crank_theta) * crank_tip_x
     w60 = coupler_q1 * c4
     w61 = coupler_q2 * c5
-    w62 = c1 - (coupler_q1 * w60 + coupler_q2 * w61) * 0.5
+    w62 = coupler_length - (coupler_q1 * w60 + coupler_q2 * w61) * 0.5
     w63 = w0 * w62
     w64 = w4 * w62
     w65 = rocker_q1 * c7
     w66 = rocker_q2 * c8
-    w67 = c6 - (rocker_q1 * w65 + rocker_q2 * w66) * 0.5
+    w67 = rocker_length - (rocker_q1 * w65 + rocker_q2 * w66) * 0.5
     w68 = w16 * w67
     w69 = w20 * w67
     w70 = crank_theta_dot**2
@@ -899,525 +838,175 @@ def augmented() -> ca.Function:
     w72 = coupler_q1_dot * (coupler_q1_dot * c4) + coupler_q2_dot * (coupler_q2_dot * c5)
     w73 = rocker_q1_dot * w65 + rocker_q2_dot * w66
     w74 = rocker_q1_dot * (rocker_q1_dot * c7) + rocker_q2_dot * (rocker_q2_dot * c8)
-    M = ca.vertcat(
-        c48,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c48,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c46,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c2,
-        0.0,
-        w7,
-        w8,
-        w9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c2,
-        w10,
-        w11,
-        w13,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7,
-        w10,
-        c22 + (coupler_q1 * w14 + coupler_q2 * w15),
-        c29,
-        c30,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w8,
-        w11,
-        c29,
-        c23,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w9,
-        w13,
-        c30,
-        0.0,
-        c26,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c47,
-        0.0,
-        w23,
-        w24,
-        w25,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c47,
-        w26,
-        w27,
-        w29,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w23,
-        w26,
-        c9 + (rocker_q1 * w30 + rocker_q2 * w31),
-        c31,
-        c32,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w24,
-        w27,
-        c31,
-        c10,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w25,
-        w29,
-        c32,
-        0.0,
-        c13,
-    )
-    M = ca.reshape(M, 13, 13)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c41,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c42,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c43,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c44,
-    )
-    K = ca.reshape(K, 13, 13)
-    K = ca.densify(K)
+    # outputs
+    M = ca.SX(13, 13)
+    # crank.x
+    M[0, 0] = crank_mass
+    # crank.y
+    M[1, 1] = crank_mass
+    # crank.theta
+    M[2, 2] = crank_inertia
+    # coupler.x
+    M[3, 3] = c2
+    M[3, 5] = w7
+    M[3, 6] = w8
+    M[3, 7] = w9
+    # coupler.y
+    M[4, 4] = c2
+    M[4, 5] = w10
+    M[4, 6] = w11
+    M[4, 7] = w13
+    # coupler.theta
+    M[5, 3] = w7
+    M[5, 4] = w10
+    M[5, 5] = c22 + (coupler_q1 * w14 + coupler_q2 * w15)
+    M[5, 6] = c29
+    M[5, 7] = c30
+    # coupler.q1
+    M[6, 3] = w8
+    M[6, 4] = w11
+    M[6, 5] = c29
+    M[6, 6] = c23
+    # coupler.q2
+    M[7, 3] = w9
+    M[7, 4] = w13
+    M[7, 5] = c30
+    M[7, 7] = c26
+    # rocker.x
+    M[8, 8] = c47
+    M[8, 10] = w23
+    M[8, 11] = w24
+    M[8, 12] = w25
+    # rocker.y
+    M[9, 9] = c47
+    M[9, 10] = w26
+    M[9, 11] = w27
+    M[9, 12] = w29
+    # rocker.theta
+    M[10, 8] = w23
+    M[10, 9] = w26
+    M[10, 10] = c9 + (rocker_q1 * w30 + rocker_q2 * w31)
+    M[10, 11] = c31
+    M[10, 12] = c32
+    # rocker.q1
+    M[11, 8] = w24
+    M[11, 9] = w27
+    M[11, 10] = c31
+    M[11, 11] = c10
+    # rocker.q2
+    M[12, 8] = w25
+    M[12, 9] = w29
+    M[12, 10] = c32
+    M[12, 12] = c13
+    K = ca.SX(13, 13)
+    # coupler.q1
+    K[6, 6] = c41
+    # coupler.q2
+    K[7, 7] = c42
+    # rocker.q1
+    K[11, 11] = c43
+    # rocker.q2
+    K[12, 12] = c44
     Q_v = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w37,
-        w38,
-        w39,
-        w40,
-        w41,
-        w47,
-        w48,
-        w49,
-        w50,
-        w51,
+        0.0,  # crank.x
+        0.0,  # crank.y
+        0.0,  # crank.theta
+        w37,  # coupler.x
+        w38,  # coupler.y
+        w39,  # coupler.theta
+        w40,  # coupler.q1
+        w41,  # coupler.q2
+        w47,  # rocker.x
+        w48,  # rocker.y
+        w49,  # rocker.theta
+        w50,  # rocker.q1
+        w51,  # rocker.q2
     )
-    Q_v = ca.densify(Q_v)
     Q_F = ca.vertcat(
-        0.0,
-        c49,
-        0.0,
-        0.0,
-        c34,
-        w52,
-        w53,
-        -w54,
-        0.0,
-        c50,
-        w55,
-        w56,
-        -w57,
+        0.0,  # crank.x
+        c49,  # crank.y
+        0.0,  # crank.theta
+        0.0,  # coupler.x
+        c34,  # coupler.y
+        w52,  # coupler.theta
+        w53,  # coupler.q1
+        -w54,  # coupler.q2
+        0.0,  # rocker.x
+        c50,  # rocker.y
+        w55,  # rocker.theta
+        w56,  # rocker.q1
+        -w57,  # rocker.q2
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        0.0,
-        c49,
-        0.0,
-        w37,
-        c34 + w38,
-        w39 + w52,
-        w53 + (w40 - coupler_q1 * c41),
-        w41 - coupler_q2 * c42 - w54,
-        w47,
-        w48 + c50,
-        w49 + w55,
-        w56 + (w50 - rocker_q1 * c43),
-        w51 - rocker_q2 * c44 - w57,
+        0.0,  # crank.x
+        c49,  # crank.y
+        0.0,  # crank.theta
+        w37,  # coupler.x
+        c34 + w38,  # coupler.y
+        w39 + w52,  # coupler.theta
+        w53 + (w40 - coupler_q1 * c41),  # coupler.q1
+        w41 - coupler_q2 * c42 - w54,  # coupler.q2
+        w47,  # rocker.x
+        w48 + c50,  # rocker.y
+        w49 + w55,  # rocker.theta
+        w56 + (w50 - rocker_q1 * c43),  # rocker.q1
+        w51 - rocker_q2 * c44 - w57,  # rocker.q2
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w58,
-        -w59,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w63,
-        -w64,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w4 * w60,
-        w0 * w60,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w4 * w61,
-        w0 * w61,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w68,
-        w69,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w20 * w65),
-        -(w16 * w65),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -(w20 * w66),
-        -(w16 * w66),
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 13)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w59 * w70),
-        -(w58 * w70),
-        w33 * (w0 * w71) - (w4 * w72 + w32 * w64) - (w43 * (w16 * w73) - (w20 * w74 + w42 * w69)),
-        w16 * w74 + w43 * (w20 * w73) + w42 * w68 - (w0 * w72 + w33 * (w4 * w71) + w32 * w63),
-        0.0,
-        0.0,
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(8, 13)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w58
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w59
+    C_q[3, 4] = 1.0
+    # C.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w63
+    C_q[4, 6] = w4 * w60
+    C_q[4, 7] = w4 * w61
+    C_q[4, 8] = 1.0
+    C_q[4, 10] = -w68
+    C_q[4, 11] = -(w20 * w65)
+    C_q[4, 12] = -(w20 * w66)
+    # C.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w64
+    C_q[5, 6] = w0 * w60
+    C_q[5, 7] = w0 * w61
+    C_q[5, 9] = 1.0
+    C_q[5, 10] = w69
+    C_q[5, 11] = -(w16 * w65)
+    C_q[5, 12] = -(w16 * w66)
+    # D.x
+    C_q[6, 8] = 1.0
+    # D.y
+    C_q[7, 9] = 1.0
+    gamma_b = ca.SX(8, 1)
+    gamma_b[2] = -(w59 * w70)  # B.x
+    gamma_b[3] = -(w58 * w70)  # B.y
+    gamma_b[4] = w33 * (w0 * w71) - (w4 * w72 + w32 * w64) - (w43 * (w16 * w73) - (w20 * w74 + w42 * w69))  # C.x
+    gamma_b[5] = w16 * w74 + w43 * (w20 * w73) + w42 * w68 - (w0 * w72 + w33 * (w4 * w71) + w32 * w63)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 350 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 13) [mixed]: rates of all coordinates
+    takes q_ddot (n = 13) [mixed]: accelerations of all coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
+    350 operations.
+    """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     q_ddot = ca.SX.sym("q_ddot", 13)
@@ -1446,11 +1035,11 @@ def reactions() -> ca.Function:
     rocker_theta_ddot = q_ddot[10]
     rocker_q1_ddot = q_ddot[11]
     rocker_q2_ddot = q_ddot[12]
-    c1 = c[1]
+    coupler_length = c[1]
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -1477,7 +1066,7 @@ def reactions() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
@@ -1486,9 +1075,10 @@ def reactions() -> ca.Function:
     c39 = c[39]
     c40 = c[40]
     c47 = c[47]
-    c48 = c[48]
+    crank_mass = c[48]
     c49 = c[49]
     c50 = c[50]
+    # intermediate terms (53)
     w0 = coupler_theta_dot**2
     w1 = ca.cos(coupler_theta)
     w2 = coupler_q1 * c17 + coupler_q2 * c18
@@ -1504,13 +1094,13 @@ def reactions() -> ca.Function:
     w12 = w4 * w5 + w1 * w6
     w13 = coupler_x_ddot * c2 - w12 * coupler_theta_ddot - (w1 * w2 + w5 * c21) * coupler_q1_ddot - w1 * w3 * coupler_q2_ddot
     w14 = ca.cos(rocker_theta)
-    w15 = c6 - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
+    w15 = rocker_length - (rocker_q1 * (rocker_q1 * c7) + rocker_q2 * (rocker_q2 * c8)) * 0.5
     w16 = w14 * w15
     w17 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
     w18 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
     w19 = w7 * coupler_y_ddot - coupler_x_ddot * w12 + coupler_theta_ddot * (c22 + (coupler_q1 * w17 + coupler_q2 * w18))
-    w20 = coupler_theta_dot * -2.0 * (coupler_q1_dot * w17 + coupler_q2_dot * w18) + w7 * c33 - (w19 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
-    w21 = c1 - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
+    w20 = coupler_theta_dot * -2.0 * (coupler_q1_dot * w17 + coupler_q2_dot * w18) + w7 * gravity_y - (w19 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
+    w21 = coupler_length - (coupler_q1 * (coupler_q1 * c4) + coupler_q2 * (coupler_q2 * c5)) * 0.5
     w22 = w1 * w21
     w23 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
     w24 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
@@ -1522,17 +1112,17 @@ def reactions() -> ca.Function:
     w30 = w14 * w27 - w28 * w29
     w31 = w27 * w28 + w14 * w29
     w32 = w30 * rocker_y_ddot - w31 * rocker_x_ddot + (c9 + (rocker_q1 * w23 + rocker_q2 * w24)) * rocker_theta_ddot
-    w33 = rocker_theta_dot * -2.0 * (w23 * rocker_q1_dot + w24 * rocker_q2_dot) + w30 * c33 - (w32 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
+    w33 = rocker_theta_dot * -2.0 * (w23 * rocker_q1_dot + w24 * rocker_q2_dot) + w30 * gravity_y - (w32 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
     w34 = w5 * w21
     w35 = w15 * w28
     w36 = w16 * w34 - w22 * w35
     w37 = (w16 * w20 + w22 * w33) / w36
     w38 = w0 * w7 + w8 * (w1 * w9 - w5 * w10) + w1 * w11 - w13 + w37
-    w39 = w38 - crank_x_ddot * c48
+    w39 = w38 - crank_x_ddot * crank_mass
     w40 = coupler_y_ddot * c2 + w7 * coupler_theta_ddot + coupler_q1_ddot * (w1 * c21 - w2 * w5) - coupler_q2_ddot * (w3 * w5)
     w41 = (w20 * w35 + w33 * w34) / w36
     w42 = c34 + (w0 * w12 + w5 * w11 + w8 * (w1 * w10 + w5 * w9)) - w40 + w41
-    w43 = c49 - crank_y_ddot * c48 + w42
+    w43 = c49 - crank_y_ddot * crank_mass + w42
     w44 = rocker_theta_dot**2
     w45 = 2 * rocker_theta_dot
     w46 = rocker_q1_dot * c40
@@ -1542,39 +1132,40 @@ def reactions() -> ca.Function:
     w50 = w30 * w44 + w45 * (w14 * w46 - w28 * w47) + w14 * w48 - w49 - w37
     w51 = rocker_y_ddot * c47 + w30 * rocker_theta_ddot + rocker_q1_ddot * (w14 * c40 - w25 * w28) - rocker_q2_ddot * (w26 * w28)
     w52 = c50 + (w31 * w44 + w28 * w48 + w45 * (w14 * w47 + w28 * w46)) - w51 - w41
+    # outputs
     lam = ca.vertcat(
-        w39,
-        w43,
-        w38,
-        w42,
-        w37,
-        w41,
-        w50,
-        w52,
+        w39,  # A.x
+        w43,  # A.y
+        w38,  # B.x
+        w42,  # B.y
+        w37,  # C.x
+        w41,  # C.y
+        w50,  # D.x
+        w52,  # D.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w39,
-        -w43,
-        0.0,
-        -w38,
-        -w42,
-        0.0,
-        -w37,
-        -w41,
-        0.0,
-        -w50,
-        -w52,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w39, -w43, 0.0),  # A
+        ca.vertcat(-w38, -w42, 0.0),  # B
+        ca.vertcat(-w37, -w41, 0.0),  # C
+        ca.vertcat(-w50, -w52, 0.0),  # D
     )
-    joint_forces = ca.reshape(joint_forces, 3, 4)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 280 operations."""
+    """Energies and powers.
+
+    takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 13) [mixed]: rates of all coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    280 operations.
+    """
     q = ca.SX.sym("q", 13)
     q_dot = ca.SX.sym("q_dot", 13)
     c = ca.SX.sym("c", 68)
@@ -1625,7 +1216,7 @@ def energy() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
@@ -1636,11 +1227,12 @@ def energy() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    c46 = c[46]
+    crank_inertia = c[46]
     c47 = c[47]
-    c48 = c[48]
+    crank_mass = c[48]
     c49 = c[49]
-    w0 = crank_x_dot * (crank_x_dot * c48) + crank_y_dot * (crank_y_dot * c48) + crank_theta_dot * (crank_theta_dot * c46)
+    # intermediate terms (39)
+    w0 = crank_x_dot * (crank_x_dot * crank_mass) + crank_y_dot * (crank_y_dot * crank_mass) + crank_theta_dot * (crank_theta_dot * crank_inertia)
     w1 = ca.sin(coupler_theta)
     w2 = coupler_q1 * c17 + coupler_q2 * c18
     w3 = coupler_q1 * c19 + coupler_q2 * c20
@@ -1679,32 +1271,23 @@ def energy() -> ca.Function:
     w36 = rocker_q1_dot * (rocker_y_dot * w30 - rocker_x_dot * w26 + rocker_theta_dot * c31 + rocker_q1_dot * c10)
     w37 = rocker_q2_dot * (rocker_theta_dot * c32 - (rocker_x_dot * w27 + rocker_y_dot * w31) + rocker_q2_dot * c13)
     w38 = (coupler_q1 * (coupler_q1 * c41) + coupler_q2 * (coupler_q2 * c42)) / 2.0 + (rocker_q1 * (rocker_q1 * c43) + rocker_q2 * (rocker_q2 * c44)) / 2.0
-    kinetic = ca.vertcat(
-        (w35 + w36 + w37) / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        w38,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -(crank_y * c49 + (w7 + coupler_y * c2) * c33 + (w25 + rocker_y * c47) * c33),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # outputs
+    kinetic = ca.vertcat((w35 + w36 + w37) / 2.0)
+    elastic = ca.vertcat(w38)
+    potential = ca.vertcat(-(crank_y * c49 + (w7 + coupler_y * c2) * gravity_y + (w25 + rocker_y * c47) * gravity_y))
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 56 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 13) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    56 operations.
+    """
     q = ca.SX.sym("q", 13)
     crank_x = q[0]
     crank_y = q[1]
@@ -1715,58 +1298,51 @@ def poses() -> ca.Function:
     rocker_x = q[8]
     rocker_y = q[9]
     rocker_theta = q[10]
+    # intermediate terms (6)
     w0 = ca.cos(crank_theta)
     w1 = ca.sin(crank_theta)
     w2 = ca.cos(coupler_theta)
     w3 = ca.sin(coupler_theta)
     w4 = ca.cos(rocker_theta)
     w5 = ca.sin(rocker_theta)
-    poses = ca.vertcat(
-        crank_x,
-        crank_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        coupler_x,
-        coupler_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rocker_x,
-        rocker_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 3)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 3)
+    poses[0, 0] = crank_x
+    poses[0, 1] = coupler_x
+    poses[0, 2] = rocker_x
+    poses[1, 0] = crank_y
+    poses[1, 1] = coupler_y
+    poses[1, 2] = rocker_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1742 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
+    1742 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -1786,12 +1362,12 @@ def dQ_hat_dq_i() -> ca.Function:
     rocker_q2_dot = q_i_dot[4]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -1818,7 +1394,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
@@ -1840,7 +1416,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c58 = c[58]
     c59 = c[59]
     c60 = c[60]
-    w0 = ca.cos(crank_theta) * c0
+    # intermediate terms (370)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = coupler_theta_dot**2
     w2 = coupler_q1 * c17
     w3 = w2 + coupler_q2 * c18
@@ -1864,7 +1441,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w21 = ca.cos(rocker_theta)
     w22 = rocker_q1 * c7
     w23 = rocker_q2 * c8
-    w24 = c6 - (rocker_q1 * w22 + rocker_q2 * w23) * 0.5
+    w24 = rocker_length - (rocker_q1 * w22 + rocker_q2 * w23) * 0.5
     w25 = w21 * w24
     w26 = coupler_q1 * c4
     w27 = coupler_q2 * c5
@@ -1875,7 +1452,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w32 = coupler_q2_dot * c5
     w33 = coupler_q1_dot * w31 + coupler_q2_dot * w32
     w34 = w9 * w33
-    w35 = c1 - (coupler_q1 * w26 + coupler_q2 * w27) * 0.5
+    w35 = coupler_length - (coupler_q1 * w26 + coupler_q2 * w27) * 0.5
     w36 = w9 * w35
     w37 = w1 * w36
     w38 = w30 + (w34 + w37)
@@ -1905,7 +1482,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w62 = w21 * w49
     w63 = w48 * w62
     w64 = w40 * w56
-    w65 = ca.sin(crank_theta) * c0
+    w65 = ca.sin(crank_theta) * crank_tip_x
     w66 = w58 * w65
     w67 = w61 + w63 + w64 - (w37 + (w30 + w34)) - w66
     w68 = (w25 * w60 + w40 * w67) / w47
@@ -1932,7 +1509,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w89 = rocker_q1 * c40
     w90 = c9 + (rocker_q1 * w81 + rocker_q2 * w82)
     w91 = (w44 * w60 + w36 * w67) / w47
-    w92 = w80 * w83 + (w21 * w88 - w39 * w89) * c33 - w90 * w91
+    w92 = w80 * w83 + (w21 * w88 - w39 * w89) * gravity_y - w90 * w91
     w93 = (w0 * w44 + w36 * w65) / w47
     w94 = (w0 * w36 - w44 * w65) / w47
     w95 = w94 / w47
@@ -1948,17 +1525,17 @@ def dQ_hat_dq_i() -> ca.Function:
     w105 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
     w106 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
     w107 = c22 + (coupler_q1 * w105 + coupler_q2 * w106)
-    w108 = w73 * c33 + (w104 + w72 * w107)
+    w108 = w73 * gravity_y + (w104 + w72 * w107)
     w109 = coupler_theta_dot * -2.0
     w110 = coupler_q1_dot * w105 + coupler_q2_dot * w106
-    w111 = w109 * w110 + w10 * c33 - (w59 * w73 - w10 * w66 + w68 * w107)
+    w111 = w109 * w110 + w10 * gravity_y - (w59 * w73 - w10 * w66 + w68 * w107)
     w112 = w103 / w47
     w113 = w70 * w112
     w114 = w102 - (w103 * w108 + w111 * w113)
     w115 = w57 + (w55 - w51)
     w116 = w63 + (w61 + w64)
     w117 = w99 + (w36 * w115 - w44 * w116) / w47
-    w118 = (w39 * w88 + w21 * w89) * c33 + w90 * w117
+    w118 = (w39 * w88 + w21 * w89) * gravity_y + w90 * w117
     w119 = w71 + (w25 * w67 + w40 * w115 - (w40 * w60 + w25 * w116)) / w47
     w120 = (w0 * w25 + w40 * w65) / w47
     w121 = w113 + w120
@@ -2053,7 +1630,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w210 = w7 * c21
     w211 = w66 * w209 + w59 * (w210 - w3 * w9)
     w212 = w92 * w182
-    w213 = w209 * c33 + (w211 + w72 * c29) - (w212 + w101 * w180) + (w111 * w168 - w108 * w142)
+    w213 = w209 * gravity_y + (w211 + w72 * c29) - (w212 + w101 * w180) + (w111 * w168 - w108 * w142)
     w214 = w119 * c29 + (w212 - w118 * w180) + (w111 * w145 - w122 * w142)
     w215 = w16 * w105 - w133 * c29 + w135 * w180 - w136 * w142
     w216 = w142 * w178 - (w177 * c29 + w176 * w180)
@@ -2062,7 +1639,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w219 = w5 * w7
     w220 = w66 * w219
     w221 = w92 * w186
-    w222 = w219 * c33 + (w220 - w218 + w72 * c30) - (w221 + w101 * w184) + (w111 * w170 - w108 * w150)
+    w222 = w219 * gravity_y + (w220 - w218 + w72 * c30) - (w221 + w101 * w184) + (w111 * w170 - w108 * w150)
     w223 = w119 * c30 + (w221 - w118 * w184) + (w111 * w153 - w122 * w150)
     w224 = w16 * w106 - w133 * c30 + w135 * w184 - w136 * w150
     w225 = w150 * w178 - (w177 * c30 + w176 * w184)
@@ -2070,13 +1647,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w227 = w111 * w158
     w228 = w92 * w194 - w101 * w191 - w100 * c31 - (w108 * w156 + w227)
     w229 = w39 * c40
-    w230 = w92 * w203 - w118 * w191 - ((w229 + w21 * w85) * c33 + w117 * c31) + (w227 - w122 * w156)
+    w230 = w92 * w203 - w118 * w191 - ((w229 + w21 * w85) * gravity_y + w117 * c31) + (w227 - w122 * w156)
     w231 = w136 * w156 - (w134 * c31 + w135 * w191)
     w232 = w48 * w81 - w175 * c31 + w176 * w191 - w156 * w178
     w233 = w103 * w228 + w94 * w230 - (w128 * c31 + w129 * w191 + w130 * w156) + (w172 * w231 + w206 * w232)
     w234 = w111 * w164
     w235 = w92 * w201 - w101 * w198 - w100 * c32 - (w108 * w162 + w234)
-    w236 = w92 * w204 - w118 * w198 - (w21 * w87 * c33 + w117 * c32) + (w234 - w122 * w162)
+    w236 = w92 * w204 - w118 * w198 - (w21 * w87 * gravity_y + w117 * c32) + (w234 - w122 * w162)
     w237 = w136 * w162 - (w134 * c32 + w135 * w198)
     w238 = w48 * w82 - w175 * c32 + w176 * w198 - w162 * w178
     w239 = w103 * w235 + w94 * w236 - (w128 * c32 + w129 * w198 + w130 * w162) + (w172 * w237 + w206 * w238)
@@ -2091,7 +1668,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w248 = (w65 * w140 - w0 * w138) / w47 - w95 * w167
     w249 = (w44 * w243 - w60 * w140 - (w67 * w138 + w36 * w244)) / w47 - w98 * w167
     w250 = w90 * w249
-    w251 = w109 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w246 * c33 - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c51 - coupler_q2 * c27) + w107 * w245))
+    w251 = w109 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w246 * gravity_y - (w59 * w241 + w66 * w246 + (w68 * (w105 + coupler_q1 * c51 - coupler_q2 * c27) + w107 * w245))
     w252 = w112 * w167
     w253 = w151 * w167
     w254 = w7 * c4
@@ -2112,9 +1689,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w269 = w268 - (w142 * w202 + w180 * w205)
     w270 = w247 + (w92 * w248 - w94 * w250) + (w103 * w251 - w111 * w252) - (w114 * w142 + w123 * w180) + (w137 * w260 + w179 * w269)
     w271 = w9 * c17
-    w272 = w1 * c51 - c41 - w271 * c33 - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
+    w272 = w1 * c51 - c41 - w271 * gravity_y - (w59 * (w7 * c17) + w66 * w271 + w245 * c29) - (w92 * w261 - w180 * w250)
     w273 = w9 * c19
-    w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * c33 + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
+    w274 = w184 * w250 + w92 * w263 - (w1 * c27 + w273 * gravity_y + (w59 * (w7 * c19) + w66 * w273 + w245 * c30))
     w275 = w156 * w251 - w111 * w257 - (w249 * c31 + (w191 * w250 + w92 * w265)) - (w142 * w228 + w180 * w230)
     w276 = w162 * w251 - w111 * w258 - (w249 * c32 + (w198 * w250 + w92 * w267)) - (w142 * w235 + w180 * w236)
     w277 = w13 + coupler_q1_dot * c18
@@ -2128,7 +1705,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w285 = (w65 * w148 - w0 * w146) / w47 - w95 * w169
     w286 = (w44 * w280 - w60 * w148 - (w67 * w146 + w36 * w281)) / w47 - w98 * w169
     w287 = w90 * w286
-    w288 = w109 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w283 * c33 - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c53 - coupler_q1 * c25) + w107 * w282))
+    w288 = w109 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w283 * gravity_y - (w66 * w283 - w59 * w279 + (w68 * (w106 + coupler_q2 * c53 - coupler_q1 * c25) + w107 * w282))
     w289 = w112 * w169
     w290 = w143 * w169
     w291 = w7 * c5
@@ -2148,12 +1725,12 @@ def dQ_hat_dq_i() -> ca.Function:
     w305 = w304 - (w150 * w202 + w184 * w205)
     w306 = w284 + (w92 * w285 - w94 * w287) + (w103 * w288 - w111 * w289) - (w114 * w150 + w123 * w184) + (w137 * w297 + w179 * w305)
     w307 = w9 * c18
-    w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * c33 + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
+    w308 = w180 * w287 + w92 * w298 - (w1 * c25 + w307 * gravity_y + (w59 * (w7 * c18) + w66 * w307 + w282 * c29))
     w309 = w9 * c20
-    w310 = w1 * c53 - c42 - w309 * c33 - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
+    w310 = w1 * c53 - c42 - w309 * gravity_y - (w59 * (w7 * c20) + w66 * w309 + w282 * c30) - (w92 * w299 - w184 * w287)
     w311 = w156 * w288 - w111 * w294 - (w286 * c31 + (w191 * w287 + w92 * w301)) - (w150 * w228 + w184 * w230)
     w312 = w162 * w288 - w111 * w295 - (w286 * c32 + (w198 * w287 + w92 * w303)) - (w150 * w235 + w184 * w236)
-    w313 = w80 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * c33
+    w313 = w80 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w229 + w21 * ((w84 + w85 + rocker_q2 * c38) * 0.5)) * gravity_y
     w314 = w48 * (w21 * w52) - w56 * w154
     w315 = w48 * (w39 * w52) + w56 * w155
     w316 = (w36 * w314 - w44 * w315) / w47 - w98 * w190
@@ -2182,7 +1759,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w339 = w150 * w321 + w111 * w324 - (w319 * c30 + (w184 * w317 - w92 * w333)) - (w156 * w222 + w191 * w223)
     w340 = w56 * c54 - c43 - w39 * c56 - w316 * c31 + (w191 * w317 + w92 * w334) + (w111 * w327 - w156 * w321)
     w341 = w198 * w317 - w92 * w335 - (w56 * c14 + w39 * c57 + w316 * c32) - (w162 * w321 + w111 * w329) + (w156 * w235 + w191 * w236)
-    w342 = w80 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * c33
+    w342 = w80 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w21 * ((rocker_q1 * c37 + (w86 + w87)) * 0.5) * gravity_y
     w343 = w48 * (w21 * w53) - w56 * w160
     w344 = w48 * (w39 * w53) + w56 * w161
     w345 = (w36 * w343 - w44 * w344) / w47 - w98 * w197
@@ -2210,41 +1787,45 @@ def dQ_hat_dq_i() -> ca.Function:
     w367 = w150 * w350 + w111 * w353 - (w348 * c30 + (w184 * w346 - w92 * w361)) - (w162 * w222 + w198 * w223)
     w368 = w191 * w346 - w92 * w362 - (w56 * c12 + w39 * c59 + w345 * c31) - (w156 * w350 + w111 * w354) + (w162 * w228 + w198 * w230)
     w369 = w56 * c58 - c44 - w39 * c60 - w345 * c32 + (w198 * w346 + w92 * w363) + (w111 * w357 - w162 * w350)
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        w207,
-        w217,
-        w226,
-        w233,
-        w239,
-        w270,
-        w272 - (w142 * w251 + w111 * w256) + (w142 * w213 + w180 * w214) + (w215 * w260 + w216 * w269),
-        w274 - (w150 * w251 - w111 * w253) + (w142 * w222 + w180 * w223) + (w224 * w260 + w225 * w269),
-        w275 + (w231 * w260 + w232 * w269),
-        w276 + (w237 * w260 + w238 * w269),
-        w306,
-        w308 - (w142 * w288 - w111 * w290) + (w150 * w213 + w184 * w214) + (w215 * w297 + w216 * w305),
-        w310 - (w150 * w288 + w111 * w293) + (w150 * w222 + w184 * w223) + (w224 * w297 + w225 * w305),
-        w311 + (w231 * w297 + w232 * w305),
-        w312 + (w237 * w297 + w238 * w305),
-        w322 + (w137 * w331 + w179 * w337),
-        w338 + (w215 * w331 + w216 * w337),
-        w339 + (w224 * w331 + w225 * w337),
-        w340 + (w156 * w228 + w191 * w230) + (w231 * w331 + w232 * w337),
-        w341 + (w237 * w331 + w238 * w337),
-        w351 + (w137 * w359 + w179 * w365),
-        w366 + (w215 * w359 + w216 * w365),
-        w367 + (w224 * w359 + w225 * w365),
-        w368 + (w231 * w359 + w232 * w365),
-        w369 + (w162 * w235 + w198 * w236) + (w237 * w359 + w238 * w365),
+        ca.horzcat(  # crank.theta
+            w207, w270, w306, w322 + (w137 * w331 + w179 * w337), w351 + (w137 * w359 + w179 * w365),
+        ),
+        ca.horzcat(  # coupler.q1
+            w217, w272 - (w142 * w251 + w111 * w256) + (w142 * w213 + w180 * w214) + (w215 * w260 + w216 * w269),
+            w308 - (w142 * w288 - w111 * w290) + (w150 * w213 + w184 * w214) + (w215 * w297 + w216 * w305),
+            w338 + (w215 * w331 + w216 * w337), w366 + (w215 * w359 + w216 * w365),
+        ),
+        ca.horzcat(  # coupler.q2
+            w226, w274 - (w150 * w251 - w111 * w253) + (w142 * w222 + w180 * w223) + (w224 * w260 + w225 * w269),
+            w310 - (w150 * w288 + w111 * w293) + (w150 * w222 + w184 * w223) + (w224 * w297 + w225 * w305),
+            w339 + (w224 * w331 + w225 * w337), w367 + (w224 * w359 + w225 * w365),
+        ),
+        ca.horzcat(  # rocker.q1
+            w233, w275 + (w231 * w260 + w232 * w269), w311 + (w231 * w297 + w232 * w305),
+            w340 + (w156 * w228 + w191 * w230) + (w231 * w331 + w232 * w337), w368 + (w231 * w359 + w232 * w365),
+        ),
+        ca.horzcat(  # rocker.q2
+            w239, w276 + (w237 * w260 + w238 * w269), w312 + (w237 * w297 + w238 * w305),
+            w341 + (w237 * w331 + w238 * w337), w369 + (w162 * w235 + w198 * w236) + (w237 * w359 + w238 * w365),
+        ),
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 719 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    719 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -2264,12 +1845,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rocker_q2_dot = q_i_dot[4]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -2303,7 +1884,8 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c65 = c[65]
     c66 = c[66]
     c67 = c[67]
-    w0 = ca.cos(crank_theta) * c0
+    # intermediate terms (122)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(coupler_theta)
     w2 = coupler_q1 * c17 + coupler_q2 * c18
     w3 = coupler_q1 * c19 + coupler_q2 * c20
@@ -2314,17 +1896,17 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w8 = ca.cos(rocker_theta)
     w9 = rocker_q1 * c7
     w10 = rocker_q2 * c8
-    w11 = c6 - (rocker_q1 * w9 + rocker_q2 * w10) * 0.5
+    w11 = rocker_length - (rocker_q1 * w9 + rocker_q2 * w10) * 0.5
     w12 = w8 * w11
     w13 = 2 * crank_theta_dot
     w14 = w0 * w13
     w15 = ca.sin(rocker_theta)
     w16 = w11 * w15
-    w17 = ca.sin(crank_theta) * c0
+    w17 = ca.sin(crank_theta) * crank_tip_x
     w18 = w13 * w17
     w19 = coupler_q1 * c4
     w20 = coupler_q2 * c5
-    w21 = c1 - (coupler_q1 * w19 + coupler_q2 * w20) * 0.5
+    w21 = coupler_length - (coupler_q1 * w19 + coupler_q2 * w20) * 0.5
     w22 = w5 * w21
     w23 = w1 * w21
     w24 = w12 * w22 - w16 * w23
@@ -2425,41 +2007,56 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w119 = w29 * w107 - w30 * w118
     w120 = (w16 * w116 - w12 * w117) / w24
     w121 = w36 * w120
+    # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        w59,
-        w37 * w62 - (w14 * w63 - w18 * w64 - w25 * c29 + w32 * w65) + (w33 * w66 + w27 * w67),
-        w37 * w70 - (w14 * w71 + w18 * w72 - w25 * c30 + w32 * w73) + (w33 * w74 + w27 * w75),
-        w31 * c31 + w32 * w78 - w37 * w79 + (w33 * w80 + w27 * w81),
-        w31 * c32 + w32 * w84 - w37 * w85 + (w33 * w86 + w27 * w87),
-        w97 - (w49 * w62 + w58 * w65),
-        w65 * w94 - w92 * c29 - w62 * w96 - (w62 * w66 + w65 * w67),
-        w73 * w94 - w92 * c30 - w70 * w96 - (w62 * w74 + w65 * w75),
-        w79 * w96 - (w93 * c31 + w78 * w94) - (w62 * w80 + w65 * w81),
-        w85 * w96 - (w93 * c32 + w84 * w94) - (w62 * w86 + w65 * w87),
-        w106 - (w49 * w70 + w58 * w73),
-        w65 * w104 - w102 * c29 - w62 * w105 - (w66 * w70 + w67 * w73),
-        w73 * w104 - w102 * c30 - w70 * w105 - (w70 * w74 + w73 * w75),
-        w79 * w105 - (w103 * c31 + w78 * w104) - (w70 * w80 + w73 * w81),
-        w85 * w105 - (w103 * c32 + w84 * w104) - (w70 * w86 + w73 * w87),
-        w27 * w112 - (w0 * (w7 * w113) + w17 * (w26 * w113)) - w33 * w114 + (w49 * w79 + w58 * w78),
-        w62 * w114 - (w113 * c29 + w65 * w112) + (w66 * w79 + w67 * w78),
-        w70 * w114 - (w113 * c30 + w73 * w112) + (w74 * w79 + w75 * w78),
-        w78 * w112 - w111 * c31 - w79 * w114 + (w79 * w80 + w78 * w81),
-        w84 * w112 - w111 * c32 - w85 * w114 + (w79 * w86 + w78 * w87),
-        w27 * w119 - (w0 * (w7 * w120) + w17 * (w26 * w120)) - w33 * w121 + (w49 * w85 + w58 * w84),
-        w62 * w121 - (w120 * c29 + w65 * w119) + (w66 * w85 + w67 * w84),
-        w70 * w121 - (w120 * c30 + w73 * w119) + (w74 * w85 + w75 * w84),
-        w78 * w119 - w118 * c31 - w79 * w121 + (w80 * w85 + w81 * w84),
-        w84 * w119 - w118 * c32 - w85 * w121 + (w85 * w86 + w84 * w87),
+        ca.horzcat(  # crank.theta
+            w59, w97 - (w49 * w62 + w58 * w65), w106 - (w49 * w70 + w58 * w73),
+            w27 * w112 - (w0 * (w7 * w113) + w17 * (w26 * w113)) - w33 * w114 + (w49 * w79 + w58 * w78),
+            w27 * w119 - (w0 * (w7 * w120) + w17 * (w26 * w120)) - w33 * w121 + (w49 * w85 + w58 * w84),
+        ),
+        ca.horzcat(  # coupler.q1
+            w37 * w62 - (w14 * w63 - w18 * w64 - w25 * c29 + w32 * w65) + (w33 * w66 + w27 * w67),
+            w65 * w94 - w92 * c29 - w62 * w96 - (w62 * w66 + w65 * w67),
+            w65 * w104 - w102 * c29 - w62 * w105 - (w66 * w70 + w67 * w73),
+            w62 * w114 - (w113 * c29 + w65 * w112) + (w66 * w79 + w67 * w78),
+            w62 * w121 - (w120 * c29 + w65 * w119) + (w66 * w85 + w67 * w84),
+        ),
+        ca.horzcat(  # coupler.q2
+            w37 * w70 - (w14 * w71 + w18 * w72 - w25 * c30 + w32 * w73) + (w33 * w74 + w27 * w75),
+            w73 * w94 - w92 * c30 - w70 * w96 - (w62 * w74 + w65 * w75),
+            w73 * w104 - w102 * c30 - w70 * w105 - (w70 * w74 + w73 * w75),
+            w70 * w114 - (w113 * c30 + w73 * w112) + (w74 * w79 + w75 * w78),
+            w70 * w121 - (w120 * c30 + w73 * w119) + (w74 * w85 + w75 * w84),
+        ),
+        ca.horzcat(  # rocker.q1
+            w31 * c31 + w32 * w78 - w37 * w79 + (w33 * w80 + w27 * w81),
+            w79 * w96 - (w93 * c31 + w78 * w94) - (w62 * w80 + w65 * w81),
+            w79 * w105 - (w103 * c31 + w78 * w104) - (w70 * w80 + w73 * w81),
+            w78 * w112 - w111 * c31 - w79 * w114 + (w79 * w80 + w78 * w81),
+            w78 * w119 - w118 * c31 - w79 * w121 + (w80 * w85 + w81 * w84),
+        ),
+        ca.horzcat(  # rocker.q2
+            w31 * c32 + w32 * w84 - w37 * w85 + (w33 * w86 + w27 * w87),
+            w85 * w96 - (w93 * c32 + w84 * w94) - (w62 * w86 + w65 * w87),
+            w85 * w105 - (w103 * c32 + w84 * w104) - (w70 * w86 + w73 * w87),
+            w84 * w112 - w111 * c32 - w85 * w114 + (w79 * w86 + w78 * w87),
+            w84 * w119 - w118 * c32 - w85 * w121 + (w85 * w86 + w84 * w87),
+        ),
     )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 5, 5)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 1140 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    1140 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
@@ -2476,12 +2073,12 @@ def dMa_dq_i() -> ca.Function:
     coupler_q2_ddot = q_i_ddot[2]
     rocker_q1_ddot = q_i_ddot[3]
     rocker_q2_ddot = q_i_ddot[4]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -2514,8 +2111,9 @@ def dMa_dq_i() -> ca.Function:
     c54 = c[54]
     c55 = c[55]
     c58 = c[58]
-    w0 = ca.sin(crank_theta) * c0
-    w1 = ca.cos(crank_theta) * c0
+    # intermediate terms (251)
+    w0 = ca.sin(crank_theta) * crank_tip_x
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = crank_theta_ddot * w1
     w3 = w2 * c2
     w4 = ca.sin(coupler_theta)
@@ -2530,13 +2128,13 @@ def dMa_dq_i() -> ca.Function:
     w13 = ca.sin(rocker_theta)
     w14 = rocker_q1 * c7
     w15 = rocker_q2 * c8
-    w16 = c6 - (rocker_q1 * w14 + rocker_q2 * w15) * 0.5
+    w16 = rocker_length - (rocker_q1 * w14 + rocker_q2 * w15) * 0.5
     w17 = w13 * w16
     w18 = ca.cos(rocker_theta)
     w19 = w16 * w18
     w20 = coupler_q1 * c4
     w21 = coupler_q2 * c5
-    w22 = c1 - (coupler_q1 * w20 + coupler_q2 * w21) * 0.5
+    w22 = coupler_length - (coupler_q1 * w20 + coupler_q2 * w21) * 0.5
     w23 = w4 * w22
     w24 = w10 * w22
     w25 = w19 * w23 - w17 * w24
@@ -2765,41 +2363,58 @@ def dMa_dq_i() -> ca.Function:
     w248 = w69 * (w60 + rocker_q2 * c58 - rocker_q1 * c12) + w61 * w247
     w249 = w75 * w240
     w250 = w1 * (w50 * w240) + w0 * (w12 * w240) + (w58 * w248 - w70 * w242) + (w30 * w249 + w77 * w232) + (w42 * w125 + w68 * w135)
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w125 + w58 * w135),
-        w136 - w137 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w139 + w58 * w140),
-        w141 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w143 - w30 * w144),
-        w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w146 + w58 * w147),
-        w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w149 + w58 * w150),
-        w167 + (w58 * w178 + w70 * w168) + (w30 * w179 - w77 * w152) - (w33 * w125 + w65 * w135),
-        w180,
-        w181,
-        w177 * c31 + (w67 * w178 - w70 * w173) + (w39 * w179 - w77 * w156) - (w33 * w146 + w65 * w147),
-        w177 * c32 + (w68 * w178 - w70 * w176) + (w42 * w179 - w77 * w158) - (w33 * w149 + w65 * w150),
-        w198 + (w58 * w208 + w70 * w199) + (w30 * w209 - w77 * w183) - (w36 * w125 + w66 * w135),
-        w210,
-        w211,
-        w207 * c31 + (w67 * w208 - w70 * w203) + (w39 * w209 - w77 * w187) - (w36 * w146 + w66 * w147),
-        w207 * c32 + (w68 * w208 - w70 * w206) + (w42 * w209 - w77 * w189) - (w36 * w149 + w66 * w150),
-        w231,
-        w221 * c29 - (w65 * w229 - w70 * w222) - (w33 * w230 - w77 * w213) + (w39 * w139 + w67 * w140),
-        w221 * c30 - (w66 * w229 - w70 * w224) - (w36 * w230 - w77 * w214) + (w67 * w143 - w39 * w144),
-        w228 * c31 + (w67 * w229 + w70 * w225) + (w39 * w230 + w77 * w217) + (w39 * w146 + w67 * w147),
-        w228 * c32 + (w68 * w229 - w70 * w227) + (w42 * w230 - w77 * w220) + (w39 * w149 + w67 * w150),
-        w250,
-        w240 * c29 - (w65 * w248 - w70 * w241) - (w33 * w249 - w77 * w233) + (w42 * w139 + w68 * w140),
-        w240 * c30 - (w66 * w248 - w70 * w243) - (w36 * w249 - w77 * w234) + (w68 * w143 - w42 * w144),
-        w247 * c31 + (w67 * w248 - w70 * w244) + (w39 * w249 - w77 * w235) + (w42 * w146 + w68 * w147),
-        w247 * c32 + (w68 * w248 + w70 * w246) + (w42 * w249 + w77 * w239) + (w42 * w149 + w68 * w150),
+        ca.horzcat(  # crank.theta
+            w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w125 + w58 * w135),
+            w167 + (w58 * w178 + w70 * w168) + (w30 * w179 - w77 * w152) - (w33 * w125 + w65 * w135),
+            w198 + (w58 * w208 + w70 * w199) + (w30 * w209 - w77 * w183) - (w36 * w125 + w66 * w135), w231, w250,
+        ),
+        ca.horzcat(  # coupler.q1
+            w136 - w137 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w139 + w58 * w140), w180, w210,
+            w221 * c29 - (w65 * w229 - w70 * w222) - (w33 * w230 - w77 * w213) + (w39 * w139 + w67 * w140),
+            w240 * c29 - (w65 * w248 - w70 * w241) - (w33 * w249 - w77 * w233) + (w42 * w139 + w68 * w140),
+        ),
+        ca.horzcat(  # coupler.q2
+            w141 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w143 - w30 * w144), w181, w211,
+            w221 * c30 - (w66 * w229 - w70 * w224) - (w36 * w230 - w77 * w214) + (w67 * w143 - w39 * w144),
+            w240 * c30 - (w66 * w248 - w70 * w243) - (w36 * w249 - w77 * w234) + (w68 * w143 - w42 * w144),
+        ),
+        ca.horzcat(  # rocker.q1
+            w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w146 + w58 * w147),
+            w177 * c31 + (w67 * w178 - w70 * w173) + (w39 * w179 - w77 * w156) - (w33 * w146 + w65 * w147),
+            w207 * c31 + (w67 * w208 - w70 * w203) + (w39 * w209 - w77 * w187) - (w36 * w146 + w66 * w147),
+            w228 * c31 + (w67 * w229 + w70 * w225) + (w39 * w230 + w77 * w217) + (w39 * w146 + w67 * w147),
+            w247 * c31 + (w67 * w248 - w70 * w244) + (w39 * w249 - w77 * w235) + (w42 * w146 + w68 * w147),
+        ),
+        ca.horzcat(  # rocker.q2
+            w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w149 + w58 * w150),
+            w177 * c32 + (w68 * w178 - w70 * w176) + (w42 * w179 - w77 * w158) - (w33 * w149 + w65 * w150),
+            w207 * c32 + (w68 * w208 - w70 * w206) + (w42 * w209 - w77 * w189) - (w36 * w149 + w66 * w150),
+            w228 * c32 + (w68 * w229 - w70 * w227) + (w42 * w230 - w77 * w220) + (w39 * w149 + w67 * w150),
+            w247 * c32 + (w68 * w248 + w70 * w246) + (w42 * w249 + w77 * w239) + (w42 * w149 + w68 * w150),
+        ),
     )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 5, 5)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 521 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 1 x 4) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 4) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 4) [N, N m]: part of Q_hat of S
+    521 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -2819,13 +2434,13 @@ def blocks() -> ca.Function:
     rocker_q2_dot = q_i_dot[4]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -2852,7 +2467,7 @@ def blocks() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
@@ -2864,19 +2479,20 @@ def blocks() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
+    # intermediate terms (89)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = ca.sin(coupler_theta)
     w3 = coupler_q1 * c4
     w4 = coupler_q2 * c5
-    w5 = c1 - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
+    w5 = coupler_length - (coupler_q1 * w3 + coupler_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.cos(coupler_theta)
     w8 = w5 * w7
     w9 = ca.cos(rocker_theta)
     w10 = rocker_q1 * c7
     w11 = rocker_q2 * c8
-    w12 = c6 - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
+    w12 = rocker_length - (rocker_q1 * w10 + rocker_q2 * w11) * 0.5
     w13 = w9 * w12
     w14 = ca.sin(rocker_theta)
     w15 = w12 * w14
@@ -2946,68 +2562,54 @@ def blocks() -> ca.Function:
     w79 = w0 * (c34 + (w27 * w62 + w2 * w63 + w64 * (w7 * w65 + w2 * w66)) - (w26 * w78 - w76 * c2)) - w1 * (w26 * w62 + w64 * (w7 * w66 - w2 * w65) + w7 * w63 + (w74 * c2 + w27 * w78))
     w80 = rocker_q1 * c36 + rocker_q2 * c37
     w81 = rocker_q1 * c38 + rocker_q2 * c39
-    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * c33
+    w82 = rocker_theta_dot * -2.0 * (w18 * rocker_q1_dot + w19 * rocker_q2_dot) + (w9 * (c35 - (rocker_q1 * w80 + rocker_q2 * w81) * 0.5) - w14 * (rocker_q1 * c40)) * gravity_y
     w83 = (w8 * w75 + w6 * w77) / w16
     w84 = w82 - w20 * w83
-    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * c33 - (w27 * w74 - w26 * w76 + w31 * w78)
-    w86 = w29 * w62 - coupler_q1 * c41 + w32 * c33 - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
-    w87 = w30 * w62 - coupler_q2 * c42 - w40 * c33 - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
-    M_hat_LL = ca.vertcat(
-        c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28),
+    w85 = coupler_theta_dot * -2.0 * (w29 * coupler_q1_dot + w30 * coupler_q2_dot) + w26 * gravity_y - (w27 * w74 - w26 * w76 + w31 * w78)
+    w86 = w29 * w62 - coupler_q1 * c41 + w32 * gravity_y - (w33 * w74 - w32 * w76 + w78 * c29) - w34 * w84 - w36 * w85
+    w87 = w30 * w62 - coupler_q2 * c42 - w40 * gravity_y - (w39 * w74 + w40 * w76 + w78 * c30) - w41 * w84 - w43 * w85
+    w88 = w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * gravity_y - w83 * c31 + w46 * w84 + w48 * w85
+    # outputs
+    M_hat_LL = ca.vertcat(c3 + w17 * (w17 * w20) + (w21 * (w28 + w21 * w31) + w21 * w28))
+    M_hat_LS = ca.horzcat(
+        w38, w45, w50, w55,
     )
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        w38,
-        w45,
-        w50,
-        w55,
-    )
-    M_hat_LS = ca.reshape(M_hat_LS, 1, 4)
-    M_hat_LS = ca.densify(M_hat_LS)
     M_hat_SL = ca.vertcat(
-        w38,
-        w45,
-        w50,
-        w55,
+        w38,  # coupler.q1
+        w45,  # coupler.q2
+        w50,  # rocker.q1
+        w55,  # rocker.q2
     )
-    M_hat_SL = ca.densify(M_hat_SL)
     M_hat_SS = ca.vertcat(
-        c23 + w34 * w35 - (w36 * w37 + w36 * c29),
-        w56,
-        w57,
-        w58,
-        w56,
-        c26 + w41 * w42 - (w43 * w44 + w43 * c30),
-        w59,
-        w60,
-        w57,
-        w59,
-        c10 + (w46 * w47 + w46 * c31) + w48 * w49,
-        w61,
-        w58,
-        w60,
-        w61,
-        c13 + (w51 * w52 + w51 * c32) + w53 * w54,
+        ca.horzcat(c23 + w34 * w35 - (w36 * w37 + w36 * c29), w56, w57, w58),  # coupler.q1
+        ca.horzcat(w56, c26 + w41 * w42 - (w43 * w44 + w43 * c30), w59, w60),  # coupler.q2
+        ca.horzcat(w57, w59, c10 + (w46 * w47 + w46 * c31) + w48 * w49, w61),  # rocker.q1
+        ca.horzcat(w58, w60, w61, c13 + (w51 * w52 + w51 * c32) + w53 * w54),  # rocker.q2
     )
-    M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
-    M_hat_SS = ca.densify(M_hat_SS)
-    Q_hat_L = ca.vertcat(
-        w79 + w17 * w84 + w21 * w85,
-    )
-    Q_hat_L = ca.densify(Q_hat_L)
+    Q_hat_L = ca.vertcat(w79 + w17 * w84 + w21 * w85)
     Q_hat_S = ca.vertcat(
-        w86,
-        w87,
-        w18 * w72 - rocker_q1 * c43 + (w9 * c40 - w14 * w80) * c33 - w83 * c31 + w46 * w84 + w48 * w85,
-        w19 * w72 - rocker_q2 * c44 - w14 * w81 * c33 - w83 * c32 + w51 * w84 + w53 * w85,
+        w86,  # coupler.q1
+        w87,  # coupler.q2
+        w88,  # rocker.q1
+        w19 * w72 - rocker_q2 * c44 - w14 * w81 * gravity_y - w83 * c32 + w51 * w84 + w53 * w85,  # rocker.q2
     )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 432 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 4 x 4) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 4) [N, N m]: right-hand side of a sub-step, slow q'' given
+    432 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 5)
@@ -3029,11 +2631,11 @@ def substep_2() -> ca.Function:
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
     crank_theta_ddot = q_L_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_length = c[1]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
+    rocker_length = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
@@ -3060,7 +2662,7 @@ def substep_2() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
-    c33 = c[33]
+    gravity_y = c[33]
     c35 = c[35]
     c36 = c[36]
     c37 = c[37]
@@ -3071,17 +2673,18 @@ def substep_2() -> ca.Function:
     c42 = c[42]
     c43 = c[43]
     c44 = c[44]
+    # intermediate terms (75)
     w0 = ca.cos(coupler_theta)
     w1 = coupler_q1 * c4
     w2 = coupler_q2 * c5
-    w3 = c1 - (coupler_q1 * w1 + coupler_q2 * w2) * 0.5
+    w3 = coupler_length - (coupler_q1 * w1 + coupler_q2 * w2) * 0.5
     w4 = w0 * w3
     w5 = ca.sin(coupler_theta)
     w6 = w3 * w5
     w7 = ca.cos(rocker_theta)
     w8 = rocker_q1 * c7
     w9 = rocker_q2 * c8
-    w10 = c6 - (rocker_q1 * w8 + rocker_q2 * w9) * 0.5
+    w10 = rocker_length - (rocker_q1 * w8 + rocker_q2 * w9) * 0.5
     w11 = w7 * w10
     w12 = ca.sin(rocker_theta)
     w13 = w10 * w12
@@ -3116,9 +2719,9 @@ def substep_2() -> ca.Function:
     w42 = coupler_q1 * c17 + coupler_q2 * c18
     w43 = w0 * c21 - w5 * w42
     w44 = crank_theta_dot**2
-    w45 = ca.cos(crank_theta) * c0
+    w45 = ca.cos(crank_theta) * crank_tip_x
     w46 = w44 * w45
-    w47 = ca.sin(crank_theta) * c0
+    w47 = ca.sin(crank_theta) * crank_tip_x
     w48 = w46 + w47 * crank_theta_ddot
     w49 = w44 * w47
     w50 = w45 * crank_theta_ddot - w49
@@ -3132,52 +2735,49 @@ def substep_2() -> ca.Function:
     w58 = w51 * (w5 * w52) - (w0 * w53 + w4 * w41) - (w54 * (w12 * w55) - (w7 * w56 + w11 * w57)) - w46
     w59 = w12 * w56 + w54 * (w7 * w55) + w13 * w57 - (w5 * w53 + w51 * (w0 * w52) + w6 * w41) - w49
     w60 = (w11 * w58 + w13 * w59) / w14 + crank_theta_ddot * ((w13 * w45 - w11 * w47) / w14)
-    w61 = rocker_q1 * c36 + rocker_q2 * c37
-    w62 = rocker_q1 * c38 + rocker_q2 * c39
-    w63 = rocker_theta_dot * -2.0 * (w16 * rocker_q1_dot + w17 * rocker_q2_dot) + (w7 * (c35 - (rocker_q1 * w61 + rocker_q2 * w62) * 0.5) - w12 * (rocker_q1 * c40)) * c33
-    w64 = (w4 * w58 + w6 * w59) / w14 + crank_theta_ddot * ((w6 * w45 - w4 * w47) / w14)
-    w65 = w63 - w18 * w64
-    w66 = w20 * w41 - coupler_q1 * c41 + w43 * c33 - ((w0 * w42 + w5 * c21) * w48 + w43 * w50 + w60 * c29) - w15 * w65
+    w61 = w20 * w41 - coupler_q1 * c41 + w43 * gravity_y - ((w0 * w42 + w5 * c21) * w48 + w43 * w50 + w60 * c29)
+    w62 = rocker_q1 * c36 + rocker_q2 * c37
+    w63 = rocker_q1 * c38 + rocker_q2 * c39
+    w64 = rocker_theta_dot * -2.0 * (w16 * rocker_q1_dot + w17 * rocker_q2_dot) + (w7 * (c35 - (rocker_q1 * w62 + rocker_q2 * w63) * 0.5) - w12 * (rocker_q1 * c40)) * gravity_y
+    w65 = (w4 * w58 + w6 * w59) / w14 + crank_theta_ddot * ((w6 * w45 - w4 * w47) / w14)
+    w66 = w64 - w18 * w65
     w67 = coupler_q1 * c19 + coupler_q2 * c20
     w68 = c16 - (coupler_q1 * w42 + coupler_q2 * w67) * 0.5
     w69 = coupler_q1 * c21
     w70 = w0 * w68 - w5 * w69
-    w71 = coupler_theta_dot * -2.0 * (w20 * coupler_q1_dot + w21 * coupler_q2_dot) + w70 * c33 - (w48 * (w5 * w68 + w0 * w69) + w50 * w70 + w22 * w60)
+    w71 = coupler_theta_dot * -2.0 * (w20 * coupler_q1_dot + w21 * coupler_q2_dot) + w70 * gravity_y - (w48 * (w5 * w68 + w0 * w69) + w50 * w70 + w22 * w60)
     w72 = w5 * w67
-    w73 = w21 * w41 - coupler_q2 * c42 - w72 * c33 - (w48 * (w0 * w67) - w50 * w72 + w60 * c30) - w23 * w65
+    w73 = w21 * w41 - coupler_q2 * c42 - w72 * gravity_y - (w48 * (w0 * w67) - w50 * w72 + w60 * c30) - w23 * w66
+    w74 = w16 * w57 - rocker_q1 * c43 + (w7 * c40 - w12 * w62) * gravity_y - w65 * c31 + w30 * w66 + w28 * w71
+    # outputs
     M_hat_SS = ca.vertcat(
-        c23 + w15 * (w15 * w18) - (w19 * (c29 - w19 * w22) + w19 * c29),
-        w27,
-        w32,
-        w37,
-        w27,
-        c26 + w23 * w24 - (w25 * w26 + w25 * c30),
-        w38,
-        w39,
-        w32,
-        w38,
-        c10 + (w30 * w31 + w30 * c31) + w28 * w29,
-        w40,
-        w37,
-        w39,
-        w40,
-        c13 + (w35 * w36 + w35 * c32) + w33 * w34,
+        ca.horzcat(c23 + w15 * (w15 * w18) - (w19 * (c29 - w19 * w22) + w19 * c29), w27, w32, w37),  # coupler.q1
+        ca.horzcat(w27, c26 + w23 * w24 - (w25 * w26 + w25 * c30), w38, w39),  # coupler.q2
+        ca.horzcat(w32, w38, c10 + (w30 * w31 + w30 * c31) + w28 * w29, w40),  # rocker.q1
+        ca.horzcat(w37, w39, w40, c13 + (w35 * w36 + w35 * c32) + w33 * w34),  # rocker.q2
     )
-    M_hat_SS = ca.reshape(M_hat_SS, 4, 4)
-    M_hat_SS = ca.densify(M_hat_SS)
     rhs_S = ca.vertcat(
-        w66 - w19 * w71,
-        w73 - w25 * w71,
-        w16 * w57 - rocker_q1 * c43 + (w7 * c40 - w12 * w61) * c33 - w64 * c31 + w30 * w65 + w28 * w71,
-        w17 * w57 - rocker_q2 * c44 - w12 * w62 * c33 - w64 * c32 + w35 * w65 + w33 * w71,
+        w61 - w15 * w66 - w19 * w71,  # coupler.q1
+        w73 - w25 * w71,  # coupler.q2
+        w74,  # rocker.q1
+        w17 * w57 - rocker_q2 * c44 - w12 * w63 * gravity_y - w65 * c32 + w35 * w66 + w33 * w71,  # rocker.q2
     )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 1472 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 169) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 42) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 42) [1]: columns of the rotation matrix of the marker at a drawn point
+    gives shapes (3 x modes = 3 x 76) [1]: displacement of a drawn point by each mode of its body
+    gives turns (3 x modes = 3 x 76) [1/m]: rotation at a drawn point by each mode of its body
+    gives H (1 x entries = 1 x 136) [1/m]: foreshortening of the drawn points that have it, nf x nf each
+    gives sections (2 x beams = 2 x 2) [m]: height and width of a rectangle that stands for a beam's section
+    1472 operations.
+    """
     p = ca.SX.sym("p", 169)
     coupler_length = p[3]
     coupler_area = p[5]
@@ -3324,6 +2924,7 @@ def geometry() -> ca.Function:
     beam20_pinned_pinned2_0_9375_H_0_1 = p[166]
     beam20_pinned_pinned2_0_9375_H_1_0 = p[167]
     beam20_pinned_pinned2_0_9375_H_1_1 = p[168]
+    # intermediate terms (14)
     w0 = beam20_pinned_pinned2_0_0_slope_0_0 / coupler_length
     w1 = beam20_pinned_pinned2_0_0_slope_1_0 / coupler_length
     w2 = beam20_pinned_pinned2_1_0_slope_0_0 / coupler_length
@@ -3338,1131 +2939,378 @@ def geometry() -> ca.Function:
     w11 = beam20_pinned_pinned2_1_0_H_1_1 / rocker_length
     w12 = ca.sqrt(12.0 * coupler_second_moment / coupler_area)
     w13 = ca.sqrt(12.0 * rocker_second_moment / rocker_area)
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_125_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_25_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_375_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_5_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_625_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_75_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_875_at_0_0,
-        0.0,
-        0.0,
-        coupler_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        0.0,
-        0.0,
-        coupler_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_125_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_25_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_375_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_5_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_625_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_75_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_875_at_0_0,
-        0.0,
-        0.0,
-        rocker_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        0.0,
-        0.0,
-        rocker_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        ground_right_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        crank_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        coupler_length,
-        0.0,
-        0.0,
-        rocker_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 42)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 42)
-    axes = ca.densify(axes)
-    shapes = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    shapes = ca.reshape(shapes, 3, 76)
-    shapes = ca.densify(shapes)
-    turns = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_0_0 / coupler_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_1_0 / coupler_length,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-        0.0,
-        0.0,
-        w4,
-        0.0,
-        0.0,
-        w5,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_0_0 / rocker_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_1_0 / rocker_length,
-        0.0,
-        0.0,
-        w6,
-        0.0,
-        0.0,
-        w7,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-        0.0,
-        0.0,
-        w6,
-        0.0,
-        0.0,
-        w7,
-        0.0,
-        0.0,
-        w4,
-        0.0,
-        0.0,
-        w5,
-    )
-    turns = ca.reshape(turns, 3, 76)
-    turns = ca.densify(turns)
-    H = ca.vertcat(
+    # outputs
+    positions = ca.SX(3, 42)
+    positions[0, 1] = coupler_length * beam20_pinned_pinned2_0_0625_at_0_0
+    positions[0, 2] = coupler_length * beam20_pinned_pinned2_0_125_at_0_0
+    positions[0, 3] = coupler_length * beam20_pinned_pinned2_0_1875_at_0_0
+    positions[0, 4] = coupler_length * beam20_pinned_pinned2_0_25_at_0_0
+    positions[0, 5] = coupler_length * beam20_pinned_pinned2_0_3125_at_0_0
+    positions[0, 6] = coupler_length * beam20_pinned_pinned2_0_375_at_0_0
+    positions[0, 7] = coupler_length * beam20_pinned_pinned2_0_4375_at_0_0
+    positions[0, 8] = coupler_length * beam20_pinned_pinned2_0_5_at_0_0
+    positions[0, 9] = coupler_length * beam20_pinned_pinned2_0_5625_at_0_0
+    positions[0, 10] = coupler_length * beam20_pinned_pinned2_0_625_at_0_0
+    positions[0, 11] = coupler_length * beam20_pinned_pinned2_0_6875_at_0_0
+    positions[0, 12] = coupler_length * beam20_pinned_pinned2_0_75_at_0_0
+    positions[0, 13] = coupler_length * beam20_pinned_pinned2_0_8125_at_0_0
+    positions[0, 14] = coupler_length * beam20_pinned_pinned2_0_875_at_0_0
+    positions[0, 15] = coupler_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 16] = coupler_length
+    positions[0, 18] = rocker_length * beam20_pinned_pinned2_0_0625_at_0_0
+    positions[0, 19] = rocker_length * beam20_pinned_pinned2_0_125_at_0_0
+    positions[0, 20] = rocker_length * beam20_pinned_pinned2_0_1875_at_0_0
+    positions[0, 21] = rocker_length * beam20_pinned_pinned2_0_25_at_0_0
+    positions[0, 22] = rocker_length * beam20_pinned_pinned2_0_3125_at_0_0
+    positions[0, 23] = rocker_length * beam20_pinned_pinned2_0_375_at_0_0
+    positions[0, 24] = rocker_length * beam20_pinned_pinned2_0_4375_at_0_0
+    positions[0, 25] = rocker_length * beam20_pinned_pinned2_0_5_at_0_0
+    positions[0, 26] = rocker_length * beam20_pinned_pinned2_0_5625_at_0_0
+    positions[0, 27] = rocker_length * beam20_pinned_pinned2_0_625_at_0_0
+    positions[0, 28] = rocker_length * beam20_pinned_pinned2_0_6875_at_0_0
+    positions[0, 29] = rocker_length * beam20_pinned_pinned2_0_75_at_0_0
+    positions[0, 30] = rocker_length * beam20_pinned_pinned2_0_8125_at_0_0
+    positions[0, 31] = rocker_length * beam20_pinned_pinned2_0_875_at_0_0
+    positions[0, 32] = rocker_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 33] = rocker_length
+    positions[0, 35] = ground_right_x
+    positions[0, 37] = crank_tip_x
+    positions[0, 39] = coupler_length
+    positions[0, 40] = rocker_length
+    axes = ca.SX(9, 42)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[0, 12] = 1.0
+    axes[0, 13] = 1.0
+    axes[0, 14] = 1.0
+    axes[0, 15] = 1.0
+    axes[0, 16] = 1.0
+    axes[0, 17] = 1.0
+    axes[0, 18] = 1.0
+    axes[0, 19] = 1.0
+    axes[0, 20] = 1.0
+    axes[0, 21] = 1.0
+    axes[0, 22] = 1.0
+    axes[0, 23] = 1.0
+    axes[0, 24] = 1.0
+    axes[0, 25] = 1.0
+    axes[0, 26] = 1.0
+    axes[0, 27] = 1.0
+    axes[0, 28] = 1.0
+    axes[0, 29] = 1.0
+    axes[0, 30] = 1.0
+    axes[0, 31] = 1.0
+    axes[0, 32] = 1.0
+    axes[0, 33] = 1.0
+    axes[0, 34] = 1.0
+    axes[0, 35] = 1.0
+    axes[0, 36] = 1.0
+    axes[0, 37] = 1.0
+    axes[0, 38] = 1.0
+    axes[0, 39] = 1.0
+    axes[0, 40] = 1.0
+    axes[0, 41] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[4, 8] = 1.0
+    axes[4, 9] = 1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = 1.0
+    axes[4, 13] = 1.0
+    axes[4, 14] = 1.0
+    axes[4, 15] = 1.0
+    axes[4, 16] = 1.0
+    axes[4, 17] = 1.0
+    axes[4, 18] = 1.0
+    axes[4, 19] = 1.0
+    axes[4, 20] = 1.0
+    axes[4, 21] = 1.0
+    axes[4, 22] = 1.0
+    axes[4, 23] = 1.0
+    axes[4, 24] = 1.0
+    axes[4, 25] = 1.0
+    axes[4, 26] = 1.0
+    axes[4, 27] = 1.0
+    axes[4, 28] = 1.0
+    axes[4, 29] = 1.0
+    axes[4, 30] = 1.0
+    axes[4, 31] = 1.0
+    axes[4, 32] = 1.0
+    axes[4, 33] = 1.0
+    axes[4, 34] = 1.0
+    axes[4, 35] = 1.0
+    axes[4, 36] = 1.0
+    axes[4, 37] = 1.0
+    axes[4, 38] = 1.0
+    axes[4, 39] = 1.0
+    axes[4, 40] = 1.0
+    axes[4, 41] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    axes[8, 8] = 1.0
+    axes[8, 9] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    axes[8, 12] = 1.0
+    axes[8, 13] = 1.0
+    axes[8, 14] = 1.0
+    axes[8, 15] = 1.0
+    axes[8, 16] = 1.0
+    axes[8, 17] = 1.0
+    axes[8, 18] = 1.0
+    axes[8, 19] = 1.0
+    axes[8, 20] = 1.0
+    axes[8, 21] = 1.0
+    axes[8, 22] = 1.0
+    axes[8, 23] = 1.0
+    axes[8, 24] = 1.0
+    axes[8, 25] = 1.0
+    axes[8, 26] = 1.0
+    axes[8, 27] = 1.0
+    axes[8, 28] = 1.0
+    axes[8, 29] = 1.0
+    axes[8, 30] = 1.0
+    axes[8, 31] = 1.0
+    axes[8, 32] = 1.0
+    axes[8, 33] = 1.0
+    axes[8, 34] = 1.0
+    axes[8, 35] = 1.0
+    axes[8, 36] = 1.0
+    axes[8, 37] = 1.0
+    axes[8, 38] = 1.0
+    axes[8, 39] = 1.0
+    axes[8, 40] = 1.0
+    axes[8, 41] = 1.0
+    shapes = ca.SX(3, 76)
+    shapes[1, 2] = beam20_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 3] = beam20_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 4] = beam20_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 5] = beam20_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 6] = beam20_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 7] = beam20_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 8] = beam20_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 9] = beam20_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 10] = beam20_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 11] = beam20_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 12] = beam20_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 13] = beam20_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 14] = beam20_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 15] = beam20_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 16] = beam20_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 18] = beam20_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 19] = beam20_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 20] = beam20_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 21] = beam20_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 22] = beam20_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 23] = beam20_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 24] = beam20_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 25] = beam20_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 26] = beam20_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 27] = beam20_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 28] = beam20_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 29] = beam20_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 30] = beam20_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 31] = beam20_pinned_pinned2_0_9375_shape_1_1
+    shapes[1, 36] = beam20_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 37] = beam20_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 38] = beam20_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 39] = beam20_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 40] = beam20_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 41] = beam20_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 42] = beam20_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 43] = beam20_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 44] = beam20_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 45] = beam20_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 46] = beam20_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 47] = beam20_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 48] = beam20_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 49] = beam20_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 50] = beam20_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 52] = beam20_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 53] = beam20_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 54] = beam20_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 55] = beam20_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 56] = beam20_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 57] = beam20_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 58] = beam20_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 59] = beam20_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 60] = beam20_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 61] = beam20_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 62] = beam20_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 63] = beam20_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 64] = beam20_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 65] = beam20_pinned_pinned2_0_9375_shape_1_1
+    turns = ca.SX(3, 76)
+    turns[2, 0] = w0
+    turns[2, 1] = w1
+    turns[2, 2] = beam20_pinned_pinned2_0_0625_slope_0_0 / coupler_length
+    turns[2, 3] = beam20_pinned_pinned2_0_0625_slope_1_0 / coupler_length
+    turns[2, 4] = beam20_pinned_pinned2_0_125_slope_0_0 / coupler_length
+    turns[2, 5] = beam20_pinned_pinned2_0_125_slope_1_0 / coupler_length
+    turns[2, 6] = beam20_pinned_pinned2_0_1875_slope_0_0 / coupler_length
+    turns[2, 7] = beam20_pinned_pinned2_0_1875_slope_1_0 / coupler_length
+    turns[2, 8] = beam20_pinned_pinned2_0_25_slope_0_0 / coupler_length
+    turns[2, 10] = beam20_pinned_pinned2_0_3125_slope_0_0 / coupler_length
+    turns[2, 11] = beam20_pinned_pinned2_0_3125_slope_1_0 / coupler_length
+    turns[2, 12] = beam20_pinned_pinned2_0_375_slope_0_0 / coupler_length
+    turns[2, 13] = beam20_pinned_pinned2_0_375_slope_1_0 / coupler_length
+    turns[2, 14] = beam20_pinned_pinned2_0_4375_slope_0_0 / coupler_length
+    turns[2, 15] = beam20_pinned_pinned2_0_4375_slope_1_0 / coupler_length
+    turns[2, 17] = beam20_pinned_pinned2_0_5_slope_1_0 / coupler_length
+    turns[2, 18] = beam20_pinned_pinned2_0_5625_slope_0_0 / coupler_length
+    turns[2, 19] = beam20_pinned_pinned2_0_5625_slope_1_0 / coupler_length
+    turns[2, 20] = beam20_pinned_pinned2_0_625_slope_0_0 / coupler_length
+    turns[2, 21] = beam20_pinned_pinned2_0_625_slope_1_0 / coupler_length
+    turns[2, 22] = beam20_pinned_pinned2_0_6875_slope_0_0 / coupler_length
+    turns[2, 23] = beam20_pinned_pinned2_0_6875_slope_1_0 / coupler_length
+    turns[2, 24] = beam20_pinned_pinned2_0_75_slope_0_0 / coupler_length
+    turns[2, 26] = beam20_pinned_pinned2_0_8125_slope_0_0 / coupler_length
+    turns[2, 27] = beam20_pinned_pinned2_0_8125_slope_1_0 / coupler_length
+    turns[2, 28] = beam20_pinned_pinned2_0_875_slope_0_0 / coupler_length
+    turns[2, 29] = beam20_pinned_pinned2_0_875_slope_1_0 / coupler_length
+    turns[2, 30] = beam20_pinned_pinned2_0_9375_slope_0_0 / coupler_length
+    turns[2, 31] = beam20_pinned_pinned2_0_9375_slope_1_0 / coupler_length
+    turns[2, 32] = w2
+    turns[2, 33] = w3
+    turns[2, 34] = w4
+    turns[2, 35] = w5
+    turns[2, 36] = beam20_pinned_pinned2_0_0625_slope_0_0 / rocker_length
+    turns[2, 37] = beam20_pinned_pinned2_0_0625_slope_1_0 / rocker_length
+    turns[2, 38] = beam20_pinned_pinned2_0_125_slope_0_0 / rocker_length
+    turns[2, 39] = beam20_pinned_pinned2_0_125_slope_1_0 / rocker_length
+    turns[2, 40] = beam20_pinned_pinned2_0_1875_slope_0_0 / rocker_length
+    turns[2, 41] = beam20_pinned_pinned2_0_1875_slope_1_0 / rocker_length
+    turns[2, 42] = beam20_pinned_pinned2_0_25_slope_0_0 / rocker_length
+    turns[2, 44] = beam20_pinned_pinned2_0_3125_slope_0_0 / rocker_length
+    turns[2, 45] = beam20_pinned_pinned2_0_3125_slope_1_0 / rocker_length
+    turns[2, 46] = beam20_pinned_pinned2_0_375_slope_0_0 / rocker_length
+    turns[2, 47] = beam20_pinned_pinned2_0_375_slope_1_0 / rocker_length
+    turns[2, 48] = beam20_pinned_pinned2_0_4375_slope_0_0 / rocker_length
+    turns[2, 49] = beam20_pinned_pinned2_0_4375_slope_1_0 / rocker_length
+    turns[2, 51] = beam20_pinned_pinned2_0_5_slope_1_0 / rocker_length
+    turns[2, 52] = beam20_pinned_pinned2_0_5625_slope_0_0 / rocker_length
+    turns[2, 53] = beam20_pinned_pinned2_0_5625_slope_1_0 / rocker_length
+    turns[2, 54] = beam20_pinned_pinned2_0_625_slope_0_0 / rocker_length
+    turns[2, 55] = beam20_pinned_pinned2_0_625_slope_1_0 / rocker_length
+    turns[2, 56] = beam20_pinned_pinned2_0_6875_slope_0_0 / rocker_length
+    turns[2, 57] = beam20_pinned_pinned2_0_6875_slope_1_0 / rocker_length
+    turns[2, 58] = beam20_pinned_pinned2_0_75_slope_0_0 / rocker_length
+    turns[2, 60] = beam20_pinned_pinned2_0_8125_slope_0_0 / rocker_length
+    turns[2, 61] = beam20_pinned_pinned2_0_8125_slope_1_0 / rocker_length
+    turns[2, 62] = beam20_pinned_pinned2_0_875_slope_0_0 / rocker_length
+    turns[2, 63] = beam20_pinned_pinned2_0_875_slope_1_0 / rocker_length
+    turns[2, 64] = beam20_pinned_pinned2_0_9375_slope_0_0 / rocker_length
+    turns[2, 65] = beam20_pinned_pinned2_0_9375_slope_1_0 / rocker_length
+    turns[2, 66] = w6
+    turns[2, 67] = w7
+    turns[2, 68] = w0
+    turns[2, 69] = w1
+    turns[2, 70] = w2
+    turns[2, 71] = w3
+    turns[2, 72] = w6
+    turns[2, 73] = w7
+    turns[2, 74] = w4
+    turns[2, 75] = w5
+    H = ca.horzcat(
         beam20_pinned_pinned2_0_0625_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_0625_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_0625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length, beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_1875_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_1875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length, beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length, beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_3125_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_3125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length, beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length, beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_4375_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_4375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length, beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length, beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length, beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_5625_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_5625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length, beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_6875_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_6875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length, beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length, beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_8125_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_8125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length, beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
+        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
         beam20_pinned_pinned2_0_9375_H_0_1 / coupler_length,
         beam20_pinned_pinned2_0_9375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length,
-        w8,
-        0.0,
-        0.0,
-        w9,
-        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
-        w10,
-        0.0,
-        0.0,
-        w11,
-        w8,
-        0.0,
-        0.0,
-        w9,
-        w10,
-        0.0,
-        0.0,
-        w11,
+        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length, w8, 0.0, 0.0, w9,
+        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length, beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length, beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length, beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length, beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length, beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length, beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
+        w10, 0.0, 0.0, w11, w8, 0.0, 0.0, w9, w10, 0.0, 0.0, w11,
     )
-    H = ca.reshape(H, 1, 136)
-    H = ca.densify(H)
     sections = ca.vertcat(
-        w12,
-        coupler_area / w12,
-        w13,
-        rocker_area / w13,
+        ca.horzcat(w12, w13),
+        ca.horzcat(coupler_area / w12, rocker_area / w13),
     )
-    sections = ca.reshape(sections, 2, 2)
-    sections = ca.densify(sections)
-    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
 
 

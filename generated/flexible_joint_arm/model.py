@@ -1,13 +1,25 @@
 """Manipulator with flexible joints: equations of motion, emitted by symgen from the scene `flexible_joint_arm`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 link1.theta [rad], 1 rotor1.theta [rad], 2 link2.theta [rad], 3 rotor2.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 link1.x [m], 1 link1.y [m], 2 rotor1.x [m], 3 rotor1.y [m], 4 link2.x [m], 5 link2.y [m],
+    6 rotor2.x [m], 7 rotor2.y [m]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 82 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 17) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    82 operations.
+    """
     p = ca.SX.sym("p", 17)
     shoulder_torque = p[0]
     elbow_torque = p[1]
@@ -25,51 +37,61 @@ def constants() -> ca.Function:
     link1_tip_x = p[13]
     gear1_stiffness = p[14]
     gear2_stiffness = p[15]
+    # intermediate terms (6)
     w0 = link1_tip_x * rotor2_mass
     w1 = link1_tip_x * link2_mass
     w2 = link2_mass * link2_center_of_mass_x
     w3 = link1_mass * link1_center_of_mass_x
     w4 = w3 * gravity_y
     w5 = link1_tip_x**2
+    # outputs
     c = ca.vertcat(
-        rotor1_inertia,
-        rotor2_inertia,
-        gear1_stiffness,
-        elbow_torque,
-        shoulder_torque,
-        gear2_stiffness,
-        link1_inertia + link1_center_of_mass_x * w3 + rotor2_mass * w5 + link2_mass * w5,
-        w1 * link2_center_of_mass_x,
-        link2_inertia + link2_center_of_mass_x * w2,
-        w4 + w0 * gravity_y + w1 * gravity_y,
-        w2 * gravity_y,
-        link1_tip_x,
-        link1_mass,
-        link1_inertia + link1_mass * link1_center_of_mass_x**2,
-        rotor2_mass,
-        link2_mass,
-        w2,
-        link2_inertia + link2_mass * link2_center_of_mass_x**2,
-        w3,
-        gravity_y,
-        rotor2_mass * gravity_y,
-        link2_mass * gravity_y,
-        rotor1_mass,
-        link1_mass * gravity_y,
-        gravity_y * rotor1_mass,
-        -gear1_stiffness,
-        -gear2_stiffness,
-        link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),
-        link1_tip_x * w0,
-        w4,
+        rotor1_inertia,  # rotor1_inertia
+        rotor2_inertia,  # rotor2_inertia
+        gear1_stiffness,  # gear1_stiffness
+        elbow_torque,  # elbow_torque
+        shoulder_torque,  # shoulder_torque
+        gear2_stiffness,  # gear2_stiffness
+        link1_inertia + link1_center_of_mass_x * w3 + rotor2_mass * w5 + link2_mass * w5,  # c6
+        w1 * link2_center_of_mass_x,  # c7
+        link2_inertia + link2_center_of_mass_x * w2,  # c8
+        w4 + w0 * gravity_y + w1 * gravity_y,  # c9
+        w2 * gravity_y,  # c10
+        link1_tip_x,  # link1_tip_x
+        link1_mass,  # link1_mass
+        link1_inertia + link1_mass * link1_center_of_mass_x**2,  # c13
+        rotor2_mass,  # rotor2_mass
+        link2_mass,  # link2_mass
+        w2,  # c16
+        link2_inertia + link2_mass * link2_center_of_mass_x**2,  # c17
+        w3,  # c18
+        gravity_y,  # gravity_y
+        rotor2_mass * gravity_y,  # c20
+        link2_mass * gravity_y,  # c21
+        rotor1_mass,  # rotor1_mass
+        link1_mass * gravity_y,  # c23
+        gravity_y * rotor1_mass,  # c24
+        -gear1_stiffness,  # c25
+        -gear2_stiffness,  # c26
+        link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),  # c27
+        link1_tip_x * w0,  # c28
+        w4,  # c29
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 75 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
+    75 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
@@ -80,106 +102,111 @@ def condensed() -> ca.Function:
     rotor2_theta = q_i[3]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    w0 = ca.sin(t * 6.283185307179586) * c3
+    # intermediate terms (8)
+    w0 = ca.sin(t * 6.283185307179586) * elbow_torque
     w1 = link2_theta - link1_theta
     w2 = ca.cos(w1) * c7
-    w3 = link1_theta * c2
-    w4 = rotor1_theta * c2
+    w3 = link1_theta * gear1_stiffness
+    w4 = rotor1_theta * gear1_stiffness
     w5 = ca.sin(w1) * c7
-    w6 = link2_theta * c5
-    w7 = rotor2_theta * c5
-    M_hat = ca.vertcat(
-        c6,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        c8,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M_hat = ca.reshape(M_hat, 4, 4)
-    M_hat = ca.densify(M_hat)
+    w6 = link2_theta * gear2_stiffness
+    w7 = rotor2_theta * gear2_stiffness
+    # outputs
+    M_hat = ca.SX(4, 4)
+    # link1.theta
+    M_hat[0, 0] = c6
+    M_hat[0, 2] = w2
+    # rotor1.theta
+    M_hat[1, 1] = rotor1_inertia
+    # link2.theta
+    M_hat[2, 0] = w2
+    M_hat[2, 2] = c8
+    # rotor2.theta
+    M_hat[3, 3] = rotor2_inertia
     Q_hat = ca.vertcat(
-        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,
-        ca.sin(t * 3.141592653589793) * c4 + w3 - w4,
-        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,
-        w0 + w6 - w7,
+        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,  # link1.theta
+        ca.sin(t * 3.141592653589793) * shoulder_torque + w3 - w4,  # rotor1.theta
+        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,  # link2.theta
+        w0 + w6 - w7,  # rotor2.theta
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, t, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "t", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 15 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
+    15 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
-    c11 = c[11]
-    w0 = ca.cos(link1_theta) * c11
-    w1 = ca.sin(link1_theta) * c11
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0,
-        w1,
-        w0,
-        w1,
-    )
-    q_d_next = ca.densify(q_d_next)
-    inputs, outputs = [q_i, c], [q_d_next]
+    link1_tip_x = c[11]
+    # intermediate terms (2)
+    w0 = ca.cos(link1_theta) * link1_tip_x
+    w1 = ca.sin(link1_theta) * link1_tip_x
+    # outputs
+    q_d_next = ca.SX(8, 1)
+    q_d_next[4] = w0  # link2.x
+    q_d_next[5] = w1  # link2.y
+    q_d_next[6] = w0  # rotor2.x
+    q_d_next[7] = w1  # rotor2.y
+    inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 19 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    19 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
-    c11 = c[11]
-    w0 = -(ca.sin(link1_theta) * c11 * link1_theta_dot)
-    w1 = link1_theta_dot * (ca.cos(link1_theta) * c11)
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0,
-        w1,
-        w0,
-        w1,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
+    link1_tip_x = c[11]
+    # intermediate terms (2)
+    w0 = -(ca.sin(link1_theta) * link1_tip_x * link1_theta_dot)
+    w1 = link1_theta_dot * (ca.cos(link1_theta) * link1_tip_x)
+    # outputs
+    q_d_dot = ca.SX(8, 1)
+    q_d_dot[4] = w0  # link2.x
+    q_d_dot[5] = w1  # link2.y
+    q_d_dot[6] = w0  # rotor2.x
+    q_d_dot[7] = w1  # rotor2.y
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 25 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
+    25 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
@@ -187,29 +214,36 @@ def accelerations() -> ca.Function:
     link1_theta = q_i[0]
     link1_theta_dot = q_i_dot[0]
     link1_theta_ddot = q_i_ddot[0]
-    c11 = c[11]
+    link1_tip_x = c[11]
+    # intermediate terms (5)
     w0 = link1_theta_dot**2
-    w1 = ca.cos(link1_theta) * c11
-    w2 = ca.sin(link1_theta) * c11
+    w1 = ca.cos(link1_theta) * link1_tip_x
+    w2 = ca.sin(link1_theta) * link1_tip_x
     w3 = -(w0 * w1 + w2 * link1_theta_ddot)
     w4 = w1 * link1_theta_ddot - w0 * w2
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w3,
-        w4,
-        w3,
-        w4,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(8, 1)
+    q_d_ddot[4] = w3  # link2.x
+    q_d_ddot[5] = w4  # link2.y
+    q_d_ddot[6] = w3  # rotor2.x
+    q_d_ddot[7] = w4  # rotor2.y
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 158 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 12) [mixed]: rates of all coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 8 x 12) [SI]: constraint Jacobian
+    gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    158 operations.
+    """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     c = ca.SX.sym("c", 30)
@@ -223,165 +257,79 @@ def constraints() -> ca.Function:
     rotor2_x = q[9]
     rotor2_y = q[10]
     link1_theta_dot = q_dot[2]
-    c11 = c[11]
-    w0 = ca.cos(link1_theta) * c11
+    link1_tip_x = c[11]
+    # intermediate terms (8)
+    w0 = ca.cos(link1_theta) * link1_tip_x
     w1 = link1_x + w0
-    w2 = ca.sin(link1_theta) * c11
+    w2 = ca.sin(link1_theta) * link1_tip_x
     w3 = link1_y + w2
     w4 = -w0
     w5 = link1_theta_dot**2
     w6 = -(w0 * w5)
     w7 = -(w2 * w5)
+    # outputs
     C = ca.vertcat(
-        link1_x,
-        link1_y,
-        rotor1_x,
-        rotor1_y,
-        link2_x - w1,
-        link2_y - w3,
-        rotor2_x - w1,
-        rotor2_y - w3,
+        link1_x,  # joint1.x
+        link1_y,  # joint1.y
+        rotor1_x,  # motor1.x
+        rotor1_y,  # motor1.y
+        link2_x - w1,  # joint2.x
+        link2_y - w3,  # joint2.y
+        rotor2_x - w1,  # motor2.x
+        rotor2_y - w3,  # motor2.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        w2,
-        w4,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 12)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w7,
-        w6,
-        w7,
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(8, 12)
+    # joint1.x
+    C_q[0, 0] = 1.0
+    # joint1.y
+    C_q[1, 1] = 1.0
+    # motor1.x
+    C_q[2, 3] = 1.0
+    # motor1.y
+    C_q[3, 4] = 1.0
+    # joint2.x
+    C_q[4, 0] = -1.0
+    C_q[4, 2] = w2
+    C_q[4, 6] = 1.0
+    # joint2.y
+    C_q[5, 1] = -1.0
+    C_q[5, 2] = w4
+    C_q[5, 7] = 1.0
+    # motor2.x
+    C_q[6, 0] = -1.0
+    C_q[6, 2] = w2
+    C_q[6, 9] = 1.0
+    # motor2.y
+    C_q[7, 1] = -1.0
+    C_q[7, 2] = w4
+    C_q[7, 10] = 1.0
+    C_t = ca.SX(8, 1)
+    nu = ca.SX(8, 1)
+    gamma = ca.SX(8, 1)
+    gamma[4] = w6  # joint2.x
+    gamma[5] = w7  # joint2.y
+    gamma[6] = w6  # motor2.x
+    gamma[7] = w7  # motor2.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 502 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 12) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 12 x 12) [SI]: mass matrix in all coordinates
+    gives K (n x n = 12 x 12) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 12) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 12) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 12) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 8 x 12) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    502 operations.
+    """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
@@ -392,26 +340,27 @@ def augmented() -> ca.Function:
     rotor2_theta = q[11]
     link1_theta_dot = q_dot[2]
     link2_theta_dot = q_dot[8]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    c11 = c[11]
-    c12 = c[12]
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
+    link1_tip_x = c[11]
+    link1_mass = c[12]
     c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
+    rotor2_mass = c[14]
+    link2_mass = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
+    gravity_y = c[19]
     c20 = c[20]
     c21 = c[21]
-    c22 = c[22]
+    rotor1_mass = c[22]
     c23 = c[23]
     c24 = c[24]
+    # intermediate terms (26)
     w0 = ca.sin(link1_theta)
     w1 = w0 * c18
     w2 = -w1
@@ -426,476 +375,131 @@ def augmented() -> ca.Function:
     w11 = link2_theta_dot**2
     w12 = w7 * w11
     w13 = w5 * w11
-    w14 = (link1_theta - rotor1_theta) * c2
-    w15 = ca.sin(t * 6.283185307179586) * c3
-    w16 = w4 * c19 - w14 - w15
-    w17 = w14 + ca.sin(t * 3.141592653589793) * c4
-    w18 = (link2_theta - rotor2_theta) * c5
-    w19 = w7 * c19 - w18
+    w14 = (link1_theta - rotor1_theta) * gear1_stiffness
+    w15 = ca.sin(t * 6.283185307179586) * elbow_torque
+    w16 = w4 * gravity_y - w14 - w15
+    w17 = w14 + ca.sin(t * 3.141592653589793) * shoulder_torque
+    w18 = (link2_theta - rotor2_theta) * gear2_stiffness
+    w19 = w7 * gravity_y - w18
     w20 = w15 + w18
-    w21 = w0 * c11
-    w22 = w3 * c11
+    w21 = w0 * link1_tip_x
+    w22 = w3 * link1_tip_x
     w23 = -w22
     w24 = -(w8 * w22)
     w25 = -(w8 * w21)
-    M = ca.vertcat(
-        c12,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c12,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c13,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c22,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c22,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c15,
-        0.0,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c15,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w7,
-        c17,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M = ca.reshape(M, 12, 12)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 12, 12)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        w9,
-        w10,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w12,
-        w13,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_v = ca.densify(Q_v)
+    # outputs
+    M = ca.SX(12, 12)
+    # link1.x
+    M[0, 0] = link1_mass
+    M[0, 2] = w2
+    # link1.y
+    M[1, 1] = link1_mass
+    M[1, 2] = w4
+    # link1.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c13
+    # rotor1.x
+    M[3, 3] = rotor1_mass
+    # rotor1.y
+    M[4, 4] = rotor1_mass
+    # rotor1.theta
+    M[5, 5] = rotor1_inertia
+    # link2.x
+    M[6, 6] = link2_mass
+    M[6, 8] = w6
+    # link2.y
+    M[7, 7] = link2_mass
+    M[7, 8] = w7
+    # link2.theta
+    M[8, 6] = w6
+    M[8, 7] = w7
+    M[8, 8] = c17
+    # rotor2.x
+    M[9, 9] = rotor2_mass
+    # rotor2.y
+    M[10, 10] = rotor2_mass
+    # rotor2.theta
+    M[11, 11] = rotor2_inertia
+    K = ca.SX(12, 12)
+    Q_v = ca.SX(12, 1)
+    Q_v[0] = w9  # link1.x
+    Q_v[1] = w10  # link1.y
+    Q_v[6] = w12  # link2.x
+    Q_v[7] = w13  # link2.y
     Q_F = ca.vertcat(
-        0.0,
-        c23,
-        w16,
-        0.0,
-        c24,
-        w17,
-        0.0,
-        c21,
-        w19,
-        0.0,
-        c20,
-        w20,
+        0.0,  # link1.x
+        c23,  # link1.y
+        w16,  # link1.theta
+        0.0,  # rotor1.x
+        c24,  # rotor1.y
+        w17,  # rotor1.theta
+        0.0,  # link2.x
+        c21,  # link2.y
+        w19,  # link2.theta
+        0.0,  # rotor2.x
+        c20,  # rotor2.y
+        w20,  # rotor2.theta
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w9,
-        w10 + c23,
-        w16,
-        0.0,
-        c24,
-        w17,
-        w12,
-        c21 + w13,
-        w19,
-        0.0,
-        c20,
-        w20,
+        w9,  # link1.x
+        w10 + c23,  # link1.y
+        w16,  # link1.theta
+        0.0,  # rotor1.x
+        c24,  # rotor1.y
+        w17,  # rotor1.theta
+        w12,  # link2.x
+        c21 + w13,  # link2.y
+        w19,  # link2.theta
+        0.0,  # rotor2.x
+        c20,  # rotor2.y
+        w20,  # rotor2.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w21,
-        w23,
-        w21,
-        w23,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 12)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w24,
-        w25,
-        w24,
-        w25,
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(8, 12)
+    # joint1.x
+    C_q[0, 0] = 1.0
+    # joint1.y
+    C_q[1, 1] = 1.0
+    # motor1.x
+    C_q[2, 3] = 1.0
+    # motor1.y
+    C_q[3, 4] = 1.0
+    # joint2.x
+    C_q[4, 0] = -1.0
+    C_q[4, 2] = w21
+    C_q[4, 6] = 1.0
+    # joint2.y
+    C_q[5, 1] = -1.0
+    C_q[5, 2] = w23
+    C_q[5, 7] = 1.0
+    # motor2.x
+    C_q[6, 0] = -1.0
+    C_q[6, 2] = w21
+    C_q[6, 9] = 1.0
+    # motor2.y
+    C_q[7, 1] = -1.0
+    C_q[7, 2] = w23
+    C_q[7, 10] = 1.0
+    gamma_b = ca.SX(8, 1)
+    gamma_b[4] = w24  # joint2.x
+    gamma_b[5] = w25  # joint2.y
+    gamma_b[6] = w24  # motor2.x
+    gamma_b[7] = w25  # motor2.y
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 95 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 12) [mixed]: rates of all coordinates
+    takes q_ddot (n = 12) [mixed]: accelerations of all coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
+    95 operations.
+    """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     q_ddot = ca.SX.sym("q_ddot", 12)
@@ -914,63 +518,66 @@ def reactions() -> ca.Function:
     link2_theta_ddot = q_ddot[8]
     rotor2_x_ddot = q_ddot[9]
     rotor2_y_ddot = q_ddot[10]
-    c12 = c[12]
-    c14 = c[14]
-    c15 = c[15]
+    link1_mass = c[12]
+    rotor2_mass = c[14]
+    link2_mass = c[15]
     c16 = c[16]
     c18 = c[18]
     c20 = c[20]
     c21 = c[21]
-    c22 = c[22]
+    rotor1_mass = c[22]
     c23 = c[23]
     c24 = c[24]
+    # intermediate terms (14)
     w0 = link1_theta_dot**2
     w1 = ca.cos(link1_theta) * c18
     w2 = ca.sin(link1_theta) * c18
-    w3 = rotor2_x_ddot * c14
+    w3 = rotor2_x_ddot * rotor2_mass
     w4 = link2_theta_dot**2
     w5 = ca.cos(link2_theta) * c16
     w6 = ca.sin(link2_theta) * c16
-    w7 = w4 * w5 - (link2_x_ddot * c15 - w6 * link2_theta_ddot)
-    w8 = w0 * w1 - (link1_x_ddot * c12 - w2 * link1_theta_ddot) - w3 + w7
-    w9 = c20 - rotor2_y_ddot * c14
-    w10 = c21 + w4 * w6 - (link2_y_ddot * c15 + w5 * link2_theta_ddot)
-    w11 = c23 + w0 * w2 - (link1_y_ddot * c12 + w1 * link1_theta_ddot) + w9 + w10
-    w12 = rotor1_x_ddot * c22
-    w13 = c24 - rotor1_y_ddot * c22
+    w7 = w4 * w5 - (link2_x_ddot * link2_mass - w6 * link2_theta_ddot)
+    w8 = w0 * w1 - (link1_x_ddot * link1_mass - w2 * link1_theta_ddot) - w3 + w7
+    w9 = c20 - rotor2_y_ddot * rotor2_mass
+    w10 = c21 + w4 * w6 - (link2_y_ddot * link2_mass + w5 * link2_theta_ddot)
+    w11 = c23 + w0 * w2 - (link1_y_ddot * link1_mass + w1 * link1_theta_ddot) + w9 + w10
+    w12 = rotor1_x_ddot * rotor1_mass
+    w13 = c24 - rotor1_y_ddot * rotor1_mass
+    # outputs
     lam = ca.vertcat(
-        w8,
-        w11,
-        -w12,
-        w13,
-        w7,
-        w10,
-        -w3,
-        w9,
+        w8,  # joint1.x
+        w11,  # joint1.y
+        -w12,  # motor1.x
+        w13,  # motor1.y
+        w7,  # joint2.x
+        w10,  # joint2.y
+        -w3,  # motor2.x
+        w9,  # motor2.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w8,
-        -w11,
-        0.0,
-        w12,
-        -w13,
-        0.0,
-        -w7,
-        -w10,
-        0.0,
-        w3,
-        -w9,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w8, -w11, 0.0),  # joint1
+        ca.vertcat(w12, -w13, 0.0),  # motor1
+        ca.vertcat(-w7, -w10, 0.0),  # joint2
+        ca.vertcat(w3, -w9, 0.0),  # motor2
     )
-    joint_forces = ca.reshape(joint_forces, 3, 4)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 138 operations."""
+    """Energies and powers.
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 12) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    138 operations.
+    """
     q = ca.SX.sym("q", 12)
     q_dot = ca.SX.sym("q_dot", 12)
     t = ca.SX.sym("t", 1)
@@ -995,59 +602,54 @@ def energy() -> ca.Function:
     rotor2_x_dot = q_dot[9]
     rotor2_y_dot = q_dot[10]
     rotor2_theta_dot = q_dot[11]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    c12 = c[12]
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
+    link1_mass = c[12]
     c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
+    rotor2_mass = c[14]
+    link2_mass = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
-    c19 = c[19]
+    gravity_y = c[19]
     c20 = c[20]
-    c22 = c[22]
+    rotor1_mass = c[22]
     c24 = c[24]
+    # intermediate terms (13)
     w0 = ca.sin(link1_theta) * c18
     w1 = ca.cos(link1_theta) * c18
-    w2 = link1_x_dot * (link1_x_dot * c12 - w0 * link1_theta_dot) + link1_y_dot * (link1_y_dot * c12 + link1_theta_dot * w1)
-    w3 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c13) + rotor1_x_dot * (rotor1_x_dot * c22)
-    w4 = ca.sin(link2_theta) * c16
-    w5 = w3 + rotor1_y_dot * (rotor1_y_dot * c22) + rotor1_theta_dot * (rotor1_theta_dot * c0) + link2_x_dot * (link2_x_dot * c15 - w4 * link2_theta_dot)
+    w2 = link1_x_dot * (link1_x_dot * link1_mass - w0 * link1_theta_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta_dot * w1)
+    w3 = w2 + link1_theta_dot * (link1_y_dot * w1 - link1_x_dot * w0 + link1_theta_dot * c13) + rotor1_x_dot * (rotor1_x_dot * rotor1_mass)
+    w4 = w3 + rotor1_y_dot * (rotor1_y_dot * rotor1_mass) + rotor1_theta_dot * (rotor1_theta_dot * rotor1_inertia)
+    w5 = ca.sin(link2_theta) * c16
     w6 = ca.cos(link2_theta) * c16
-    w7 = w5 + link2_y_dot * (link2_y_dot * c15 + link2_theta_dot * w6) + link2_theta_dot * (link2_y_dot * w6 - link2_x_dot * w4 + link2_theta_dot * c17)
-    w8 = w7 + rotor2_x_dot * (rotor2_x_dot * c14) + rotor2_y_dot * (rotor2_y_dot * c14) + rotor2_theta_dot * (rotor2_theta_dot * c1)
-    w9 = rotor1_theta_dot * (ca.sin(t * 3.141592653589793) * c4) + ca.sin(t * 6.283185307179586) * c3 * (rotor2_theta_dot - link1_theta_dot)
-    kinetic = ca.vertcat(
-        w8 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (link1_theta - rotor1_theta)**2 * c2 / 2.0 + (link2_theta - rotor2_theta)**2 * c5 / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + link1_y * c12) * c19 + rotor1_y * c24 + (w4 + link2_y * c15) * c19 + rotor2_y * c20),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        w9,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w7 = w4 + link2_x_dot * (link2_x_dot * link2_mass - w5 * link2_theta_dot) + link2_y_dot * (link2_y_dot * link2_mass + link2_theta_dot * w6)
+    w8 = w7 + link2_theta_dot * (link2_y_dot * w6 - link2_x_dot * w5 + link2_theta_dot * c17) + rotor2_x_dot * (rotor2_x_dot * rotor2_mass)
+    w9 = w8 + rotor2_y_dot * (rotor2_y_dot * rotor2_mass) + rotor2_theta_dot * (rotor2_theta_dot * rotor2_inertia)
+    w10 = (link1_theta - rotor1_theta)**2 * gear1_stiffness / 2.0 + (link2_theta - rotor2_theta)**2 * gear2_stiffness / 2.0
+    w11 = (w0 + link1_y * link1_mass) * gravity_y + rotor1_y * c24 + (w5 + link2_y * link2_mass) * gravity_y
+    w12 = rotor1_theta_dot * (ca.sin(t * 3.141592653589793) * shoulder_torque) + ca.sin(t * 6.283185307179586) * elbow_torque * (rotor2_theta_dot - link1_theta_dot)
+    # outputs
+    kinetic = ca.vertcat(w9 / 2.0)
+    elastic = ca.vertcat(w10)
+    potential = ca.vertcat(-(w11 + rotor2_y * c20))
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.vertcat(w12)
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 74 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 4) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    74 operations.
+    """
     q = ca.SX.sym("q", 12)
     link1_x = q[0]
     link1_y = q[1]
@@ -1061,6 +663,7 @@ def poses() -> ca.Function:
     rotor2_x = q[9]
     rotor2_y = q[10]
     rotor2_theta = q[11]
+    # intermediate terms (8)
     w0 = ca.cos(link1_theta)
     w1 = ca.sin(link1_theta)
     w2 = ca.cos(rotor1_theta)
@@ -1069,64 +672,49 @@ def poses() -> ca.Function:
     w5 = ca.sin(link2_theta)
     w6 = ca.cos(rotor2_theta)
     w7 = ca.sin(rotor2_theta)
-    poses = ca.vertcat(
-        link1_x,
-        link1_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rotor1_x,
-        rotor1_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        link2_x,
-        link2_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rotor2_x,
-        rotor2_y,
-        0.0,
-        w6,
-        w7,
-        0.0,
-        -w7,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 4)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 4)
+    poses[0, 0] = link1_x
+    poses[0, 1] = rotor1_x
+    poses[0, 2] = link2_x
+    poses[0, 3] = rotor2_x
+    poses[1, 0] = link1_y
+    poses[1, 1] = rotor1_y
+    poses[1, 2] = link2_y
+    poses[1, 3] = rotor2_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[3, 3] = w6
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[4, 3] = w7
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[6, 3] = -w7
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[7, 3] = w6
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    poses[11, 3] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 43 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
+    43 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     c = ca.SX.sym("c", 30)
@@ -1134,42 +722,46 @@ def dQ_hat_dq_i() -> ca.Function:
     link2_theta = q_i[2]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c2 = c[2]
-    c5 = c[5]
+    gear1_stiffness = c[2]
+    gear2_stiffness = c[5]
     c7 = c[7]
     c9 = c[9]
     c10 = c[10]
     c25 = c[25]
     c26 = c[26]
+    # intermediate terms (3)
     w0 = ca.cos(link2_theta - link1_theta) * c7
     w1 = link2_theta_dot**2 * w0
     w2 = link1_theta_dot**2 * w0
-    dQ_hat_dq_i = ca.vertcat(
-        c25 - ca.sin(link1_theta) * c9 - w1,
-        c2,
-        w2,
-        0.0,
-        c2,
-        c25,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        c26 - w2 - ca.sin(link2_theta) * c10,
-        c5,
-        0.0,
-        0.0,
-        c5,
-        c26,
-    )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.SX(4, 4)
+    # link1.theta
+    dQ_hat_dq_i[0, 0] = c25 - ca.sin(link1_theta) * c9 - w1
+    dQ_hat_dq_i[0, 1] = gear1_stiffness
+    dQ_hat_dq_i[0, 2] = w1
+    # rotor1.theta
+    dQ_hat_dq_i[1, 0] = gear1_stiffness
+    dQ_hat_dq_i[1, 1] = c25
+    # link2.theta
+    dQ_hat_dq_i[2, 0] = w2
+    dQ_hat_dq_i[2, 2] = c26 - w2 - ca.sin(link2_theta) * c10
+    dQ_hat_dq_i[2, 3] = gear2_stiffness
+    # rotor2.theta
+    dQ_hat_dq_i[3, 2] = gear2_stiffness
+    dQ_hat_dq_i[3, 3] = c26
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 28 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    28 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     c = ca.SX.sym("c", 30)
@@ -1178,33 +770,27 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
     c27 = c[27]
+    # intermediate terms (1)
     w0 = ca.sin(link2_theta - link1_theta) * c27
-    dQ_hat_dq_i_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(link1_theta_dot * w0),
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        link2_theta_dot * w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(4, 4)
+    # link1.theta
+    dQ_hat_dq_i_dot[0, 2] = link2_theta_dot * w0
+    # link2.theta
+    dQ_hat_dq_i_dot[2, 0] = -(link1_theta_dot * w0)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 29 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    29 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     c = ca.SX.sym("c", 30)
@@ -1213,35 +799,32 @@ def dMa_dq_i() -> ca.Function:
     link1_theta_ddot = q_i_ddot[0]
     link2_theta_ddot = q_i_ddot[2]
     c7 = c[7]
+    # intermediate terms (3)
     w0 = ca.sin(link2_theta - link1_theta) * c7
     w1 = link2_theta_ddot * w0
     w2 = link1_theta_ddot * w0
-    dMa_dq_i = ca.vertcat(
-        w1,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w1,
-        0.0,
-        -w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 4, 4)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    # outputs
+    dMa_dq_i = ca.SX(4, 4)
+    # link1.theta
+    dMa_dq_i[0, 0] = w1
+    dMa_dq_i[0, 2] = -w1
+    # link2.theta
+    dMa_dq_i[2, 0] = w2
+    dMa_dq_i[2, 2] = -w2
+    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 115 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    115 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
@@ -1252,57 +835,71 @@ def forward_dynamics() -> ca.Function:
     rotor2_theta = q_i[3]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    c11 = c[11]
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
+    link1_tip_x = c[11]
     c13 = c[13]
-    c14 = c[14]
-    c15 = c[15]
+    rotor2_mass = c[14]
+    link2_mass = c[15]
     c16 = c[16]
     c17 = c[17]
-    c19 = c[19]
+    gravity_y = c[19]
     c20 = c[20]
     c21 = c[21]
     c28 = c[28]
     c29 = c[29]
+    # intermediate terms (21)
     w0 = ca.cos(link1_theta)
-    w1 = (link1_theta - rotor1_theta) * c2
-    w2 = ca.sin(t * 6.283185307179586) * c3
-    w3 = w0 * c11
+    w1 = (link1_theta - rotor1_theta) * gear1_stiffness
+    w2 = ca.sin(t * 6.283185307179586) * elbow_torque
+    w3 = w0 * link1_tip_x
     w4 = link2_theta_dot**2
     w5 = ca.sin(link2_theta) * c16
     w6 = ca.cos(link2_theta) * c16
     w7 = w6 / c17
-    w8 = (link2_theta - rotor2_theta) * c5
-    w9 = w6 * c19 - w8
-    w10 = c15 - w6 * w7
+    w8 = (link2_theta - rotor2_theta) * gear2_stiffness
+    w9 = w6 * gravity_y - w8
+    w10 = link2_mass - w6 * w7
     w11 = link1_theta_dot**2
-    w12 = ca.sin(link1_theta) * c11
+    w12 = ca.sin(link1_theta) * link1_tip_x
     w13 = w11 * w12
     w14 = w5 / c17
     w15 = w6 * w14
     w16 = w3 * w15
     w17 = w3 * w11
-    w18 = c15 - w5 * w14
+    w18 = link2_mass - w5 * w14
     w19 = w0 * c29 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
-    w20 = (w19 + w3 * (c20 + w13 * c14) - w12 * (w17 * c14)) / (c28 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
+    w20 = (w19 + w3 * (c20 + w13 * rotor2_mass) - w12 * (w17 * rotor2_mass)) / (c28 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
+    # outputs
     q_i_ddot = ca.vertcat(
-        w20,
-        (w1 + ca.sin(t * 3.141592653589793) * c4) / c0,
-        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c17,
-        (w2 + w8) / c1,
+        w20,  # link1.theta
+        (w1 + ca.sin(t * 3.141592653589793) * shoulder_torque) / rotor1_inertia,  # rotor1.theta
+        (w9 - (w5 * (w17 + w12 * w20) + w6 * (w3 * w20 - w13))) / c17,  # link2.theta
+        (w2 + w8) / rotor2_inertia,  # rotor2.theta
     )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_i_dot, t, c], [q_i_ddot]
+    inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "t", "c"], ["q_i_ddot"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 75 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 2 x 2) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 2 x 2) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 2 x 2) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 2) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
+    75 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     t = ca.SX.sym("t", 1)
@@ -1313,73 +910,57 @@ def blocks() -> ca.Function:
     rotor2_theta = q_i[3]
     link1_theta_dot = q_i_dot[0]
     link2_theta_dot = q_i_dot[2]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    w0 = ca.sin(t * 6.283185307179586) * c3
+    # intermediate terms (8)
+    w0 = ca.sin(t * 6.283185307179586) * elbow_torque
     w1 = link2_theta - link1_theta
     w2 = ca.cos(w1) * c7
-    w3 = link1_theta * c2
-    w4 = rotor1_theta * c2
+    w3 = link1_theta * gear1_stiffness
+    w4 = rotor1_theta * gear1_stiffness
     w5 = ca.sin(w1) * c7
-    w6 = link2_theta * c5
-    w7 = rotor2_theta * c5
+    w6 = link2_theta * gear2_stiffness
+    w7 = rotor2_theta * gear2_stiffness
+    # outputs
     M_hat_LL = ca.vertcat(
-        c6,
-        w2,
-        w2,
-        c8,
+        ca.horzcat(c6, w2),  # link1.theta
+        ca.horzcat(w2, c8),  # link2.theta
     )
-    M_hat_LL = ca.reshape(M_hat_LL, 2, 2)
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    M_hat_LS = ca.reshape(M_hat_LS, 2, 2)
-    M_hat_LS = ca.densify(M_hat_LS)
-    M_hat_SL = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    M_hat_SL = ca.reshape(M_hat_SL, 2, 2)
-    M_hat_SL = ca.densify(M_hat_SL)
-    M_hat_SS = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
-    M_hat_SS = ca.densify(M_hat_SS)
+    M_hat_LS = ca.SX(2, 2)
+    M_hat_SL = ca.SX(2, 2)
+    M_hat_SS = ca.SX(2, 2)
+    # rotor1.theta
+    M_hat_SS[0, 0] = rotor1_inertia
+    # rotor2.theta
+    M_hat_SS[1, 1] = rotor2_inertia
     Q_hat_L = ca.vertcat(
-        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,
-        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,
+        link2_theta_dot**2 * w5 + (ca.cos(link1_theta) * c9 + w4) - w3 - w0,  # link1.theta
+        ca.cos(link2_theta) * c10 + w7 - w6 - link1_theta_dot**2 * w5,  # link2.theta
     )
-    Q_hat_L = ca.densify(Q_hat_L)
-    Q_hat_S = ca.vertcat(
-        ca.sin(t * 3.141592653589793) * c4 + w3 - w4,
-        w0 + w6 - w7,
-    )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_i_dot, t, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    Q_hat_S = ca.vertcat(ca.sin(t * 3.141592653589793) * shoulder_torque + w3 - w4, w0 + w6 - w7)
+    inputs, outputs = [q_i, q_i_dot, t, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 32 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
+    32 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 30)
@@ -1387,127 +968,64 @@ def substep_2() -> ca.Function:
     rotor1_theta = q_i[1]
     link2_theta = q_i[2]
     rotor2_theta = q_i[3]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
-    M_hat_SS = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        c1,
-    )
-    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
-    M_hat_SS = ca.densify(M_hat_SS)
+    rotor1_inertia = c[0]
+    rotor2_inertia = c[1]
+    gear1_stiffness = c[2]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    gear2_stiffness = c[5]
+    # outputs
+    M_hat_SS = ca.SX(2, 2)
+    # rotor1.theta
+    M_hat_SS[0, 0] = rotor1_inertia
+    # rotor2.theta
+    M_hat_SS[1, 1] = rotor2_inertia
     rhs_S = ca.vertcat(
-        (link1_theta - rotor1_theta) * c2 + ca.sin(t * 3.141592653589793) * c4,
-        (link2_theta - rotor2_theta) * c5 + ca.sin(t * 6.283185307179586) * c3,
+        (link1_theta - rotor1_theta) * gear1_stiffness + ca.sin(t * 3.141592653589793) * shoulder_torque,  # rotor1.theta
+        (link2_theta - rotor2_theta) * gear2_stiffness + ca.sin(t * 6.283185307179586) * elbow_torque,  # rotor2.theta
     )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, t, c], [M_hat_SS, rhs_S]
+    inputs, outputs = [q_i, t, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "t", "c"], ["M_hat_SS", "rhs_S"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 88 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 17) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 7) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 7) [1]: columns of the rotation matrix of the marker at a drawn point
+    88 operations.
+    """
     p = ca.SX.sym("p", 17)
     link1_tip_x = p[13]
     link2_tip_x = p[16]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        link1_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        link2_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 7)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 7)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 7)
+    positions[0, 2] = link1_tip_x
+    positions[0, 5] = link2_tip_x
+    axes = ca.SX(9, 7)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

@@ -1,13 +1,25 @@
 """Flexible slider-crank, driven by a torque: equations of motion, emitted by symgen from the scene `flexible_slider_crank_torque`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 crank.theta [rad], 1 rod.q1 [m], 2 rod.q2 [m]
+
+q_d, the dependent coordinates by index:
+    0 crank.x [m], 1 crank.y [m], 2 rod.x [m], 3 rod.y [m], 4 rod.theta [rad], 5 slider.x [m],
+    6 slider.y [m], 7 slider.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 126 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 168) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    126 operations.
+    """
     p = ca.SX.sym("p", 168)
     motor_torque = p[0]
     gravity_y = p[1]
@@ -42,6 +54,7 @@ def constants() -> ca.Function:
     crank_tip_x = p[30]
     beam20_pinned_pinned2_1_0_H_0_0 = p[35]
     beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    # intermediate terms (19)
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
     w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
@@ -61,58 +74,69 @@ def constants() -> ca.Function:
     w16 = w15 * beam20_pinned_pinned2_kappa_lateral_0_0
     w17 = 2 * rod_damping_ratio
     w18 = w15 * beam20_pinned_pinned2_kappa_lateral_1_1
+    # outputs
     c = ca.vertcat(
-        crank_inertia + crank_mass * crank_center_of_mass_x**2,
-        crank_tip_x,
-        rod_length,
-        w1,
-        slider_mass,
-        w1 + slider_mass,
-        w2,
-        w3,
-        w4 * beam20_pinned_pinned2_s1_0_0,
-        w5,
-        w6,
-        w7,
-        w8,
-        w1 * beam20_pinned_pinned2_phi_y_0_0,
-        w1 * w9 * beam20_pinned_pinned2_i0_0_0,
-        w10,
-        w11,
-        w1 * beam20_pinned_pinned2_xH_0_1,
-        w12,
-        w1 * beam20_pinned_pinned2_xH_1_0,
-        w13,
-        w4 * beam20_pinned_pinned2_xi_phi_y_0_0,
-        w4 * beam20_pinned_pinned2_xi_phi_y_1_0,
-        gravity_y,
-        w14 * gravity_y,
-        motor_torque,
-        w1 * gravity_y,
-        w16,
-        w17 * ca.sqrt(w10 * w16),
-        w18,
-        w17 * ca.sqrt(w12 * w18),
-        crank_mass,
-        w14,
-        slider_inertia,
-        crank_mass * gravity_y,
-        slider_mass * gravity_y,
-        w10 - w11,
-        w12 - w13,
-        2 * w2,
-        2 * w3,
-        w5 + w5,
-        w6 + w7,
-        w8 + w8,
+        crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
+        crank_tip_x,  # crank_tip_x
+        rod_length,  # rod_length
+        w1,  # c3
+        slider_mass,  # slider_mass
+        w1 + slider_mass,  # c5
+        w2,  # c6
+        w3,  # c7
+        w4 * beam20_pinned_pinned2_s1_0_0,  # c8
+        w5,  # c9
+        w6,  # c10
+        w7,  # c11
+        w8,  # c12
+        w1 * beam20_pinned_pinned2_phi_y_0_0,  # c13
+        w1 * w9 * beam20_pinned_pinned2_i0_0_0,  # c14
+        w10,  # c15
+        w11,  # c16
+        w1 * beam20_pinned_pinned2_xH_0_1,  # c17
+        w12,  # c18
+        w1 * beam20_pinned_pinned2_xH_1_0,  # c19
+        w13,  # c20
+        w4 * beam20_pinned_pinned2_xi_phi_y_0_0,  # c21
+        w4 * beam20_pinned_pinned2_xi_phi_y_1_0,  # c22
+        gravity_y,  # gravity_y
+        w14 * gravity_y,  # c24
+        motor_torque,  # motor_torque
+        w1 * gravity_y,  # c26
+        w16,  # c27
+        w17 * ca.sqrt(w10 * w16),  # c28
+        w18,  # c29
+        w17 * ca.sqrt(w12 * w18),  # c30
+        crank_mass,  # crank_mass
+        w14,  # c32
+        slider_inertia,  # slider_inertia
+        crank_mass * gravity_y,  # c34
+        slider_mass * gravity_y,  # c35
+        w10 - w11,  # c36
+        w12 - w13,  # c37
+        2 * w2,  # c38
+        2 * w3,  # c39
+        w5 + w5,  # c40
+        w6 + w7,  # c41
+        w8 + w8,  # c42
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 308 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
+    308 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -128,10 +152,10 @@ def condensed() -> ca.Function:
     rod_q2_dot = q_i_dot[2]
     rod_theta_dot = q_d_dot[4]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
@@ -150,21 +174,22 @@ def condensed() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    gravity_y = c[23]
     c24 = c[24]
-    c25 = c[25]
+    motor_torque = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
+    # intermediate terms (58)
     w0 = ca.cos(crank_theta)
-    w1 = w0 * c1
-    w2 = ca.sin(crank_theta) * c1
+    w1 = w0 * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = ca.cos(rod_theta)
     w4 = rod_q1 * c6
     w5 = rod_q2 * c7
-    w6 = c2 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
+    w6 = rod_length - (rod_q1 * w4 + rod_q2 * w5) * 0.5
     w7 = w3 * w6
     w8 = w1 / w7
     w9 = rod_q1 * c9 + rod_q2 * c10
@@ -175,7 +200,7 @@ def condensed() -> ca.Function:
     w14 = w3 * w11 - w12 * w13
     w15 = w11 * w12 + w3 * w13
     w16 = w6 * w12
-    w17 = w16 * c4
+    w17 = w16 * slider_mass
     w18 = w1 * w14 + w2 * (w15 + w17)
     w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
@@ -184,14 +209,14 @@ def condensed() -> ca.Function:
     w23 = w3 * c13 - w9 * w12
     w24 = w3 * w9 + w12 * c13
     w25 = w3 * w4
-    w26 = w25 * c4
+    w26 = w25 * slider_mass
     w27 = w4 * w12 / w7
     w28 = c21 + w16 * w26
     w29 = w28 + w22 * w27
     w30 = w1 * w23 + w2 * (w24 + w26) + (w18 * w27 - w8 * w29)
     w31 = w3 * w10
     w32 = w3 * w5
-    w33 = w32 * c4
+    w33 = w32 * slider_mass
     w34 = w10 * w12
     w35 = w5 * w12 / w7
     w36 = c22 + w16 * w33
@@ -208,39 +233,36 @@ def condensed() -> ca.Function:
     w47 = crank_theta_dot**2
     w48 = w2 * w47
     w49 = (w12 * w45 + w42 * (w3 * w46) + w16 * w40 + w48) / w7
-    w50 = w0 * c24 + ca.if_else(t < 0.15, c25, 0) + w1 * (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44) + c26 - (w14 * w49 - w48 * c3))
+    w50 = w0 * c24 + ca.if_else(t < 0.15, motor_torque, 0) + w1 * (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44) + c26 - (w14 * w49 - w48 * c3))
     w51 = w1 * w47
-    w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * c4
-    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
+    w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * slider_mass
+    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * gravity_y - (w15 * w51 - w14 * w48 + w21 * w49)
     w54 = w53 + w16 * w52
     w55 = w50 - w2 * (w14 * w40 + w42 * (w3 * w44 - w12 * w43) + w3 * w41 + (w51 * c3 + w15 * w49) - w52) - w8 * w54
-    w56 = w19 * w40 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
-    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * c23) - (w31 * w51 + w34 * w48 + w49 * c22) + w32 * w52
+    w56 = w19 * w40 - rod_q1 * c27 + (w23 * gravity_y - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21)
+    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * gravity_y) - (w31 * w51 + w34 * w48 + w49 * c22)
+    # outputs
     M_hat = ca.vertcat(
-        c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18),
-        w30,
-        w38,
-        w30,
-        c15 + w25 * w26 + (w27 * w29 + w27 * w28),
-        w39,
-        w38,
-        w39,
-        c18 + w32 * w33 + (w35 * w37 + w35 * w36),
+        ca.horzcat(c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18), w30, w38),  # crank.theta
+        ca.horzcat(w30, c15 + w25 * w26 + (w27 * w29 + w27 * w28), w39),  # rod.q1
+        ca.horzcat(w38, w39, c18 + w32 * w33 + (w35 * w37 + w35 * w36)),  # rod.q2
     )
-    M_hat = ca.reshape(M_hat, 3, 3)
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        w55,
-        w56 + w27 * w54,
-        w57 + w35 * w54,
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, t, c], [M_hat, Q_hat]
+    Q_hat = ca.vertcat(w55, w56 + w25 * w52 + w27 * w54, w57 + w32 * w52 + w35 * w54)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, t, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 43 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    43 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 43)
@@ -248,41 +270,39 @@ def closure() -> ca.Function:
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
     rod_theta = q_d[4]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.cos(crank_theta) * c1
-    w1 = ca.sin(crank_theta) * c1
-    w2 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
+    # intermediate terms (6)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = rod_length - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
     w3 = w1 + ca.sin(rod_theta) * w2
     w4 = w2 * ca.cos(rod_theta)
     w5 = rod_theta - w3 / w4
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        w1,
-        w5,
-        w0 + w2 * ca.cos(w5),
-        0.0,
-        0.0,
-    )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        -w3,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        -w4,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    # outputs
+    q_d_next = ca.SX(8, 1)
+    q_d_next[2] = w0  # rod.x
+    q_d_next[3] = w1  # rod.y
+    q_d_next[4] = w5  # rod.theta
+    q_d_next[5] = w0 + w2 * ca.cos(w5)  # slider.x
+    C_loop = ca.vertcat(-w3)
+    det_loop = ca.vertcat(-w4)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 58 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    58 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -294,36 +314,42 @@ def velocities() -> ca.Function:
     crank_theta_dot = q_i_dot[0]
     rod_q1_dot = q_i_dot[1]
     rod_q2_dot = q_i_dot[2]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.sin(crank_theta) * c1 * crank_theta_dot
-    w1 = ca.cos(crank_theta) * c1
+    # intermediate terms (9)
+    w0 = ca.sin(crank_theta) * crank_tip_x * crank_theta_dot
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = ca.sin(rod_theta)
     w3 = rod_q1 * c6
     w4 = ca.cos(rod_theta)
     w5 = rod_q2 * c7
-    w6 = c2 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w6 = rod_length - (rod_q1 * w3 + rod_q2 * w5) * 0.5
     w7 = w4 * w6
     w8 = w2 * w3 / w7 * rod_q1_dot - crank_theta_dot * (w1 / w7) + w2 * w5 / w7 * rod_q2_dot
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -w0,
-        crank_theta_dot * w1,
-        w8,
-        -(w0 + w8 * (w2 * w6) + rod_q1_dot * (w3 * w4) + rod_q2_dot * (w4 * w5)),
-        0.0,
-        0.0,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    # outputs
+    q_d_dot = ca.SX(8, 1)
+    q_d_dot[2] = -w0  # rod.x
+    q_d_dot[3] = crank_theta_dot * w1  # rod.y
+    q_d_dot[4] = w8  # rod.theta
+    q_d_dot[5] = -(w0 + w8 * (w2 * w6) + rod_q1_dot * (w3 * w4) + rod_q2_dot * (w4 * w5))  # slider.x
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 92 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
+    92 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -341,13 +367,14 @@ def accelerations() -> ca.Function:
     crank_theta_ddot = q_i_ddot[0]
     rod_q1_ddot = q_i_ddot[1]
     rod_q2_ddot = q_i_ddot[2]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c6 = c[6]
     c7 = c[7]
+    # intermediate terms (19)
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c1
-    w2 = ca.sin(crank_theta) * c1
+    w1 = ca.cos(crank_theta) * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = w0 * w1 + w2 * crank_theta_ddot
     w4 = w0 * w2
     w5 = ca.sin(rod_theta)
@@ -358,29 +385,35 @@ def accelerations() -> ca.Function:
     w10 = rod_q2 * c7
     w11 = rod_q1_dot * w9 + rod_q2_dot * w10
     w12 = rod_theta_dot**2
-    w13 = c2 - (rod_q1 * w9 + rod_q2 * w10) * 0.5
+    w13 = rod_length - (rod_q1 * w9 + rod_q2 * w10) * 0.5
     w14 = w5 * w13
     w15 = w8 * w13
     w16 = (w4 + (w5 * w6 + w7 * (w8 * w11) + w12 * w14)) / w15 - crank_theta_ddot * (w1 / w15) + w5 * w9 / w15 * rod_q1_ddot
     w17 = w16 + w5 * w10 / w15 * rod_q2_ddot
     w18 = w7 * (w5 * w11) - (w6 * w8 + w12 * w15) - w3 - w14 * w17 - rod_q1_ddot * (w8 * w9) - rod_q2_ddot * (w8 * w10)
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -w3,
-        w1 * crank_theta_ddot - w4,
-        w17,
-        w18,
-        0.0,
-        0.0,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(8, 1)
+    q_d_ddot[2] = -w3  # rod.x
+    q_d_ddot[3] = w1 * crank_theta_ddot - w4  # rod.y
+    q_d_ddot[4] = w17  # rod.theta
+    q_d_ddot[5] = w18  # slider.x
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 200 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 11) [mixed]: rates of all coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
+    gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    200 operations.
+    """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     c = ca.SX.sym("c", 43)
@@ -399,16 +432,17 @@ def constraints() -> ca.Function:
     rod_theta_dot = q_dot[5]
     rod_q1_dot = q_dot[6]
     rod_q2_dot = q_dot[7]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.cos(crank_theta) * c1
-    w1 = ca.sin(crank_theta) * c1
+    # intermediate terms (14)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
     w2 = ca.cos(rod_theta)
     w3 = rod_q1 * c6
     w4 = rod_q2 * c7
-    w5 = c2 - (rod_q1 * w3 + rod_q2 * w4) * 0.5
+    w5 = rod_length - (rod_q1 * w3 + rod_q2 * w4) * 0.5
     w6 = w2 * w5
     w7 = ca.sin(rod_theta)
     w8 = w5 * w7
@@ -417,148 +451,73 @@ def constraints() -> ca.Function:
     w11 = w3 * rod_q1_dot + w4 * rod_q2_dot
     w12 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
     w13 = rod_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        crank_x,
-        crank_y,
-        rod_x - (crank_x + w0),
-        rod_y - (crank_y + w1),
-        slider_y,
-        slider_theta,
-        slider_x - (rod_x + w6),
-        slider_y - (rod_y + w8),
+        crank_x,  # A.x
+        crank_y,  # A.y
+        rod_x - (crank_x + w0),  # B.x
+        rod_y - (crank_y + w1),  # B.y
+        slider_y,  # slide.normal
+        slider_theta,  # slide.angle
+        slider_x - (rod_x + w6),  # C.x
+        slider_y - (rod_y + w8),  # C.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w8,
-        -w6,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2 * w3,
-        w3 * w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2 * w4,
-        w4 * w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 11)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w9),
-        -(w1 * w9),
-        0.0,
-        0.0,
-        w10 * (w7 * w11) - (w2 * w12 + w6 * w13),
-        -(w7 * w12 + w10 * (w2 * w11) + w8 * w13),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(8, 11)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    # slide.normal
+    C_q[4, 9] = 1.0
+    # slide.angle
+    C_q[5, 10] = 1.0
+    # C.x
+    C_q[6, 3] = -1.0
+    C_q[6, 5] = w8
+    C_q[6, 6] = w2 * w3
+    C_q[6, 7] = w2 * w4
+    C_q[6, 8] = 1.0
+    # C.y
+    C_q[7, 4] = -1.0
+    C_q[7, 5] = -w6
+    C_q[7, 6] = w3 * w7
+    C_q[7, 7] = w4 * w7
+    C_q[7, 9] = 1.0
+    C_t = ca.SX(8, 1)
+    nu = ca.SX(8, 1)
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w0 * w9)  # B.x
+    gamma[3] = -(w1 * w9)  # B.y
+    gamma[6] = w10 * (w7 * w11) - (w2 * w12 + w6 * w13)  # C.x
+    gamma[7] = -(w7 * w12 + w10 * (w2 * w11) + w8 * w13)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 575 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 11) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 11 x 11) [SI]: mass matrix in all coordinates
+    gives K (n x n = 11 x 11) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 11) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 11) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 11) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 8 x 11) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    575 operations.
+    """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
@@ -572,10 +531,10 @@ def augmented() -> ca.Function:
     rod_q1_dot = q_dot[6]
     rod_q2_dot = q_dot[7]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -593,18 +552,19 @@ def augmented() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
-    c25 = c[25]
+    gravity_y = c[23]
+    motor_torque = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
-    c31 = c[31]
+    crank_mass = c[31]
     c32 = c[32]
-    c33 = c[33]
+    slider_inertia = c[33]
     c34 = c[34]
     c35 = c[35]
+    # intermediate terms (47)
     w0 = ca.sin(crank_theta)
     w1 = w0 * c32
     w2 = -w1
@@ -639,420 +599,146 @@ def augmented() -> ca.Function:
     w31 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot)
     w32 = w19 * w24
     w33 = w20 * w24
-    w34 = w4 * c23 + ca.if_else(t < 0.15, c25, 0)
-    w35 = w15 * c23
-    w36 = w16 * c23 - rod_q1_dot * c28
-    w37 = rod_q2_dot * c30 + w17 * c23
-    w38 = w0 * c1
-    w39 = w3 * c1
+    w34 = w4 * gravity_y + ca.if_else(t < 0.15, motor_torque, 0)
+    w35 = w15 * gravity_y
+    w36 = w16 * gravity_y - rod_q1_dot * c28
+    w37 = rod_q2_dot * c30 + w17 * gravity_y
+    w38 = w0 * crank_tip_x
+    w39 = w3 * crank_tip_x
     w40 = rod_q1 * c6
     w41 = rod_q2 * c7
-    w42 = c2 - (rod_q1 * w40 + rod_q2 * w41) * 0.5
+    w42 = rod_length - (rod_q1 * w40 + rod_q2 * w41) * 0.5
     w43 = w5 * w42
     w44 = w9 * w42
     w45 = rod_q1_dot * w40 + rod_q2_dot * w41
     w46 = rod_q1_dot * (rod_q1_dot * c6) + rod_q2_dot * (rod_q2_dot * c7)
-    M = ca.vertcat(
-        c31,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c31,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        0.0,
-        w12,
-        w13,
-        w14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        w15,
-        w16,
-        w18,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w12,
-        w15,
-        c14 + (rod_q1 * w19 + rod_q2 * w20),
-        c21,
-        c22,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w13,
-        w16,
-        c21,
-        c15,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w14,
-        w18,
-        c22,
-        0.0,
-        c18,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c33,
-    )
-    M = ca.reshape(M, 11, 11)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c27,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c29,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 11, 11)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        w22,
-        w23,
-        0.0,
-        w29,
-        w30,
-        w31,
-        w32,
-        w33,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        c34,
-        w34,
-        0.0,
-        c26,
-        w35,
-        w36,
-        -w37,
-        0.0,
-        c35,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    # outputs
+    M = ca.SX(11, 11)
+    # crank.x
+    M[0, 0] = crank_mass
+    M[0, 2] = w2
+    # crank.y
+    M[1, 1] = crank_mass
+    M[1, 2] = w4
+    # crank.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c0
+    # rod.x
+    M[3, 3] = c3
+    M[3, 5] = w12
+    M[3, 6] = w13
+    M[3, 7] = w14
+    # rod.y
+    M[4, 4] = c3
+    M[4, 5] = w15
+    M[4, 6] = w16
+    M[4, 7] = w18
+    # rod.theta
+    M[5, 3] = w12
+    M[5, 4] = w15
+    M[5, 5] = c14 + (rod_q1 * w19 + rod_q2 * w20)
+    M[5, 6] = c21
+    M[5, 7] = c22
+    # rod.q1
+    M[6, 3] = w13
+    M[6, 4] = w16
+    M[6, 5] = c21
+    M[6, 6] = c15
+    # rod.q2
+    M[7, 3] = w14
+    M[7, 4] = w18
+    M[7, 5] = c22
+    M[7, 7] = c18
+    # slider.x
+    M[8, 8] = slider_mass
+    # slider.y
+    M[9, 9] = slider_mass
+    # slider.theta
+    M[10, 10] = slider_inertia
+    K = ca.SX(11, 11)
+    # rod.q1
+    K[6, 6] = c27
+    # rod.q2
+    K[7, 7] = c29
+    Q_v = ca.SX(11, 1)
+    Q_v[0] = w22  # crank.x
+    Q_v[1] = w23  # crank.y
+    Q_v[3] = w29  # rod.x
+    Q_v[4] = w30  # rod.y
+    Q_v[5] = w31  # rod.theta
+    Q_v[6] = w32  # rod.q1
+    Q_v[7] = w33  # rod.q2
+    Q_F = ca.SX(11, 1)
+    Q_F[1] = c34  # crank.y
+    Q_F[2] = w34  # crank.theta
+    Q_F[4] = c26  # rod.y
+    Q_F[5] = w35  # rod.theta
+    Q_F[6] = w36  # rod.q1
+    Q_F[7] = -w37  # rod.q2
+    Q_F[9] = c35  # slider.y
     Q_star = ca.vertcat(
-        w22,
-        w23 + c34,
-        w34,
-        w29,
-        c26 + w30,
-        w31 + w35,
-        w36 + (w32 - rod_q1 * c27),
-        w33 - rod_q2 * c29 - w37,
-        0.0,
-        c35,
-        0.0,
+        w22,  # crank.x
+        w23 + c34,  # crank.y
+        w34,  # crank.theta
+        w29,  # rod.x
+        c26 + w30,  # rod.y
+        w31 + w35,  # rod.theta
+        w36 + (w32 - rod_q1 * c27),  # rod.q1
+        w33 - rod_q2 * c29 - w37,  # rod.q2
+        0.0,  # slider.x
+        c35,  # slider.y
+        0.0,  # slider.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w38,
-        -w39,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w43,
-        -w44,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w9 * w40,
-        w5 * w40,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w9 * w41,
-        w5 * w41,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 11)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w21 * w39),
-        -(w21 * w38),
-        0.0,
-        0.0,
-        w25 * (w5 * w45) - (w9 * w46 + w24 * w44),
-        -(w5 * w46 + w25 * (w9 * w45) + w24 * w43),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(8, 11)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w38
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w39
+    C_q[3, 4] = 1.0
+    # slide.normal
+    C_q[4, 9] = 1.0
+    # slide.angle
+    C_q[5, 10] = 1.0
+    # C.x
+    C_q[6, 3] = -1.0
+    C_q[6, 5] = w43
+    C_q[6, 6] = w9 * w40
+    C_q[6, 7] = w9 * w41
+    C_q[6, 8] = 1.0
+    # C.y
+    C_q[7, 4] = -1.0
+    C_q[7, 5] = -w44
+    C_q[7, 6] = w5 * w40
+    C_q[7, 7] = w5 * w41
+    C_q[7, 9] = 1.0
+    gamma_b = ca.SX(8, 1)
+    gamma_b[2] = -(w21 * w39)  # B.x
+    gamma_b[3] = -(w21 * w38)  # B.y
+    gamma_b[6] = w25 * (w5 * w45) - (w9 * w46 + w24 * w44)  # C.x
+    gamma_b[7] = -(w5 * w46 + w25 * (w9 * w45) + w24 * w43)  # C.y
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 221 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 11) [mixed]: rates of all coordinates
+    takes q_ddot (n = 11) [mixed]: accelerations of all coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
+    221 operations.
+    """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     q_ddot = ca.SX.sym("q_ddot", 11)
@@ -1076,9 +762,9 @@ def reactions() -> ca.Function:
     slider_x_ddot = q_ddot[8]
     slider_y_ddot = q_ddot[9]
     slider_theta_ddot = q_ddot[10]
-    c2 = c[2]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1096,13 +782,14 @@ def reactions() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    gravity_y = c[23]
     c26 = c[26]
-    c31 = c[31]
+    crank_mass = c[31]
     c32 = c[32]
-    c33 = c[33]
+    slider_inertia = c[33]
     c34 = c[34]
     c35 = c[35]
+    # intermediate terms (31)
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c32
     w2 = ca.sin(crank_theta) * c32
@@ -1120,53 +807,55 @@ def reactions() -> ca.Function:
     w14 = rod_q1_dot * (rod_q1_dot * c9 + rod_q2_dot * c10) + rod_q2_dot * (rod_q1_dot * c11 + rod_q2_dot * c12)
     w15 = w7 * w8 + w4 * w9
     w16 = rod_x_ddot * c3 - w15 * rod_theta_ddot - (w4 * w5 + w8 * c13) * rod_q1_ddot - w4 * w6 * rod_q2_ddot
-    w17 = slider_x_ddot * c4
+    w17 = slider_x_ddot * slider_mass
     w18 = w3 * w10 + w11 * (w4 * w12 - w8 * w13) + w4 * w14 - w16 - w17
-    w19 = w0 * w1 - (crank_x_ddot * c31 - w2 * crank_theta_ddot) + w18
+    w19 = w0 * w1 - (crank_x_ddot * crank_mass - w2 * crank_theta_ddot) + w18
     w20 = rod_y_ddot * c3 + w10 * rod_theta_ddot + rod_q1_ddot * (w4 * c13 - w5 * w8) - rod_q2_ddot * (w6 * w8)
     w21 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w22 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w23 = w10 * rod_y_ddot - rod_x_ddot * w15 + rod_theta_ddot * (c14 + (rod_q1 * w21 + rod_q2 * w22)) + rod_q1_ddot * c21
-    w24 = rod_theta_dot * -2.0 * (rod_q1_dot * w21 + rod_q2_dot * w22) + w10 * c23 - (w23 + rod_q2_ddot * c22)
-    w25 = c2 - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
+    w24 = rod_theta_dot * -2.0 * (rod_q1_dot * w21 + rod_q2_dot * w22) + w10 * gravity_y - (w23 + rod_q2_ddot * c22)
+    w25 = rod_length - (rod_q1 * (rod_q1 * c6) + rod_q2 * (rod_q2 * c7)) * 0.5
     w26 = (w24 + w17 * (w8 * w25)) / (w4 * w25)
     w27 = c26 + (w3 * w15 + w8 * w14 + w11 * (w4 * w13 + w8 * w12)) - w20 - w26
-    w28 = c34 + w0 * w2 - (crank_y_ddot * c31 + w1 * crank_theta_ddot) + w27
-    w29 = w26 + (c35 - slider_y_ddot * c4)
-    w30 = slider_theta_ddot * c33
+    w28 = c34 + w0 * w2 - (crank_y_ddot * crank_mass + w1 * crank_theta_ddot) + w27
+    w29 = w26 + (c35 - slider_y_ddot * slider_mass)
+    w30 = slider_theta_ddot * slider_inertia
+    # outputs
     lam = ca.vertcat(
-        w19,
-        w28,
-        w18,
-        w27,
-        w29,
-        -w30,
-        -w17,
-        -w26,
+        w19,  # A.x
+        w28,  # A.y
+        w18,  # B.x
+        w27,  # B.y
+        w29,  # slide.normal
+        -w30,  # slide.angle
+        -w17,  # C.x
+        -w26,  # C.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w19,
-        -w28,
-        0.0,
-        -w18,
-        -w27,
-        0.0,
-        0.0,
-        -w29,
-        w30,
-        w17,
-        w26,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w19, -w28, 0.0),  # A
+        ca.vertcat(-w18, -w27, 0.0),  # B
+        ca.vertcat(0.0, -w29, w30),  # slide
+        ca.vertcat(w17, w26, 0.0),  # C
     )
-    joint_forces = ca.reshape(joint_forces, 3, 4)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 198 operations."""
+    """Energies and powers.
+
+    takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 11) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    198 operations.
+    """
     q = ca.SX.sym("q", 11)
     q_dot = ca.SX.sym("q_dot", 11)
     t = ca.SX.sym("t", 1)
@@ -1191,7 +880,7 @@ def energy() -> ca.Function:
     slider_theta_dot = q_dot[10]
     c0 = c[0]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -1207,19 +896,20 @@ def energy() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
-    c25 = c[25]
+    gravity_y = c[23]
+    motor_torque = c[25]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
-    c31 = c[31]
+    crank_mass = c[31]
     c32 = c[32]
-    c33 = c[33]
+    slider_inertia = c[33]
     c35 = c[35]
+    # intermediate terms (21)
     w0 = ca.sin(crank_theta) * c32
     w1 = ca.cos(crank_theta) * c32
-    w2 = crank_x_dot * (crank_x_dot * c31 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c31 + crank_theta_dot * w1)
+    w2 = crank_x_dot * (crank_x_dot * crank_mass - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * crank_mass + crank_theta_dot * w1)
     w3 = ca.sin(rod_theta)
     w4 = rod_q1 * c9 + rod_q2 * c10
     w5 = rod_q1 * c11 + rod_q2 * c12
@@ -1237,33 +927,24 @@ def energy() -> ca.Function:
     w17 = rod_y_dot * w13 - rod_x_dot * w9 + rod_theta_dot * (c14 + w16) + rod_q1_dot * c21 + rod_q2_dot * c22
     w18 = w12 + rod_y_dot * (rod_y_dot * c3 + rod_theta_dot * w13 + rod_q1_dot * w14 - rod_q2_dot * w15) + rod_theta_dot * w17
     w19 = w18 + rod_q1_dot * (rod_y_dot * w14 - rod_x_dot * w10 + rod_theta_dot * c21 + rod_q1_dot * c15) + rod_q2_dot * (rod_theta_dot * c22 - (rod_x_dot * w11 + rod_y_dot * w15) + rod_q2_dot * c18)
-    w20 = w19 + slider_x_dot * (slider_x_dot * c4) + slider_y_dot * (slider_y_dot * c4) + slider_theta_dot * (slider_theta_dot * c33)
-    kinetic = ca.vertcat(
-        w20 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (rod_q1 * (rod_q1 * c27) + rod_q2 * (rod_q2 * c29)) / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + crank_y * c31) * c23 + (w9 + rod_y * c3) * c23 + slider_y * c35),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        rod_q1_dot * (rod_q1_dot * c28) + rod_q2_dot * (rod_q2_dot * c30),
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        ca.if_else(t < 0.15, crank_theta_dot * c25, 0),
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w20 = w19 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass) + slider_theta_dot * (slider_theta_dot * slider_inertia)
+    # outputs
+    kinetic = ca.vertcat(w20 / 2.0)
+    elastic = ca.vertcat((rod_q1 * (rod_q1 * c27) + rod_q2 * (rod_q2 * c29)) / 2.0)
+    potential = ca.vertcat(-((w0 + crank_y * crank_mass) * gravity_y + (w9 + rod_y * c3) * gravity_y + slider_y * c35))
+    power_dissipated = ca.vertcat(rod_q1_dot * (rod_q1_dot * c28) + rod_q2_dot * (rod_q2_dot * c30))
+    power_applied = ca.vertcat(ca.if_else(t < 0.15, crank_theta_dot * motor_torque, 0))
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 56 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 11) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    56 operations.
+    """
     q = ca.SX.sym("q", 11)
     crank_x = q[0]
     crank_y = q[1]
@@ -1274,58 +955,51 @@ def poses() -> ca.Function:
     slider_x = q[8]
     slider_y = q[9]
     slider_theta = q[10]
+    # intermediate terms (6)
     w0 = ca.cos(crank_theta)
     w1 = ca.sin(crank_theta)
     w2 = ca.cos(rod_theta)
     w3 = ca.sin(rod_theta)
     w4 = ca.cos(slider_theta)
     w5 = ca.sin(slider_theta)
-    poses = ca.vertcat(
-        crank_x,
-        crank_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rod_x,
-        rod_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        slider_x,
-        slider_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 3)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 3)
+    poses[0, 0] = crank_x
+    poses[0, 1] = rod_x
+    poses[0, 2] = slider_x
+    poses[1, 0] = crank_y
+    poses[1, 1] = rod_y
+    poses[1, 2] = slider_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 646 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
+    646 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1339,10 +1013,10 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_q1_dot = q_i_dot[1]
     rod_q2_dot = q_i_dot[2]
     rod_theta_dot = q_d_dot[4]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1360,14 +1034,15 @@ def dQ_hat_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    gravity_y = c[23]
     c24 = c[24]
     c26 = c[26]
     c27 = c[27]
     c29 = c[29]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.cos(crank_theta) * c1
+    # intermediate terms (139)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(rod_theta)
     w2 = rod_q1 * c9
     w3 = w2 + rod_q2 * c10
@@ -1386,15 +1061,15 @@ def dQ_hat_dq_i() -> ca.Function:
     w16 = rod_q2 * c7
     w17 = rod_q1_dot * w15 + rod_q2_dot * w16
     w18 = w7 * w17
-    w19 = c2 - (rod_q1 * w15 + rod_q2 * w16) * 0.5
+    w19 = rod_length - (rod_q1 * w15 + rod_q2 * w16) * 0.5
     w20 = w1 * w19
     w21 = w7 * w19
     w22 = (2 * w18 + w10 * w20) / w21
     w23 = ca.sin(crank_theta)
-    w24 = w23 * c1
+    w24 = w23 * crank_tip_x
     w25 = w7 * w12 - w1 * w11
     w26 = w1 * w17
-    w27 = (2 * w26 - w10 * w21 - w20 * w22) * c4
+    w27 = (2 * w26 - w10 * w21 - w20 * w22) * slider_mass
     w28 = w0 / w21
     w29 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w30 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
@@ -1439,7 +1114,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w69 = w68 / w21
     w70 = w14 * w69
     w71 = w67 * c3
-    w72 = (w67 - w20 * w52) * c4
+    w72 = (w67 - w20 * w52) * slider_mass
     w73 = w14 * w54
     w74 = w10 * w25
     w75 = w7 * w58
@@ -1447,84 +1122,96 @@ def dQ_hat_dq_i() -> ca.Function:
     w77 = w10 * w26
     w78 = w7 * w63
     w79 = w21 * w54
-    w80 = (w77 - (w78 + w79) - w51 - w20 * w69) * c4
+    w80 = (w77 - (w78 + w79) - w51 - w20 * w69) * slider_mass
     w81 = w23 * c24 + (w0 * (w14 * w52 - w53) + w24 * (c26 + (w55 + w59 + w60) - (w70 - w71))) + (w24 * (w9 * w52 - w71 - w72) + w0 * (w73 + w74 + w75 + (w53 + w76) - w80))
     w82 = w9 * w67 + w14 * w51
     w83 = w20 * w72 - (w32 * w52 - w82)
     w84 = rod_theta_dot * -2.0
-    w85 = w31 * w84 + w14 * c23 - (w9 * w51 - w14 * w67 + w32 * w69) + w20 * w80
+    w85 = w31 * w84 + w14 * gravity_y - (w9 * w51 - w14 * w67 + w32 * w69) + w20 * w80
     w86 = w69 / w21
     w87 = (w79 + (w78 - w77)) / w21 + w20 * w86
-    w88 = (w65 + (w64 + w66) - (w68 + w20 * w87)) * c4
+    w88 = (w65 + (w64 + w66) - (w68 + w20 * w87)) * slider_mass
     w89 = w0 * (w74 + (w73 + w75) - (w14 * w87 - w76)) - w24 * (w70 + w9 * w87 - (w59 + (w55 + w60)) - w88)
-    w90 = w20 * w88 + w21 * w80 - (w9 * c23 + (w82 + w32 * w87))
+    w90 = w20 * w88 + w21 * w80 - (w9 * gravity_y + (w82 + w32 * w87))
     w91 = w89 - (w28 * w90 + w42 * w85)
     w92 = w1 * c13
     w93 = w3 * w7 + w92
     w94 = w7 * c13
     w95 = w67 * w93 + w51 * (w94 - w1 * w3)
     w96 = w37 * w80
-    w97 = w36 * w88 - w96 - (w93 * c23 + (w95 + w87 * c21)) + (w38 * w90 + w40 * w85)
+    w97 = w36 * w88 - w96 - (w93 * gravity_y + (w95 + w87 * c21)) + (w38 * w90 + w40 * w85)
     w98 = w10 * w29 - w22 * c21 + w27 * w36 + w33 * w38
     w99 = w51 * (w1 * w5)
     w100 = w5 * w7
     w101 = w67 * w100
     w102 = w44 * w80
-    w103 = w43 * w88 - w102 - (w100 * c23 + (w101 - w99 + w87 * c22)) + (w45 * w90 + w47 * w85)
+    w103 = w43 * w88 - w102 - (w100 * gravity_y + (w101 - w99 + w87 * c22)) + (w45 * w90 + w47 * w85)
     w104 = w10 * w30 - w22 * c22 + w27 * w43 + w33 * w45
     w105 = (w2 + w3 + rod_q2 * c11) * 0.5
     w106 = w94 - w1 * w105
     w107 = w56 + rod_q2_dot * c11
     w108 = (w10 * (w7 * w61) - w37 * w54) / w21 + w36 * w86
     w109 = w92 + w7 * w105
-    w110 = (w10 * (w1 * w61) + w36 * w54 - (w20 * w108 - w37 * w69)) * c4
+    w110 = (w10 * (w1 * w61) + w36 * w54 - (w20 * w108 - w37 * w69)) * slider_mass
     w111 = w0 * (w54 * w106 + w10 * (w7 * w107) - (w14 * w108 - w69 * w109)) - w24 * (w69 * w106 + w9 * w108 - (w54 * w109 + w10 * (w1 * w107)) - w110)
-    w112 = w84 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w109 * c23 - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c36 - rod_q2 * c19) + w32 * w108))
+    w112 = w84 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w109 * gravity_y - (w51 * w106 + w67 * w109 + (w69 * (w29 + rod_q1 * c36 - rod_q2 * c19) + w32 * w108))
     w113 = w112 + (w20 * w110 - w96)
     w114 = w36 * w41
     w115 = w1 * c6 / w21 + w36 * w39
     w116 = w36 * w46
     w117 = rod_q1_dot * w115 - crank_theta_dot * w114 + rod_q2_dot * w116 + w38 * w48
     w118 = w1 * c9
-    w119 = w54 * c36 - c27 - w118 * c23 - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
+    w119 = w54 * c36 - c27 - w118 * gravity_y - (w51 * (w7 * c9) + w67 * w118 + w108 * c21) + (w36 * w110 + w80 * (w7 * c6))
     w120 = w1 * c11
-    w121 = w43 * w110 - (w54 * c19 + w120 * c23 + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
+    w121 = w43 * w110 - (w54 * c19 + w120 * gravity_y + (w51 * (w7 * c11) + w67 * w120 + w108 * c22)) + (w45 * w113 + w85 * w116)
     w122 = w57 + rod_q1_dot * c10
     w123 = (rod_q1 * c10 + (w4 + w5)) * 0.5
     w124 = w1 * w123
     w125 = (w10 * (w7 * w62) - w44 * w54) / w21 + w43 * w86
     w126 = w7 * w123
-    w127 = (w10 * (w1 * w62) + w43 * w54 - (w20 * w125 - w44 * w69)) * c4
+    w127 = (w10 * (w1 * w62) + w43 * w54 - (w20 * w125 - w44 * w69)) * slider_mass
     w128 = w0 * (w10 * (w7 * w122) - w54 * w124 - (w14 * w125 - w69 * w126)) - w24 * (w9 * w125 - w69 * w124 - (w54 * w126 + w10 * (w1 * w122)) - w127)
-    w129 = w84 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w126 * c23 - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c37 - rod_q1 * c17) + w32 * w125))
+    w129 = w84 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w126 * gravity_y - (w67 * w126 - w51 * w124 + (w69 * (w30 + rod_q2 * c37 - rod_q1 * c17) + w32 * w125))
     w130 = w129 + (w20 * w127 - w102)
     w131 = w41 * w43
     w132 = w39 * w43
     w133 = w1 * c7 / w21 + w43 * w46
     w134 = rod_q1_dot * w132 - crank_theta_dot * w131 + rod_q2_dot * w133 + w45 * w48
     w135 = w1 * c10
-    w136 = w36 * w127 - (w54 * c17 + w135 * c23 + (w51 * (w7 * c10) + w67 * w135 + w125 * c21)) + (w38 * w130 + w85 * w132)
+    w136 = w36 * w127 - (w54 * c17 + w135 * gravity_y + (w51 * (w7 * c10) + w67 * w135 + w125 * c21)) + (w38 * w130 + w85 * w132)
     w137 = w1 * c12
-    w138 = w54 * c37 - c29 - w137 * c23 - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
+    w138 = w54 * c37 - c29 - w137 * gravity_y - (w51 * (w7 * c12) + w67 * w137 + w125 * c22) + (w43 * w127 + w80 * (w7 * c7))
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        w34 * w49 - (w81 + (w28 * w83 - w35 * w85) + w28 * w91),
-        w36 * w72 - (w52 * c21 - w95) + w38 * w83 - w28 * w97 + w49 * w98,
-        w43 * w72 - (w99 - w101 + w52 * c22) + w45 * w83 - w28 * w103 + w49 * w104,
-        w111 - (w28 * w113 + w85 * w114) + w38 * w91 + w34 * w117,
-        w119 + (w38 * w113 + w85 * w115) + w38 * w97 + w98 * w117,
-        w121 + w38 * w103 + w104 * w117,
-        w128 - (w28 * w130 + w85 * w131) + w45 * w91 + w34 * w134,
-        w136 + w45 * w97 + w98 * w134,
-        w138 + (w45 * w130 + w85 * w133) + w45 * w103 + w104 * w134,
+        ca.horzcat(  # crank.theta
+            w34 * w49 - (w81 + (w28 * w83 - w35 * w85) + w28 * w91),
+            w111 - (w28 * w113 + w85 * w114) + w38 * w91 + w34 * w117,
+            w128 - (w28 * w130 + w85 * w131) + w45 * w91 + w34 * w134,
+        ),
+        ca.horzcat(  # rod.q1
+            w36 * w72 - (w52 * c21 - w95) + w38 * w83 - w28 * w97 + w49 * w98,
+            w119 + (w38 * w113 + w85 * w115) + w38 * w97 + w98 * w117, w136 + w45 * w97 + w98 * w134,
+        ),
+        ca.horzcat(  # rod.q2
+            w43 * w72 - (w99 - w101 + w52 * c22) + w45 * w83 - w28 * w103 + w49 * w104,
+            w121 + w38 * w103 + w104 * w117, w138 + (w45 * w130 + w85 * w133) + w45 * w103 + w104 * w134,
+        ),
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 3, 3)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 330 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    330 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1538,10 +1225,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     rod_q1_dot = q_i_dot[1]
     rod_q2_dot = q_i_dot[2]
     rod_theta_dot = q_d_dot[4]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1566,11 +1253,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
-    w0 = ca.cos(crank_theta) * c1
+    # intermediate terms (59)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c6
     w3 = rod_q2 * c7
-    w4 = c2 - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
     w5 = w1 * w4
     w6 = w0 / w5
     w7 = ca.sin(rod_theta)
@@ -1582,21 +1270,21 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w13 = 2 * crank_theta_dot
     w14 = w0 * w13
     w15 = w1 * w10 - w7 * w11
-    w16 = ca.sin(crank_theta) * c1
+    w16 = ca.sin(crank_theta) * crank_tip_x
     w17 = w13 * w16
     w18 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w19 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w20 = c14 + (rod_q1 * w18 + rod_q2 * w19)
     w21 = w17 / w5
     w22 = w4 * w7
-    w23 = (w14 + w21 * w22) * c4
+    w23 = (w14 + w21 * w22) * slider_mass
     w24 = w12 * w14 - w15 * w17 + w20 * w21 + w22 * w23
     w25 = 2 * rod_theta_dot
     w26 = w8 * rod_q1_dot + w9 * rod_q2_dot
     w27 = rod_q1_dot * c13
     w28 = w2 * rod_q1_dot + w3 * rod_q2_dot
     w29 = (2 * (w1 * w28) + w22 * w25) / w5
-    w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * c4
+    w30 = (2 * (w7 * w28) - w5 * w25 - w22 * w29) * slider_mass
     w31 = w0 * (w12 * w25 + 2 * (w1 * w26 + w7 * w27) - w15 * w29) - w16 * (w15 * w25 + 2 * (w1 * w27 - w7 * w26) + w12 * w29 - w30)
     w32 = (w18 * rod_q1_dot + w19 * rod_q2_dot) * -2.0 - w20 * w29 + w22 * w30
     w33 = w31 - w6 * w32
@@ -1615,35 +1303,45 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w46 = rod_q1_dot * c40 + rod_q2_dot * c41
     w47 = rod_q1_dot * c38
     w48 = (w7 * w47 + w25 * w36) / w5
-    w49 = (w25 * w37 - w1 * w47 - w22 * w48) * c4
+    w49 = (w25 * w37 - w1 * w47 - w22 * w48) * slider_mass
     w50 = rod_theta_dot * -2.0
     w51 = w18 * w50 - w20 * w48 + w22 * w49
     w52 = w0 * (w7 * w46 + w25 * w34 - w15 * w48) - w16 * (w25 * w35 + w1 * w46 + w12 * w48 - w49) - w6 * w51
     w53 = rod_q2_dot * c42 + rod_q1_dot * c41
     w54 = rod_q2_dot * c39
     w55 = (w7 * w54 + w25 * w42) / w5
-    w56 = (w25 * w43 - w1 * w54 - w22 * w55) * c4
+    w56 = (w25 * w43 - w1 * w54 - w22 * w55) * slider_mass
     w57 = w19 * w50 - w20 * w55 + w22 * w56
     w58 = w0 * (w7 * w53 + w25 * w40 - w15 * w55) - w16 * (w1 * w53 - w25 * w41 + w12 * w55 - w56) - w6 * w57
+    # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        w6 * w24 - (w0 * (w15 * w21 - w17 * c3) + w16 * (w23 + (w14 * c3 + w12 * w21))) - w6 * w33,
-        -(w14 * w34 - w17 * w35 + w21 * c21 + w23 * w36 + w24 * w38 + w6 * w39),
-        -(w14 * w40 + w17 * w41 + w21 * c22 + w23 * w42 + w24 * w44 + w6 * w45),
-        w52 + w33 * w38,
-        w36 * w49 - (c28 + w48 * c21) + w38 * w51 + w38 * w39,
-        w42 * w49 - w48 * c22 + w44 * w51 + w38 * w45,
-        w58 + w33 * w44,
-        w36 * w56 - w55 * c21 + w38 * w57 + w39 * w44,
-        w42 * w56 - (c30 + w55 * c22) + w44 * w57 + w44 * w45,
+        ca.horzcat(  # crank.theta
+            w6 * w24 - (w0 * (w15 * w21 - w17 * c3) + w16 * (w23 + (w14 * c3 + w12 * w21))) - w6 * w33,
+            w52 + w33 * w38, w58 + w33 * w44,
+        ),
+        ca.horzcat(  # rod.q1
+            -(w14 * w34 - w17 * w35 + w21 * c21 + w23 * w36 + w24 * w38 + w6 * w39),
+            w36 * w49 - (c28 + w48 * c21) + w38 * w51 + w38 * w39, w36 * w56 - w55 * c21 + w38 * w57 + w39 * w44,
+        ),
+        ca.horzcat(  # rod.q2
+            -(w14 * w40 + w17 * w41 + w21 * c22 + w23 * w42 + w24 * w44 + w6 * w45),
+            w42 * w49 - w48 * c22 + w44 * w51 + w38 * w45, w42 * w56 - (c30 + w55 * c22) + w44 * w57 + w44 * w45,
+        ),
     )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 3, 3)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 451 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    451 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
@@ -1655,10 +1353,10 @@ def dMa_dq_i() -> ca.Function:
     crank_theta_ddot = q_i_ddot[0]
     rod_q1_ddot = q_i_ddot[1]
     rod_q2_ddot = q_i_ddot[2]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1678,7 +1376,8 @@ def dMa_dq_i() -> ca.Function:
     c22 = c[22]
     c36 = c[36]
     c37 = c[37]
-    w0 = ca.cos(crank_theta) * c1
+    # intermediate terms (102)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
     w2 = rod_q1 * c9
     w3 = w2 + rod_q2 * c10
@@ -1688,10 +1387,10 @@ def dMa_dq_i() -> ca.Function:
     w7 = ca.sin(rod_theta)
     w8 = rod_q1 * c13
     w9 = w1 * w6 - w7 * w8
-    w10 = ca.sin(crank_theta) * c1
+    w10 = ca.sin(crank_theta) * crank_tip_x
     w11 = rod_q1 * c6
     w12 = rod_q2 * c7
-    w13 = c2 - (rod_q1 * w11 + rod_q2 * w12) * 0.5
+    w13 = rod_length - (rod_q1 * w11 + rod_q2 * w12) * 0.5
     w14 = w1 * w13
     w15 = w10 / w14
     w16 = crank_theta_ddot * w15
@@ -1713,7 +1412,7 @@ def dMa_dq_i() -> ca.Function:
     w32 = rod_q2_ddot * w31
     w33 = w6 * w7 + w1 * w8
     w34 = w7 * w13
-    w35 = (w19 + w16 * w34) * c4
+    w35 = (w19 + w16 * w34) * slider_mass
     w36 = w26 * w33
     w37 = w7 * c13
     w38 = w1 * w3 + w37
@@ -1722,7 +1421,7 @@ def dMa_dq_i() -> ca.Function:
     w41 = rod_q2_ddot * w40
     w42 = w1 * w11
     w43 = w1 * w12
-    w44 = (w17 + w26 * w34 + rod_q1_ddot * w42 + rod_q2_ddot * w43) * c4
+    w44 = (w17 + w26 * w34 + rod_q1_ddot * w42 + rod_q2_ddot * w43) * slider_mass
     w45 = w0 * (w9 * w16 - w18) - w10 * (w20 + w27 + w30 - w32) + (w10 * (w20 + w16 * w33 + w35) + w0 * (w18 + w36 + w39 + w41 + w44))
     w46 = w19 * w33
     w47 = w9 * w17
@@ -1738,7 +1437,7 @@ def dMa_dq_i() -> ca.Function:
     w57 = w25 / w14
     w58 = w43 / w14 + w34 * w57
     w59 = rod_q1_ddot * w54 - crank_theta_ddot * w56 + rod_q2_ddot * w58
-    w60 = (w14 * w26 + w34 * w59 - w21 * rod_q1_ddot - w24 * rod_q2_ddot) * c4
+    w60 = (w14 * w26 + w34 * w59 - w21 * rod_q1_ddot - w24 * rod_q2_ddot) * slider_mass
     w61 = w47 - w46 + w50 * w59 + (w34 * w60 + w14 * w44)
     w62 = w0 * (w9 * w59 - w36 - w39 - w41) + w10 * (w30 + (w27 + w33 * w59) - w32 + w60) - (w23 * w61 + w52 * w56)
     w63 = w19 * w38
@@ -1760,7 +1459,7 @@ def dMa_dq_i() -> ca.Function:
     w79 = w1 * c9
     w80 = w1 * c11
     w81 = w1 * c6
-    w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * c4
+    w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * slider_mass
     w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
     w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c36 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
     w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
@@ -1776,29 +1475,46 @@ def dMa_dq_i() -> ca.Function:
     w95 = w1 * c10
     w96 = w1 * c12
     w97 = w1 * c7
-    w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * c4
+    w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * slider_mass
     w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
     w100 = w26 * (w49 + rod_q2 * c37 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
     w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w45 - (w23 * w51 - w15 * w52) - w23 * w62,
-        w63 - w64 + w16 * c21 + w35 * w42 + w22 * w51 - w23 * w66,
-        w67 + w16 * c22 + w35 * w43 + w25 * w51 - w23 * w69,
-        w83 - (w23 * w84 + w52 * w71) + w22 * w62,
-        w85,
-        w17 * w80 - w19 * w77 + w73 * c22 + w43 * w82 + (w25 * w84 + w52 * w72) + w22 * w69,
-        w99 - (w23 * w100 + w52 * w87) + w25 * w62,
-        w17 * w95 - w19 * w92 + w89 * c21 + w42 * w98 + (w22 * w100 + w52 * w86) + w25 * w66,
-        w101,
+        ca.horzcat(  # crank.theta
+            w45 - (w23 * w51 - w15 * w52) - w23 * w62, w83 - (w23 * w84 + w52 * w71) + w22 * w62,
+            w99 - (w23 * w100 + w52 * w87) + w25 * w62,
+        ),
+        ca.horzcat(  # rod.q1
+            w63 - w64 + w16 * c21 + w35 * w42 + w22 * w51 - w23 * w66, w85,
+            w17 * w95 - w19 * w92 + w89 * c21 + w42 * w98 + (w22 * w100 + w52 * w86) + w25 * w66,
+        ),
+        ca.horzcat(  # rod.q2
+            w67 + w16 * c22 + w35 * w43 + w25 * w51 - w23 * w69,
+            w17 * w80 - w19 * w77 + w73 * c22 + w43 * w82 + (w25 * w84 + w52 * w72) + w22 * w69, w101,
+        ),
     )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 3, 3)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 308 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 1 x 2) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 2) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 2) [N, N m]: part of Q_hat of S
+    308 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1814,10 +1530,10 @@ def blocks() -> ca.Function:
     rod_q2_dot = q_i_dot[2]
     rod_theta_dot = q_d_dot[4]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    crank_tip_x = c[1]
+    rod_length = c[2]
     c3 = c[3]
-    c4 = c[4]
+    slider_mass = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
@@ -1836,21 +1552,22 @@ def blocks() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    gravity_y = c[23]
     c24 = c[24]
-    c25 = c[25]
+    motor_torque = c[25]
     c26 = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
+    # intermediate terms (58)
     w0 = ca.cos(crank_theta)
-    w1 = w0 * c1
-    w2 = ca.sin(crank_theta) * c1
+    w1 = w0 * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = ca.cos(rod_theta)
     w4 = rod_q1 * c6
     w5 = rod_q2 * c7
-    w6 = c2 - (rod_q1 * w4 + rod_q2 * w5) * 0.5
+    w6 = rod_length - (rod_q1 * w4 + rod_q2 * w5) * 0.5
     w7 = w3 * w6
     w8 = w1 / w7
     w9 = rod_q1 * c9 + rod_q2 * c10
@@ -1861,7 +1578,7 @@ def blocks() -> ca.Function:
     w14 = w3 * w11 - w12 * w13
     w15 = w11 * w12 + w3 * w13
     w16 = w6 * w12
-    w17 = w16 * c4
+    w17 = w16 * slider_mass
     w18 = w1 * w14 + w2 * (w15 + w17)
     w19 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w20 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
@@ -1870,14 +1587,14 @@ def blocks() -> ca.Function:
     w23 = w3 * c13 - w9 * w12
     w24 = w3 * w9 + w12 * c13
     w25 = w3 * w4
-    w26 = w25 * c4
+    w26 = w25 * slider_mass
     w27 = w4 * w12 / w7
     w28 = c21 + w16 * w26
     w29 = w28 + w22 * w27
     w30 = w1 * w23 + w2 * (w24 + w26) + (w18 * w27 - w8 * w29)
     w31 = w3 * w10
     w32 = w3 * w5
-    w33 = w32 * c4
+    w33 = w32 * slider_mass
     w34 = w10 * w12
     w35 = w5 * w12 / w7
     w36 = c22 + w16 * w33
@@ -1894,52 +1611,43 @@ def blocks() -> ca.Function:
     w47 = crank_theta_dot**2
     w48 = w2 * w47
     w49 = (w12 * w45 + w42 * (w3 * w46) + w16 * w40 + w48) / w7
-    w50 = w0 * c24 + ca.if_else(t < 0.15, c25, 0) + w1 * (c26 + (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44)) - (w14 * w49 - w48 * c3))
+    w50 = w0 * c24 + ca.if_else(t < 0.15, motor_torque, 0) + w1 * (c26 + (w15 * w40 + w12 * w41 + w42 * (w3 * w43 + w12 * w44)) - (w14 * w49 - w48 * c3))
     w51 = w1 * w47
-    w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * c4
-    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * c23 - (w15 * w51 - w14 * w48 + w21 * w49)
+    w52 = (w42 * (w12 * w46) - (w3 * w45 + w7 * w40) - w51 - w16 * w49) * slider_mass
+    w53 = rod_theta_dot * -2.0 * (w19 * rod_q1_dot + w20 * rod_q2_dot) + w14 * gravity_y - (w15 * w51 - w14 * w48 + w21 * w49)
     w54 = w53 + w16 * w52
     w55 = w50 - w2 * (w14 * w40 + w42 * (w3 * w44 - w12 * w43) + w3 * w41 + (w51 * c3 + w15 * w49) - w52) - w8 * w54
-    w56 = w19 * w40 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21) + w25 * w52
-    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * c23) - (w31 * w51 + w34 * w48 + w49 * c22) + w32 * w52
-    M_hat_LL = ca.vertcat(
-        c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18),
+    w56 = w19 * w40 - rod_q1 * c27 + (w23 * gravity_y - rod_q1_dot * c28) - (w24 * w51 - w23 * w48 + w49 * c21)
+    w57 = w20 * w40 - rod_q2 * c29 - (rod_q2_dot * c30 + w34 * gravity_y) - (w31 * w51 + w34 * w48 + w49 * c22)
+    # outputs
+    M_hat_LL = ca.vertcat(c0 + w1 * (w1 * c3) + w2 * (w2 * c5) - (w8 * (w18 - w8 * w22) + w8 * w18))
+    M_hat_LS = ca.horzcat(
+        w30, w38,
     )
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        w30,
-        w38,
-    )
-    M_hat_LS = ca.reshape(M_hat_LS, 1, 2)
-    M_hat_LS = ca.densify(M_hat_LS)
-    M_hat_SL = ca.vertcat(
-        w30,
-        w38,
-    )
-    M_hat_SL = ca.densify(M_hat_SL)
+    M_hat_SL = ca.vertcat(w30, w38)
     M_hat_SS = ca.vertcat(
-        c15 + w25 * w26 + (w27 * w29 + w27 * w28),
-        w39,
-        w39,
-        c18 + w32 * w33 + (w35 * w37 + w35 * w36),
+        ca.horzcat(c15 + w25 * w26 + (w27 * w29 + w27 * w28), w39),  # rod.q1
+        ca.horzcat(w39, c18 + w32 * w33 + (w35 * w37 + w35 * w36)),  # rod.q2
     )
-    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
-    M_hat_SS = ca.densify(M_hat_SS)
-    Q_hat_L = ca.vertcat(
-        w55,
-    )
-    Q_hat_L = ca.densify(Q_hat_L)
-    Q_hat_S = ca.vertcat(
-        w56 + w27 * w54,
-        w57 + w35 * w54,
-    )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, t, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    Q_hat_L = ca.vertcat(w55)
+    Q_hat_S = ca.vertcat(w56 + w25 * w52 + w27 * w54, w57 + w32 * w52 + w35 * w54)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, t, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 220 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 2 x 2) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 2) [N, N m]: right-hand side of a sub-step, slow q'' given
+    220 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1955,9 +1663,9 @@ def substep_2() -> ca.Function:
     rod_q2_dot = q_i_dot[2]
     rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_L_ddot[0]
-    c1 = c[1]
-    c2 = c[2]
-    c4 = c[4]
+    crank_tip_x = c[1]
+    rod_length = c[2]
+    slider_mass = c[4]
     c6 = c[6]
     c7 = c[7]
     c8 = c[8]
@@ -1975,18 +1683,19 @@ def substep_2() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    gravity_y = c[23]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
+    # intermediate terms (44)
     w0 = ca.cos(rod_theta)
     w1 = rod_q1 * c6
     w2 = w0 * w1
-    w3 = w2 * c4
+    w3 = w2 * slider_mass
     w4 = ca.sin(rod_theta)
     w5 = rod_q2 * c7
-    w6 = c2 - (rod_q1 * w1 + rod_q2 * w5) * 0.5
+    w6 = rod_length - (rod_q1 * w1 + rod_q2 * w5) * 0.5
     w7 = w0 * w6
     w8 = w1 * w4 / w7
     w9 = w4 * w6
@@ -1994,9 +1703,9 @@ def substep_2() -> ca.Function:
     w11 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
     w12 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
     w13 = c14 + (rod_q1 * w11 + rod_q2 * w12)
-    w14 = w13 + w9 * (w9 * c4)
+    w14 = w13 + w9 * (w9 * slider_mass)
     w15 = w0 * w5
-    w16 = w15 * c4
+    w16 = w15 * slider_mass
     w17 = c22 + w9 * w16
     w18 = w4 * w5 / w7
     w19 = w17 + w14 * w18
@@ -2005,8 +1714,8 @@ def substep_2() -> ca.Function:
     w22 = rod_q1 * c9 + rod_q2 * c10
     w23 = w0 * c13 - w4 * w22
     w24 = crank_theta_dot**2
-    w25 = ca.cos(crank_theta) * c1
-    w26 = ca.sin(crank_theta) * c1
+    w25 = ca.cos(crank_theta) * crank_tip_x
+    w26 = ca.sin(crank_theta) * crank_tip_x
     w27 = w24 * w25 + w26 * crank_theta_ddot
     w28 = w24 * w26
     w29 = w25 * crank_theta_ddot - w28
@@ -2014,35 +1723,38 @@ def substep_2() -> ca.Function:
     w31 = 2 * rod_theta_dot
     w32 = w1 * rod_q1_dot + w5 * rod_q2_dot
     w33 = (w28 + (w4 * w30 + w31 * (w0 * w32) + w9 * w21)) / w7 - crank_theta_ddot * (w25 / w7)
-    w34 = w11 * w21 - rod_q1 * c27 + (w23 * c23 - rod_q1_dot * c28) - ((w0 * w22 + w4 * c13) * w27 + w23 * w29 + w33 * c21)
-    w35 = (w31 * (w4 * w32) - (w0 * w30 + w7 * w21) - w27 - w9 * w33) * c4
+    w34 = w11 * w21 - rod_q1 * c27 + (w23 * gravity_y - rod_q1_dot * c28) - ((w0 * w22 + w4 * c13) * w27 + w23 * w29 + w33 * c21)
+    w35 = (w31 * (w4 * w32) - (w0 * w30 + w7 * w21) - w27 - w9 * w33) * slider_mass
     w36 = rod_q1 * c11 + rod_q2 * c12
     w37 = c8 - (rod_q1 * w22 + rod_q2 * w36) * 0.5
     w38 = rod_q1 * c13
     w39 = w0 * w37 - w4 * w38
-    w40 = rod_theta_dot * -2.0 * (w11 * rod_q1_dot + w12 * rod_q2_dot) + w39 * c23 - (w27 * (w4 * w37 + w0 * w38) + w29 * w39 + w13 * w33)
+    w40 = rod_theta_dot * -2.0 * (w11 * rod_q1_dot + w12 * rod_q2_dot) + w39 * gravity_y - (w27 * (w4 * w37 + w0 * w38) + w29 * w39 + w13 * w33)
     w41 = w40 + w9 * w35
     w42 = w4 * w36
-    w43 = w12 * w21 - rod_q2 * c29 - (rod_q2_dot * c30 + w42 * c23) - (w27 * (w0 * w36) - w29 * w42 + w33 * c22)
+    w43 = w12 * w21 - rod_q2 * c29 - (rod_q2_dot * c30 + w42 * gravity_y) - (w27 * (w0 * w36) - w29 * w42 + w33 * c22)
+    # outputs
     M_hat_SS = ca.vertcat(
-        c15 + w2 * w3 + (w8 * (w10 + w8 * w14) + w8 * w10),
-        w20,
-        w20,
-        c18 + w15 * w16 + (w18 * w19 + w17 * w18),
+        ca.horzcat(c15 + w2 * w3 + (w8 * (w10 + w8 * w14) + w8 * w10), w20),  # rod.q1
+        ca.horzcat(w20, c18 + w15 * w16 + (w18 * w19 + w17 * w18)),  # rod.q2
     )
-    M_hat_SS = ca.reshape(M_hat_SS, 2, 2)
-    M_hat_SS = ca.densify(M_hat_SS)
-    rhs_S = ca.vertcat(
-        w34 + w2 * w35 + w8 * w41,
-        w43 + w15 * w35 + w18 * w41,
-    )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    rhs_S = ca.vertcat(w34 + w2 * w35 + w8 * w41, w43 + w15 * w35 + w18 * w41)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 830 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 168) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 23) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 23) [1]: columns of the rotation matrix of the marker at a drawn point
+    gives shapes (3 x modes = 3 x 38) [1]: displacement of a drawn point by each mode of its body
+    gives turns (3 x modes = 3 x 38) [1/m]: rotation at a drawn point by each mode of its body
+    gives H (1 x entries = 1 x 68) [1/m]: foreshortening of the drawn points that have it, nf x nf each
+    gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
+    830 operations.
+    """
     p = ca.SX.sym("p", 168)
     rod_length = p[5]
     rod_area = p[7]
@@ -2185,6 +1897,7 @@ def geometry() -> ca.Function:
     beam20_pinned_pinned2_0_9375_H_0_1 = p[165]
     beam20_pinned_pinned2_0_9375_H_1_0 = p[166]
     beam20_pinned_pinned2_0_9375_H_1_1 = p[167]
+    # intermediate terms (7)
     w0 = beam20_pinned_pinned2_0_0_slope_0_0 / rod_length
     w1 = beam20_pinned_pinned2_0_0_slope_1_0 / rod_length
     w2 = beam20_pinned_pinned2_1_0_slope_0_0 / rod_length
@@ -2192,604 +1905,197 @@ def geometry() -> ca.Function:
     w4 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
     w5 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
     w6 = ca.sqrt(12.0 * rod_second_moment / rod_area)
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_0625_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_125_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_1875_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_25_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_3125_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_375_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_4375_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_5_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_5625_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_625_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_6875_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_75_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_8125_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_875_at_0_0,
-        0.0,
-        0.0,
-        rod_length * beam20_pinned_pinned2_0_9375_at_0_0,
-        0.0,
-        0.0,
-        rod_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        crank_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        rod_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+    # outputs
+    positions = ca.SX(3, 23)
+    positions[0, 1] = rod_length * beam20_pinned_pinned2_0_0625_at_0_0
+    positions[0, 2] = rod_length * beam20_pinned_pinned2_0_125_at_0_0
+    positions[0, 3] = rod_length * beam20_pinned_pinned2_0_1875_at_0_0
+    positions[0, 4] = rod_length * beam20_pinned_pinned2_0_25_at_0_0
+    positions[0, 5] = rod_length * beam20_pinned_pinned2_0_3125_at_0_0
+    positions[0, 6] = rod_length * beam20_pinned_pinned2_0_375_at_0_0
+    positions[0, 7] = rod_length * beam20_pinned_pinned2_0_4375_at_0_0
+    positions[0, 8] = rod_length * beam20_pinned_pinned2_0_5_at_0_0
+    positions[0, 9] = rod_length * beam20_pinned_pinned2_0_5625_at_0_0
+    positions[0, 10] = rod_length * beam20_pinned_pinned2_0_625_at_0_0
+    positions[0, 11] = rod_length * beam20_pinned_pinned2_0_6875_at_0_0
+    positions[0, 12] = rod_length * beam20_pinned_pinned2_0_75_at_0_0
+    positions[0, 13] = rod_length * beam20_pinned_pinned2_0_8125_at_0_0
+    positions[0, 14] = rod_length * beam20_pinned_pinned2_0_875_at_0_0
+    positions[0, 15] = rod_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 16] = rod_length
+    positions[0, 19] = crank_tip_x
+    positions[0, 21] = rod_length
+    axes = ca.SX(9, 23)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[0, 12] = 1.0
+    axes[0, 13] = 1.0
+    axes[0, 14] = 1.0
+    axes[0, 15] = 1.0
+    axes[0, 16] = 1.0
+    axes[0, 17] = 1.0
+    axes[0, 18] = 1.0
+    axes[0, 19] = 1.0
+    axes[0, 20] = 1.0
+    axes[0, 21] = 1.0
+    axes[0, 22] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[4, 8] = 1.0
+    axes[4, 9] = 1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = 1.0
+    axes[4, 13] = 1.0
+    axes[4, 14] = 1.0
+    axes[4, 15] = 1.0
+    axes[4, 16] = 1.0
+    axes[4, 17] = 1.0
+    axes[4, 18] = 1.0
+    axes[4, 19] = 1.0
+    axes[4, 20] = 1.0
+    axes[4, 21] = 1.0
+    axes[4, 22] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    axes[8, 8] = 1.0
+    axes[8, 9] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    axes[8, 12] = 1.0
+    axes[8, 13] = 1.0
+    axes[8, 14] = 1.0
+    axes[8, 15] = 1.0
+    axes[8, 16] = 1.0
+    axes[8, 17] = 1.0
+    axes[8, 18] = 1.0
+    axes[8, 19] = 1.0
+    axes[8, 20] = 1.0
+    axes[8, 21] = 1.0
+    axes[8, 22] = 1.0
+    shapes = ca.SX(3, 38)
+    shapes[1, 2] = beam20_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 3] = beam20_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 4] = beam20_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 5] = beam20_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 6] = beam20_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 7] = beam20_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 8] = beam20_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 9] = beam20_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 10] = beam20_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 11] = beam20_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 12] = beam20_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 13] = beam20_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 14] = beam20_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 15] = beam20_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 16] = beam20_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 18] = beam20_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 19] = beam20_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 20] = beam20_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 21] = beam20_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 22] = beam20_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 23] = beam20_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 24] = beam20_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 25] = beam20_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 26] = beam20_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 27] = beam20_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 28] = beam20_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 29] = beam20_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 30] = beam20_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 31] = beam20_pinned_pinned2_0_9375_shape_1_1
+    turns = ca.SX(3, 38)
+    turns[2, 0] = w0
+    turns[2, 1] = w1
+    turns[2, 2] = beam20_pinned_pinned2_0_0625_slope_0_0 / rod_length
+    turns[2, 3] = beam20_pinned_pinned2_0_0625_slope_1_0 / rod_length
+    turns[2, 4] = beam20_pinned_pinned2_0_125_slope_0_0 / rod_length
+    turns[2, 5] = beam20_pinned_pinned2_0_125_slope_1_0 / rod_length
+    turns[2, 6] = beam20_pinned_pinned2_0_1875_slope_0_0 / rod_length
+    turns[2, 7] = beam20_pinned_pinned2_0_1875_slope_1_0 / rod_length
+    turns[2, 8] = beam20_pinned_pinned2_0_25_slope_0_0 / rod_length
+    turns[2, 10] = beam20_pinned_pinned2_0_3125_slope_0_0 / rod_length
+    turns[2, 11] = beam20_pinned_pinned2_0_3125_slope_1_0 / rod_length
+    turns[2, 12] = beam20_pinned_pinned2_0_375_slope_0_0 / rod_length
+    turns[2, 13] = beam20_pinned_pinned2_0_375_slope_1_0 / rod_length
+    turns[2, 14] = beam20_pinned_pinned2_0_4375_slope_0_0 / rod_length
+    turns[2, 15] = beam20_pinned_pinned2_0_4375_slope_1_0 / rod_length
+    turns[2, 17] = beam20_pinned_pinned2_0_5_slope_1_0 / rod_length
+    turns[2, 18] = beam20_pinned_pinned2_0_5625_slope_0_0 / rod_length
+    turns[2, 19] = beam20_pinned_pinned2_0_5625_slope_1_0 / rod_length
+    turns[2, 20] = beam20_pinned_pinned2_0_625_slope_0_0 / rod_length
+    turns[2, 21] = beam20_pinned_pinned2_0_625_slope_1_0 / rod_length
+    turns[2, 22] = beam20_pinned_pinned2_0_6875_slope_0_0 / rod_length
+    turns[2, 23] = beam20_pinned_pinned2_0_6875_slope_1_0 / rod_length
+    turns[2, 24] = beam20_pinned_pinned2_0_75_slope_0_0 / rod_length
+    turns[2, 26] = beam20_pinned_pinned2_0_8125_slope_0_0 / rod_length
+    turns[2, 27] = beam20_pinned_pinned2_0_8125_slope_1_0 / rod_length
+    turns[2, 28] = beam20_pinned_pinned2_0_875_slope_0_0 / rod_length
+    turns[2, 29] = beam20_pinned_pinned2_0_875_slope_1_0 / rod_length
+    turns[2, 30] = beam20_pinned_pinned2_0_9375_slope_0_0 / rod_length
+    turns[2, 31] = beam20_pinned_pinned2_0_9375_slope_1_0 / rod_length
+    turns[2, 32] = w2
+    turns[2, 33] = w3
+    turns[2, 34] = w0
+    turns[2, 35] = w1
+    turns[2, 36] = w2
+    turns[2, 37] = w3
+    H = ca.horzcat(
+        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length, beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length, beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_0_0 / rod_length, beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_125_H_1_0 / rod_length, beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length, beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length, beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_0_0 / rod_length, beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_25_H_1_0 / rod_length, beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length, beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length, beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_0_0 / rod_length, beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_375_H_1_0 / rod_length, beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length, beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length, beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_0_0 / rod_length, beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5_H_1_0 / rod_length, beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length, beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length, beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_0_0 / rod_length, beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_625_H_1_0 / rod_length, beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length, beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length, beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_0_0 / rod_length, beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_75_H_1_0 / rod_length, beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length, beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length, beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_0_0 / rod_length, beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_875_H_1_0 / rod_length, beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length, beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
+        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length, beam20_pinned_pinned2_0_9375_H_1_1 / rod_length, w4,
+        0.0, 0.0, w5, w4, 0.0, 0.0, w5,
     )
-    positions = ca.reshape(positions, 3, 23)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 23)
-    axes = ca.densify(axes)
-    shapes = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_shape_1_0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_shape_1_1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_shape_1_1,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    shapes = ca.reshape(shapes, 3, 38)
-    shapes = ca.densify(shapes)
-    turns = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_0625_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_125_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_1875_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_25_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_3125_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_375_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_4375_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_5625_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_625_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_6875_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_75_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_8125_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_875_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_0_0 / rod_length,
-        0.0,
-        0.0,
-        beam20_pinned_pinned2_0_9375_slope_1_0 / rod_length,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-    )
-    turns = ca.reshape(turns, 3, 38)
-    turns = ca.densify(turns)
-    H = ca.vertcat(
-        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / rod_length,
-        w4,
-        0.0,
-        0.0,
-        w5,
-        w4,
-        0.0,
-        0.0,
-        w5,
-    )
-    H = ca.reshape(H, 1, 68)
-    H = ca.densify(H)
-    sections = ca.vertcat(
-        w6,
-        rod_area / w6,
-    )
-    sections = ca.densify(sections)
-    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    sections = ca.vertcat(w6, rod_area / w6)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
 
 

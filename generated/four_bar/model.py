@@ -1,13 +1,25 @@
 """Four-bar linkage: equations of motion, emitted by symgen from the scene `four_bar`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 crank.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 crank.x [m], 1 crank.y [m], 2 coupler.x [m], 3 coupler.y [m], 4 coupler.theta [rad], 5 rocker.x [m],
+    6 rocker.y [m], 7 rocker.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 76 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    76 operations.
+    """
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -24,49 +36,60 @@ def constants() -> ca.Function:
     rocker_tip_x = p[12]
     ground_right_x = p[13]
     motor_value = p[14]
+    # intermediate terms (6)
     w0 = crank_inertia + crank_mass * crank_center_of_mass_x**2
     w1 = crank_tip_x * coupler_mass
     w2 = rocker_inertia + rocker_mass * rocker_center_of_mass_x**2
     w3 = coupler_mass * coupler_center_of_mass_x
     w4 = crank_mass * crank_center_of_mass_x
     w5 = rocker_mass * rocker_center_of_mass_x
+    # outputs
     c = ca.vertcat(
-        crank_tip_x,
-        coupler_mass,
-        w0 + crank_tip_x * w1,
-        coupler_tip_x,
-        rocker_tip_x,
-        w2,
-        w3,
-        coupler_inertia + coupler_mass * coupler_center_of_mass_x**2,
-        gravity_y,
-        w4 * gravity_y,
-        motor_value,
-        coupler_mass * gravity_y,
-        gravity_y * w5,
-        ground_right_x,
-        crank_mass,
-        w0,
-        rocker_mass,
-        w4,
-        w5,
-        crank_mass * gravity_y,
-        rocker_mass * gravity_y,
-        coupler_tip_x * (2 * coupler_tip_x),
-        rocker_tip_x * (2 * rocker_tip_x),
-        coupler_inertia + coupler_center_of_mass_x * w3,
-        rocker_inertia + rocker_center_of_mass_x * w5,
-        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),
-        w1 * coupler_center_of_mass_x,
-        w2 + w2,
+        crank_tip_x,  # crank_tip_x
+        coupler_mass,  # coupler_mass
+        w0 + crank_tip_x * w1,  # c2
+        coupler_tip_x,  # coupler_tip_x
+        rocker_tip_x,  # rocker_tip_x
+        w2,  # c5
+        w3,  # c6
+        coupler_inertia + coupler_mass * coupler_center_of_mass_x**2,  # c7
+        gravity_y,  # gravity_y
+        w4 * gravity_y,  # c9
+        motor_value,  # motor_value
+        coupler_mass * gravity_y,  # c11
+        gravity_y * w5,  # c12
+        ground_right_x,  # ground_right_x
+        crank_mass,  # crank_mass
+        w0,  # c15
+        rocker_mass,  # rocker_mass
+        w4,  # c17
+        w5,  # c18
+        crank_mass * gravity_y,  # c19
+        rocker_mass * gravity_y,  # c20
+        coupler_tip_x * (2 * coupler_tip_x),  # c21
+        rocker_tip_x * (2 * rocker_tip_x),  # c22
+        coupler_inertia + coupler_center_of_mass_x * w3,  # c23
+        rocker_inertia + rocker_center_of_mass_x * w5,  # c24
+        coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c25
+        w1 * coupler_center_of_mass_x,  # c26
+        w2 + w2,  # c27
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 110 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
+    110 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -78,29 +101,30 @@ def condensed() -> ca.Function:
     crank_theta_dot = q_i_dot[0]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
+    crank_tip_x = c[0]
+    coupler_mass = c[1]
     c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c9 = c[9]
-    c10 = c[10]
+    motor_value = c[10]
     c11 = c[11]
     c12 = c[12]
+    # intermediate terms (26)
     w0 = ca.cos(crank_theta)
-    w1 = w0 * c0
-    w2 = ca.sin(crank_theta) * c0
+    w1 = w0 * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = ca.sin(coupler_theta)
-    w4 = w3 * c3
+    w4 = w3 * coupler_tip_x
     w5 = ca.cos(coupler_theta)
-    w6 = w5 * c3
+    w6 = w5 * coupler_tip_x
     w7 = ca.cos(rocker_theta)
-    w8 = w7 * c4
-    w9 = ca.sin(rocker_theta) * c4
+    w8 = w7 * rocker_tip_x
+    w9 = ca.sin(rocker_theta) * rocker_tip_x
     w10 = w4 * w8 - w6 * w9
     w11 = (w1 * w4 - w2 * w6) / w10
     w12 = (w1 * w9 - w2 * w8) / w10
@@ -115,67 +139,69 @@ def condensed() -> ca.Function:
     w21 = w2 * w18
     w22 = w9 * w17 - w4 * w16 - w21
     w23 = (w8 * w20 + w9 * w22) / w10
-    w24 = w0 * c9 + c10 + w1 * (w14 * w16 + c11 - (w13 * w23 - w21 * c1)) - w2 * (w13 * w16 + (w19 * c1 + w14 * w23))
-    w25 = w24 + w11 * (w7 * c12 - (w6 * w20 + w4 * w22) / w10 * c5) + w12 * (w13 * c8 - (w14 * w19 - w13 * w21 + w23 * c7))
-    M_hat = ca.vertcat(
-        c2 + w11 * (w11 * c5) + (w12 * (w15 + w12 * c7) + w12 * w15),
-    )
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        w25,
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    w24 = w0 * c9 + motor_value + w1 * (w14 * w16 + c11 - (w13 * w23 - w21 * coupler_mass)) - w2 * (w13 * w16 + (w19 * coupler_mass + w14 * w23))
+    w25 = w24 + w11 * (w7 * c12 - (w6 * w20 + w4 * w22) / w10 * c5) + w12 * (w13 * gravity_y - (w14 * w19 - w13 * w21 + w23 * c7))
+    # outputs
+    M_hat = ca.vertcat(c2 + w11 * (w11 * c5) + (w12 * (w15 + w12 * c7) + w12 * w15))
+    Q_hat = ca.vertcat(w25)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 49 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    49 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 28)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c13 = c[13]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
-    w2 = ca.cos(rocker_theta) * c4
-    w3 = ca.cos(coupler_theta) * c3
-    w4 = w2 + c13 - (w0 + w3)
-    w5 = ca.sin(rocker_theta) * c4
-    w6 = ca.sin(coupler_theta) * c3
+    crank_tip_x = c[0]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
+    ground_right_x = c[13]
+    # intermediate terms (9)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = ca.cos(rocker_theta) * rocker_tip_x
+    w3 = ca.cos(coupler_theta) * coupler_tip_x
+    w4 = w2 + ground_right_x - (w0 + w3)
+    w5 = ca.sin(rocker_theta) * rocker_tip_x
+    w6 = ca.sin(coupler_theta) * coupler_tip_x
     w7 = w5 - (w1 + w6)
     w8 = w2 * w6 - w3 * w5
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        w1,
-        coupler_theta - (w2 * w4 + w5 * w7) / w8,
-        c13,
-        0.0,
-        rocker_theta - (w3 * w4 + w6 * w7) / w8,
-    )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        w4,
-        w7,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        w8,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    # outputs
+    q_d_next = ca.SX(8, 1)
+    q_d_next[2] = w0  # coupler.x
+    q_d_next[3] = w1  # coupler.y
+    q_d_next[4] = coupler_theta - (w2 * w4 + w5 * w7) / w8  # coupler.theta
+    q_d_next[5] = ground_right_x  # rocker.x
+    q_d_next[7] = rocker_theta - (w3 * w4 + w6 * w7) / w8  # rocker.theta
+    C_loop = ca.vertcat(w4, w7)
+    det_loop = ca.vertcat(w8)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 44 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    44 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -184,33 +210,39 @@ def velocities() -> ca.Function:
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
     crank_theta_dot = q_i_dot[0]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    w0 = ca.sin(crank_theta) * c0
-    w1 = ca.cos(crank_theta) * c0
-    w2 = ca.sin(rocker_theta) * c4
-    w3 = ca.cos(rocker_theta) * c4
-    w4 = ca.sin(coupler_theta) * c3
-    w5 = ca.cos(coupler_theta) * c3
+    crank_tip_x = c[0]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
+    # intermediate terms (7)
+    w0 = ca.sin(crank_theta) * crank_tip_x
+    w1 = ca.cos(crank_theta) * crank_tip_x
+    w2 = ca.sin(rocker_theta) * rocker_tip_x
+    w3 = ca.cos(rocker_theta) * rocker_tip_x
+    w4 = ca.sin(coupler_theta) * coupler_tip_x
+    w5 = ca.cos(coupler_theta) * coupler_tip_x
     w6 = w3 * w4 - w2 * w5
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * crank_theta_dot),
-        crank_theta_dot * w1,
-        crank_theta_dot * ((w1 * w2 - w0 * w3) / w6),
-        0.0,
-        0.0,
-        crank_theta_dot * ((w1 * w4 - w0 * w5) / w6),
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    # outputs
+    q_d_dot = ca.SX(8, 1)
+    q_d_dot[2] = -(w0 * crank_theta_dot)  # coupler.x
+    q_d_dot[3] = crank_theta_dot * w1  # coupler.y
+    q_d_dot[4] = crank_theta_dot * ((w1 * w2 - w0 * w3) / w6)  # coupler.theta
+    q_d_dot[7] = crank_theta_dot * ((w1 * w4 - w0 * w5) / w6)  # rocker.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 72 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
+    72 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -224,40 +256,47 @@ def accelerations() -> ca.Function:
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
     crank_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
+    crank_tip_x = c[0]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
+    # intermediate terms (14)
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c0
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = w0 * w1
-    w3 = ca.sin(crank_theta) * c0
+    w3 = ca.sin(crank_theta) * crank_tip_x
     w4 = w0 * w3
-    w5 = ca.cos(rocker_theta) * c4
+    w5 = ca.cos(rocker_theta) * rocker_tip_x
     w6 = rocker_theta_dot**2
     w7 = coupler_theta_dot**2
-    w8 = ca.cos(coupler_theta) * c3
+    w8 = ca.cos(coupler_theta) * coupler_tip_x
     w9 = w5 * w6 - w7 * w8 - w2
-    w10 = ca.sin(rocker_theta) * c4
-    w11 = ca.sin(coupler_theta) * c3
+    w10 = ca.sin(rocker_theta) * rocker_tip_x
+    w11 = ca.sin(coupler_theta) * coupler_tip_x
     w12 = w6 * w10 - w7 * w11 - w4
     w13 = w5 * w11 - w8 * w10
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w2 + w3 * crank_theta_ddot),
-        w1 * crank_theta_ddot - w4,
-        (w5 * w9 + w10 * w12) / w13 + crank_theta_ddot * ((w1 * w10 - w3 * w5) / w13),
-        0.0,
-        0.0,
-        (w8 * w9 + w11 * w12) / w13 + crank_theta_ddot * ((w1 * w11 - w3 * w8) / w13),
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(8, 1)
+    q_d_ddot[2] = -(w2 + w3 * crank_theta_ddot)  # coupler.x
+    q_d_ddot[3] = w1 * crank_theta_ddot - w4  # coupler.y
+    q_d_ddot[4] = (w5 * w9 + w10 * w12) / w13 + crank_theta_ddot * ((w1 * w10 - w3 * w5) / w13)  # coupler.theta
+    q_d_ddot[7] = (w8 * w9 + w11 * w12) / w13 + crank_theta_ddot * ((w1 * w11 - w3 * w8) / w13)  # rocker.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 162 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
+    gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    162 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 28)
@@ -273,145 +312,84 @@ def constraints() -> ca.Function:
     crank_theta_dot = q_dot[2]
     coupler_theta_dot = q_dot[5]
     rocker_theta_dot = q_dot[8]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c13 = c[13]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(crank_theta) * c0
-    w2 = ca.cos(rocker_theta) * c4
-    w3 = ca.cos(coupler_theta) * c3
-    w4 = ca.sin(rocker_theta) * c4
-    w5 = ca.sin(coupler_theta) * c3
+    crank_tip_x = c[0]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
+    ground_right_x = c[13]
+    # intermediate terms (9)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = ca.cos(rocker_theta) * rocker_tip_x
+    w3 = ca.cos(coupler_theta) * coupler_tip_x
+    w4 = ca.sin(rocker_theta) * rocker_tip_x
+    w5 = ca.sin(coupler_theta) * coupler_tip_x
     w6 = crank_theta_dot**2
     w7 = rocker_theta_dot**2
     w8 = coupler_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        crank_x,
-        crank_y,
-        coupler_x - (crank_x + w0),
-        coupler_y - (crank_y + w1),
-        rocker_x + w2 - (coupler_x + w3),
-        rocker_y + w4 - (coupler_y + w5),
-        rocker_x - c13,
-        rocker_y,
+        crank_x,  # A.x
+        crank_y,  # A.y
+        coupler_x - (crank_x + w0),  # B.x
+        coupler_y - (crank_y + w1),  # B.y
+        rocker_x + w2 - (coupler_x + w3),  # C.x
+        rocker_y + w4 - (coupler_y + w5),  # C.y
+        rocker_x - ground_right_x,  # D.x
+        rocker_y,  # D.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w5,
-        -w3,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w4,
-        w2,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 9)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w6),
-        -(w1 * w6),
-        w2 * w7 - w3 * w8,
-        w4 * w7 - w5 * w8,
-        0.0,
-        0.0,
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(8, 9)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    # C.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w5
+    C_q[4, 6] = 1.0
+    C_q[4, 8] = -w4
+    # C.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w3
+    C_q[5, 7] = 1.0
+    C_q[5, 8] = w2
+    # D.x
+    C_q[6, 6] = 1.0
+    # D.y
+    C_q[7, 7] = 1.0
+    C_t = ca.SX(8, 1)
+    nu = ca.SX(8, 1)
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w0 * w6)  # B.x
+    gamma[3] = -(w1 * w6)  # B.y
+    gamma[4] = w2 * w7 - w3 * w8  # C.x
+    gamma[5] = w4 * w7 - w5 * w8  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 345 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
+    gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 9) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    345 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 28)
@@ -421,23 +399,24 @@ def augmented() -> ca.Function:
     crank_theta_dot = q_dot[2]
     coupler_theta_dot = q_dot[5]
     rocker_theta_dot = q_dot[8]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    crank_tip_x = c[0]
+    coupler_mass = c[1]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
-    c10 = c[10]
+    gravity_y = c[8]
+    motor_value = c[10]
     c11 = c[11]
-    c14 = c[14]
+    crank_mass = c[14]
     c15 = c[15]
-    c16 = c[16]
+    rocker_mass = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    # intermediate terms (33)
     w0 = ca.sin(crank_theta)
     w1 = w0 * c17
     w2 = -w1
@@ -462,314 +441,128 @@ def augmented() -> ca.Function:
     w21 = rocker_theta_dot**2
     w22 = w14 * w21
     w23 = w11 * w21
-    w24 = c10 + w4 * c8
-    w25 = w9 * c8
-    w26 = w14 * c8
-    w27 = w0 * c0
-    w28 = w3 * c0
-    w29 = w5 * c3
-    w30 = w8 * c3
-    w31 = w10 * c4
-    w32 = w13 * c4
-    M = ca.vertcat(
-        c14,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c14,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c15,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-        0.0,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-        w9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7,
-        w9,
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c16,
-        0.0,
-        w12,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c16,
-        w14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w12,
-        w14,
-        c5,
-    )
-    M = ca.reshape(M, 9, 9)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 9, 9)
-    K = ca.densify(K)
+    w24 = motor_value + w4 * gravity_y
+    w25 = w9 * gravity_y
+    w26 = w14 * gravity_y
+    w27 = w0 * crank_tip_x
+    w28 = w3 * crank_tip_x
+    w29 = w5 * coupler_tip_x
+    w30 = w8 * coupler_tip_x
+    w31 = w10 * rocker_tip_x
+    w32 = w13 * rocker_tip_x
+    # outputs
+    M = ca.SX(9, 9)
+    # crank.x
+    M[0, 0] = crank_mass
+    M[0, 2] = w2
+    # crank.y
+    M[1, 1] = crank_mass
+    M[1, 2] = w4
+    # crank.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c15
+    # coupler.x
+    M[3, 3] = coupler_mass
+    M[3, 5] = w7
+    # coupler.y
+    M[4, 4] = coupler_mass
+    M[4, 5] = w9
+    # coupler.theta
+    M[5, 3] = w7
+    M[5, 4] = w9
+    M[5, 5] = c7
+    # rocker.x
+    M[6, 6] = rocker_mass
+    M[6, 8] = w12
+    # rocker.y
+    M[7, 7] = rocker_mass
+    M[7, 8] = w14
+    # rocker.theta
+    M[8, 6] = w12
+    M[8, 7] = w14
+    M[8, 8] = c5
+    K = ca.SX(9, 9)
     Q_v = ca.vertcat(
-        w16,
-        w17,
-        0.0,
-        w19,
-        w20,
-        0.0,
-        w22,
-        w23,
-        0.0,
+        w16,  # crank.x
+        w17,  # crank.y
+        0.0,  # crank.theta
+        w19,  # coupler.x
+        w20,  # coupler.y
+        0.0,  # coupler.theta
+        w22,  # rocker.x
+        w23,  # rocker.y
+        0.0,  # rocker.theta
     )
-    Q_v = ca.densify(Q_v)
     Q_F = ca.vertcat(
-        0.0,
-        c19,
-        w24,
-        0.0,
-        c11,
-        w25,
-        0.0,
-        c20,
-        w26,
+        0.0,  # crank.x
+        c19,  # crank.y
+        w24,  # crank.theta
+        0.0,  # coupler.x
+        c11,  # coupler.y
+        w25,  # coupler.theta
+        0.0,  # rocker.x
+        c20,  # rocker.y
+        w26,  # rocker.theta
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w16,
-        w17 + c19,
-        w24,
-        w19,
-        c11 + w20,
-        w25,
-        w22,
-        w23 + c20,
-        w26,
+        w16,  # crank.x
+        w17 + c19,  # crank.y
+        w24,  # crank.theta
+        w19,  # coupler.x
+        c11 + w20,  # coupler.y
+        w25,  # coupler.theta
+        w22,  # rocker.x
+        w23 + c20,  # rocker.y
+        w26,  # rocker.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w27,
-        -w28,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w29,
-        -w30,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w31,
-        w32,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 9)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w15 * w28),
-        -(w15 * w27),
-        w21 * w32 - w18 * w30,
-        w21 * w31 - w18 * w29,
-        0.0,
-        0.0,
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(8, 9)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w27
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w28
+    C_q[3, 4] = 1.0
+    # C.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w29
+    C_q[4, 6] = 1.0
+    C_q[4, 8] = -w31
+    # C.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w30
+    C_q[5, 7] = 1.0
+    C_q[5, 8] = w32
+    # D.x
+    C_q[6, 6] = 1.0
+    # D.y
+    C_q[7, 7] = 1.0
+    gamma_b = ca.SX(8, 1)
+    gamma_b[2] = -(w15 * w28)  # B.x
+    gamma_b[3] = -(w15 * w27)  # B.y
+    gamma_b[4] = w21 * w32 - w18 * w30  # C.x
+    gamma_b[5] = w21 * w31 - w18 * w29  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 141 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
+    141 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
@@ -789,20 +582,21 @@ def reactions() -> ca.Function:
     rocker_x_ddot = q_ddot[6]
     rocker_y_ddot = q_ddot[7]
     rocker_theta_ddot = q_ddot[8]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    coupler_mass = c[1]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c11 = c[11]
-    c14 = c[14]
-    c16 = c[16]
+    crank_mass = c[14]
+    rocker_mass = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    # intermediate terms (28)
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c17
     w2 = ca.sin(crank_theta) * c17
@@ -812,58 +606,59 @@ def reactions() -> ca.Function:
     w6 = ca.sin(coupler_theta)
     w7 = w6 * c6
     w8 = ca.cos(rocker_theta)
-    w9 = w8 * c4
-    w10 = w5 * c8 - (w5 * coupler_y_ddot - coupler_x_ddot * w7 + coupler_theta_ddot * c7)
-    w11 = w4 * c3
+    w9 = w8 * rocker_tip_x
+    w10 = w5 * gravity_y - (w5 * coupler_y_ddot - coupler_x_ddot * w7 + coupler_theta_ddot * c7)
+    w11 = w4 * coupler_tip_x
     w12 = w8 * c18
     w13 = ca.sin(rocker_theta)
     w14 = w13 * c18
-    w15 = w12 * c8 - (w12 * rocker_y_ddot - w14 * rocker_x_ddot + rocker_theta_ddot * c5)
-    w16 = w6 * c3
-    w17 = w13 * c4
+    w15 = w12 * gravity_y - (w12 * rocker_y_ddot - w14 * rocker_x_ddot + rocker_theta_ddot * c5)
+    w16 = w6 * coupler_tip_x
+    w17 = w13 * rocker_tip_x
     w18 = w9 * w16 - w11 * w17
     w19 = (w9 * w10 + w11 * w15) / w18
-    w20 = w3 * w5 - (coupler_x_ddot * c1 - w7 * coupler_theta_ddot) + w19
-    w21 = w0 * w1 - (crank_x_ddot * c14 - w2 * crank_theta_ddot) + w20
+    w20 = w3 * w5 - (coupler_x_ddot * coupler_mass - w7 * coupler_theta_ddot) + w19
+    w21 = w0 * w1 - (crank_x_ddot * crank_mass - w2 * crank_theta_ddot) + w20
     w22 = (w10 * w17 + w15 * w16) / w18
-    w23 = c11 + w3 * w7 - (coupler_y_ddot * c1 + w5 * coupler_theta_ddot) + w22
-    w24 = c19 + w0 * w2 - (crank_y_ddot * c14 + w1 * crank_theta_ddot) + w23
+    w23 = c11 + w3 * w7 - (coupler_y_ddot * coupler_mass + w5 * coupler_theta_ddot) + w22
+    w24 = c19 + w0 * w2 - (crank_y_ddot * crank_mass + w1 * crank_theta_ddot) + w23
     w25 = rocker_theta_dot**2
-    w26 = w12 * w25 - (rocker_x_ddot * c16 - w14 * rocker_theta_ddot) - w19
-    w27 = c20 + w14 * w25 - (rocker_y_ddot * c16 + w12 * rocker_theta_ddot) - w22
+    w26 = w12 * w25 - (rocker_x_ddot * rocker_mass - w14 * rocker_theta_ddot) - w19
+    w27 = c20 + w14 * w25 - (rocker_y_ddot * rocker_mass + w12 * rocker_theta_ddot) - w22
+    # outputs
     lam = ca.vertcat(
-        w21,
-        w24,
-        w20,
-        w23,
-        w19,
-        w22,
-        w26,
-        w27,
+        w21,  # A.x
+        w24,  # A.y
+        w20,  # B.x
+        w23,  # B.y
+        w19,  # C.x
+        w22,  # C.y
+        w26,  # D.x
+        w27,  # D.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w21,
-        -w24,
-        0.0,
-        -w20,
-        -w23,
-        0.0,
-        -w19,
-        -w22,
-        0.0,
-        -w26,
-        -w27,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w21, -w24, 0.0),  # A
+        ca.vertcat(-w20, -w23, 0.0),  # B
+        ca.vertcat(-w19, -w22, 0.0),  # C
+        ca.vertcat(-w26, -w27, 0.0),  # D
     )
-    joint_forces = ca.reshape(joint_forces, 3, 4)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 109 operations."""
+    """Energies and powers.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    109 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 28)
@@ -882,53 +677,48 @@ def energy() -> ca.Function:
     rocker_x_dot = q_dot[6]
     rocker_y_dot = q_dot[7]
     rocker_theta_dot = q_dot[8]
-    c1 = c[1]
+    coupler_mass = c[1]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
-    c10 = c[10]
-    c14 = c[14]
+    gravity_y = c[8]
+    motor_value = c[10]
+    crank_mass = c[14]
     c15 = c[15]
-    c16 = c[16]
+    rocker_mass = c[16]
     c17 = c[17]
     c18 = c[18]
+    # intermediate terms (11)
     w0 = ca.sin(crank_theta) * c17
     w1 = ca.cos(crank_theta) * c17
-    w2 = crank_x_dot * (crank_x_dot * c14 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c14 + crank_theta_dot * w1)
+    w2 = crank_x_dot * (crank_x_dot * crank_mass - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * crank_mass + crank_theta_dot * w1)
     w3 = ca.sin(coupler_theta) * c6
-    w4 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c15) + coupler_x_dot * (coupler_x_dot * c1 - w3 * coupler_theta_dot)
+    w4 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c15) + coupler_x_dot * (coupler_x_dot * coupler_mass - w3 * coupler_theta_dot)
     w5 = ca.cos(coupler_theta) * c6
-    w6 = w4 + coupler_y_dot * (coupler_y_dot * c1 + coupler_theta_dot * w5) + coupler_theta_dot * (coupler_y_dot * w5 - coupler_x_dot * w3 + coupler_theta_dot * c7)
+    w6 = w4 + coupler_y_dot * (coupler_y_dot * coupler_mass + coupler_theta_dot * w5) + coupler_theta_dot * (coupler_y_dot * w5 - coupler_x_dot * w3 + coupler_theta_dot * c7)
     w7 = ca.sin(rocker_theta) * c18
     w8 = ca.cos(rocker_theta) * c18
-    w9 = w6 + rocker_x_dot * (rocker_x_dot * c16 - w7 * rocker_theta_dot) + rocker_y_dot * (rocker_y_dot * c16 + rocker_theta_dot * w8)
+    w9 = w6 + rocker_x_dot * (rocker_x_dot * rocker_mass - w7 * rocker_theta_dot) + rocker_y_dot * (rocker_y_dot * rocker_mass + rocker_theta_dot * w8)
+    w10 = (w0 + crank_y * crank_mass) * gravity_y + (w3 + coupler_y * coupler_mass) * gravity_y + (w7 + rocker_y * rocker_mass) * gravity_y
+    # outputs
     kinetic = ca.vertcat(
         (w9 + rocker_theta_dot * (rocker_y_dot * w8 - rocker_x_dot * w7 + rocker_theta_dot * c5)) / 2.0,
     )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + crank_y * c14) * c8 + (w3 + coupler_y * c1) * c8 + (w7 + rocker_y * c16) * c8),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        crank_theta_dot * c10,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    elastic = ca.SX(1, 1)
+    potential = ca.vertcat(-w10)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.vertcat(crank_theta_dot * motor_value)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 56 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    56 operations.
+    """
     q = ca.SX.sym("q", 9)
     crank_x = q[0]
     crank_y = q[1]
@@ -939,58 +729,51 @@ def poses() -> ca.Function:
     rocker_x = q[6]
     rocker_y = q[7]
     rocker_theta = q[8]
+    # intermediate terms (6)
     w0 = ca.cos(crank_theta)
     w1 = ca.sin(crank_theta)
     w2 = ca.cos(coupler_theta)
     w3 = ca.sin(coupler_theta)
     w4 = ca.cos(rocker_theta)
     w5 = ca.sin(rocker_theta)
-    poses = ca.vertcat(
-        crank_x,
-        crank_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        coupler_x,
-        coupler_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rocker_x,
-        rocker_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 3)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 3)
+    poses[0, 0] = crank_x
+    poses[0, 1] = coupler_x
+    poses[0, 2] = rocker_x
+    poses[1, 0] = crank_y
+    poses[1, 1] = coupler_y
+    poses[1, 2] = rocker_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 276 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
+    276 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -1002,32 +785,33 @@ def dQ_hat_dq_i() -> ca.Function:
     crank_theta_dot = q_i_dot[0]
     coupler_theta_dot = q_d_dot[4]
     rocker_theta_dot = q_d_dot[7]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    crank_tip_x = c[0]
+    coupler_mass = c[1]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c9 = c[9]
     c11 = c[11]
     c12 = c[12]
     c21 = c[21]
     c22 = c[22]
-    w0 = ca.cos(crank_theta) * c0
+    # intermediate terms (63)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = coupler_theta_dot**2
     w2 = ca.cos(coupler_theta)
     w3 = w2 * c6
     w4 = w1 * w3
     w5 = ca.cos(rocker_theta)
-    w6 = w5 * c4
+    w6 = w5 * rocker_tip_x
     w7 = ca.sin(coupler_theta)
-    w8 = w7 * c3
+    w8 = w7 * coupler_tip_x
     w9 = w1 * w8
     w10 = ca.sin(rocker_theta)
-    w11 = w10 * c4
-    w12 = w2 * c3
+    w11 = w10 * rocker_tip_x
+    w12 = w2 * coupler_tip_x
     w13 = w1 * w12
     w14 = w6 * w8 - w11 * w12
     w15 = rocker_theta_dot**2
@@ -1037,7 +821,7 @@ def dQ_hat_dq_i() -> ca.Function:
     w19 = w16 - w13 - w18
     w20 = w11 * w15
     w21 = ca.sin(crank_theta)
-    w22 = w21 * c0
+    w22 = w21 * crank_tip_x
     w23 = w17 * w22
     w24 = w20 - w9 - w23
     w25 = (w6 * w19 + w11 * w24) / w14
@@ -1058,16 +842,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w40 = w0 * (w4 - (w3 * w28 - w30)) - w22 * (w31 + w28 * w29 - w32) + (w34 * w38 - w36 * (((w9 * w12 - w8 * w19 + (w12 * w24 - w8 * w13)) / w14 - w39) * c5))
     w41 = (w0 * w11 - w6 * w22) / w14
     w42 = w3 * w18 + w23 * w29
-    w43 = w3 * c8 - (w18 * w29 - w3 * w23 + w25 * c7)
+    w43 = w3 * gravity_y - (w18 * w29 - w3 * w23 + w25 * c7)
     w44 = w26 * (w41 / w14)
     w45 = w27 + (w6 * w24 + w11 * w16 - (w11 * w19 + w6 * w20)) / w14
     w46 = w34 * w37 - w36 * (w10 * c12 + (w39 + (w8 * w16 - w12 * w20) / w14) * c5) - (w0 * (w3 * w45) + w22 * (w29 * w45))
     w47 = (w0 * w6 + w11 * w22) / w14
     w48 = w44 + w47
-    w49 = w41 * (w40 - (w41 * (w29 * c8 + (w42 + w28 * c7)) + w43 * w44)) + w36 * (w46 + (w43 * w48 - w41 * (w45 * c7)))
+    w49 = w41 * (w40 - (w41 * (w29 * gravity_y + (w42 + w28 * c7)) + w43 * w44)) + w36 * (w46 + (w43 * w48 - w41 * (w45 * c7)))
     w50 = (w6 * w23 - w11 * w18) / w14
-    w51 = w18 * c1
-    w52 = w23 * c1
+    w51 = w18 * coupler_mass
+    w52 = w23 * coupler_mass
     w53 = w21 * c9 + (w0 * (w3 * w50 - w51) + w22 * (c11 + w32 - (w31 - w52))) + (w22 * (w29 * w50 - w52) + w0 * (w4 + (w30 + w51)))
     w54 = w53 + (w36 * ((w12 * w23 - w8 * w18) / w14 * c5) + w34 * w35) + (w41 * (w50 * c7 - w42) + w43 * w47)
     w55 = 2 * coupler_theta_dot
@@ -1078,16 +862,22 @@ def dQ_hat_dq_i() -> ca.Function:
     w60 = rocker_theta_dot * c22 / w14
     w61 = w0 * (w3 * w60) + w22 * (w29 * w60) + w36 * ((w12 * (w6 * w59) + w8 * (w11 * w59)) / w14 * c5) + w41 * (w60 * c7)
     w62 = w58 - w61 * (w41 * (crank_theta_dot * w38) + w36 * (crank_theta_dot * w37) - crank_theta_dot * w35)
-    dQ_hat_dq_i = ca.vertcat(
-        w49 - w54 + w62,
-    )
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.vertcat(w49 - w54 + w62)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 78 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    78 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -1096,19 +886,20 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
     crank_theta_dot = q_i_dot[0]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
+    crank_tip_x = c[0]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    w0 = ca.cos(crank_theta) * c0
-    w1 = ca.sin(rocker_theta) * c4
-    w2 = ca.cos(rocker_theta) * c4
-    w3 = ca.sin(crank_theta) * c0
-    w4 = ca.sin(coupler_theta) * c3
-    w5 = ca.cos(coupler_theta) * c3
+    # intermediate terms (19)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(rocker_theta) * rocker_tip_x
+    w2 = ca.cos(rocker_theta) * rocker_tip_x
+    w3 = ca.sin(crank_theta) * crank_tip_x
+    w4 = ca.sin(coupler_theta) * coupler_tip_x
+    w5 = ca.cos(coupler_theta) * coupler_tip_x
     w6 = w2 * w4 - w1 * w5
     w7 = (w0 * w1 - w2 * w3) / w6
     w8 = w7 * crank_theta_dot
@@ -1122,16 +913,22 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w16 = coupler_theta - crank_theta
     w17 = ca.sin(w16) * c25
     w18 = w17 * (crank_theta_dot * w7**2) - w8 * w17 - w7 * w15 * c23 - w10 * ((w5 * w13 + w4 * w14) / w6) * c24
-    dQ_hat_dq_i_dot = ca.vertcat(
-        w18 - w15 * (ca.cos(w16) * c26),
-    )
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.vertcat(w18 - w15 * (ca.cos(w16) * c26))
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 130 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    130 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
@@ -1140,29 +937,30 @@ def dMa_dq_i() -> ca.Function:
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
     crank_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    crank_tip_x = c[0]
+    coupler_mass = c[1]
+    coupler_tip_x = c[3]
+    rocker_tip_x = c[4]
     c6 = c[6]
     c7 = c[7]
     c27 = c[27]
-    w0 = ca.sin(crank_theta) * c0
-    w1 = ca.cos(crank_theta) * c0
+    # intermediate terms (36)
+    w0 = ca.sin(crank_theta) * crank_tip_x
+    w1 = ca.cos(crank_theta) * crank_tip_x
     w2 = crank_theta_ddot * w1
-    w3 = w2 * c1
+    w3 = w2 * coupler_mass
     w4 = ca.sin(coupler_theta)
     w5 = w4 * c6
-    w6 = ca.sin(rocker_theta) * c4
-    w7 = ca.cos(rocker_theta) * c4
-    w8 = w4 * c3
+    w6 = ca.sin(rocker_theta) * rocker_tip_x
+    w7 = ca.cos(rocker_theta) * rocker_tip_x
+    w8 = w4 * coupler_tip_x
     w9 = ca.cos(coupler_theta)
-    w10 = w9 * c3
+    w10 = w9 * coupler_tip_x
     w11 = w7 * w8 - w6 * w10
     w12 = (w0 * w6 + w1 * w7) / w11
     w13 = crank_theta_ddot * w12
     w14 = w0 * crank_theta_ddot
-    w15 = w14 * c1
+    w15 = w14 * coupler_mass
     w16 = (w1 * w6 - w0 * w7) / w11
     w17 = crank_theta_ddot * w16
     w18 = w5 * w17
@@ -1183,126 +981,57 @@ def dMa_dq_i() -> ca.Function:
     w33 = w12 + w29
     w34 = crank_theta_ddot * w33
     w35 = w21 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c27 + (w16 * (w34 * c7) + w27 * w33))
-    dMa_dq_i = ca.vertcat(
-        w24 + (w16 * (w25 - w26 - w13 * c7) - w12 * w27) + (w16 * w32 + w35),
-    )
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    # outputs
+    dMa_dq_i = ca.vertcat(w24 + (w16 * (w25 - w26 - w13 * c7) - w12 * w27) + (w16 * w32 + w35))
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 102 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 8) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 8) [1]: columns of the rotation matrix of the marker at a drawn point
+    102 operations.
+    """
     p = ca.SX.sym("p", 15)
     crank_tip_x = p[10]
     coupler_tip_x = p[11]
     rocker_tip_x = p[12]
     ground_right_x = p[13]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        ground_right_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        crank_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        coupler_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        rocker_tip_x,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 8)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 8)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 8)
+    positions[0, 1] = ground_right_x
+    positions[0, 3] = crank_tip_x
+    positions[0, 5] = coupler_tip_x
+    positions[0, 7] = rocker_tip_x
+    axes = ca.SX(9, 8)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

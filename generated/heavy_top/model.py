@@ -1,13 +1,24 @@
 """Heavy top: equations of motion, emitted by symgen from the scene `heavy_top`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 top.e1 [1], 1 top.e2 [1], 2 top.e3 [1]
+
+q_d, the dependent coordinates by index:
+    0 top.x [m], 1 top.y [m], 2 top.z [m], 3 top.e0 [1]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 69 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    69 operations.
+    """
     p = ca.SX.sym("p", 6)
     gravity_z = p[0]
     top_mass = p[1]
@@ -15,6 +26,7 @@ def constants() -> ca.Function:
     top_inertia_yy = p[3]
     top_inertia_zz = p[4]
     top_foot_y = p[5]
+    # intermediate terms (10)
     w0 = (top_inertia_xx + top_inertia_yy + top_inertia_zz) / 2.0
     w1 = w0 - top_inertia_yy
     w2 = w0 - top_inertia_zz
@@ -25,39 +37,49 @@ def constants() -> ca.Function:
     w7 = -4.0 * w6
     w8 = -4.0 * w5
     w9 = top_mass * gravity_z
+    # outputs
     c = ca.vertcat(
-        w1,
-        w2,
-        w3,
-        w4,
-        w5,
-        w6,
-        top_foot_y,
-        top_mass,
-        4.0 * w5 + w7,
-        4.0 * w3 + w8,
-        4.0 * w6 + -4.0 * w3,
-        4.0 * w6 + -4.0 * w3,
-        4.0 * w3 + w8,
-        w7 + 4.0 * w5,
-        w9,
-        -top_foot_y,
-        -w9,
-        2 * w3,
-        -2.0 * w5,
-        2 * w6,
-        -2.0 * w3,
-        -2.0 * w6,
-        2 * w5,
-        4.0 * top_foot_y,
+        w1,  # c0
+        w2,  # c1
+        w3,  # c2
+        w4,  # c3
+        w5,  # c4
+        w6,  # c5
+        top_foot_y,  # top_foot_y
+        top_mass,  # top_mass
+        4.0 * w5 + w7,  # c8
+        4.0 * w3 + w8,  # c9
+        4.0 * w6 + -4.0 * w3,  # c10
+        4.0 * w6 + -4.0 * w3,  # c11
+        4.0 * w3 + w8,  # c12
+        w7 + 4.0 * w5,  # c13
+        w9,  # c14
+        -top_foot_y,  # c15
+        -w9,  # c16
+        2 * w3,  # c17
+        -2.0 * w5,  # c18
+        2 * w6,  # c19
+        -2.0 * w3,  # c20
+        -2.0 * w6,  # c21
+        2 * w5,  # c22
+        4.0 * top_foot_y,  # c23
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 391 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 3 x 3) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 3) [N, N m]: condensed force S^T (Q* - M s)
+    391 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -77,8 +99,8 @@ def condensed() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -86,25 +108,26 @@ def condensed() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
+    # intermediate terms (86)
     w0 = 2 * top_e0
     w1 = w0 * c2
     w2 = top_e3 * -2.0
     w3 = 2 * top_e2
-    w4 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w4 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w5 = w0 * w4
     w6 = 2 * top_e3
     w7 = 2 * top_e1
-    w8 = (top_e2 * w7 - w0 * top_e3) * c6
+    w8 = (top_e2 * w7 - w0 * top_e3) * top_foot_y
     w9 = w5 - w6 * w8
-    w10 = w9 * c7
+    w10 = w9 * top_mass
     w11 = top_e2 * -2.0
     w12 = w8 * w11
-    w13 = (w0 * top_e1 + top_e3 * w3) * c6
+    w13 = (w0 * top_e1 + top_e3 * w3) * top_foot_y
     w14 = w0 * w13
     w15 = w12 - w14
-    w16 = w15 * c7
+    w16 = w15 * top_mass
     w17 = w6 * w13 - w4 * w11
-    w18 = w17 * c7
+    w18 = w17 * top_mass
     w19 = top_e1 / top_e0
     w20 = top_e1 * -2.0
     w21 = w1 * w20 + top_e3 * top_e2 * c8
@@ -115,17 +138,17 @@ def condensed() -> ca.Function:
     w26 = w11 * w13 - w25
     w27 = w21 + w10 * w22 + w16 * w24 + w18 * w26
     w28 = w20 * (w20 * c2) + w11 * (w11 * c4) + w2 * (w2 * c5)
-    w29 = w28 + w22 * (w22 * c7) + w24 * (w24 * c7) + w26 * (w26 * c7)
+    w29 = w28 + w22 * (w22 * top_mass) + w24 * (w24 * top_mass) + w26 * (w26 * top_mass)
     w30 = w0 * w1 + w2 * (w2 * c4) + w3 * (w3 * c5) + w9 * w10 + w15 * w16 + w17 * w18 - (w19 * (w27 - w19 * w29) + w19 * w27)
     w31 = w0 * c4
     w32 = w20 * c5
     w33 = w0 * w8
     w34 = w25 - w33
-    w35 = w34 * c7
+    w35 = w34 * top_mass
     w36 = w7 * w8 - w2 * w13
-    w37 = w36 * c7
+    w37 = w36 * top_mass
     w38 = w14 - w4 * w7
-    w39 = w38 * c7
+    w39 = w38 * top_mass
     w40 = w11 * w31 + top_e3 * top_e1 * c10
     w41 = w40 + w22 * w35 + w24 * w37 + w26 * w39
     w42 = top_e2 / top_e0
@@ -135,11 +158,11 @@ def condensed() -> ca.Function:
     w46 = w7 * c4
     w47 = w0 * c5
     w48 = w3 * w4 - w8 * w20
-    w49 = w48 * c7
+    w49 = w48 * top_mass
     w50 = w33 - w3 * w13
-    w51 = w50 * c7
+    w51 = w50 * top_mass
     w52 = w23 - w5
-    w53 = w52 * c7
+    w53 = w52 * top_mass
     w54 = top_e2 * top_e1 * c12 + w2 * w47
     w55 = w54 + w22 * w49 + w24 * w51 + w26 * w53
     w56 = top_e3 / top_e0
@@ -167,36 +190,39 @@ def condensed() -> ca.Function:
     w78 = w8 * w77 - w13 * w76
     w79 = w66 + (w65 + w6 * top_e1_dot) + w20 * top_e3_dot
     w80 = w13 * w79 - w4 * w77
-    w81 = c14 - (w22 * w75 - (w76 * w78 - w79 * w80)) * c7
+    w81 = c14 - (w22 * w75 - (w76 * w78 - w79 * w80)) * top_mass
     w82 = w4 * w76 - w8 * w79
-    w83 = (w24 * w75 - (w77 * w80 - w76 * w82)) * c7
-    w84 = (w26 * w75 - (w79 * w82 - w77 * w78)) * c7
+    w83 = (w24 * w75 - (w77 * w80 - w76 * w82)) * top_mass
+    w84 = (w26 * w75 - (w79 * w82 - w77 * w78)) * top_mass
     w85 = w20 * w69 + w11 * w73 + w2 * w74 + w28 * w75 - w22 * w81 + w24 * w83 + w26 * w84
+    # outputs
     M_hat = ca.vertcat(
-        w30,
-        w44,
-        w58,
-        w44,
-        w59,
-        w60,
-        w58,
-        w60,
-        w11 * w45 + w7 * w46 + w0 * w47 + w48 * w49 + w50 * w51 + w52 * w53 - (w56 * w57 + w55 * w56),
+        ca.horzcat(w30, w44, w58),  # top.e1
+        ca.horzcat(w44, w59, w60),  # top.e2
+        ca.horzcat(  # top.e3
+            w58, w60, w11 * w45 + w7 * w46 + w0 * w47 + w48 * w49 + w50 * w51 + w52 * w53 - (w56 * w57 + w55 * w56),
+        ),
     )
-    M_hat = ca.reshape(M_hat, 3, 3)
-    M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        w0 * w69 + w2 * w73 + w3 * w74 + w21 * w75 - w9 * w81 + w15 * w83 + w17 * w84 - w19 * w85,
-        w6 * w69 + w0 * w73 + w20 * w74 + w40 * w75 - w34 * w81 + w36 * w83 + w38 * w84 - w42 * w85,
-        w11 * w69 + w7 * w73 + w0 * w74 + w54 * w75 - w48 * w81 + w50 * w83 + w52 * w84 - w56 * w85,
+        w0 * w69 + w2 * w73 + w3 * w74 + w21 * w75 - w9 * w81 + w15 * w83 + w17 * w84 - w19 * w85,  # top.e1
+        w6 * w69 + w0 * w73 + w20 * w74 + w40 * w75 - w34 * w81 + w36 * w83 + w38 * w84 - w42 * w85,  # top.e2
+        w11 * w69 + w7 * w73 + w0 * w74 + w54 * w75 - w48 * w81 + w50 * w83 + w52 * w84 - w56 * w85,  # top.e3
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 40 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    40 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     c = ca.SX.sym("c", 24)
@@ -205,32 +231,35 @@ def closure() -> ca.Function:
     top_e3 = q_i[2]
     top_e0 = q_d[3]
     c15 = c[15]
+    # intermediate terms (5)
     w0 = top_e1**2
     w1 = top_e3**2
     w2 = (top_e0**2 + w0 + top_e2**2 + w1 - 1.0) / 2.0
     w3 = top_e0 - w2 / top_e0
     w4 = 2 * w3
+    # outputs
     q_d_next = ca.vertcat(
-        (2 * top_e1 * top_e2 - top_e3 * w4) * c15,
-        (1.0 - 2 * w0 - 2 * w1) * c15,
-        (top_e1 * w4 + top_e3 * (2 * top_e2)) * c15,
-        w3,
+        (2 * top_e1 * top_e2 - top_e3 * w4) * c15,  # top.x
+        (1.0 - 2 * w0 - 2 * w1) * c15,  # top.y
+        (top_e1 * w4 + top_e3 * (2 * top_e2)) * c15,  # top.z
+        w3,  # top.e0
     )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        w2,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        top_e0,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    C_loop = ca.vertcat(w2)
+    det_loop = ca.vertcat(top_e0)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 96 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    96 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -242,13 +271,14 @@ def velocities() -> ca.Function:
     top_e1_dot = q_i_dot[0]
     top_e2_dot = q_i_dot[1]
     top_e3_dot = q_i_dot[2]
-    c6 = c[6]
+    top_foot_y = c[6]
+    # intermediate terms (20)
     w0 = top_e2 * -2.0
     w1 = 2 * top_e0
     w2 = 2 * top_e2
-    w3 = (w1 * top_e1 + w2 * top_e3) * c6
+    w3 = (w1 * top_e1 + w2 * top_e3) * top_foot_y
     w4 = top_e3 * -2.0
-    w5 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w5 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w6 = w4 * w5
     w7 = top_e1 / top_e0 * top_e1_dot + top_e2 / top_e0 * top_e2_dot + top_e3 / top_e0 * top_e3_dot
     w8 = 2 * top_e3
@@ -258,24 +288,34 @@ def velocities() -> ca.Function:
     w12 = w3 * w11
     w13 = w1 * w5
     w14 = (w0 * w3 - w6) * w7 - top_e1_dot * (w3 * w8 - w0 * w5) - top_e2_dot * (w9 - w5 * w10) - top_e3_dot * (w12 - w13)
-    w15 = (top_e2 * w10 - w1 * top_e3) * c6
+    w15 = (top_e2 * w10 - w1 * top_e3) * top_foot_y
     w16 = w0 * w15
     w17 = w1 * w15
     w18 = w7 * (w4 * w15 - w12) - top_e1_dot * (w16 - w9) - top_e2_dot * (w10 * w15 - w3 * w4) - top_e3_dot * (w17 - w2 * w3)
     w19 = w7 * (w5 * w11 - w16) - top_e1_dot * (w13 - w8 * w15) - top_e2_dot * (w6 - w17) - top_e3_dot * (w2 * w5 - w11 * w15)
+    # outputs
     q_d_dot = ca.vertcat(
-        w14,
-        w18,
-        w19,
-        -w7,
+        w14,  # top.x
+        w18,  # top.y
+        w19,  # top.z
+        -w7,  # top.e0
     )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 151 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
+    151 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -293,13 +333,14 @@ def accelerations() -> ca.Function:
     top_e1_ddot = q_i_ddot[0]
     top_e2_ddot = q_i_ddot[1]
     top_e3_ddot = q_i_ddot[2]
-    c6 = c[6]
+    top_foot_y = c[6]
+    # intermediate terms (27)
     w0 = top_e2 * -2.0
     w1 = 2 * top_e0
     w2 = 2 * top_e2
-    w3 = (w1 * top_e1 + w2 * top_e3) * c6
+    w3 = (w1 * top_e1 + w2 * top_e3) * top_foot_y
     w4 = top_e3 * -2.0
-    w5 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w5 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w6 = w4 * w5
     w7 = (top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2) / top_e0 + top_e1 / top_e0 * top_e1_ddot
     w8 = w7 + top_e2 / top_e0 * top_e2_ddot + top_e3 / top_e0 * top_e3_ddot
@@ -308,7 +349,7 @@ def accelerations() -> ca.Function:
     w11 = w0 * top_e0_dot + top_e1_dot * w9 + w1 * top_e2_dot + top_e3_dot * w10
     w12 = top_e0_dot * w10 + w1 * top_e1_dot + w4 * top_e2_dot + w2 * top_e3_dot
     w13 = 2 * top_e1
-    w14 = (top_e2 * w13 - w1 * top_e3) * c6
+    w14 = (top_e2 * w13 - w1 * top_e3) * top_foot_y
     w15 = w5 * w12 - w11 * w14
     w16 = w4 * top_e0_dot + w0 * top_e1_dot + top_e2_dot * w13 + w1 * top_e3_dot
     w17 = w14 * w16 - w3 * w12
@@ -321,19 +362,30 @@ def accelerations() -> ca.Function:
     w24 = w8 * (w4 * w14 - w20) - (w16 * w22 - w12 * w15) - top_e1_ddot * (w23 - w18) - top_e2_ddot * (w13 * w14 - w3 * w4)
     w25 = w1 * w14
     w26 = w8 * (w5 * w10 - w23) - (w12 * w17 - w11 * w22) - top_e1_ddot * (w21 - w9 * w14) - top_e2_ddot * (w6 - w25)
+    # outputs
     q_d_ddot = ca.vertcat(
-        w19 - top_e3_ddot * (w20 - w21),
-        w24 - top_e3_ddot * (w25 - w2 * w3),
-        w26 - top_e3_ddot * (w2 * w5 - w10 * w14),
-        -w8,
+        w19 - top_e3_ddot * (w20 - w21),  # top.x
+        w24 - top_e3_ddot * (w25 - w2 * w3),  # top.y
+        w26 - top_e3_ddot * (w2 * w5 - w10 * w14),  # top.z
+        -w8,  # top.e0
     )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 172 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
+    gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    172 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     c = ca.SX.sym("c", 24)
@@ -348,15 +400,16 @@ def constraints() -> ca.Function:
     top_e1_dot = q_dot[4]
     top_e2_dot = q_dot[5]
     top_e3_dot = q_dot[6]
-    c6 = c[6]
+    top_foot_y = c[6]
+    # intermediate terms (24)
     w0 = 2 * top_e1
     w1 = 2 * top_e0
-    w2 = (w0 * top_e2 - w1 * top_e3) * c6
+    w2 = (w0 * top_e2 - w1 * top_e3) * top_foot_y
     w3 = top_e1**2
     w4 = top_e3**2
-    w5 = (1.0 - 2 * w3 - 2 * w4) * c6
+    w5 = (1.0 - 2 * w3 - 2 * w4) * top_foot_y
     w6 = 2 * top_e2
-    w7 = (top_e1 * w1 + top_e3 * w6) * c6
+    w7 = (top_e1 * w1 + top_e3 * w6) * top_foot_y
     w8 = top_e2 * -2.0
     w9 = top_e3 * -2.0
     w10 = w5 * w9
@@ -373,72 +426,46 @@ def constraints() -> ca.Function:
     w21 = w9 * top_e0_dot + w8 * top_e1_dot + w0 * top_e2_dot + w1 * top_e3_dot
     w22 = w2 * w21 - w7 * w19
     w23 = w7 * w18 - w5 * w21
+    # outputs
     C = ca.vertcat(
-        top_x + w2,
-        top_y + w5,
-        top_z + w7,
-        (w4 + (w3 + top_e0**2 + top_e2**2) - 1.0) / 2.0,
+        top_x + w2,  # foot.x
+        top_y + w5,  # foot.y
+        top_z + w7,  # foot.z
+        (w4 + (w3 + top_e0**2 + top_e2**2) - 1.0) / 2.0,  # top.norm
     )
-    C = ca.densify(C)
     C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        w7 * w8 - w10,
-        w2 * w9 - w12,
-        w5 * w11 - w13,
-        top_e0,
-        w7 * w14 - w5 * w8,
-        w13 - w15,
-        w16 - w2 * w14,
-        top_e1,
-        w15 - w0 * w5,
-        w0 * w2 - w7 * w9,
-        w10 - w17,
-        top_e2,
-        w12 - w16,
-        w17 - w6 * w7,
-        w5 * w6 - w2 * w11,
-        top_e3,
+        ca.horzcat(1.0, 0.0, 0.0, w7 * w8 - w10, w7 * w14 - w5 * w8, w15 - w0 * w5, w12 - w16),  # foot.x
+        ca.horzcat(0.0, 1.0, 0.0, w2 * w9 - w12, w13 - w15, w0 * w2 - w7 * w9, w17 - w6 * w7),  # foot.y
+        ca.horzcat(0.0, 0.0, 1.0, w5 * w11 - w13, w16 - w2 * w14, w10 - w17, w5 * w6 - w2 * w11),  # foot.z
+        ca.horzcat(0.0, 0.0, 0.0, top_e0, top_e1, top_e2, top_e3),  # top.norm
     )
-    C_q = ca.reshape(C_q, 4, 7)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
+    C_t = ca.SX(4, 1)
+    nu = ca.SX(4, 1)
     gamma = ca.vertcat(
-        -(w18 * w20 - w21 * w22),
-        -(w21 * w23 - w19 * w20),
-        -(w19 * w22 - w18 * w23),
-        -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),
+        -(w18 * w20 - w21 * w22),  # foot.x
+        -(w21 * w23 - w19 * w20),  # foot.y
+        -(w19 * w22 - w18 * w23),  # foot.z
+        -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),  # top.norm
     )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 381 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
+    gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 7) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 4 x 7) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    381 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     c = ca.SX.sym("c", 24)
@@ -456,8 +483,8 @@ def augmented() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -465,6 +492,7 @@ def augmented() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
+    # intermediate terms (52)
     w0 = top_e1 * -2.0
     w1 = top_e2 * -2.0
     w2 = top_e3 * -2.0
@@ -502,10 +530,10 @@ def augmented() -> ca.Function:
     w34 = w3 * w27 + w2 * w31 + w5 * w32
     w35 = w7 * w27 + w3 * w31 + w0 * w32
     w36 = w1 * w27 + w12 * w31 + w3 * w32
-    w37 = (top_e1 * w3 + top_e3 * w5) * c6
-    w38 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w37 = (top_e1 * w3 + top_e3 * w5) * top_foot_y
+    w38 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w39 = w2 * w38
-    w40 = (top_e2 * w12 - top_e3 * w3) * c6
+    w40 = (top_e2 * w12 - top_e3 * w3) * top_foot_y
     w41 = w0 * w37
     w42 = w1 * w40
     w43 = w3 * w37
@@ -517,187 +545,78 @@ def augmented() -> ca.Function:
     w49 = w20 + (w19 + w1 * top_e1_dot + w12 * top_e2_dot)
     w50 = w40 * w49 - w37 * w47
     w51 = w37 * w46 - w38 * w49
-    M = ca.vertcat(
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * (w0 * c2) + w1 * (w1 * c4) + w2 * (w2 * c5),
-        w6,
-        w10,
-        w15,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w3 * w4 + w2 * (w2 * c4) + w5 * (w5 * c5),
-        w16,
-        w17,
-        0.0,
-        0.0,
-        0.0,
-        w10,
-        w16,
-        w7 * (w7 * c2) + w3 * w8 + w0 * w9,
-        w18,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        w17,
-        w18,
-        w1 * w11 + w12 * w13 + w3 * w14,
-    )
-    M = ca.reshape(M, 7, 7)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 7, 7)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w33,
-        w34,
-        w35,
-        w36,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        0.0,
-        c14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    # outputs
+    M = ca.SX(7, 7)
+    # top.x
+    M[0, 0] = top_mass
+    # top.y
+    M[1, 1] = top_mass
+    # top.z
+    M[2, 2] = top_mass
+    # top.e0
+    M[3, 3] = w0 * (w0 * c2) + w1 * (w1 * c4) + w2 * (w2 * c5)
+    M[3, 4] = w6
+    M[3, 5] = w10
+    M[3, 6] = w15
+    # top.e1
+    M[4, 3] = w6
+    M[4, 4] = w3 * w4 + w2 * (w2 * c4) + w5 * (w5 * c5)
+    M[4, 5] = w16
+    M[4, 6] = w17
+    # top.e2
+    M[5, 3] = w10
+    M[5, 4] = w16
+    M[5, 5] = w7 * (w7 * c2) + w3 * w8 + w0 * w9
+    M[5, 6] = w18
+    # top.e3
+    M[6, 3] = w15
+    M[6, 4] = w17
+    M[6, 5] = w18
+    M[6, 6] = w1 * w11 + w12 * w13 + w3 * w14
+    K = ca.SX(7, 7)
+    Q_v = ca.SX(7, 1)
+    Q_v[3] = w33  # top.e0
+    Q_v[4] = w34  # top.e1
+    Q_v[5] = w35  # top.e2
+    Q_v[6] = w36  # top.e3
+    Q_F = ca.SX(7, 1)
+    Q_F[2] = c14  # top.z
     Q_star = ca.vertcat(
-        0.0,
-        0.0,
-        c14,
-        w33,
-        w34,
-        w35,
-        w36,
+        0.0,  # top.x
+        0.0,  # top.y
+        c14,  # top.z
+        w33,  # top.e0
+        w34,  # top.e1
+        w35,  # top.e2
+        w36,  # top.e3
     )
-    Q_star = ca.densify(Q_star)
     C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        w1 * w37 - w39,
-        w2 * w40 - w41,
-        w0 * w38 - w42,
-        top_e0,
-        w7 * w37 - w1 * w38,
-        w42 - w43,
-        w44 - w7 * w40,
-        top_e1,
-        w43 - w12 * w38,
-        w12 * w40 - w2 * w37,
-        w39 - w45,
-        top_e2,
-        w41 - w44,
-        w45 - w5 * w37,
-        w5 * w38 - w0 * w40,
-        top_e3,
+        ca.horzcat(1.0, 0.0, 0.0, w1 * w37 - w39, w7 * w37 - w1 * w38, w43 - w12 * w38, w41 - w44),  # foot.x
+        ca.horzcat(0.0, 1.0, 0.0, w2 * w40 - w41, w42 - w43, w12 * w40 - w2 * w37, w45 - w5 * w37),  # foot.y
+        ca.horzcat(0.0, 0.0, 1.0, w0 * w38 - w42, w44 - w7 * w40, w39 - w45, w5 * w38 - w0 * w40),  # foot.z
+        ca.horzcat(0.0, 0.0, 0.0, top_e0, top_e1, top_e2, top_e3),  # top.norm
     )
-    C_q = ca.reshape(C_q, 4, 7)
-    C_q = ca.densify(C_q)
     gamma_b = ca.vertcat(
-        -(w46 * w48 - w49 * w50),
-        -(w49 * w51 - w47 * w48),
-        -(w47 * w50 - w46 * w51),
-        -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),
+        -(w46 * w48 - w49 * w50),  # foot.x
+        -(w49 * w51 - w47 * w48),  # foot.y
+        -(w47 * w50 - w46 * w51),  # foot.z
+        -(top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2),  # top.norm
     )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 154 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 6) [N, N m]: world force and moment of a joint on its body b, at b
+    154 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
@@ -723,15 +642,16 @@ def reactions() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c10 = c[10]
     c12 = c[12]
     c14 = c[14]
-    w0 = top_x_ddot * c7
-    w1 = top_y_ddot * c7
-    w2 = c14 - top_z_ddot * c7
+    # intermediate terms (21)
+    w0 = top_x_ddot * top_mass
+    w1 = top_y_ddot * top_mass
+    w2 = c14 - top_z_ddot * top_mass
     w3 = top_e1 * -2.0
     w4 = top_e3 * -2.0
     w5 = 2 * top_e2
@@ -746,32 +666,38 @@ def reactions() -> ca.Function:
     w14 = w13 * c3
     w15 = (w3 * (w3 * c2) + w9 * (w9 * c4) + w4 * (w4 * c5)) * top_e0_ddot + (w3 * (w6 * c2) + top_e3 * top_e2 * c8) * top_e1_ddot
     w16 = w15 + (w9 * (w6 * c4) + top_e1 * top_e3 * c10) * top_e2_ddot + (top_e1 * top_e2 * c12 + w4 * (w6 * c5)) * top_e3_ddot
-    w17 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
-    w18 = (top_e2 * w10 - top_e3 * w6) * c6
+    w17 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
+    w18 = (top_e2 * w10 - top_e3 * w6) * top_foot_y
     w19 = w3 * (w8 * w11 - w7 * w12) + w9 * (w7 * w14 - w8 * w13) + w4 * (w12 * w13 - w11 * w14) - w16 - w2 * (w3 * w17 - w9 * w18)
-    w20 = (top_e1 * w6 + top_e3 * w5) * c6
+    w20 = (top_e1 * w6 + top_e3 * w5) * top_foot_y
+    # outputs
     lam = ca.vertcat(
-        -w0,
-        -w1,
-        w2,
-        (w19 + w1 * (w4 * w18 - w3 * w20) + w0 * (w9 * w20 - w4 * w17)) / top_e0,
+        -w0,  # foot.x
+        -w1,  # foot.y
+        w2,  # foot.z
+        (w19 + w1 * (w4 * w18 - w3 * w20) + w0 * (w9 * w20 - w4 * w17)) / top_e0,  # top.norm
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        w0,
-        w1,
-        -w2,
-        0.0,
-        0.0,
-        0.0,
-    )
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    joint_forces = ca.SX(6, 1)
+    joint_forces[0] = w0
+    joint_forces[1] = w1
+    joint_forces[2] = -w2
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 140 operations."""
+    """Energies and powers.
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    140 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     c = ca.SX.sym("c", 24)
@@ -790,7 +716,7 @@ def energy() -> ca.Function:
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c7 = c[7]
+    top_mass = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -798,56 +724,49 @@ def energy() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c16 = c[16]
-    w0 = top_e1 * -2.0
-    w1 = top_e2 * -2.0
-    w2 = top_e3 * -2.0
-    w3 = 2 * top_e0
-    w4 = w3 * c2
-    w5 = 2 * top_e2
-    w6 = w0 * w4 + top_e2 * top_e3 * c8
-    w7 = 2 * top_e3
-    w8 = w3 * c4
-    w9 = w0 * c5
-    w10 = w1 * w8 + top_e1 * top_e3 * c10
-    w11 = top_e0_dot * (w0 * (w0 * c2) + w1 * (w1 * c4) + w2 * (w2 * c5)) + w6 * top_e1_dot + w10 * top_e2_dot
-    w12 = w1 * c2
-    w13 = 2 * top_e1
-    w14 = w13 * c4
-    w15 = w3 * c5
-    w16 = top_e1 * top_e2 * c12 + w2 * w15
-    w17 = top_x_dot * (top_x_dot * c7) + top_y_dot * (top_y_dot * c7) + top_z_dot * (top_z_dot * c7) + top_e0_dot * (w11 + w16 * top_e3_dot)
-    w18 = top_e3 * top_e0 * c9 + w5 * w9
-    w19 = w2 * w14 + top_e2 * top_e0 * c11
-    w20 = top_e0_dot * w6 + top_e1_dot * (w3 * w4 + w2 * (w2 * c4) + w5 * (w5 * c5)) + top_e2_dot * w18 + top_e3_dot * w19
-    w21 = w7 * w12 + top_e1 * top_e0 * c13
-    w22 = top_e0_dot * w10 + top_e1_dot * w18 + top_e2_dot * (w7 * (w7 * c2) + w3 * w8 + w0 * w9) + top_e3_dot * w21
-    w23 = top_e0_dot * w16 + top_e1_dot * w19 + top_e2_dot * w21 + top_e3_dot * (w1 * w12 + w13 * w14 + w3 * w15)
-    kinetic = ca.vertcat(
-        (w17 + top_e1_dot * w20 + top_e2_dot * w22 + top_e3_dot * w23) / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        top_z * c16,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # intermediate terms (25)
+    w0 = top_x_dot * (top_x_dot * top_mass) + top_y_dot * (top_y_dot * top_mass) + top_z_dot * (top_z_dot * top_mass)
+    w1 = top_e1 * -2.0
+    w2 = top_e2 * -2.0
+    w3 = top_e3 * -2.0
+    w4 = 2 * top_e0
+    w5 = w4 * c2
+    w6 = 2 * top_e2
+    w7 = w1 * w5 + top_e2 * top_e3 * c8
+    w8 = 2 * top_e3
+    w9 = w4 * c4
+    w10 = w1 * c5
+    w11 = w2 * w9 + top_e1 * top_e3 * c10
+    w12 = top_e0_dot * (w1 * (w1 * c2) + w2 * (w2 * c4) + w3 * (w3 * c5)) + w7 * top_e1_dot + w11 * top_e2_dot
+    w13 = w2 * c2
+    w14 = 2 * top_e1
+    w15 = w14 * c4
+    w16 = w4 * c5
+    w17 = top_e1 * top_e2 * c12 + w3 * w16
+    w18 = top_e3 * top_e0 * c9 + w6 * w10
+    w19 = w3 * w15 + top_e2 * top_e0 * c11
+    w20 = top_e0_dot * w7 + top_e1_dot * (w4 * w5 + w3 * (w3 * c4) + w6 * (w6 * c5)) + top_e2_dot * w18 + top_e3_dot * w19
+    w21 = w8 * w13 + top_e1 * top_e0 * c13
+    w22 = top_e0_dot * w11 + top_e1_dot * w18 + top_e2_dot * (w8 * (w8 * c2) + w4 * w9 + w1 * w10) + top_e3_dot * w21
+    w23 = top_e0_dot * w17 + top_e1_dot * w19 + top_e2_dot * w21 + top_e3_dot * (w2 * w13 + w14 * w15 + w4 * w16)
+    w24 = w0 + top_e0_dot * (w12 + w17 * top_e3_dot) + top_e1_dot * w20 + top_e2_dot * w22 + top_e3_dot * w23
+    # outputs
+    kinetic = ca.vertcat(w24 / 2.0)
+    elastic = ca.SX(1, 1)
+    potential = ca.vertcat(top_z * c16)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 46 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    46 operations.
+    """
     q = ca.SX.sym("q", 7)
     top_x = q[0]
     top_y = q[1]
@@ -856,6 +775,7 @@ def poses() -> ca.Function:
     top_e1 = q[4]
     top_e2 = q[5]
     top_e3 = q[6]
+    # intermediate terms (11)
     w0 = 2 * top_e2**2
     w1 = 2 * top_e3**2
     w2 = 2 * top_e0
@@ -867,27 +787,26 @@ def poses() -> ca.Function:
     w8 = 1.0 - 2 * top_e1**2
     w9 = w2 * top_e1
     w10 = top_e3 * (2 * top_e2)
+    # outputs
     poses = ca.vertcat(
-        top_x,
-        top_y,
-        top_z,
-        1.0 - w0 - w1,
-        w3 + w5,
-        w6 - w7,
-        w5 - w3,
-        w8 - w1,
-        w9 + w10,
-        w6 + w7,
-        w10 - w9,
+        top_x, top_y, top_z, 1.0 - w0 - w1, w3 + w5, w6 - w7, w5 - w3, w8 - w1, w9 + w10, w6 + w7, w10 - w9,
         w8 - w0,
     )
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 1161 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i, through q_d
+    1161 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -907,8 +826,8 @@ def dQ_hat_dq_i() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c10 = c[10]
     c12 = c[12]
@@ -920,6 +839,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
+    # intermediate terms (257)
     w0 = 2 * top_e0
     w1 = top_e2 * -2.0
     w2 = top_e0_dot * w1
@@ -952,34 +872,34 @@ def dQ_hat_dq_i() -> ca.Function:
     w29 = w16 * w23 + w27 - (w6 * w20 + w28)
     w30 = (top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2) / top_e0
     w31 = w0 * c2
-    w32 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w32 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w33 = w0 * w32
-    w34 = (top_e2 * w5 - w0 * top_e3) * c6
+    w34 = (top_e2 * w5 - w0 * top_e3) * top_foot_y
     w35 = w33 - w22 * w34
     w36 = w32 * -2.0
     w37 = top_e1 * c23
-    w38 = w10 * c6
+    w38 = w10 * top_foot_y
     w39 = w1 * w38
     w40 = w36 - w11 * w37 - w39
     w41 = w12 + (w9 + w1 * top_e1_dot + top_e2_dot * w5)
     w42 = w21 + w3 * top_e2_dot + top_e3_dot * w10
-    w43 = (w0 * top_e1 + top_e3 * w10) * c6
+    w43 = (w0 * top_e1 + top_e3 * w10) * top_foot_y
     w44 = w34 * w41 - w42 * w43
     w45 = w19 * w44
     w46 = 2 * top_e2_dot
     w47 = w34 * w46
     w48 = w19 * w43
-    w49 = w0 * c6
+    w49 = w0 * top_foot_y
     w50 = w47 + w38 * w41 - (w48 + w42 * w49)
     w51 = w4 + (w2 + top_e1_dot * w22) + top_e3_dot * w11
     w52 = w43 * w51 - w32 * w41
     w53 = top_e3_dot * -2.0
     w54 = w49 * w51
     w55 = w43 * w53 + w54 - (w32 * w46 - w37 * w41)
-    w56 = (w30 * w40 - (w45 + w42 * w50 - (w52 * w53 + w51 * w55))) * c7
+    w56 = (w30 * w40 - (w45 + w42 * w50 - (w52 * w53 + w51 * w55))) * top_mass
     w57 = w1 * w34
     w58 = w11 * w32 - w57
-    w59 = c14 - (w30 * w58 - (w42 * w44 - w51 * w52)) * c7
+    w59 = c14 - (w30 * w58 - (w42 * w44 - w51 * w52)) * top_mass
     w60 = w0 * w37
     w61 = w22 * w38
     w62 = w0 * w43
@@ -995,20 +915,20 @@ def dQ_hat_dq_i() -> ca.Function:
     w72 = w19 * w32
     w73 = w38 * w51
     w74 = w72 - w37 * w42 - (w34 * w53 + w73)
-    w75 = (w30 * w68 - (w69 + w41 * w55 - (w71 + w42 * w74))) * c7
+    w75 = (w30 * w68 - (w69 + w41 * w55 - (w71 + w42 * w74))) * top_mass
     w76 = w11 * w43
     w77 = w3 * w34 - w76
-    w78 = (w30 * w77 - (w41 * w52 - w42 * w70)) * c7
+    w78 = (w30 * w77 - (w41 * w52 - w42 * w70)) * top_mass
     w79 = w0 * w49
     w80 = w0 * w18 + w3 * w26 + w10 * w29 + w30 * (w31 * -2.0) + (w35 * w56 + w59 * (w60 + w61)) + (w63 * w75 + w78 * (w39 - w79))
     w81 = w22 * w43 - w1 * w32
     w82 = w1 * w49
     w83 = w3 * w37
     w84 = w82 + w83
-    w85 = (w30 * w84 - (w53 * w70 + w51 * w74 - (w44 * w46 + w41 * w50))) * c7
+    w85 = (w30 * w84 - (w53 * w70 + w51 * w74 - (w44 * w46 + w41 * w50))) * top_mass
     w86 = w3 * w32
     w87 = w1 * w43 - w86
-    w88 = (w30 * w87 - (w51 * w70 - w41 * w44)) * c7
+    w88 = (w30 * w87 - (w51 * w70 - w41 * w44)) * top_mass
     w89 = w22 * w49
     w90 = top_e1 / top_e0
     w91 = w6 * w14 - w13 * w17
@@ -1038,16 +958,16 @@ def dQ_hat_dq_i() -> ca.Function:
     w115 = w11 * w31 + top_e2 * top_e3 * c8
     w116 = w30 / top_e0
     w117 = 2 * w32
-    w118 = w22 * c6
+    w118 = w22 * top_foot_y
     w119 = w22 * w118
     w120 = w1 * w118
     w121 = w43 * w109
-    w122 = w5 * c6
+    w122 = w5 * top_foot_y
     w123 = w15 * w34 - w41 * w118 - (w121 + w42 * w122)
     w124 = w51 * w122
     w125 = w15 * w32
     w126 = w43 * w46 + w124 - w125
-    w127 = (w30 * w120 - w58 * w116 - (w44 * w109 + w42 * w123 - (w69 + w51 * w126))) * c7
+    w127 = (w30 * w120 - w58 * w116 - (w44 * w109 + w42 * w123 - (w69 + w51 * w126))) * top_mass
     w128 = w104 + w0 * w108 + w3 * w111 + w10 * w113 + (w30 * w114 - w115 * w116) - (w59 * (w117 + w119) - w35 * w127)
     w129 = w3 * w118
     w130 = w11 * w122
@@ -1055,13 +975,13 @@ def dQ_hat_dq_i() -> ca.Function:
     w132 = w70 * w109
     w133 = w51 * w118
     w134 = w32 * w109 - (w47 - w133)
-    w135 = (w30 * w131 + w77 * w116 + (w15 * w52 + w41 * w126 - (w132 + w42 * w134))) * c7
+    w135 = (w30 * w131 + w77 * w116 + (w15 * w52 + w41 * w126 - (w132 + w42 * w134))) * top_mass
     w136 = 2 * w43
     w137 = w0 * w122
     w138 = w136 + w137
     w139 = w1 * w122
     w140 = w15 * w44
-    w141 = (w30 * w139 - w87 * w116 - (w46 * w70 + w51 * w134 - (w140 + w41 * w123))) * c7
+    w141 = (w30 * w139 - w87 * w116 - (w46 * w70 + w51 * w134 - (w140 + w41 * w123))) * top_mass
     w142 = w22 * w122
     w143 = w11 * w108 + w1 * w111 + w3 * w113 - w101 * w116 - (w59 * w120 - w58 * w127) - (w77 * w135 + w78 * w131)
     w144 = w143 + (w87 * w141 + w88 * w139)
@@ -1074,9 +994,9 @@ def dQ_hat_dq_i() -> ca.Function:
     w151 = w13 * w150 + w3 * w24 - (w23 * w147 + w11 * w14)
     w152 = w23 * w148 + w11 * w17 - (w6 * w150 + w1 * w24)
     w153 = 2 * top_e0_dot / top_e0
-    w154 = (w58 * w153 - (w11 * w44 + w42 * w77 - (w1 * w52 + w51 * w87))) * c7
-    w155 = (w77 * w153 - (w3 * w52 + w41 * w87 - (w11 * w70 + w42 * w58))) * c7
-    w156 = (w87 * w153 - (w1 * w70 + w51 * w58 - (w3 * w44 + w41 * w77))) * c7
+    w154 = (w58 * w153 - (w11 * w44 + w42 * w77 - (w1 * w52 + w51 * w87))) * top_mass
+    w155 = (w77 * w153 - (w3 * w52 + w41 * w87 - (w11 * w70 + w42 * w58))) * top_mass
+    w156 = (w87 * w153 - (w1 * w70 + w51 * w58 - (w3 * w44 + w41 * w77))) * top_mass
     w157 = w11 * w149 + w1 * w151 + w3 * w152 + w101 * w153 + w58 * w154 + w77 * w155 + w87 * w156
     w158 = w0 * w149 + w3 * w151 + w10 * w152 + w115 * w153 + w35 * w154 + w63 * w155 + w81 * w156 - w90 * w157
     w159 = top_e2 / top_e0
@@ -1133,14 +1053,14 @@ def dQ_hat_dq_i() -> ca.Function:
     w210 = w34 * w209 + w41 * w122 - (w15 * w43 + w42 * w118)
     w211 = w19 * w52
     w212 = w48 + w133 - w32 * w209
-    w213 = (w30 * w208 + (w140 + w42 * w210 - (w211 + w51 * w212))) * c7
+    w213 = (w30 * w208 + (w140 + w42 * w210 - (w211 + w51 * w212))) * top_mass
     w214 = w0 * w203 + w3 * w205 + (w192 + w10 * w207) + w30 * (w193 + w3 * c4 * -2.0) - (w35 * w213 - w59 * w142)
     w215 = w183 - w196
     w216 = w19 * w34
     w217 = w125 - (w124 + w216)
-    w218 = (w30 * w215 - (w52 * w209 + w41 * w212 - (w15 * w70 + w42 * w217))) * c7
+    w218 = (w30 * w215 - (w52 * w209 + w41 * w212 - (w15 * w70 + w42 * w217))) * top_mass
     w219 = w65 + w120
-    w220 = (w30 * w219 - (w71 + w51 * w217 - (w44 * w209 + w41 * w210))) * c7
+    w220 = (w30 * w219 - (w71 + w51 * w217 - (w44 * w209 + w41 * w210))) * top_mass
     w221 = w97 * -2.0
     w222 = w1 * c18
     w223 = w11 * w203 + (w221 + w1 * w205) + w3 * w207 + w30 * (w99 * -2.0 + w222) - (w58 * w213 - w59 * w208)
@@ -1160,15 +1080,15 @@ def dQ_hat_dq_i() -> ca.Function:
     w237 = w82 - w11 * w236
     w238 = w216 - w41 * w49 - (w7 * w43 + w38 * w42)
     w239 = w73 + w121 - (w72 - w41 * w236)
-    w240 = (w30 * w237 - (w7 * w44 + w42 * w238 - (w52 * w109 + w51 * w239))) * c7
+    w240 = (w30 * w237 - (w7 * w44 + w42 * w238 - (w52 * w109 + w51 * w239))) * top_mass
     w241 = w0 * w236
     w242 = w0 * w232 + (w221 + w3 * w234) + w10 * w235 + w30 * (w222 + w10 * c5 * -2.0) + (w35 * w240 + w59 * (w241 + (w172 - w89)))
     w243 = w187 - w173 - w188
     w244 = w7 * w32 - w42 * w236 - (w34 * w109 - w54)
-    w245 = (w30 * w243 - (w211 + w41 * w239 - (w7 * w70 + w42 * w244))) * c7
+    w245 = (w30 * w243 - (w211 + w41 * w239 - (w7 * w70 + w42 * w244))) * top_mass
     w246 = w36 - w3 * w236
     w247 = w39 - w246
-    w248 = (w30 * w247 - (w132 + w51 * w244 - (w45 + w41 * w238))) * c7
+    w248 = (w30 * w247 - (w132 + w51 * w244 - (w45 + w41 * w238))) * top_mass
     w249 = w11 * w232 + w1 * w234 + (w165 + w3 * w235) + w30 * (w166 + w100 * -2.0) - (w59 * w237 - w58 * w240)
     w250 = w249 + (w77 * w245 + w78 * w243) + (w87 * w248 + w88 * w247)
     w251 = w242 + (w63 * w245 - w78 * (w82 + w169)) + (w81 * w248 + w88 * (w61 + w136 + w1 * w236)) - w90 * w250
@@ -1177,25 +1097,33 @@ def dQ_hat_dq_i() -> ca.Function:
     w254 = w253 + (w171 * w245 - w78 * (w5 * w49 + (w64 + w65))) + (w174 * w248 + w88 * (w169 + w5 * w236)) - w159 * w250
     w255 = w1 * w232 + w5 * w234 + w0 * w235 + w30 * (w194 * -2.0) - (w59 * (w66 - w10 * w236) - w186 * w240)
     w256 = w255 + (w190 * w245 - w78 * (w79 + w10 * w38)) + (w191 * w248 + w88 * (w188 + w241)) - (w103 + w161 * w250)
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        w80 + (w81 * w85 + w88 * (w89 + w1 * w37)) - (w90 * w96 + w103) - w90 * w146 - w158 * w164,
-        w175 - w96 * w159 - w90 * w184 - w164 * w185,
-        w199 - w164 * w200,
-        w225 - w158 * w226,
-        w227 + (w174 * w220 + w88 * w180) - (w103 + w159 * w224) - w159 * w184 - w185 * w226,
-        w229 - w159 * w198 - w200 * w226,
-        w251 - w146 * w161 - w158 * w252,
-        w254 - w161 * w184 - w185 * w252,
-        w256 - w161 * w198 - w200 * w252,
+        ca.horzcat(  # top.e1
+            w80 + (w81 * w85 + w88 * (w89 + w1 * w37)) - (w90 * w96 + w103) - w90 * w146 - w158 * w164,
+            w225 - w158 * w226, w251 - w146 * w161 - w158 * w252,
+        ),
+        ca.horzcat(  # top.e2
+            w175 - w96 * w159 - w90 * w184 - w164 * w185,
+            w227 + (w174 * w220 + w88 * w180) - (w103 + w159 * w224) - w159 * w184 - w185 * w226,
+            w254 - w161 * w184 - w185 * w252,
+        ),
+        ca.horzcat(w199 - w164 * w200, w229 - w159 * w198 - w200 * w226, w256 - w161 * w198 - w200 * w252),  # top.e3
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 3, 3)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 559 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    559 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1213,11 +1141,12 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c10 = c[10]
     c12 = c[12]
+    # intermediate terms (120)
     w0 = 2 * top_e0
     w1 = top_e3 * -2.0
     w2 = top_e1 / top_e0
@@ -1254,15 +1183,15 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w33 = w16 * (w0 * c2) + top_e3 * top_e2 * c8
     w34 = 2 * w5
     w35 = (w2 * w34 + 2 * top_e1_dot) / top_e0
-    w36 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w36 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w37 = w0 * w36
-    w38 = (top_e2 * w9 - w0 * top_e3) * c6
+    w38 = (top_e2 * w9 - w0 * top_e3) * top_foot_y
     w39 = w37 - w28 * w38
     w40 = w6 * w38
     w41 = w16 * w36 - w40
     w42 = w17 + (top_e1_dot * w6 - w15 + top_e2_dot * w9)
     w43 = w27 + w1 * top_e2_dot + top_e3_dot * w11
-    w44 = (w0 * top_e1 + top_e3 * w11) * c6
+    w44 = (w0 * top_e1 + top_e3 * w11) * top_foot_y
     w45 = w38 * w42 - w43 * w44
     w46 = w6 - w12
     w47 = w38 * w46 - w25 * w44
@@ -1270,18 +1199,18 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w49 = w44 * w48 - w36 * w42
     w50 = w28 - w20
     w51 = w44 * w50 - w36 * w46
-    w52 = (w35 * w41 - (w25 * w45 + w43 * w47 - (w49 * w50 + w48 * w51))) * c7
+    w52 = (w35 * w41 - (w25 * w45 + w43 * w47 - (w49 * w50 + w48 * w51))) * top_mass
     w53 = w0 * w44
     w54 = w40 - w53
     w55 = w16 * w44
     w56 = w1 * w38 - w55
     w57 = w36 * w43 - w38 * w48
     w58 = w25 * w36 - w38 * w50
-    w59 = (w35 * w56 - (w46 * w49 + w42 * w51 - (w25 * w57 + w43 * w58))) * c7
+    w59 = (w35 * w56 - (w46 * w49 + w42 * w51 - (w25 * w57 + w43 * w58))) * top_mass
     w60 = w28 * w44 - w6 * w36
     w61 = w1 * w36
     w62 = w6 * w44 - w61
-    w63 = (w35 * w62 - (w50 * w57 + w48 * w58 - (w45 * w46 + w42 * w47))) * c7
+    w63 = (w35 * w62 - (w50 * w57 + w48 * w58 - (w45 * w46 + w42 * w47))) * top_mass
     w64 = w16 * (w16 * c2) + w6 * (w6 * c4) + w1 * (w1 * c5)
     w65 = w16 * w24 + w6 * w31 + w1 * w32 + w35 * w64 + w41 * w52 + w56 * w59 + w62 * w63
     w66 = w6 * (w0 * c4) + top_e3 * top_e1 * c10
@@ -1309,10 +1238,10 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w88 = w9 - w75
     w89 = w38 * w88 - w44 * w87
     w90 = w44 * w78 - w36 * w88
-    w91 = (w41 * w86 - (w45 * w87 + w43 * w89 - (w49 * w78 + w48 * w90))) * c7
+    w91 = (w41 * w86 - (w45 * w87 + w43 * w89 - (w49 * w78 + w48 * w90))) * top_mass
     w92 = w36 * w87 - w38 * w78
-    w93 = (w56 * w86 - (w49 * w88 + w42 * w90 - (w57 * w87 + w43 * w92))) * c7
-    w94 = (w62 * w86 - (w57 * w78 + w48 * w92 - (w45 * w88 + w42 * w89))) * c7
+    w93 = (w56 * w86 - (w49 * w88 + w42 * w90 - (w57 * w87 + w43 * w92))) * top_mass
+    w94 = (w62 * w86 - (w57 * w78 + w48 * w92 - (w45 * w88 + w42 * w89))) * top_mass
     w95 = w16 * w80 + w6 * w84 + w1 * w85 + w64 * w86 + w41 * w91 + w56 * w93 + w62 * w94
     w96 = w0 - w1 * w4
     w97 = w96 * c1
@@ -1330,33 +1259,43 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w109 = w38 * w96 - w44 * w108
     w110 = w16 - w98
     w111 = w44 * w110 - w36 * w96
-    w112 = (w41 * w107 - (w45 * w108 + w43 * w109 - (w49 * w110 + w48 * w111))) * c7
+    w112 = (w41 * w107 - (w45 * w108 + w43 * w109 - (w49 * w110 + w48 * w111))) * top_mass
     w113 = w36 * w108 - w38 * w110
-    w114 = (w56 * w107 - (w49 * w96 + w42 * w111 - (w57 * w108 + w43 * w113))) * c7
-    w115 = (w62 * w107 - (w57 * w110 + w48 * w113 - (w45 * w96 + w42 * w109))) * c7
+    w114 = (w56 * w107 - (w49 * w96 + w42 * w111 - (w57 * w108 + w43 * w113))) * top_mass
+    w115 = (w62 * w107 - (w57 * w110 + w48 * w113 - (w45 * w96 + w42 * w109))) * top_mass
     w116 = w16 * w101 + w6 * w105 + w1 * w106 + w64 * w107 + w41 * w112 + w56 * w114 + w62 * w115
     w117 = w0 * w101 + w1 * w105 + w11 * w106 + w33 * w107 + w39 * w112 + w54 * w114 + w60 * w115 - w2 * w116
     w118 = w28 * w101 + w0 * w105 + w16 * w106 + w66 * w107 + w68 * w112 + w69 * w114 + w70 * w115 - w3 * w116
     w119 = w6 * w101 + w9 * w105 + w0 * w106 + w71 * w107 + w72 * w112 + w73 * w114 + w74 * w115 - w4 * w116
+    # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        w0 * w24 + w1 * w31 + w11 * w32 + w33 * w35 + w39 * w52 + w54 * w59 + w60 * w63 - w2 * w65,
-        w24 * w28 + w0 * w31 + w16 * w32 + w35 * w66 + w52 * w68 + w59 * w69 + w63 * w70 - w3 * w65,
-        w6 * w24 + w9 * w31 + w0 * w32 + w35 * w71 + w52 * w72 + w59 * w73 + w63 * w74 - w4 * w65,
-        w0 * w80 + w1 * w84 + w11 * w85 + w33 * w86 + w39 * w91 + w54 * w93 + w60 * w94 - w2 * w95,
-        w28 * w80 + w0 * w84 + w16 * w85 + w66 * w86 + w68 * w91 + w69 * w93 + w70 * w94 - w3 * w95,
-        w6 * w80 + w9 * w84 + w0 * w85 + w71 * w86 + w72 * w91 + w73 * w93 + w74 * w94 - w4 * w95,
-        w117,
-        w118,
-        w119,
+        ca.horzcat(  # top.e1
+            w0 * w24 + w1 * w31 + w11 * w32 + w33 * w35 + w39 * w52 + w54 * w59 + w60 * w63 - w2 * w65,
+            w0 * w80 + w1 * w84 + w11 * w85 + w33 * w86 + w39 * w91 + w54 * w93 + w60 * w94 - w2 * w95, w117,
+        ),
+        ca.horzcat(  # top.e2
+            w24 * w28 + w0 * w31 + w16 * w32 + w35 * w66 + w52 * w68 + w59 * w69 + w63 * w70 - w3 * w65,
+            w28 * w80 + w0 * w84 + w16 * w85 + w66 * w86 + w68 * w91 + w69 * w93 + w70 * w94 - w3 * w95, w118,
+        ),
+        ca.horzcat(  # top.e3
+            w6 * w24 + w9 * w31 + w0 * w32 + w35 * w71 + w52 * w72 + w59 * w73 + w63 * w74 - w4 * w65,
+            w6 * w80 + w9 * w84 + w0 * w85 + w71 * w86 + w72 * w91 + w73 * w93 + w74 * w94 - w4 * w95, w119,
+        ),
     )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 3, 3)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 835 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    835 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
@@ -1371,8 +1310,8 @@ def dMa_dq_i() -> ca.Function:
     c2 = c[2]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c10 = c[10]
     c12 = c[12]
@@ -1383,6 +1322,7 @@ def dMa_dq_i() -> ca.Function:
     c21 = c[21]
     c22 = c[22]
     c23 = c[23]
+    # intermediate terms (214)
     w0 = 2 * top_e2
     w1 = w0 * c21
     w2 = top_e1 / top_e0
@@ -1399,15 +1339,15 @@ def dMa_dq_i() -> ca.Function:
     w13 = w7 * w9 + top_e2 * top_e3 * c8
     w14 = top_e1_ddot / top_e0
     w15 = w11 * c22
-    w16 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w16 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w17 = w6 * w16
     w18 = 2 * top_e3
     w19 = 2 * top_e1
-    w20 = (top_e2 * w19 - top_e3 * w6) * c6
+    w20 = (top_e2 * w19 - top_e3 * w6) * top_foot_y
     w21 = w17 - w18 * w20
     w22 = w16 * -2.0
     w23 = top_e1 * c23
-    w24 = w0 * c6
+    w24 = w0 * top_foot_y
     w25 = w10 * w24
     w26 = w22 - w9 * w23 - w25
     w27 = w10 * w20
@@ -1421,18 +1361,18 @@ def dMa_dq_i() -> ca.Function:
     w35 = w20 * -2.0
     w36 = w9 * w24
     w37 = w0 * w23 + (w35 + w36)
-    w38 = (w5 * w26 + w14 * w28 + top_e1_ddot * w31 + top_e2_ddot * w34 + top_e3_ddot * w37) * c7
+    w38 = (w5 * w26 + w14 * w28 + top_e1_ddot * w31 + top_e2_ddot * w34 + top_e3_ddot * w37) * top_mass
     w39 = w11 * w16
     w40 = w6 * w20
     w41 = w39 - w40
     w42 = w0 * w16 - w9 * w20
-    w43 = (w5 * w28 - top_e1_ddot * w21 - top_e2_ddot * w41 - top_e3_ddot * w42) * c7
-    w44 = (top_e1 * w6 + w0 * top_e3) * c6
+    w43 = (w5 * w28 - top_e1_ddot * w21 - top_e2_ddot * w41 - top_e3_ddot * w42) * top_mass
+    w44 = (top_e1 * w6 + w0 * top_e3) * top_foot_y
     w45 = w6 * w44
     w46 = w27 - w45
     w47 = w11 * w24
     w48 = w44 * -2.0
-    w49 = w6 * c6
+    w49 = w6 * top_foot_y
     w50 = w9 * w49
     w51 = w48 + w50
     w52 = w47 - w51
@@ -1444,10 +1384,10 @@ def dMa_dq_i() -> ca.Function:
     w58 = w11 * w49
     w59 = w57 + w19 * w24 - w58
     w60 = w33 - w0 * w49
-    w61 = (w5 * w52 + w14 * w54 - top_e1_ddot * w56 - top_e2_ddot * w59 - top_e3_ddot * w60) * c7
+    w61 = (w5 * w52 + w14 * w54 - top_e1_ddot * w56 - top_e2_ddot * w59 - top_e3_ddot * w60) * top_mass
     w62 = w19 * w20 - w11 * w44
     w63 = w40 - w0 * w44
-    w64 = (w5 * w54 - top_e1_ddot * w46 - top_e2_ddot * w62 - top_e3_ddot * w63) * c7
+    w64 = (w5 * w54 - top_e1_ddot * w46 - top_e2_ddot * w62 - top_e3_ddot * w63) * top_mass
     w65 = top_e2_ddot * w1 - (w5 * w8 + w13 * w14) + top_e3_ddot * w15 - (w21 * w38 - w31 * w43) - (w46 * w61 + w56 * w64)
     w66 = w18 * w44 - w10 * w16
     w67 = w10 * w49
@@ -1458,10 +1398,10 @@ def dMa_dq_i() -> ca.Function:
     w72 = 2 * w16
     w73 = w55 - (w72 - w19 * w23)
     w74 = w29 + w51
-    w75 = (w5 * w68 + w14 * w69 - top_e1_ddot * w71 - top_e2_ddot * w73 - top_e3_ddot * w74) * c7
+    w75 = (w5 * w68 + w14 * w69 - top_e1_ddot * w71 - top_e2_ddot * w73 - top_e3_ddot * w74) * top_mass
     w76 = w45 - w16 * w19
     w77 = w53 - w17
-    w78 = (w5 * w69 - top_e1_ddot * w66 - top_e2_ddot * w76 - top_e3_ddot * w77) * c7
+    w78 = (w5 * w69 - top_e1_ddot * w66 - top_e2_ddot * w76 - top_e3_ddot * w77) * top_mass
     w79 = w9 * c2
     w80 = w9 * c20
     w81 = w10 * c4
@@ -1496,7 +1436,7 @@ def dMa_dq_i() -> ca.Function:
     w110 = w0 * c19
     w111 = w109 + w110
     w112 = top_e1_ddot * (2 * w7 + w101) - (w5 * w102 - w13 * w106) + top_e2_ddot * w108 + top_e3_ddot * w111
-    w113 = w18 * c6
+    w113 = w18 * top_foot_y
     w114 = w10 * w113
     w115 = w18 * w113
     w116 = w72 + w115
@@ -1504,9 +1444,9 @@ def dMa_dq_i() -> ca.Function:
     w118 = w57 - w117
     w119 = w9 * w113
     w120 = top_e3_ddot * w119
-    w121 = (w5 * w114 - w28 * w106 - top_e1_ddot * w116 + top_e2_ddot * w118 - w120) * c7
+    w121 = (w5 * w114 - w28 * w106 - top_e1_ddot * w116 + top_e2_ddot * w118 - w120) * top_mass
     w122 = 2 * w44
-    w123 = w19 * c6
+    w123 = w19 * top_foot_y
     w124 = w6 * w123
     w125 = w122 + w124
     w126 = w114 + w125
@@ -1516,12 +1456,12 @@ def dMa_dq_i() -> ca.Function:
     w130 = w11 * w123
     w131 = w19 * w113 + w130
     w132 = w118 - w0 * w123
-    w133 = (top_e1_ddot * w126 - (w5 * w129 + w54 * w106) + top_e2_ddot * w131 - top_e3_ddot * w132) * c7
+    w133 = (top_e1_ddot * w126 - (w5 * w129 + w54 * w106) + top_e2_ddot * w131 - top_e3_ddot * w132) * top_mass
     w134 = w10 * w123
     w135 = w18 * w123
     w136 = top_e1_ddot * w135
     w137 = w128 - w72
-    w138 = (w5 * w134 - w69 * w106 - w136 - top_e2_ddot * w125 - top_e3_ddot * w137) * c7
+    w138 = (w5 * w134 - w69 * w106 - w136 - top_e2_ddot * w125 - top_e3_ddot * w137) * top_mass
     w139 = w11 * c19
     w140 = top_e1_ddot * w102 + w83 * w106 + top_e2_ddot * w89 + top_e3_ddot * w139 - (w28 * w121 + w43 * w114)
     w141 = w140 - (w54 * w133 - w64 * w129) - (w69 * w138 + w78 * w134)
@@ -1548,15 +1488,15 @@ def dMa_dq_i() -> ca.Function:
     w162 = top_e1_ddot * (w110 + 2 * w12) - (w5 * w158 + w13 * w159) + top_e2_ddot * w160 + top_e3_ddot * w161
     w163 = w35 + w134
     w164 = w72 - w128
-    w165 = (w136 + (w28 * w159 - w5 * w163) + top_e2_ddot * w124 - top_e3_ddot * w164) * c7
+    w165 = (w136 + (w28 * w159 - w5 * w163) + top_e2_ddot * w124 - top_e3_ddot * w164) * top_mass
     w166 = w130 - w119
     w167 = w163 - w117
     w168 = w19 * w123 - w127
     w169 = w124 - (w122 + w0 * w113)
-    w170 = (w5 * w166 + w54 * w159 - top_e1_ddot * w167 - top_e2_ddot * w168 - top_e3_ddot * w169) * c7
+    w170 = (w5 * w166 + w54 * w159 - top_e1_ddot * w167 - top_e2_ddot * w168 - top_e3_ddot * w169) * top_mass
     w171 = w48 + w114
     w172 = w115 - w22
-    w173 = (w5 * w171 + w69 * w159 - top_e1_ddot * w172 - top_e2_ddot * w117 - w120) * c7
+    w173 = (w5 * w171 + w69 * w159 - top_e1_ddot * w172 - top_e2_ddot * w117 - w120) * top_mass
     w174 = w10 * c18
     w175 = w93 * -2.0
     w176 = w96 * -2.0
@@ -1579,17 +1519,17 @@ def dMa_dq_i() -> ca.Function:
     w193 = w22 - w11 * w189
     w194 = w55 + w193
     w195 = w50 - w0 * w189
-    w196 = (w5 * w190 + w28 * w186 + top_e1_ddot * w192 - top_e2_ddot * w194 - top_e3_ddot * w195) * c7
+    w196 = (w5 * w190 + w28 * w186 + top_e1_ddot * w192 - top_e2_ddot * w194 - top_e3_ddot * w195) * top_mass
     w197 = w35 - w58 - w36
     w198 = w33 + w67
     w199 = w19 * w49 + (w47 + w48)
     w200 = w55 + w0 * w24
-    w201 = (w5 * w197 + w54 * w186 + top_e1_ddot * w198 + top_e2_ddot * w199 + top_e3_ddot * w200) * c7
+    w201 = (w5 * w197 + w54 * w186 + top_e1_ddot * w198 + top_e2_ddot * w199 + top_e3_ddot * w200) * top_mass
     w202 = w25 - w193
     w203 = w30 + w122 + w10 * w189
     w204 = w33 + w19 * w189
     w205 = w36 + w191
-    w206 = (w5 * w202 + w69 * w186 - top_e1_ddot * w203 - top_e2_ddot * w204 - top_e3_ddot * w205) * c7
+    w206 = (w5 * w202 + w69 * w186 - top_e1_ddot * w203 - top_e2_ddot * w204 - top_e3_ddot * w205) * top_mass
     w207 = w102 + w143
     w208 = top_e1_ddot * w185 - (w5 * (w85 + w82 * -2.0) + w83 * w186) + top_e2_ddot * w207 + top_e3_ddot * w145
     w209 = w208 - (w28 * w196 + w43 * w190) - (w54 * w201 + w64 * w197) - (w69 * w206 + w78 * w202)
@@ -1597,25 +1537,32 @@ def dMa_dq_i() -> ca.Function:
     w211 = top_e1_ddot * w187 - (w5 * w207 + w95 * w186) + top_e2_ddot * (w107 + w18 * c17) + top_e3_ddot * w109
     w212 = w211 - (w41 * w196 + w43 * w194) - (w62 * w201 - w64 * w199) - (w76 * w206 + w78 * w204) - w3 * w209
     w213 = top_e1_ddot * w176 - (w5 * w145 + w98 * w186) + top_e2_ddot * w109 - (w42 * w196 + w43 * w195) - (w63 * w201 - w64 * w200)
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w65 - (w66 * w75 + w71 * w78) - (w2 * w92 + w100) - w2 * w142,
-        w147 - (w61 * w62 + w59 * w64) - (w75 * w76 + w73 * w78) - w3 * w92 - w2 * w151,
-        w156,
-        w180 - w3 * w142,
-        w182 - (w76 * w173 + w78 * w117) - (w100 + w3 * w179) - w3 * w151,
-        w184 - w3 * w155,
-        w210 - w4 * w142,
-        w212 - w4 * w151,
-        w213 - (w77 * w206 + w78 * w205) - (w100 + w4 * w209) - w4 * w155,
+        ca.horzcat(  # top.e1
+            w65 - (w66 * w75 + w71 * w78) - (w2 * w92 + w100) - w2 * w142, w180 - w3 * w142, w210 - w4 * w142,
+        ),
+        ca.horzcat(  # top.e2
+            w147 - (w61 * w62 + w59 * w64) - (w75 * w76 + w73 * w78) - w3 * w92 - w2 * w151,
+            w182 - (w76 * w173 + w78 * w117) - (w100 + w3 * w179) - w3 * w151, w212 - w4 * w151,
+        ),
+        ca.horzcat(w156, w184 - w3 * w155, w213 - (w77 * w206 + w78 * w205) - (w100 + w4 * w209) - w4 * w155),  # top.e3
     )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 3, 3)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 402 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 4) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 24) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
+    402 operations.
+    """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 3)
@@ -1635,8 +1582,8 @@ def forward_dynamics() -> ca.Function:
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c7 = c[7]
+    top_foot_y = c[6]
+    top_mass = c[7]
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
@@ -1644,6 +1591,7 @@ def forward_dynamics() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
+    # intermediate terms (93)
     w0 = 2 * top_e0
     w1 = top_e3 * -2.0
     w2 = top_e0_dot * w1
@@ -1665,136 +1613,108 @@ def forward_dynamics() -> ca.Function:
     w18 = w17 * c3
     w19 = w6 * w18 - w7 * w17
     w20 = w13 * w17 - w12 * w18
-    w21 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * c6
+    w21 = (1.0 - 2 * top_e1**2 - 2 * top_e3**2) * top_foot_y
     w22 = w0 * w21
-    w23 = (top_e2 * w11 - w0 * top_e3) * c6
+    w23 = (top_e2 * w11 - w0 * top_e3) * top_foot_y
     w24 = w22 - w16 * w23
     w25 = w15 + w1 * top_e2_dot + w3 * top_e3_dot
     w26 = w5 + (w2 + top_e1_dot * w8 + top_e2_dot * w11)
-    w27 = (w0 * top_e1 + top_e3 * w3) * c6
+    w27 = (w0 * top_e1 + top_e3 * w3) * top_foot_y
     w28 = w23 * w26 - w25 * w27
     w29 = w10 + (w9 + top_e1_dot * w16) + w4 * top_e3_dot
     w30 = w27 * w29 - w21 * w26
-    w31 = c14 + (w25 * w28 - w29 * w30) * c7
+    w31 = c14 + (w25 * w28 - w29 * w30) * top_mass
     w32 = w8 * w23
     w33 = w0 * w27
     w34 = w32 - w33
     w35 = w21 * w25 - w23 * w29
-    w36 = (w26 * w30 - w25 * w35) * c7
+    w36 = (w26 * w30 - w25 * w35) * top_mass
     w37 = w16 * w27 - w8 * w21
-    w38 = (w29 * w35 - w26 * w28) * c7
+    w38 = (w29 * w35 - w26 * w28) * top_mass
     w39 = w0 * c2
     w40 = w4 * w21 - w32
-    w41 = w24 * c7
+    w41 = w24 * top_mass
     w42 = w4 * w27
     w43 = w1 * w23 - w42
-    w44 = w34 * c7
+    w44 = w34 * top_mass
     w45 = w1 * w21
     w46 = w8 * w27 - w45
-    w47 = w37 * c7
+    w47 = w37 * top_mass
     w48 = w4 * w39 + top_e3 * top_e2 * c8 + w40 * w41 + w43 * w44 + w46 * w47
     w49 = (top_e0_dot**2 + top_e1_dot**2 + top_e2_dot**2 + top_e3_dot**2) / top_e0
     w50 = top_e1 / top_e0
-    w51 = w4 * (w4 * c2) + w8 * (w8 * c4) + w1 * (w1 * c5) + w40 * (w40 * c7) + w43 * (w43 * c7) + w46 * (w46 * c7)
-    w52 = w4 * w14 + w8 * w19 + w1 * w20 - w31 * w40 - w36 * w43 - w38 * w46 + w49 * w51
-    w53 = w8 * c2
-    w54 = w11 * c4
-    w55 = w0 * c5
-    w56 = w3 * w21 - w4 * w23
-    w57 = w56 * c7
-    w58 = w0 * w23
-    w59 = w58 - w3 * w27
-    w60 = w59 * c7
-    w61 = w42 - w22
-    w62 = w61 * c7
-    w63 = top_e2 * top_e1 * c12 + w1 * w55 + w40 * w57 + w43 * w60 + w46 * w62
-    w64 = top_e3 / top_e0
-    w65 = w63 - w51 * w64
-    w66 = w1 * w54 + top_e0 * top_e2 * c11 + w24 * w57 + w34 * w60 + w37 * w62 - (w50 * w65 + w48 * w64)
-    w67 = w8 * w53 + w11 * w54 + w0 * w55 + w56 * w57 + w59 * w60 + w61 * w62 - (w64 * w65 + w63 * w64)
-    w68 = w66 / w67
-    w69 = w8 * w14 + w11 * w19 + w0 * w20 - w31 * w56 - w36 * w59 - w38 * w61 + w49 * w63 - w52 * w64
-    w70 = w0 * w14 + w1 * w19 + w3 * w20 - w24 * w31 - w34 * w36 - w37 * w38 + w48 * w49 - w50 * w52 - w68 * w69
-    w71 = w0 * c4
-    w72 = w4 * c5
-    w73 = w45 - w58
-    w74 = w73 * c7
-    w75 = w11 * w23 - w1 * w27
-    w76 = w75 * c7
-    w77 = w33 - w11 * w21
-    w78 = w77 * c7
-    w79 = w8 * w71 + top_e3 * top_e1 * c10 + w40 * w74 + w43 * w76 + w46 * w78
-    w80 = top_e2 / top_e0
-    w81 = w79 - w51 * w80
-    w82 = w16 * w53 + top_e0 * top_e1 * c13 + w57 * w73 + w60 * w75 + w62 * w77 - (w65 * w80 + w64 * w79)
-    w83 = top_e0 * top_e3 * c9 + w3 * w72 + w24 * w74 + w34 * w76 + w37 * w78 - (w50 * w81 + w48 * w80) - w68 * w82
-    w84 = w16 * (w16 * c2) + w0 * w71 + w4 * w72 + w73 * w74 + w75 * w76 + w77 * w78 - (w80 * w81 + w79 * w80)
-    w85 = w82 / w67
-    w86 = w84 - w82 * w85
-    w87 = w83 / w86
-    w88 = w14 * w16 + w0 * w19 + w4 * w20 - w31 * w73 - w36 * w75 - w38 * w77 + w49 * w79 - w52 * w80 - w69 * w85
-    w89 = w0 * w39 + w1 * (w1 * c4) + w3 * (w3 * c5) + w24 * w41 + w34 * w44 + w37 * w47 - (w50 * (w48 - w50 * w51) + w48 * w50)
-    w90 = (w70 - w87 * w88) / (w89 - w66 * w68 - w83 * w87)
-    w91 = (w88 - w83 * w90) / w86
-    q_i_ddot = ca.vertcat(
-        w90,
-        w91,
-        (w69 - (w66 * w90 + w82 * w91)) / w67,
-    )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [q_i_ddot]
+    w51 = w4 * (w4 * c2) + w8 * (w8 * c4) + w1 * (w1 * c5) + w40 * (w40 * top_mass) + w43 * (w43 * top_mass)
+    w52 = w51 + w46 * (w46 * top_mass)
+    w53 = w4 * w14 + w8 * w19 + w1 * w20 - w31 * w40 - w36 * w43 - w38 * w46 + w49 * w52
+    w54 = w8 * c2
+    w55 = w11 * c4
+    w56 = w0 * c5
+    w57 = w3 * w21 - w4 * w23
+    w58 = w57 * top_mass
+    w59 = w0 * w23
+    w60 = w59 - w3 * w27
+    w61 = w60 * top_mass
+    w62 = w42 - w22
+    w63 = w62 * top_mass
+    w64 = top_e2 * top_e1 * c12 + w1 * w56 + w40 * w58 + w43 * w61 + w46 * w63
+    w65 = top_e3 / top_e0
+    w66 = w64 - w52 * w65
+    w67 = w1 * w55 + top_e0 * top_e2 * c11 + w24 * w58 + w34 * w61 + w37 * w63 - (w50 * w66 + w48 * w65)
+    w68 = w8 * w54 + w11 * w55 + w0 * w56 + w57 * w58 + w60 * w61 + w62 * w63 - (w65 * w66 + w64 * w65)
+    w69 = w67 / w68
+    w70 = w8 * w14 + w11 * w19 + w0 * w20 - w31 * w57 - w36 * w60 - w38 * w62 + w49 * w64 - w53 * w65
+    w71 = w0 * w14 + w1 * w19 + w3 * w20 - w24 * w31 - w34 * w36 - w37 * w38 + w48 * w49 - w50 * w53 - w69 * w70
+    w72 = w0 * c4
+    w73 = w4 * c5
+    w74 = w45 - w59
+    w75 = w74 * top_mass
+    w76 = w11 * w23 - w1 * w27
+    w77 = w76 * top_mass
+    w78 = w33 - w11 * w21
+    w79 = w78 * top_mass
+    w80 = w8 * w72 + top_e3 * top_e1 * c10 + w40 * w75 + w43 * w77 + w46 * w79
+    w81 = top_e2 / top_e0
+    w82 = w80 - w52 * w81
+    w83 = w16 * w54 + top_e0 * top_e1 * c13 + w58 * w74 + w61 * w76 + w63 * w78 - (w66 * w81 + w65 * w80)
+    w84 = top_e0 * top_e3 * c9 + w3 * w73 + w24 * w75 + w34 * w77 + w37 * w79 - (w50 * w82 + w48 * w81) - w69 * w83
+    w85 = w16 * (w16 * c2) + w0 * w72 + w4 * w73 + w74 * w75 + w76 * w77 + w78 * w79 - (w81 * w82 + w80 * w81)
+    w86 = w83 / w68
+    w87 = w85 - w83 * w86
+    w88 = w84 / w87
+    w89 = w14 * w16 + w0 * w19 + w4 * w20 - w31 * w74 - w36 * w76 - w38 * w78 + w49 * w80 - w53 * w81 - w70 * w86
+    w90 = w0 * w39 + w1 * (w1 * c4) + w3 * (w3 * c5) + w24 * w41 + w34 * w44 + w37 * w47 - (w50 * (w48 - w50 * w52) + w48 * w50)
+    w91 = (w71 - w88 * w89) / (w90 - w67 * w69 - w84 * w88)
+    w92 = (w89 - w84 * w91) / w87
+    # outputs
+    q_i_ddot = ca.vertcat(w91, w92, (w70 - (w67 * w91 + w83 * w92)) / w68)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 39 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 3) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 3) [1]: columns of the rotation matrix of the marker at a drawn point
+    39 operations.
+    """
     p = ca.SX.sym("p", 6)
     top_foot_y = p[5]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        top_foot_y,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 3)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 3)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 3)
+    positions[1, 2] = top_foot_y
+    axes = ca.SX(9, 3)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

@@ -1,13 +1,24 @@
 """Hub with a flexible beam (F2): equations of motion, emitted by symgen from the scene `hub_beam`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 hub.theta [rad], 1 beam.q1 [m], 2 beam.q2 [m], 3 beam.q3 [m]
+
+q_d, the dependent coordinates by index:
+    0 hub.x [m], 1 hub.y [m], 2 beam.x [m], 3 beam.y [m], 4 beam.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 207 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 295) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    207 operations.
+    """
     p = ca.SX.sym("p", 295)
     torque = p[0]
     hub_mass = p[1]
@@ -61,6 +72,7 @@ def constants() -> ca.Function:
     beam100_clamped_free3_1_0_H_2_0 = p[52]
     beam100_clamped_free3_1_0_H_2_1 = p[53]
     beam100_clamped_free3_1_0_H_2_2 = p[54]
+    # intermediate terms (26)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = beam_length**2
@@ -87,86 +99,96 @@ def constants() -> ca.Function:
     w23 = w19 / w12
     w24 = w18 / w8
     w25 = w17 / w4
+    # outputs
     c = ca.vertcat(
-        w4,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-        w12,
-        w13,
-        w14,
-        w15,
-        hub_inertia + w3,
-        w17,
-        w18,
-        w19,
-        torque,
-        w20 * beam100_clamped_free3_kappa_lateral_0_0,
-        w20 * beam100_clamped_free3_kappa_lateral_1_1,
-        w20 * beam100_clamped_free3_kappa_lateral_2_2,
-        hub_inertia,
-        w1,
-        w3,
-        hub_mass,
-        w16 * beam100_clamped_free3_s1_0_0,
-        w0 * beam100_clamped_free3_H_0_0,
-        w0 * beam100_clamped_free3_H_0_1,
-        w0 * beam100_clamped_free3_H_0_2,
-        w0 * beam100_clamped_free3_H_1_0,
-        w0 * beam100_clamped_free3_H_1_1,
-        w0 * beam100_clamped_free3_H_1_2,
-        w0 * beam100_clamped_free3_H_2_0,
-        w0 * beam100_clamped_free3_H_2_1,
-        w0 * beam100_clamped_free3_H_2_2,
-        w1 * beam100_clamped_free3_phi_y_0_0,
-        w1 * beam100_clamped_free3_phi_y_1_0,
-        w1 * beam100_clamped_free3_phi_y_2_0,
-        beam_length,
-        beam100_clamped_free3_1_0_H_0_0 / beam_length,
-        beam100_clamped_free3_1_0_H_0_1 / beam_length,
-        beam100_clamped_free3_1_0_H_0_2 / beam_length,
-        beam100_clamped_free3_1_0_H_1_0 / beam_length,
-        beam100_clamped_free3_1_0_H_1_1 / beam_length,
-        beam100_clamped_free3_1_0_H_1_2 / beam_length,
-        beam100_clamped_free3_1_0_H_2_0 / beam_length,
-        beam100_clamped_free3_1_0_H_2_1 / beam_length,
-        beam100_clamped_free3_1_0_H_2_2 / beam_length,
-        beam100_clamped_free3_1_0_shape_1_0,
-        beam100_clamped_free3_1_0_shape_1_1,
-        beam100_clamped_free3_1_0_shape_1_2,
-        w4 - w5,
-        w8 - w10,
-        w12 - w15,
-        -w9,
-        -w13,
-        -w6,
-        -w14,
-        -w7,
-        -w11,
-        w6 + w9,
-        w7 + w13,
-        w11 + w14,
-        beam100_clamped_free3_mass_0_0 * w21 + beam100_clamped_free3_xH_0_0 * w22,
-        beam100_clamped_free3_mass_1_1 * w21 + beam100_clamped_free3_xH_1_1 * w22,
-        beam100_clamped_free3_mass_2_2 * w21 + beam100_clamped_free3_xH_2_2 * w22,
-        w23,
-        w24,
-        w25,
-        w19 * w23,
-        w18 * w24,
-        w17 * w25,
+        w4,  # c0
+        w5,  # c1
+        w6,  # c2
+        w7,  # c3
+        w8,  # c4
+        w9,  # c5
+        w10,  # c6
+        w11,  # c7
+        w12,  # c8
+        w13,  # c9
+        w14,  # c10
+        w15,  # c11
+        hub_inertia + w3,  # c12
+        w17,  # c13
+        w18,  # c14
+        w19,  # c15
+        torque,  # torque
+        w20 * beam100_clamped_free3_kappa_lateral_0_0,  # c17
+        w20 * beam100_clamped_free3_kappa_lateral_1_1,  # c18
+        w20 * beam100_clamped_free3_kappa_lateral_2_2,  # c19
+        hub_inertia,  # hub_inertia
+        w1,  # c21
+        w3,  # c22
+        hub_mass,  # hub_mass
+        w16 * beam100_clamped_free3_s1_0_0,  # c24
+        w0 * beam100_clamped_free3_H_0_0,  # c25
+        w0 * beam100_clamped_free3_H_0_1,  # c26
+        w0 * beam100_clamped_free3_H_0_2,  # c27
+        w0 * beam100_clamped_free3_H_1_0,  # c28
+        w0 * beam100_clamped_free3_H_1_1,  # c29
+        w0 * beam100_clamped_free3_H_1_2,  # c30
+        w0 * beam100_clamped_free3_H_2_0,  # c31
+        w0 * beam100_clamped_free3_H_2_1,  # c32
+        w0 * beam100_clamped_free3_H_2_2,  # c33
+        w1 * beam100_clamped_free3_phi_y_0_0,  # c34
+        w1 * beam100_clamped_free3_phi_y_1_0,  # c35
+        w1 * beam100_clamped_free3_phi_y_2_0,  # c36
+        beam_length,  # beam_length
+        beam100_clamped_free3_1_0_H_0_0 / beam_length,  # c38
+        beam100_clamped_free3_1_0_H_0_1 / beam_length,  # c39
+        beam100_clamped_free3_1_0_H_0_2 / beam_length,  # c40
+        beam100_clamped_free3_1_0_H_1_0 / beam_length,  # c41
+        beam100_clamped_free3_1_0_H_1_1 / beam_length,  # c42
+        beam100_clamped_free3_1_0_H_1_2 / beam_length,  # c43
+        beam100_clamped_free3_1_0_H_2_0 / beam_length,  # c44
+        beam100_clamped_free3_1_0_H_2_1 / beam_length,  # c45
+        beam100_clamped_free3_1_0_H_2_2 / beam_length,  # c46
+        beam100_clamped_free3_1_0_shape_1_0,  # beam100_clamped_free3_1_0_shape_1_0
+        beam100_clamped_free3_1_0_shape_1_1,  # beam100_clamped_free3_1_0_shape_1_1
+        beam100_clamped_free3_1_0_shape_1_2,  # beam100_clamped_free3_1_0_shape_1_2
+        w4 - w5,  # c50
+        w8 - w10,  # c51
+        w12 - w15,  # c52
+        -w9,  # c53
+        -w13,  # c54
+        -w6,  # c55
+        -w14,  # c56
+        -w7,  # c57
+        -w11,  # c58
+        w6 + w9,  # c59
+        w7 + w13,  # c60
+        w11 + w14,  # c61
+        beam100_clamped_free3_mass_0_0 * w21 + beam100_clamped_free3_xH_0_0 * w22,  # c62
+        beam100_clamped_free3_mass_1_1 * w21 + beam100_clamped_free3_xH_1_1 * w22,  # c63
+        beam100_clamped_free3_mass_2_2 * w21 + beam100_clamped_free3_xH_2_2 * w22,  # c64
+        w23,  # c65
+        w24,  # c66
+        w25,  # c67
+        w19 * w23,  # c68
+        w18 * w24,  # c69
+        w17 * w25,  # c70
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 102 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
+    102 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -195,96 +217,101 @@ def condensed() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
+    torque = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
+    # intermediate terms (5)
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
+    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
     w4 = beam_theta_dot**2
-    M_hat = ca.vertcat(
-        beam_q3 * w2 + (beam_q2 * w1 + (beam_q1 * w0 + c12)),
-        c13,
-        c14,
-        c15,
-        c13,
-        c0,
-        0.0,
-        0.0,
-        c14,
-        0.0,
-        c4,
-        0.0,
-        c15,
-        0.0,
-        0.0,
-        c8,
-    )
-    M_hat = ca.reshape(M_hat, 4, 4)
-    M_hat = ca.densify(M_hat)
+    # outputs
+    M_hat = ca.SX(4, 4)
+    # hub.theta
+    M_hat[0, 0] = beam_q3 * w2 + (beam_q2 * w1 + (beam_q1 * w0 + c12))
+    M_hat[0, 1] = c13
+    M_hat[0, 2] = c14
+    M_hat[0, 3] = c15
+    # beam.q1
+    M_hat[1, 0] = c13
+    M_hat[1, 1] = c0
+    # beam.q2
+    M_hat[2, 0] = c14
+    M_hat[2, 2] = c4
+    # beam.q3
+    M_hat[3, 0] = c15
+    M_hat[3, 3] = c8
     Q_hat = ca.vertcat(
-        w3,
-        w0 * w4 - beam_q1 * c17,
-        w1 * w4 - beam_q2 * c18,
-        w2 * w4 - beam_q3 * c19,
+        w3,  # hub.theta
+        w0 * w4 - beam_q1 * c17,  # beam.q1
+        w1 * w4 - beam_q2 * c18,  # beam.q2
+        w2 * w4 - beam_q3 * c19,  # beam.q3
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 7 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    gives q_d_next (n_d = 5) [mixed]: dependent coordinates after one Newton step
+    7 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     hub_theta = q_i[0]
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        hub_theta,
-    )
-    q_d_next = ca.densify(q_d_next)
-    inputs, outputs = [q_i], [q_d_next]
+    # outputs
+    q_d_next = ca.SX(5, 1)
+    q_d_next[4] = hub_theta  # beam.theta
+    inputs, outputs = [q_i], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 7 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    gives q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    7 operations.
+    """
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     hub_theta_dot = q_i_dot[0]
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        hub_theta_dot,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i_dot], [q_d_dot]
+    # outputs
+    q_d_dot = ca.SX(5, 1)
+    q_d_dot[4] = hub_theta_dot  # beam.theta
+    inputs, outputs = [q_i_dot], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i_dot"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 7 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    gives q_d_ddot (n_d = 5) [mixed]: accelerations of the dependent coordinates
+    7 operations.
+    """
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     hub_theta_ddot = q_i_ddot[0]
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        hub_theta_ddot,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i_ddot], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(5, 1)
+    q_d_ddot[4] = hub_theta_ddot  # beam.theta
+    inputs, outputs = [q_i_ddot], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i_ddot"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 77 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives C (n_c = 5) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 5 x 9) [SI]: constraint Jacobian
+    gives C_t (n_c = 5) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 5) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 5) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    77 operations.
+    """
     q = ca.SX.sym("q", 9)
     hub_x = q[0]
     hub_y = q[1]
@@ -292,93 +319,51 @@ def constraints() -> ca.Function:
     beam_x = q[3]
     beam_y = q[4]
     beam_theta = q[5]
+    # outputs
     C = ca.vertcat(
-        hub_x,
-        hub_y,
-        beam_x - hub_x,
-        beam_y - hub_y,
-        beam_theta - hub_theta,
+        hub_x,  # pivot.x
+        hub_y,  # pivot.y
+        beam_x - hub_x,  # clamp.x
+        beam_y - hub_y,  # clamp.y
+        beam_theta - hub_theta,  # clamp.angle
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 5, 9)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(5, 9)
+    # pivot.x
+    C_q[0, 0] = 1.0
+    # pivot.y
+    C_q[1, 1] = 1.0
+    # clamp.x
+    C_q[2, 0] = -1.0
+    C_q[2, 3] = 1.0
+    # clamp.y
+    C_q[3, 1] = -1.0
+    C_q[3, 4] = 1.0
+    # clamp.angle
+    C_q[4, 2] = -1.0
+    C_q[4, 5] = 1.0
+    C_t = ca.SX(5, 1)
+    nu = ca.SX(5, 1)
+    gamma = ca.SX(5, 1)
+    inputs, outputs = [q], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 444 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
+    gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 9) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 5 x 9) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 5) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    444 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
@@ -406,14 +391,14 @@ def augmented() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
+    torque = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    hub_inertia = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    hub_mass = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
@@ -427,6 +412,7 @@ def augmented() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
+    # intermediate terms (32)
     w0 = ca.sin(beam_theta)
     w1 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
     w2 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
@@ -458,276 +444,110 @@ def augmented() -> ca.Function:
     w28 = w16 * w19
     w29 = w17 * w19
     w30 = w18 * w19
-    w31 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0)
-    M = ca.vertcat(
-        c23,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c23,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c20,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c21,
-        0.0,
-        w8,
-        w9,
-        w10,
-        w11,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c21,
-        w12,
-        w13,
-        w14,
-        w15,
-        0.0,
-        0.0,
-        0.0,
-        w8,
-        w12,
-        c22 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18),
-        c13,
-        c14,
-        c15,
-        0.0,
-        0.0,
-        0.0,
-        w9,
-        w13,
-        c13,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w10,
-        w14,
-        c14,
-        0.0,
-        c4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w11,
-        w15,
-        c15,
-        0.0,
-        0.0,
-        c8,
-    )
-    M = ca.reshape(M, 9, 9)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c17,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c18,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c19,
-    )
-    K = ca.reshape(K, 9, 9)
-    K = ca.densify(K)
+    w31 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0)
+    # outputs
+    M = ca.SX(9, 9)
+    # hub.x
+    M[0, 0] = hub_mass
+    # hub.y
+    M[1, 1] = hub_mass
+    # hub.theta
+    M[2, 2] = hub_inertia
+    # beam.x
+    M[3, 3] = c21
+    M[3, 5] = w8
+    M[3, 6] = w9
+    M[3, 7] = w10
+    M[3, 8] = w11
+    # beam.y
+    M[4, 4] = c21
+    M[4, 5] = w12
+    M[4, 6] = w13
+    M[4, 7] = w14
+    M[4, 8] = w15
+    # beam.theta
+    M[5, 3] = w8
+    M[5, 4] = w12
+    M[5, 5] = c22 + (beam_q1 * w16 + beam_q2 * w17 + beam_q3 * w18)
+    M[5, 6] = c13
+    M[5, 7] = c14
+    M[5, 8] = c15
+    # beam.q1
+    M[6, 3] = w9
+    M[6, 4] = w13
+    M[6, 5] = c13
+    M[6, 6] = c0
+    # beam.q2
+    M[7, 3] = w10
+    M[7, 4] = w14
+    M[7, 5] = c14
+    M[7, 7] = c4
+    # beam.q3
+    M[8, 3] = w11
+    M[8, 4] = w15
+    M[8, 5] = c15
+    M[8, 8] = c8
+    K = ca.SX(9, 9)
+    # beam.q1
+    K[6, 6] = c17
+    # beam.q2
+    K[7, 7] = c18
+    # beam.q3
+    K[8, 8] = c19
     Q_v = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w25,
-        w26,
-        w27,
-        w28,
-        w29,
-        w30,
+        0.0,  # hub.x
+        0.0,  # hub.y
+        0.0,  # hub.theta
+        w25,  # beam.x
+        w26,  # beam.y
+        w27,  # beam.theta
+        w28,  # beam.q1
+        w29,  # beam.q2
+        w30,  # beam.q3
     )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        0.0,
-        w31,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    Q_F = ca.SX(9, 1)
+    Q_F[2] = w31  # hub.theta
     Q_star = ca.vertcat(
-        0.0,
-        0.0,
-        w31,
-        w25,
-        w26,
-        w27,
-        w28 - beam_q1 * c17,
-        w29 - beam_q2 * c18,
-        w30 - beam_q3 * c19,
+        0.0,  # hub.x
+        0.0,  # hub.y
+        w31,  # hub.theta
+        w25,  # beam.x
+        w26,  # beam.y
+        w27,  # beam.theta
+        w28 - beam_q1 * c17,  # beam.q1
+        w29 - beam_q2 * c18,  # beam.q2
+        w30 - beam_q3 * c19,  # beam.q3
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 5, 9)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(5, 9)
+    # pivot.x
+    C_q[0, 0] = 1.0
+    # pivot.y
+    C_q[1, 1] = 1.0
+    # clamp.x
+    C_q[2, 0] = -1.0
+    C_q[2, 3] = 1.0
+    # clamp.y
+    C_q[3, 1] = -1.0
+    C_q[3, 4] = 1.0
+    # clamp.angle
+    C_q[4, 2] = -1.0
+    C_q[4, 5] = 1.0
+    gamma_b = ca.SX(5, 1)
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 237 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 5) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
+    237 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
@@ -765,7 +585,7 @@ def reactions() -> ca.Function:
     c15 = c[15]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    hub_mass = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
@@ -779,6 +599,7 @@ def reactions() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
+    # intermediate terms (26)
     w0 = beam_theta_dot**2
     w1 = ca.cos(beam_theta)
     w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
@@ -796,39 +617,45 @@ def reactions() -> ca.Function:
     w14 = w5 * w6 + w1 * w7
     w15 = beam_x_ddot * c21 - w14 * beam_theta_ddot - (w1 * w2 + w6 * c34) * beam_q1_ddot - (w1 * w3 + w6 * c35) * beam_q2_ddot
     w16 = w0 * w8 + w9 * (w1 * w10 - w6 * w11) + w1 * w13 - (w15 - (w1 * w4 + w6 * c36) * beam_q3_ddot)
-    w17 = w16 - hub_x_ddot * c23
+    w17 = w16 - hub_x_ddot * hub_mass
     w18 = beam_y_ddot * c21 + w8 * beam_theta_ddot + beam_q1_ddot * (w1 * c34 - w2 * w6) + beam_q2_ddot * (w1 * c35 - w3 * w6)
     w19 = w0 * w14 + w6 * w13 + w9 * (w1 * w11 + w6 * w10) - (w18 + beam_q3_ddot * (w1 * c36 - w4 * w6))
-    w20 = w19 - hub_y_ddot * c23
+    w20 = w19 - hub_y_ddot * hub_mass
     w21 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w22 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w23 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w24 = w8 * beam_y_ddot - beam_x_ddot * w14 + beam_theta_ddot * (c22 + (beam_q1 * w21 + beam_q2 * w22 + beam_q3 * w23))
     w25 = beam_theta_dot * -2.0 * (beam_q1_dot * w21 + beam_q2_dot * w22 + beam_q3_dot * w23) - (w24 + beam_q1_ddot * c13 + beam_q2_ddot * c14 + beam_q3_ddot * c15)
+    # outputs
     lam = ca.vertcat(
-        w17,
-        w20,
-        w16,
-        w19,
-        w25,
+        w17,  # pivot.x
+        w20,  # pivot.y
+        w16,  # clamp.x
+        w19,  # clamp.y
+        w25,  # clamp.angle
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w17,
-        -w20,
-        0.0,
-        -w16,
-        -w19,
-        -w25,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w17, -w20, 0.0),  # pivot
+        ca.vertcat(-w16, -w19, -w25),  # clamp
     )
-    joint_forces = ca.reshape(joint_forces, 3, 2)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 225 operations."""
+    """Energies and powers.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    225 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     t = ca.SX.sym("t", 1)
@@ -861,14 +688,14 @@ def energy() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
+    torque = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    hub_inertia = c[20]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
+    hub_mass = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
@@ -882,7 +709,8 @@ def energy() -> ca.Function:
     c34 = c[34]
     c35 = c[35]
     c36 = c[36]
-    w0 = hub_x_dot * (hub_x_dot * c23) + hub_y_dot * (hub_y_dot * c23) + hub_theta_dot * (hub_theta_dot * c20)
+    # intermediate terms (24)
+    w0 = hub_x_dot * (hub_x_dot * hub_mass) + hub_y_dot * (hub_y_dot * hub_mass) + hub_theta_dot * (hub_theta_dot * hub_inertia)
     w1 = ca.sin(beam_theta)
     w2 = beam_q1 * c25 + beam_q2 * c26 + beam_q3 * c27
     w3 = beam_q1 * c28 + beam_q2 * c29 + beam_q3 * c30
@@ -906,32 +734,25 @@ def energy() -> ca.Function:
     w21 = w0 + beam_x_dot * w12 + beam_y_dot * w17 + beam_theta_dot * w20 + beam_q1_dot * (beam_y_dot * w14 - beam_x_dot * w9 + beam_theta_dot * c13 + beam_q1_dot * c0)
     w22 = w21 + beam_q2_dot * (beam_y_dot * w15 - beam_x_dot * w10 + beam_theta_dot * c14 + beam_q2_dot * c4)
     w23 = w22 + beam_q3_dot * (beam_y_dot * w16 - beam_x_dot * w11 + beam_theta_dot * c15 + beam_q3_dot * c8)
-    kinetic = ca.vertcat(
-        w23 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (beam_q1 * (beam_q1 * c17) + beam_q2 * (beam_q2 * c18) + beam_q3 * (beam_q3 * c19)) / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        0.0,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        ca.if_else(t < 2.0, hub_theta_dot * (ca.sin(t * 3.141592653589793) * c16), 0),
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, t, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # outputs
+    kinetic = ca.vertcat(w23 / 2.0)
+    elastic = ca.vertcat((beam_q1 * (beam_q1 * c17) + beam_q2 * (beam_q2 * c18) + beam_q3 * (beam_q3 * c19)) / 2.0)
+    potential = ca.SX(1, 1)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.vertcat(ca.if_else(t < 2.0, hub_theta_dot * (ca.sin(t * 3.141592653589793) * torque), 0))
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def measures() -> ca.Function:
-    """The scene's measures and their rates. 117 operations."""
+    """The scene's measures and their rates.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives measures (measures = 4) [mixed]: measures of the scene and their rates
+    117 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 71)
@@ -947,7 +768,7 @@ def measures() -> ca.Function:
     beam_q1_dot = q_dot[6]
     beam_q2_dot = q_dot[7]
     beam_q3_dot = q_dot[8]
-    c37 = c[37]
+    beam_length = c[37]
     c38 = c[38]
     c39 = c[39]
     c40 = c[40]
@@ -957,34 +778,41 @@ def measures() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
+    beam100_clamped_free3_1_0_shape_1_0 = c[47]
+    beam100_clamped_free3_1_0_shape_1_1 = c[48]
+    beam100_clamped_free3_1_0_shape_1_2 = c[49]
+    # intermediate terms (13)
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * c38 + beam_q2 * c39 + beam_q3 * c40
     w2 = beam_q1 * c41 + beam_q2 * c42 + beam_q3 * c43
     w3 = beam_q1 * c44 + beam_q2 * c45 + beam_q3 * c46
-    w4 = c37 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
+    w4 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
     w5 = ca.sin(beam_theta)
-    w6 = beam_q1 * c47 + beam_q2 * c48 + beam_q3 * c49
+    w6 = beam_q1 * beam100_clamped_free3_1_0_shape_1_0 + beam_q2 * beam100_clamped_free3_1_0_shape_1_1 + beam_q3 * beam100_clamped_free3_1_0_shape_1_2
     w7 = w5 * beam_theta_dot
     w8 = w1 * beam_q1_dot + beam_q1 * (beam_q1_dot * c38 + beam_q2_dot * c39 + beam_q3_dot * c40) + (w2 * beam_q2_dot + beam_q2 * (beam_q1_dot * c41 + beam_q2_dot * c42 + beam_q3_dot * c43))
     w9 = (w8 + (w3 * beam_q3_dot + beam_q3 * (beam_q1_dot * c44 + beam_q2_dot * c45 + beam_q3_dot * c46))) * 0.5
     w10 = w0 * beam_theta_dot
-    w11 = beam_q1_dot * c47 + beam_q2_dot * c48 + beam_q3_dot * c49
+    w11 = beam_q1_dot * beam100_clamped_free3_1_0_shape_1_0 + beam_q2_dot * beam100_clamped_free3_1_0_shape_1_1
+    w12 = w11 + beam_q3_dot * beam100_clamped_free3_1_0_shape_1_2
+    # outputs
     measures = ca.vertcat(
-        beam_x + (w0 * w4 - w5 * w6),
-        beam_x_dot - (w4 * w7 + w0 * w9 + (w6 * w10 + w5 * w11)),
-        beam_y + (w4 * w5 + w0 * w6),
-        beam_y_dot + (w4 * w10 - w5 * w9 + (w0 * w11 - w6 * w7)),
+        beam_x + (w0 * w4 - w5 * w6),  # tip_x
+        beam_x_dot - (w4 * w7 + w0 * w9 + (w6 * w10 + w5 * w12)),  # tip_x_dot
+        beam_y + (w4 * w5 + w0 * w6),  # tip_y
+        beam_y_dot + (w4 * w10 - w5 * w9 + (w0 * w12 - w6 * w7)),  # tip_y_dot
     )
-    measures = ca.densify(measures)
-    inputs, outputs = [q, q_dot, c], [measures]
+    inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 38 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    38 operations.
+    """
     q = ca.SX.sym("q", 9)
     hub_x = q[0]
     hub_y = q[1]
@@ -992,44 +820,40 @@ def poses() -> ca.Function:
     beam_x = q[3]
     beam_y = q[4]
     beam_theta = q[5]
+    # intermediate terms (4)
     w0 = ca.cos(hub_theta)
     w1 = ca.sin(hub_theta)
     w2 = ca.cos(beam_theta)
     w3 = ca.sin(beam_theta)
-    poses = ca.vertcat(
-        hub_x,
-        hub_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        beam_x,
-        beam_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 2)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 2)
+    poses[0, 0] = hub_x
+    poses[0, 1] = beam_x
+    poses[1, 0] = hub_y
+    poses[1, 1] = beam_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 72 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
+    72 operations.
+    """
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     c = ca.SX.sym("c", 71)
@@ -1055,34 +879,34 @@ def dQ_hat_dq_i() -> ca.Function:
     c56 = c[56]
     c57 = c[57]
     c58 = c[58]
+    # intermediate terms (2)
     w0 = beam_theta_dot * -2.0
     w1 = beam_theta_dot**2
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * (beam_q1_dot * c50 - beam_q2_dot * c5 - beam_q3_dot * c9),
-        w1 * c50 - c17,
-        w1 * c53,
-        w1 * c54,
-        w0 * (beam_q2_dot * c51 - beam_q1_dot * c2 - beam_q3_dot * c10),
-        w1 * c55,
-        w1 * c51 - c18,
-        w1 * c56,
-        w0 * (beam_q3_dot * c52 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
-        w1 * c57,
-        w1 * c58,
-        w1 * c52 - c19,
+        ca.horzcat(  # hub.theta
+            0.0, w0 * (beam_q1_dot * c50 - beam_q2_dot * c5 - beam_q3_dot * c9),
+            w0 * (beam_q2_dot * c51 - beam_q1_dot * c2 - beam_q3_dot * c10),
+            w0 * (beam_q3_dot * c52 - (beam_q1_dot * c3 + beam_q2_dot * c7)),
+        ),
+        ca.horzcat(0.0, w1 * c50 - c17, w1 * c55, w1 * c57),  # beam.q1
+        ca.horzcat(0.0, w1 * c53, w1 * c51 - c18, w1 * c58),  # beam.q2
+        ca.horzcat(0.0, w1 * c54, w1 * c56, w1 * c52 - c19),  # beam.q3
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 4, 4)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 72 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    72 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -1106,37 +930,38 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
+    # intermediate terms (5)
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
     w3 = 2 * beam_theta_dot
     w4 = beam_theta_dot * -2.0
-    dQ_hat_dq_i_dot = ca.vertcat(
-        (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) * -2.0,
-        w0 * w3,
-        w1 * w3,
-        w2 * w3,
-        w0 * w4,
-        0.0,
-        0.0,
-        0.0,
-        w1 * w4,
-        0.0,
-        0.0,
-        0.0,
-        w2 * w4,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 4, 4)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_i_dot, q_d_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(4, 4)
+    # hub.theta
+    dQ_hat_dq_i_dot[0, 0] = (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) * -2.0
+    dQ_hat_dq_i_dot[0, 1] = w0 * w4
+    dQ_hat_dq_i_dot[0, 2] = w1 * w4
+    dQ_hat_dq_i_dot[0, 3] = w2 * w4
+    # beam.q1
+    dQ_hat_dq_i_dot[1, 0] = w0 * w3
+    # beam.q2
+    dQ_hat_dq_i_dot[2, 0] = w1 * w3
+    # beam.q3
+    dQ_hat_dq_i_dot[3, 0] = w2 * w3
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 45 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    45 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     c = ca.SX.sym("c", 71)
@@ -1150,35 +975,31 @@ def dMa_dq_i() -> ca.Function:
     c62 = c[62]
     c63 = c[63]
     c64 = c[64]
+    # intermediate terms (3)
     w0 = beam_q3 * hub_theta_ddot
     w1 = beam_q2 * hub_theta_ddot
     w2 = beam_q1 * hub_theta_ddot
-    dMa_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2 * c62 - w1 * c59 - w0 * c60,
-        0.0,
-        0.0,
-        0.0,
-        w1 * c63 - w2 * c59 - w0 * c61,
-        0.0,
-        0.0,
-        0.0,
-        w0 * c64 - w2 * c60 - w1 * c61,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 4, 4)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    # outputs
+    dMa_dq_i = ca.SX(4, 4)
+    # hub.theta
+    dMa_dq_i[0, 1] = w2 * c62 - w1 * c59 - w0 * c60
+    dMa_dq_i[0, 2] = w1 * c63 - w2 * c59 - w0 * c61
+    dMa_dq_i[0, 3] = w0 * c64 - w2 * c60 - w1 * c61
+    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 112 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
+    112 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -1206,11 +1027,11 @@ def forward_dynamics() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
+    torque = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    hub_inertia = c[20]
     c22 = c[22]
     c65 = c[65]
     c66 = c[66]
@@ -1218,6 +1039,7 @@ def forward_dynamics() -> ca.Function:
     c68 = c[68]
     c69 = c[69]
     c70 = c[70]
+    # intermediate terms (9)
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
@@ -1226,20 +1048,34 @@ def forward_dynamics() -> ca.Function:
     w5 = w1 * w3 - beam_q2 * c18
     w6 = beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot) - w4 * c65 - w5 * c66
     w7 = w0 * w3 - beam_q1 * c17
-    w8 = (ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + (w6 - w7 * c67)) / (c20 + (c22 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2) - c68 - c69 - c70))
+    w8 = (ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0) + (w6 - w7 * c67)) / (hub_inertia + (c22 + (beam_q1 * w0 + beam_q2 * w1 + beam_q3 * w2) - c68 - c69 - c70))
+    # outputs
     q_i_ddot = ca.vertcat(
-        w8,
-        (w7 - w8 * c13) / c0,
-        (w5 - w8 * c14) / c4,
-        (w4 - w8 * c15) / c8,
+        w8,  # hub.theta
+        (w7 - w8 * c13) / c0,  # beam.q1
+        (w5 - w8 * c14) / c4,  # beam.q2
+        (w4 - w8 * c15) / c8,  # beam.q3
     )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [q_i_ddot]
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["q_i_ddot"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 102 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 1 x 3) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 3) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 3 x 3) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 3) [N, N m]: part of Q_hat of S
+    102 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
@@ -1268,61 +1104,46 @@ def blocks() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
+    torque = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
+    # intermediate terms (5)
     w0 = beam_q1 * c0 - (beam_q1 * c1 + beam_q2 * c2 + beam_q3 * c3)
     w1 = beam_q2 * c4 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7)
     w2 = beam_q3 * c8 - (beam_q1 * c9 + beam_q2 * c10 + beam_q3 * c11)
-    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * c16, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
+    w3 = ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0) + beam_theta_dot * -2.0 * (w0 * beam_q1_dot + w1 * beam_q2_dot + w2 * beam_q3_dot)
     w4 = beam_theta_dot**2
-    M_hat_LL = ca.vertcat(
-        beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)),
+    # outputs
+    M_hat_LL = ca.vertcat(beam_q3 * w2 + (beam_q2 * w1 + (c12 + beam_q1 * w0)))
+    M_hat_LS = ca.horzcat(
+        c13, c14, c15,
     )
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        c13,
-        c14,
-        c15,
-    )
-    M_hat_LS = ca.reshape(M_hat_LS, 1, 3)
-    M_hat_LS = ca.densify(M_hat_LS)
-    M_hat_SL = ca.vertcat(
-        c13,
-        c14,
-        c15,
-    )
-    M_hat_SL = ca.densify(M_hat_SL)
-    M_hat_SS = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-        0.0,
-        0.0,
-        0.0,
-        c8,
-    )
-    M_hat_SS = ca.reshape(M_hat_SS, 3, 3)
-    M_hat_SS = ca.densify(M_hat_SS)
-    Q_hat_L = ca.vertcat(
-        w3,
-    )
-    Q_hat_L = ca.densify(Q_hat_L)
-    Q_hat_S = ca.vertcat(
-        w0 * w4 - beam_q1 * c17,
-        w1 * w4 - beam_q2 * c18,
-        w2 * w4 - beam_q3 * c19,
-    )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    M_hat_SL = ca.vertcat(c13, c14, c15)
+    M_hat_SS = ca.SX(3, 3)
+    # beam.q1
+    M_hat_SS[0, 0] = c0
+    # beam.q2
+    M_hat_SS[1, 1] = c4
+    # beam.q3
+    M_hat_SS[2, 2] = c8
+    Q_hat_L = ca.vertcat(w3)
+    Q_hat_S = ca.vertcat(w0 * w4 - beam_q1 * c17, w1 * w4 - beam_q2 * c18, w2 * w4 - beam_q3 * c19)
+    inputs, outputs = [q_i, q_i_dot, q_d_dot, t, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "q_d_dot", "t", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 67 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_d_dot (n_d = 5) [mixed]: rates of the dependent coordinates
+    takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 3 x 3) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 3) [N, N m]: right-hand side of a sub-step, slow q'' given
+    67 operations.
+    """
     q_i = ca.SX.sym("q_i", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 5)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
@@ -1350,35 +1171,40 @@ def substep_2() -> ca.Function:
     c50 = c[50]
     c51 = c[51]
     c52 = c[52]
+    # intermediate terms (4)
     w0 = beam_theta_dot**2
     w1 = w0 * beam_q1
     w2 = w0 * beam_q2
     w3 = w0 * beam_q3
-    M_hat_SS = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-        0.0,
-        0.0,
-        0.0,
-        c8,
-    )
-    M_hat_SS = ca.reshape(M_hat_SS, 3, 3)
-    M_hat_SS = ca.densify(M_hat_SS)
+    # outputs
+    M_hat_SS = ca.SX(3, 3)
+    # beam.q1
+    M_hat_SS[0, 0] = c0
+    # beam.q2
+    M_hat_SS[1, 1] = c4
+    # beam.q3
+    M_hat_SS[2, 2] = c8
     rhs_S = ca.vertcat(
-        w1 * c50 - w2 * c2 - w3 * c3 - beam_q1 * c17 - hub_theta_ddot * c13,
-        w2 * c51 - w1 * c5 - w3 * c7 - beam_q2 * c18 - hub_theta_ddot * c14,
-        w3 * c52 - w1 * c9 - w2 * c10 - beam_q3 * c19 - hub_theta_ddot * c15,
+        w1 * c50 - w2 * c2 - w3 * c3 - beam_q1 * c17 - hub_theta_ddot * c13,  # beam.q1
+        w2 * c51 - w1 * c5 - w3 * c7 - beam_q2 * c18 - hub_theta_ddot * c14,  # beam.q2
+        w3 * c52 - w1 * c9 - w2 * c10 - beam_q3 * c19 - hub_theta_ddot * c15,  # beam.q3
     )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, q_d_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    inputs, outputs = [q_i, q_d_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_d_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 1221 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 295) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 21) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 21) [1]: columns of the rotation matrix of the marker at a drawn point
+    gives shapes (3 x modes = 3 x 57) [1]: displacement of a drawn point by each mode of its body
+    gives turns (3 x modes = 3 x 57) [1/m]: rotation at a drawn point by each mode of its body
+    gives H (1 x entries = 1 x 153) [1/m]: foreshortening of the drawn points that have it, nf x nf each
+    gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
+    1221 operations.
+    """
     p = ca.SX.sym("p", 295)
     beam_length = p[3]
     beam_area = p[5]
@@ -1638,6 +1464,7 @@ def geometry() -> ca.Function:
     beam100_clamped_free3_0_9375_H_2_0 = p[292]
     beam100_clamped_free3_0_9375_H_2_1 = p[293]
     beam100_clamped_free3_0_9375_H_2_2 = p[294]
+    # intermediate terms (13)
     w0 = beam100_clamped_free3_1_0_slope_0_0 / beam_length
     w1 = beam100_clamped_free3_1_0_slope_1_0 / beam_length
     w2 = beam100_clamped_free3_1_0_slope_2_0 / beam_length
@@ -1651,779 +1478,266 @@ def geometry() -> ca.Function:
     w10 = beam100_clamped_free3_1_0_H_2_1 / beam_length
     w11 = beam100_clamped_free3_1_0_H_2_2 / beam_length
     w12 = ca.sqrt(12.0 * beam_second_moment / beam_area)
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_0625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_1875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_25_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_3125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_375_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_4375_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_5_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_5625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_6875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_75_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_8125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam100_clamped_free3_0_9375_at_0_0,
-        0.0,
-        0.0,
-        beam_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam_length,
-        0.0,
-        0.0,
+    # outputs
+    positions = ca.SX(3, 21)
+    positions[0, 1] = beam_length * beam100_clamped_free3_0_0625_at_0_0
+    positions[0, 2] = beam_length * beam100_clamped_free3_0_125_at_0_0
+    positions[0, 3] = beam_length * beam100_clamped_free3_0_1875_at_0_0
+    positions[0, 4] = beam_length * beam100_clamped_free3_0_25_at_0_0
+    positions[0, 5] = beam_length * beam100_clamped_free3_0_3125_at_0_0
+    positions[0, 6] = beam_length * beam100_clamped_free3_0_375_at_0_0
+    positions[0, 7] = beam_length * beam100_clamped_free3_0_4375_at_0_0
+    positions[0, 8] = beam_length * beam100_clamped_free3_0_5_at_0_0
+    positions[0, 9] = beam_length * beam100_clamped_free3_0_5625_at_0_0
+    positions[0, 10] = beam_length * beam100_clamped_free3_0_625_at_0_0
+    positions[0, 11] = beam_length * beam100_clamped_free3_0_6875_at_0_0
+    positions[0, 12] = beam_length * beam100_clamped_free3_0_75_at_0_0
+    positions[0, 13] = beam_length * beam100_clamped_free3_0_8125_at_0_0
+    positions[0, 14] = beam_length * beam100_clamped_free3_0_875_at_0_0
+    positions[0, 15] = beam_length * beam100_clamped_free3_0_9375_at_0_0
+    positions[0, 16] = beam_length
+    positions[0, 20] = beam_length
+    axes = ca.SX(9, 21)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[0, 12] = 1.0
+    axes[0, 13] = 1.0
+    axes[0, 14] = 1.0
+    axes[0, 15] = 1.0
+    axes[0, 16] = 1.0
+    axes[0, 17] = 1.0
+    axes[0, 18] = 1.0
+    axes[0, 19] = 1.0
+    axes[0, 20] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[4, 8] = 1.0
+    axes[4, 9] = 1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = 1.0
+    axes[4, 13] = 1.0
+    axes[4, 14] = 1.0
+    axes[4, 15] = 1.0
+    axes[4, 16] = 1.0
+    axes[4, 17] = 1.0
+    axes[4, 18] = 1.0
+    axes[4, 19] = 1.0
+    axes[4, 20] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    axes[8, 8] = 1.0
+    axes[8, 9] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    axes[8, 12] = 1.0
+    axes[8, 13] = 1.0
+    axes[8, 14] = 1.0
+    axes[8, 15] = 1.0
+    axes[8, 16] = 1.0
+    axes[8, 17] = 1.0
+    axes[8, 18] = 1.0
+    axes[8, 19] = 1.0
+    axes[8, 20] = 1.0
+    shapes = ca.SX(3, 57)
+    shapes[1, 3] = beam100_clamped_free3_0_0625_shape_1_0
+    shapes[1, 4] = beam100_clamped_free3_0_0625_shape_1_1
+    shapes[1, 5] = beam100_clamped_free3_0_0625_shape_1_2
+    shapes[1, 6] = beam100_clamped_free3_0_125_shape_1_0
+    shapes[1, 7] = beam100_clamped_free3_0_125_shape_1_1
+    shapes[1, 8] = beam100_clamped_free3_0_125_shape_1_2
+    shapes[1, 9] = beam100_clamped_free3_0_1875_shape_1_0
+    shapes[1, 10] = beam100_clamped_free3_0_1875_shape_1_1
+    shapes[1, 11] = beam100_clamped_free3_0_1875_shape_1_2
+    shapes[1, 12] = beam100_clamped_free3_0_25_shape_1_0
+    shapes[1, 13] = beam100_clamped_free3_0_25_shape_1_1
+    shapes[1, 14] = beam100_clamped_free3_0_25_shape_1_2
+    shapes[1, 15] = beam100_clamped_free3_0_3125_shape_1_0
+    shapes[1, 16] = beam100_clamped_free3_0_3125_shape_1_1
+    shapes[1, 17] = beam100_clamped_free3_0_3125_shape_1_2
+    shapes[1, 18] = beam100_clamped_free3_0_375_shape_1_0
+    shapes[1, 19] = beam100_clamped_free3_0_375_shape_1_1
+    shapes[1, 20] = beam100_clamped_free3_0_375_shape_1_2
+    shapes[1, 21] = beam100_clamped_free3_0_4375_shape_1_0
+    shapes[1, 22] = beam100_clamped_free3_0_4375_shape_1_1
+    shapes[1, 23] = beam100_clamped_free3_0_4375_shape_1_2
+    shapes[1, 24] = beam100_clamped_free3_0_5_shape_1_0
+    shapes[1, 25] = beam100_clamped_free3_0_5_shape_1_1
+    shapes[1, 26] = beam100_clamped_free3_0_5_shape_1_2
+    shapes[1, 27] = beam100_clamped_free3_0_5625_shape_1_0
+    shapes[1, 28] = beam100_clamped_free3_0_5625_shape_1_1
+    shapes[1, 29] = beam100_clamped_free3_0_5625_shape_1_2
+    shapes[1, 30] = beam100_clamped_free3_0_625_shape_1_0
+    shapes[1, 31] = beam100_clamped_free3_0_625_shape_1_1
+    shapes[1, 32] = beam100_clamped_free3_0_625_shape_1_2
+    shapes[1, 33] = beam100_clamped_free3_0_6875_shape_1_0
+    shapes[1, 34] = beam100_clamped_free3_0_6875_shape_1_1
+    shapes[1, 35] = beam100_clamped_free3_0_6875_shape_1_2
+    shapes[1, 36] = beam100_clamped_free3_0_75_shape_1_0
+    shapes[1, 37] = beam100_clamped_free3_0_75_shape_1_1
+    shapes[1, 38] = beam100_clamped_free3_0_75_shape_1_2
+    shapes[1, 39] = beam100_clamped_free3_0_8125_shape_1_0
+    shapes[1, 40] = beam100_clamped_free3_0_8125_shape_1_1
+    shapes[1, 41] = beam100_clamped_free3_0_8125_shape_1_2
+    shapes[1, 42] = beam100_clamped_free3_0_875_shape_1_0
+    shapes[1, 43] = beam100_clamped_free3_0_875_shape_1_1
+    shapes[1, 44] = beam100_clamped_free3_0_875_shape_1_2
+    shapes[1, 45] = beam100_clamped_free3_0_9375_shape_1_0
+    shapes[1, 46] = beam100_clamped_free3_0_9375_shape_1_1
+    shapes[1, 47] = beam100_clamped_free3_0_9375_shape_1_2
+    shapes[1, 48] = beam100_clamped_free3_1_0_shape_1_0
+    shapes[1, 49] = beam100_clamped_free3_1_0_shape_1_1
+    shapes[1, 50] = beam100_clamped_free3_1_0_shape_1_2
+    shapes[1, 54] = beam100_clamped_free3_1_0_shape_1_0
+    shapes[1, 55] = beam100_clamped_free3_1_0_shape_1_1
+    shapes[1, 56] = beam100_clamped_free3_1_0_shape_1_2
+    turns = ca.SX(3, 57)
+    turns[2, 3] = beam100_clamped_free3_0_0625_slope_0_0 / beam_length
+    turns[2, 4] = beam100_clamped_free3_0_0625_slope_1_0 / beam_length
+    turns[2, 5] = beam100_clamped_free3_0_0625_slope_2_0 / beam_length
+    turns[2, 6] = beam100_clamped_free3_0_125_slope_0_0 / beam_length
+    turns[2, 7] = beam100_clamped_free3_0_125_slope_1_0 / beam_length
+    turns[2, 8] = beam100_clamped_free3_0_125_slope_2_0 / beam_length
+    turns[2, 9] = beam100_clamped_free3_0_1875_slope_0_0 / beam_length
+    turns[2, 10] = beam100_clamped_free3_0_1875_slope_1_0 / beam_length
+    turns[2, 11] = beam100_clamped_free3_0_1875_slope_2_0 / beam_length
+    turns[2, 12] = beam100_clamped_free3_0_25_slope_0_0 / beam_length
+    turns[2, 13] = beam100_clamped_free3_0_25_slope_1_0 / beam_length
+    turns[2, 14] = beam100_clamped_free3_0_25_slope_2_0 / beam_length
+    turns[2, 15] = beam100_clamped_free3_0_3125_slope_0_0 / beam_length
+    turns[2, 16] = beam100_clamped_free3_0_3125_slope_1_0 / beam_length
+    turns[2, 17] = beam100_clamped_free3_0_3125_slope_2_0 / beam_length
+    turns[2, 18] = beam100_clamped_free3_0_375_slope_0_0 / beam_length
+    turns[2, 19] = beam100_clamped_free3_0_375_slope_1_0 / beam_length
+    turns[2, 20] = beam100_clamped_free3_0_375_slope_2_0 / beam_length
+    turns[2, 21] = beam100_clamped_free3_0_4375_slope_0_0 / beam_length
+    turns[2, 22] = beam100_clamped_free3_0_4375_slope_1_0 / beam_length
+    turns[2, 23] = beam100_clamped_free3_0_4375_slope_2_0 / beam_length
+    turns[2, 24] = beam100_clamped_free3_0_5_slope_0_0 / beam_length
+    turns[2, 25] = beam100_clamped_free3_0_5_slope_1_0 / beam_length
+    turns[2, 26] = beam100_clamped_free3_0_5_slope_2_0 / beam_length
+    turns[2, 27] = beam100_clamped_free3_0_5625_slope_0_0 / beam_length
+    turns[2, 28] = beam100_clamped_free3_0_5625_slope_1_0 / beam_length
+    turns[2, 29] = beam100_clamped_free3_0_5625_slope_2_0 / beam_length
+    turns[2, 30] = beam100_clamped_free3_0_625_slope_0_0 / beam_length
+    turns[2, 31] = beam100_clamped_free3_0_625_slope_1_0 / beam_length
+    turns[2, 32] = beam100_clamped_free3_0_625_slope_2_0 / beam_length
+    turns[2, 33] = beam100_clamped_free3_0_6875_slope_0_0 / beam_length
+    turns[2, 34] = beam100_clamped_free3_0_6875_slope_1_0 / beam_length
+    turns[2, 35] = beam100_clamped_free3_0_6875_slope_2_0 / beam_length
+    turns[2, 36] = beam100_clamped_free3_0_75_slope_0_0 / beam_length
+    turns[2, 37] = beam100_clamped_free3_0_75_slope_1_0 / beam_length
+    turns[2, 38] = beam100_clamped_free3_0_75_slope_2_0 / beam_length
+    turns[2, 39] = beam100_clamped_free3_0_8125_slope_0_0 / beam_length
+    turns[2, 40] = beam100_clamped_free3_0_8125_slope_1_0 / beam_length
+    turns[2, 41] = beam100_clamped_free3_0_8125_slope_2_0 / beam_length
+    turns[2, 42] = beam100_clamped_free3_0_875_slope_0_0 / beam_length
+    turns[2, 43] = beam100_clamped_free3_0_875_slope_1_0 / beam_length
+    turns[2, 44] = beam100_clamped_free3_0_875_slope_2_0 / beam_length
+    turns[2, 45] = beam100_clamped_free3_0_9375_slope_0_0 / beam_length
+    turns[2, 46] = beam100_clamped_free3_0_9375_slope_1_0 / beam_length
+    turns[2, 47] = beam100_clamped_free3_0_9375_slope_2_0 / beam_length
+    turns[2, 48] = w0
+    turns[2, 49] = w1
+    turns[2, 50] = w2
+    turns[2, 54] = w0
+    turns[2, 55] = w1
+    turns[2, 56] = w2
+    H = ca.horzcat(
+        beam100_clamped_free3_0_0625_H_0_0 / beam_length, beam100_clamped_free3_0_0625_H_0_1 / beam_length,
+        beam100_clamped_free3_0_0625_H_0_2 / beam_length, beam100_clamped_free3_0_0625_H_1_0 / beam_length,
+        beam100_clamped_free3_0_0625_H_1_1 / beam_length, beam100_clamped_free3_0_0625_H_1_2 / beam_length,
+        beam100_clamped_free3_0_0625_H_2_0 / beam_length, beam100_clamped_free3_0_0625_H_2_1 / beam_length,
+        beam100_clamped_free3_0_0625_H_2_2 / beam_length, beam100_clamped_free3_0_125_H_0_0 / beam_length,
+        beam100_clamped_free3_0_125_H_0_1 / beam_length, beam100_clamped_free3_0_125_H_0_2 / beam_length,
+        beam100_clamped_free3_0_125_H_1_0 / beam_length, beam100_clamped_free3_0_125_H_1_1 / beam_length,
+        beam100_clamped_free3_0_125_H_1_2 / beam_length, beam100_clamped_free3_0_125_H_2_0 / beam_length,
+        beam100_clamped_free3_0_125_H_2_1 / beam_length, beam100_clamped_free3_0_125_H_2_2 / beam_length,
+        beam100_clamped_free3_0_1875_H_0_0 / beam_length, beam100_clamped_free3_0_1875_H_0_1 / beam_length,
+        beam100_clamped_free3_0_1875_H_0_2 / beam_length, beam100_clamped_free3_0_1875_H_1_0 / beam_length,
+        beam100_clamped_free3_0_1875_H_1_1 / beam_length, beam100_clamped_free3_0_1875_H_1_2 / beam_length,
+        beam100_clamped_free3_0_1875_H_2_0 / beam_length, beam100_clamped_free3_0_1875_H_2_1 / beam_length,
+        beam100_clamped_free3_0_1875_H_2_2 / beam_length, beam100_clamped_free3_0_25_H_0_0 / beam_length,
+        beam100_clamped_free3_0_25_H_0_1 / beam_length, beam100_clamped_free3_0_25_H_0_2 / beam_length,
+        beam100_clamped_free3_0_25_H_1_0 / beam_length, beam100_clamped_free3_0_25_H_1_1 / beam_length,
+        beam100_clamped_free3_0_25_H_1_2 / beam_length, beam100_clamped_free3_0_25_H_2_0 / beam_length,
+        beam100_clamped_free3_0_25_H_2_1 / beam_length, beam100_clamped_free3_0_25_H_2_2 / beam_length,
+        beam100_clamped_free3_0_3125_H_0_0 / beam_length, beam100_clamped_free3_0_3125_H_0_1 / beam_length,
+        beam100_clamped_free3_0_3125_H_0_2 / beam_length, beam100_clamped_free3_0_3125_H_1_0 / beam_length,
+        beam100_clamped_free3_0_3125_H_1_1 / beam_length, beam100_clamped_free3_0_3125_H_1_2 / beam_length,
+        beam100_clamped_free3_0_3125_H_2_0 / beam_length, beam100_clamped_free3_0_3125_H_2_1 / beam_length,
+        beam100_clamped_free3_0_3125_H_2_2 / beam_length, beam100_clamped_free3_0_375_H_0_0 / beam_length,
+        beam100_clamped_free3_0_375_H_0_1 / beam_length, beam100_clamped_free3_0_375_H_0_2 / beam_length,
+        beam100_clamped_free3_0_375_H_1_0 / beam_length, beam100_clamped_free3_0_375_H_1_1 / beam_length,
+        beam100_clamped_free3_0_375_H_1_2 / beam_length, beam100_clamped_free3_0_375_H_2_0 / beam_length,
+        beam100_clamped_free3_0_375_H_2_1 / beam_length, beam100_clamped_free3_0_375_H_2_2 / beam_length,
+        beam100_clamped_free3_0_4375_H_0_0 / beam_length, beam100_clamped_free3_0_4375_H_0_1 / beam_length,
+        beam100_clamped_free3_0_4375_H_0_2 / beam_length, beam100_clamped_free3_0_4375_H_1_0 / beam_length,
+        beam100_clamped_free3_0_4375_H_1_1 / beam_length, beam100_clamped_free3_0_4375_H_1_2 / beam_length,
+        beam100_clamped_free3_0_4375_H_2_0 / beam_length, beam100_clamped_free3_0_4375_H_2_1 / beam_length,
+        beam100_clamped_free3_0_4375_H_2_2 / beam_length, beam100_clamped_free3_0_5_H_0_0 / beam_length,
+        beam100_clamped_free3_0_5_H_0_1 / beam_length, beam100_clamped_free3_0_5_H_0_2 / beam_length,
+        beam100_clamped_free3_0_5_H_1_0 / beam_length, beam100_clamped_free3_0_5_H_1_1 / beam_length,
+        beam100_clamped_free3_0_5_H_1_2 / beam_length, beam100_clamped_free3_0_5_H_2_0 / beam_length,
+        beam100_clamped_free3_0_5_H_2_1 / beam_length, beam100_clamped_free3_0_5_H_2_2 / beam_length,
+        beam100_clamped_free3_0_5625_H_0_0 / beam_length, beam100_clamped_free3_0_5625_H_0_1 / beam_length,
+        beam100_clamped_free3_0_5625_H_0_2 / beam_length, beam100_clamped_free3_0_5625_H_1_0 / beam_length,
+        beam100_clamped_free3_0_5625_H_1_1 / beam_length, beam100_clamped_free3_0_5625_H_1_2 / beam_length,
+        beam100_clamped_free3_0_5625_H_2_0 / beam_length, beam100_clamped_free3_0_5625_H_2_1 / beam_length,
+        beam100_clamped_free3_0_5625_H_2_2 / beam_length, beam100_clamped_free3_0_625_H_0_0 / beam_length,
+        beam100_clamped_free3_0_625_H_0_1 / beam_length, beam100_clamped_free3_0_625_H_0_2 / beam_length,
+        beam100_clamped_free3_0_625_H_1_0 / beam_length, beam100_clamped_free3_0_625_H_1_1 / beam_length,
+        beam100_clamped_free3_0_625_H_1_2 / beam_length, beam100_clamped_free3_0_625_H_2_0 / beam_length,
+        beam100_clamped_free3_0_625_H_2_1 / beam_length, beam100_clamped_free3_0_625_H_2_2 / beam_length,
+        beam100_clamped_free3_0_6875_H_0_0 / beam_length, beam100_clamped_free3_0_6875_H_0_1 / beam_length,
+        beam100_clamped_free3_0_6875_H_0_2 / beam_length, beam100_clamped_free3_0_6875_H_1_0 / beam_length,
+        beam100_clamped_free3_0_6875_H_1_1 / beam_length, beam100_clamped_free3_0_6875_H_1_2 / beam_length,
+        beam100_clamped_free3_0_6875_H_2_0 / beam_length, beam100_clamped_free3_0_6875_H_2_1 / beam_length,
+        beam100_clamped_free3_0_6875_H_2_2 / beam_length, beam100_clamped_free3_0_75_H_0_0 / beam_length,
+        beam100_clamped_free3_0_75_H_0_1 / beam_length, beam100_clamped_free3_0_75_H_0_2 / beam_length,
+        beam100_clamped_free3_0_75_H_1_0 / beam_length, beam100_clamped_free3_0_75_H_1_1 / beam_length,
+        beam100_clamped_free3_0_75_H_1_2 / beam_length, beam100_clamped_free3_0_75_H_2_0 / beam_length,
+        beam100_clamped_free3_0_75_H_2_1 / beam_length, beam100_clamped_free3_0_75_H_2_2 / beam_length,
+        beam100_clamped_free3_0_8125_H_0_0 / beam_length, beam100_clamped_free3_0_8125_H_0_1 / beam_length,
+        beam100_clamped_free3_0_8125_H_0_2 / beam_length, beam100_clamped_free3_0_8125_H_1_0 / beam_length,
+        beam100_clamped_free3_0_8125_H_1_1 / beam_length, beam100_clamped_free3_0_8125_H_1_2 / beam_length,
+        beam100_clamped_free3_0_8125_H_2_0 / beam_length, beam100_clamped_free3_0_8125_H_2_1 / beam_length,
+        beam100_clamped_free3_0_8125_H_2_2 / beam_length, beam100_clamped_free3_0_875_H_0_0 / beam_length,
+        beam100_clamped_free3_0_875_H_0_1 / beam_length, beam100_clamped_free3_0_875_H_0_2 / beam_length,
+        beam100_clamped_free3_0_875_H_1_0 / beam_length, beam100_clamped_free3_0_875_H_1_1 / beam_length,
+        beam100_clamped_free3_0_875_H_1_2 / beam_length, beam100_clamped_free3_0_875_H_2_0 / beam_length,
+        beam100_clamped_free3_0_875_H_2_1 / beam_length, beam100_clamped_free3_0_875_H_2_2 / beam_length,
+        beam100_clamped_free3_0_9375_H_0_0 / beam_length, beam100_clamped_free3_0_9375_H_0_1 / beam_length,
+        beam100_clamped_free3_0_9375_H_0_2 / beam_length, beam100_clamped_free3_0_9375_H_1_0 / beam_length,
+        beam100_clamped_free3_0_9375_H_1_1 / beam_length, beam100_clamped_free3_0_9375_H_1_2 / beam_length,
+        beam100_clamped_free3_0_9375_H_2_0 / beam_length, beam100_clamped_free3_0_9375_H_2_1 / beam_length,
+        beam100_clamped_free3_0_9375_H_2_2 / beam_length, w3, w4, w5, w6, w7, w8, w9, w10, w11, w3, w4, w5, w6,
+        w7, w8, w9, w10, w11,
     )
-    positions = ca.reshape(positions, 3, 21)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 21)
-    axes = ca.densify(axes)
-    shapes = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_shape_1_2,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_1,
-        0.0,
-        0.0,
-        beam100_clamped_free3_1_0_shape_1_2,
-        0.0,
-    )
-    shapes = ca.reshape(shapes, 3, 57)
-    shapes = ca.densify(shapes)
-    turns = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_0625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_1875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_25_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_3125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_4375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_5625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_6875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_75_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_8125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam100_clamped_free3_0_9375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-    )
-    turns = ca.reshape(turns, 3, 57)
-    turns = ca.densify(turns)
-    H = ca.vertcat(
-        beam100_clamped_free3_0_0625_H_0_0 / beam_length,
-        beam100_clamped_free3_0_0625_H_0_1 / beam_length,
-        beam100_clamped_free3_0_0625_H_0_2 / beam_length,
-        beam100_clamped_free3_0_0625_H_1_0 / beam_length,
-        beam100_clamped_free3_0_0625_H_1_1 / beam_length,
-        beam100_clamped_free3_0_0625_H_1_2 / beam_length,
-        beam100_clamped_free3_0_0625_H_2_0 / beam_length,
-        beam100_clamped_free3_0_0625_H_2_1 / beam_length,
-        beam100_clamped_free3_0_0625_H_2_2 / beam_length,
-        beam100_clamped_free3_0_125_H_0_0 / beam_length,
-        beam100_clamped_free3_0_125_H_0_1 / beam_length,
-        beam100_clamped_free3_0_125_H_0_2 / beam_length,
-        beam100_clamped_free3_0_125_H_1_0 / beam_length,
-        beam100_clamped_free3_0_125_H_1_1 / beam_length,
-        beam100_clamped_free3_0_125_H_1_2 / beam_length,
-        beam100_clamped_free3_0_125_H_2_0 / beam_length,
-        beam100_clamped_free3_0_125_H_2_1 / beam_length,
-        beam100_clamped_free3_0_125_H_2_2 / beam_length,
-        beam100_clamped_free3_0_1875_H_0_0 / beam_length,
-        beam100_clamped_free3_0_1875_H_0_1 / beam_length,
-        beam100_clamped_free3_0_1875_H_0_2 / beam_length,
-        beam100_clamped_free3_0_1875_H_1_0 / beam_length,
-        beam100_clamped_free3_0_1875_H_1_1 / beam_length,
-        beam100_clamped_free3_0_1875_H_1_2 / beam_length,
-        beam100_clamped_free3_0_1875_H_2_0 / beam_length,
-        beam100_clamped_free3_0_1875_H_2_1 / beam_length,
-        beam100_clamped_free3_0_1875_H_2_2 / beam_length,
-        beam100_clamped_free3_0_25_H_0_0 / beam_length,
-        beam100_clamped_free3_0_25_H_0_1 / beam_length,
-        beam100_clamped_free3_0_25_H_0_2 / beam_length,
-        beam100_clamped_free3_0_25_H_1_0 / beam_length,
-        beam100_clamped_free3_0_25_H_1_1 / beam_length,
-        beam100_clamped_free3_0_25_H_1_2 / beam_length,
-        beam100_clamped_free3_0_25_H_2_0 / beam_length,
-        beam100_clamped_free3_0_25_H_2_1 / beam_length,
-        beam100_clamped_free3_0_25_H_2_2 / beam_length,
-        beam100_clamped_free3_0_3125_H_0_0 / beam_length,
-        beam100_clamped_free3_0_3125_H_0_1 / beam_length,
-        beam100_clamped_free3_0_3125_H_0_2 / beam_length,
-        beam100_clamped_free3_0_3125_H_1_0 / beam_length,
-        beam100_clamped_free3_0_3125_H_1_1 / beam_length,
-        beam100_clamped_free3_0_3125_H_1_2 / beam_length,
-        beam100_clamped_free3_0_3125_H_2_0 / beam_length,
-        beam100_clamped_free3_0_3125_H_2_1 / beam_length,
-        beam100_clamped_free3_0_3125_H_2_2 / beam_length,
-        beam100_clamped_free3_0_375_H_0_0 / beam_length,
-        beam100_clamped_free3_0_375_H_0_1 / beam_length,
-        beam100_clamped_free3_0_375_H_0_2 / beam_length,
-        beam100_clamped_free3_0_375_H_1_0 / beam_length,
-        beam100_clamped_free3_0_375_H_1_1 / beam_length,
-        beam100_clamped_free3_0_375_H_1_2 / beam_length,
-        beam100_clamped_free3_0_375_H_2_0 / beam_length,
-        beam100_clamped_free3_0_375_H_2_1 / beam_length,
-        beam100_clamped_free3_0_375_H_2_2 / beam_length,
-        beam100_clamped_free3_0_4375_H_0_0 / beam_length,
-        beam100_clamped_free3_0_4375_H_0_1 / beam_length,
-        beam100_clamped_free3_0_4375_H_0_2 / beam_length,
-        beam100_clamped_free3_0_4375_H_1_0 / beam_length,
-        beam100_clamped_free3_0_4375_H_1_1 / beam_length,
-        beam100_clamped_free3_0_4375_H_1_2 / beam_length,
-        beam100_clamped_free3_0_4375_H_2_0 / beam_length,
-        beam100_clamped_free3_0_4375_H_2_1 / beam_length,
-        beam100_clamped_free3_0_4375_H_2_2 / beam_length,
-        beam100_clamped_free3_0_5_H_0_0 / beam_length,
-        beam100_clamped_free3_0_5_H_0_1 / beam_length,
-        beam100_clamped_free3_0_5_H_0_2 / beam_length,
-        beam100_clamped_free3_0_5_H_1_0 / beam_length,
-        beam100_clamped_free3_0_5_H_1_1 / beam_length,
-        beam100_clamped_free3_0_5_H_1_2 / beam_length,
-        beam100_clamped_free3_0_5_H_2_0 / beam_length,
-        beam100_clamped_free3_0_5_H_2_1 / beam_length,
-        beam100_clamped_free3_0_5_H_2_2 / beam_length,
-        beam100_clamped_free3_0_5625_H_0_0 / beam_length,
-        beam100_clamped_free3_0_5625_H_0_1 / beam_length,
-        beam100_clamped_free3_0_5625_H_0_2 / beam_length,
-        beam100_clamped_free3_0_5625_H_1_0 / beam_length,
-        beam100_clamped_free3_0_5625_H_1_1 / beam_length,
-        beam100_clamped_free3_0_5625_H_1_2 / beam_length,
-        beam100_clamped_free3_0_5625_H_2_0 / beam_length,
-        beam100_clamped_free3_0_5625_H_2_1 / beam_length,
-        beam100_clamped_free3_0_5625_H_2_2 / beam_length,
-        beam100_clamped_free3_0_625_H_0_0 / beam_length,
-        beam100_clamped_free3_0_625_H_0_1 / beam_length,
-        beam100_clamped_free3_0_625_H_0_2 / beam_length,
-        beam100_clamped_free3_0_625_H_1_0 / beam_length,
-        beam100_clamped_free3_0_625_H_1_1 / beam_length,
-        beam100_clamped_free3_0_625_H_1_2 / beam_length,
-        beam100_clamped_free3_0_625_H_2_0 / beam_length,
-        beam100_clamped_free3_0_625_H_2_1 / beam_length,
-        beam100_clamped_free3_0_625_H_2_2 / beam_length,
-        beam100_clamped_free3_0_6875_H_0_0 / beam_length,
-        beam100_clamped_free3_0_6875_H_0_1 / beam_length,
-        beam100_clamped_free3_0_6875_H_0_2 / beam_length,
-        beam100_clamped_free3_0_6875_H_1_0 / beam_length,
-        beam100_clamped_free3_0_6875_H_1_1 / beam_length,
-        beam100_clamped_free3_0_6875_H_1_2 / beam_length,
-        beam100_clamped_free3_0_6875_H_2_0 / beam_length,
-        beam100_clamped_free3_0_6875_H_2_1 / beam_length,
-        beam100_clamped_free3_0_6875_H_2_2 / beam_length,
-        beam100_clamped_free3_0_75_H_0_0 / beam_length,
-        beam100_clamped_free3_0_75_H_0_1 / beam_length,
-        beam100_clamped_free3_0_75_H_0_2 / beam_length,
-        beam100_clamped_free3_0_75_H_1_0 / beam_length,
-        beam100_clamped_free3_0_75_H_1_1 / beam_length,
-        beam100_clamped_free3_0_75_H_1_2 / beam_length,
-        beam100_clamped_free3_0_75_H_2_0 / beam_length,
-        beam100_clamped_free3_0_75_H_2_1 / beam_length,
-        beam100_clamped_free3_0_75_H_2_2 / beam_length,
-        beam100_clamped_free3_0_8125_H_0_0 / beam_length,
-        beam100_clamped_free3_0_8125_H_0_1 / beam_length,
-        beam100_clamped_free3_0_8125_H_0_2 / beam_length,
-        beam100_clamped_free3_0_8125_H_1_0 / beam_length,
-        beam100_clamped_free3_0_8125_H_1_1 / beam_length,
-        beam100_clamped_free3_0_8125_H_1_2 / beam_length,
-        beam100_clamped_free3_0_8125_H_2_0 / beam_length,
-        beam100_clamped_free3_0_8125_H_2_1 / beam_length,
-        beam100_clamped_free3_0_8125_H_2_2 / beam_length,
-        beam100_clamped_free3_0_875_H_0_0 / beam_length,
-        beam100_clamped_free3_0_875_H_0_1 / beam_length,
-        beam100_clamped_free3_0_875_H_0_2 / beam_length,
-        beam100_clamped_free3_0_875_H_1_0 / beam_length,
-        beam100_clamped_free3_0_875_H_1_1 / beam_length,
-        beam100_clamped_free3_0_875_H_1_2 / beam_length,
-        beam100_clamped_free3_0_875_H_2_0 / beam_length,
-        beam100_clamped_free3_0_875_H_2_1 / beam_length,
-        beam100_clamped_free3_0_875_H_2_2 / beam_length,
-        beam100_clamped_free3_0_9375_H_0_0 / beam_length,
-        beam100_clamped_free3_0_9375_H_0_1 / beam_length,
-        beam100_clamped_free3_0_9375_H_0_2 / beam_length,
-        beam100_clamped_free3_0_9375_H_1_0 / beam_length,
-        beam100_clamped_free3_0_9375_H_1_1 / beam_length,
-        beam100_clamped_free3_0_9375_H_1_2 / beam_length,
-        beam100_clamped_free3_0_9375_H_2_0 / beam_length,
-        beam100_clamped_free3_0_9375_H_2_1 / beam_length,
-        beam100_clamped_free3_0_9375_H_2_2 / beam_length,
-        w3,
-        w4,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-        w3,
-        w4,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-    )
-    H = ca.reshape(H, 1, 153)
-    H = ca.densify(H)
-    sections = ca.vertcat(
-        w12,
-        beam_area / w12,
-    )
-    sections = ca.densify(sections)
-    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    sections = ca.vertcat(w12, beam_area / w12)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
 
 

@@ -1,13 +1,26 @@
 """2 four-bar windows side by side: equations of motion, emitted by symgen from the scene `n_four_bar`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 upright0.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 upright0.x [m], 1 upright0.y [m], 2 top1.x [m], 3 top1.y [m], 4 top1.theta [rad], 5 upright1.x [m],
+    6 upright1.y [m], 7 upright1.theta [rad], 8 top2.x [m], 9 top2.y [m], 10 top2.theta [rad],
+    11 upright2.x [m], 12 upright2.y [m], 13 upright2.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 94 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    94 operations.
+    """
     p = ca.SX.sym("p", 18)
     gravity_y = p[0]
     upright0_mass = p[1]
@@ -27,6 +40,7 @@ def constants() -> ca.Function:
     top2_tip_x = p[15]
     upright2_tip_x = p[16]
     ground_foot2_x = p[17]
+    # intermediate terms (8)
     w0 = 0.08333333333333333 + upright0_mass * upright0_center_of_mass_x**2
     w1 = 0.08333333333333333 + upright1_mass * upright1_center_of_mass_x**2
     w2 = 0.08333333333333333 + upright2_mass * upright2_center_of_mass_x**2
@@ -35,51 +49,61 @@ def constants() -> ca.Function:
     w5 = upright0_mass * upright0_center_of_mass_x
     w6 = upright1_mass * upright1_center_of_mass_x
     w7 = upright2_mass * upright2_center_of_mass_x
+    # outputs
     c = ca.vertcat(
-        upright0_tip_x,
-        top1_mass,
-        w0 + upright0_tip_x * (upright0_tip_x * top1_mass),
-        top1_tip_x,
-        upright1_tip_x,
-        w1,
-        top2_mass,
-        w1 + upright1_tip_x * (upright1_tip_x * top2_mass),
-        top2_tip_x,
-        upright2_tip_x,
-        w2,
-        w3,
-        0.08333333333333333 + top2_mass * top2_center_of_mass_x**2,
-        w4,
-        0.08333333333333333 + top1_mass * top1_center_of_mass_x**2,
-        gravity_y,
-        w5 * gravity_y,
-        top1_mass * gravity_y,
-        gravity_y * w6,
-        top2_mass * gravity_y,
-        gravity_y * w7,
-        ground_foot1_x,
-        ground_foot2_x,
-        upright0_mass,
-        w0,
-        upright1_mass,
-        upright2_mass,
-        w5,
-        w6,
-        w7,
-        upright0_mass * gravity_y,
-        upright1_mass * gravity_y,
-        upright2_mass * gravity_y,
-        w4 * (upright0_tip_x + upright0_tip_x),
-        w2 + w2,
-        w3 * (upright1_tip_x + upright1_tip_x),
+        upright0_tip_x,  # upright0_tip_x
+        top1_mass,  # top1_mass
+        w0 + upright0_tip_x * (upright0_tip_x * top1_mass),  # c2
+        top1_tip_x,  # top1_tip_x
+        upright1_tip_x,  # upright1_tip_x
+        w1,  # c5
+        top2_mass,  # top2_mass
+        w1 + upright1_tip_x * (upright1_tip_x * top2_mass),  # c7
+        top2_tip_x,  # top2_tip_x
+        upright2_tip_x,  # upright2_tip_x
+        w2,  # c10
+        w3,  # c11
+        0.08333333333333333 + top2_mass * top2_center_of_mass_x**2,  # c12
+        w4,  # c13
+        0.08333333333333333 + top1_mass * top1_center_of_mass_x**2,  # c14
+        gravity_y,  # gravity_y
+        w5 * gravity_y,  # c16
+        top1_mass * gravity_y,  # c17
+        gravity_y * w6,  # c18
+        top2_mass * gravity_y,  # c19
+        gravity_y * w7,  # c20
+        ground_foot1_x,  # ground_foot1_x
+        ground_foot2_x,  # ground_foot2_x
+        upright0_mass,  # upright0_mass
+        w0,  # c24
+        upright1_mass,  # upright1_mass
+        upright2_mass,  # upright2_mass
+        w5,  # c27
+        w6,  # c28
+        w7,  # c29
+        upright0_mass * gravity_y,  # c30
+        upright1_mass * gravity_y,  # c31
+        upright2_mass * gravity_y,  # c32
+        w4 * (upright0_tip_x + upright0_tip_x),  # c33
+        w2 + w2,  # c34
+        w3 * (upright1_tip_x + upright1_tip_x),  # c35
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 209 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
+    209 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -95,46 +119,47 @@ def condensed() -> ca.Function:
     upright1_theta_dot = q_d_dot[7]
     top2_theta_dot = q_d_dot[10]
     upright2_theta_dot = q_d_dot[13]
-    c0 = c[0]
-    c1 = c[1]
+    upright0_tip_x = c[0]
+    top1_mass = c[1]
     c2 = c[2]
-    c3 = c[3]
-    c4 = c[4]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
+    top2_mass = c[6]
     c7 = c[7]
-    c8 = c[8]
-    c9 = c[9]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
+    gravity_y = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    # intermediate terms (51)
     w0 = ca.cos(upright0_theta)
-    w1 = w0 * c0
-    w2 = ca.sin(upright0_theta) * c0
+    w1 = w0 * upright0_tip_x
+    w2 = ca.sin(upright0_theta) * upright0_tip_x
     w3 = ca.sin(top1_theta)
-    w4 = w3 * c3
+    w4 = w3 * top1_tip_x
     w5 = ca.cos(top1_theta)
-    w6 = w5 * c3
+    w6 = w5 * top1_tip_x
     w7 = ca.cos(upright1_theta)
-    w8 = w7 * c4
-    w9 = ca.sin(upright1_theta) * c4
+    w8 = w7 * upright1_tip_x
+    w9 = ca.sin(upright1_theta) * upright1_tip_x
     w10 = w4 * w8 - w6 * w9
     w11 = (w1 * w4 - w2 * w6) / w10
     w12 = ca.sin(top2_theta)
-    w13 = w12 * c8
+    w13 = w12 * top2_tip_x
     w14 = ca.cos(top2_theta)
-    w15 = w14 * c8
+    w15 = w14 * top2_tip_x
     w16 = ca.cos(upright2_theta)
-    w17 = w16 * c9
-    w18 = ca.sin(upright2_theta) * c9
+    w17 = w16 * upright2_tip_x
+    w18 = ca.sin(upright2_theta) * upright2_tip_x
     w19 = w13 * w17 - w15 * w18
     w20 = (w8 * w13 - w9 * w15) / w19
     w21 = (w8 * w18 - w9 * w17) / w19
@@ -156,7 +181,7 @@ def condensed() -> ca.Function:
     w37 = w2 * w33
     w38 = w36 - w4 * w30 - w37
     w39 = (w8 * w35 + w9 * w38) / w10
-    w40 = w0 * c16 + w1 * (w27 * w30 + c17 - (w26 * w39 - w37 * c1)) - w2 * (w26 * w30 + (w34 * c1 + w27 * w39))
+    w40 = w0 * c16 + w1 * (w27 * w30 + c17 - (w26 * w39 - w37 * top1_mass)) - w2 * (w26 * w30 + (w34 * top1_mass + w27 * w39))
     w41 = (w6 * w35 + w4 * w38) / w10
     w42 = top2_theta_dot**2
     w43 = w8 * w41 - w36
@@ -165,22 +190,26 @@ def condensed() -> ca.Function:
     w46 = w18 * w44 - w13 * w42 - w36
     w47 = (w17 * w45 + w18 * w46) / w19 + w21 * w41
     w48 = w32 + w9 * w41
-    w49 = w7 * c18 - w41 * c5 + w8 * (w23 * w42 + c19 - (w43 * c6 + w22 * w47)) - w9 * (w22 * w42 + (w48 * c6 + w23 * w47))
-    w50 = w49 + w20 * (w16 * c20 - ((w15 * w45 + w13 * w46) / w19 + w20 * w41) * c10) + w21 * (w22 * c15 - (w23 * w48 + w22 * w43 + w47 * c12))
-    M_hat = ca.vertcat(
-        w29,
-    )
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        w40 + w11 * w50 + w25 * (w26 * c15 - (w27 * w34 - w26 * w37 + w39 * c14)),
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    w49 = w7 * c18 - w41 * c5 + w8 * (w23 * w42 + c19 - (w43 * top2_mass + w22 * w47)) - w9 * (w22 * w42 + (w48 * top2_mass + w23 * w47))
+    w50 = w49 + w20 * (w16 * c20 - ((w15 * w45 + w13 * w46) / w19 + w20 * w41) * c10) + w21 * (w22 * gravity_y - (w23 * w48 + w22 * w43 + w47 * c12))
+    # outputs
+    M_hat = ca.vertcat(w29)
+    Q_hat = ca.vertcat(w40 + w11 * w50 + w25 * (w26 * gravity_y - (w27 * w34 - w26 * w37 + w39 * c14)))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 98 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 14) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 2) [SI]: determinants of the loop blocks, zero if singular
+    98 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     c = ca.SX.sym("c", 36)
@@ -189,69 +218,73 @@ def closure() -> ca.Function:
     upright1_theta = q_d[7]
     top2_theta = q_d[10]
     upright2_theta = q_d[13]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c8 = c[8]
-    c9 = c[9]
-    c21 = c[21]
-    c22 = c[22]
-    w0 = ca.cos(upright0_theta) * c0
-    w1 = ca.sin(upright0_theta) * c0
-    w2 = ca.cos(upright1_theta) * c4
-    w3 = w2 + c21
-    w4 = ca.cos(top1_theta) * c3
+    upright0_tip_x = c[0]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
+    ground_foot1_x = c[21]
+    ground_foot2_x = c[22]
+    # intermediate terms (21)
+    w0 = ca.cos(upright0_theta) * upright0_tip_x
+    w1 = ca.sin(upright0_theta) * upright0_tip_x
+    w2 = ca.cos(upright1_theta) * upright1_tip_x
+    w3 = w2 + ground_foot1_x
+    w4 = ca.cos(top1_theta) * top1_tip_x
     w5 = w3 - (w0 + w4)
-    w6 = ca.sin(upright1_theta) * c4
-    w7 = ca.sin(top1_theta) * c3
+    w6 = ca.sin(upright1_theta) * upright1_tip_x
+    w7 = ca.sin(top1_theta) * top1_tip_x
     w8 = w6 - (w1 + w7)
     w9 = w2 * w7 - w4 * w6
     w10 = (w4 * w5 + w7 * w8) / w9
     w11 = upright1_theta - w10
-    w12 = ca.cos(upright2_theta) * c9
-    w13 = ca.cos(top2_theta) * c8
-    w14 = w12 + c22 - (w3 + w13)
+    w12 = ca.cos(upright2_theta) * upright2_tip_x
+    w13 = ca.cos(top2_theta) * top2_tip_x
+    w14 = w12 + ground_foot2_x - (w3 + w13)
     w15 = w14 - w6 * w10
-    w16 = ca.sin(upright2_theta) * c9
-    w17 = ca.sin(top2_theta) * c8
+    w16 = ca.sin(upright2_theta) * upright2_tip_x
+    w17 = ca.sin(top2_theta) * top2_tip_x
     w18 = w16 - (w6 + w17)
     w19 = w18 + w2 * w10
     w20 = w12 * w17 - w13 * w16
+    # outputs
     q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        w1,
-        top1_theta - (w2 * w5 + w6 * w8) / w9,
-        c21,
-        0.0,
-        w11,
-        c21 + ca.cos(w11) * c4,
-        ca.sin(w11) * c4,
-        top2_theta - (w12 * w15 + w16 * w19) / w20,
-        c22,
-        0.0,
-        upright2_theta - (w13 * w15 + w17 * w19) / w20,
+        0.0,  # upright0.x
+        0.0,  # upright0.y
+        w0,  # top1.x
+        w1,  # top1.y
+        top1_theta - (w2 * w5 + w6 * w8) / w9,  # top1.theta
+        ground_foot1_x,  # upright1.x
+        0.0,  # upright1.y
+        w11,  # upright1.theta
+        ground_foot1_x + ca.cos(w11) * upright1_tip_x,  # top2.x
+        ca.sin(w11) * upright1_tip_x,  # top2.y
+        top2_theta - (w12 * w15 + w16 * w19) / w20,  # top2.theta
+        ground_foot2_x,  # upright2.x
+        0.0,  # upright2.y
+        upright2_theta - (w13 * w15 + w17 * w19) / w20,  # upright2.theta
     )
-    q_d_next = ca.densify(q_d_next)
     C_loop = ca.vertcat(
-        w5,
-        w8,
-        w14,
-        w18,
+        w5,  # C1.x
+        w8,  # C1.y
+        w14,  # C2.x
+        w18,  # C2.y
     )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        w9,
-        w20,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    det_loop = ca.vertcat(w9, w20)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 78 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
+    78 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -262,47 +295,51 @@ def velocities() -> ca.Function:
     top2_theta = q_d[10]
     upright2_theta = q_d[13]
     upright0_theta_dot = q_i_dot[0]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c8 = c[8]
-    c9 = c[9]
-    w0 = ca.sin(upright0_theta) * c0
-    w1 = ca.cos(upright0_theta) * c0
-    w2 = ca.sin(upright1_theta) * c4
-    w3 = ca.cos(upright1_theta) * c4
-    w4 = ca.sin(top1_theta) * c3
-    w5 = ca.cos(top1_theta) * c3
+    upright0_tip_x = c[0]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
+    # intermediate terms (13)
+    w0 = ca.sin(upright0_theta) * upright0_tip_x
+    w1 = ca.cos(upright0_theta) * upright0_tip_x
+    w2 = ca.sin(upright1_theta) * upright1_tip_x
+    w3 = ca.cos(upright1_theta) * upright1_tip_x
+    w4 = ca.sin(top1_theta) * top1_tip_x
+    w5 = ca.cos(top1_theta) * top1_tip_x
     w6 = w3 * w4 - w2 * w5
     w7 = upright0_theta_dot * ((w1 * w4 - w0 * w5) / w6)
-    w8 = ca.sin(upright2_theta) * c9
-    w9 = ca.cos(upright2_theta) * c9
-    w10 = ca.sin(top2_theta) * c8
-    w11 = ca.cos(top2_theta) * c8
+    w8 = ca.sin(upright2_theta) * upright2_tip_x
+    w9 = ca.cos(upright2_theta) * upright2_tip_x
+    w10 = ca.sin(top2_theta) * top2_tip_x
+    w11 = ca.cos(top2_theta) * top2_tip_x
     w12 = w9 * w10 - w8 * w11
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * upright0_theta_dot),
-        upright0_theta_dot * w1,
-        upright0_theta_dot * ((w1 * w2 - w0 * w3) / w6),
-        0.0,
-        0.0,
-        w7,
-        -(w2 * w7),
-        w3 * w7,
-        w7 * ((w3 * w8 - w2 * w9) / w12),
-        0.0,
-        0.0,
-        w7 * ((w3 * w10 - w2 * w11) / w12),
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    # outputs
+    q_d_dot = ca.SX(14, 1)
+    q_d_dot[2] = -(w0 * upright0_theta_dot)  # top1.x
+    q_d_dot[3] = upright0_theta_dot * w1  # top1.y
+    q_d_dot[4] = upright0_theta_dot * ((w1 * w2 - w0 * w3) / w6)  # top1.theta
+    q_d_dot[7] = w7  # upright1.theta
+    q_d_dot[8] = -(w2 * w7)  # top2.x
+    q_d_dot[9] = w3 * w7  # top2.y
+    q_d_dot[10] = w7 * ((w3 * w8 - w2 * w9) / w12)  # top2.theta
+    q_d_dot[13] = w7 * ((w3 * w10 - w2 * w11) / w12)  # upright2.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 130 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 14) [mixed]: accelerations of the dependent coordinates
+    130 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -320,60 +357,65 @@ def accelerations() -> ca.Function:
     top2_theta_dot = q_d_dot[10]
     upright2_theta_dot = q_d_dot[13]
     upright0_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c8 = c[8]
-    c9 = c[9]
+    upright0_tip_x = c[0]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
+    # intermediate terms (26)
     w0 = upright0_theta_dot**2
-    w1 = ca.cos(upright0_theta) * c0
+    w1 = ca.cos(upright0_theta) * upright0_tip_x
     w2 = w0 * w1
-    w3 = ca.sin(upright0_theta) * c0
+    w3 = ca.sin(upright0_theta) * upright0_tip_x
     w4 = w0 * w3
-    w5 = ca.cos(upright1_theta) * c4
+    w5 = ca.cos(upright1_theta) * upright1_tip_x
     w6 = upright1_theta_dot**2
     w7 = w5 * w6
     w8 = top1_theta_dot**2
-    w9 = ca.cos(top1_theta) * c3
+    w9 = ca.cos(top1_theta) * top1_tip_x
     w10 = w7 - w8 * w9 - w2
-    w11 = ca.sin(upright1_theta) * c4
+    w11 = ca.sin(upright1_theta) * upright1_tip_x
     w12 = w6 * w11
-    w13 = ca.sin(top1_theta) * c3
+    w13 = ca.sin(top1_theta) * top1_tip_x
     w14 = w12 - w8 * w13 - w4
     w15 = w5 * w13 - w9 * w11
     w16 = (w9 * w10 + w13 * w14) / w15 + upright0_theta_ddot * ((w1 * w13 - w3 * w9) / w15)
-    w17 = ca.cos(upright2_theta) * c9
+    w17 = ca.cos(upright2_theta) * upright2_tip_x
     w18 = upright2_theta_dot**2
     w19 = top2_theta_dot**2
-    w20 = ca.cos(top2_theta) * c8
+    w20 = ca.cos(top2_theta) * top2_tip_x
     w21 = w17 * w18 - w19 * w20 - w7
-    w22 = ca.sin(upright2_theta) * c9
-    w23 = ca.sin(top2_theta) * c8
+    w22 = ca.sin(upright2_theta) * upright2_tip_x
+    w23 = ca.sin(top2_theta) * top2_tip_x
     w24 = w18 * w22 - w19 * w23 - w12
     w25 = w17 * w23 - w20 * w22
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w2 + w3 * upright0_theta_ddot),
-        w1 * upright0_theta_ddot - w4,
-        (w5 * w10 + w11 * w14) / w15 + upright0_theta_ddot * ((w1 * w11 - w3 * w5) / w15),
-        0.0,
-        0.0,
-        w16,
-        -(w7 + w11 * w16),
-        w5 * w16 - w12,
-        (w17 * w21 + w22 * w24) / w25 + w16 * ((w5 * w22 - w11 * w17) / w25),
-        0.0,
-        0.0,
-        (w20 * w21 + w23 * w24) / w25 + w16 * ((w5 * w23 - w11 * w20) / w25),
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(14, 1)
+    q_d_ddot[2] = -(w2 + w3 * upright0_theta_ddot)  # top1.x
+    q_d_ddot[3] = w1 * upright0_theta_ddot - w4  # top1.y
+    q_d_ddot[4] = (w5 * w10 + w11 * w14) / w15 + upright0_theta_ddot * ((w1 * w11 - w3 * w5) / w15)  # top1.theta
+    q_d_ddot[7] = w16  # upright1.theta
+    q_d_ddot[8] = -(w7 + w11 * w16)  # top2.x
+    q_d_ddot[9] = w5 * w16 - w12  # top2.y
+    q_d_ddot[10] = (w17 * w21 + w22 * w24) / w25 + w16 * ((w5 * w22 - w11 * w17) / w25)  # top2.theta
+    q_d_ddot[13] = (w20 * w21 + w23 * w24) / w25 + w16 * ((w5 * w23 - w11 * w20) / w25)  # upright2.theta
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 365 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 15) [mixed]: rates of all coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 14) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
+    gives C_t (n_c = 14) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 14) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 14) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    365 operations.
+    """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     c = ca.SX.sym("c", 36)
@@ -397,25 +439,26 @@ def constraints() -> ca.Function:
     upright1_theta_dot = q_dot[8]
     top2_theta_dot = q_dot[11]
     upright2_theta_dot = q_dot[14]
-    c0 = c[0]
-    c3 = c[3]
-    c4 = c[4]
-    c8 = c[8]
-    c9 = c[9]
-    c21 = c[21]
-    c22 = c[22]
-    w0 = ca.cos(upright0_theta) * c0
-    w1 = ca.sin(upright0_theta) * c0
-    w2 = ca.cos(upright1_theta) * c4
+    upright0_tip_x = c[0]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
+    ground_foot1_x = c[21]
+    ground_foot2_x = c[22]
+    # intermediate terms (19)
+    w0 = ca.cos(upright0_theta) * upright0_tip_x
+    w1 = ca.sin(upright0_theta) * upright0_tip_x
+    w2 = ca.cos(upright1_theta) * upright1_tip_x
     w3 = upright1_x + w2
-    w4 = ca.cos(top1_theta) * c3
-    w5 = ca.sin(upright1_theta) * c4
+    w4 = ca.cos(top1_theta) * top1_tip_x
+    w5 = ca.sin(upright1_theta) * upright1_tip_x
     w6 = upright1_y + w5
-    w7 = ca.sin(top1_theta) * c3
-    w8 = ca.cos(upright2_theta) * c9
-    w9 = ca.cos(top2_theta) * c8
-    w10 = ca.sin(upright2_theta) * c9
-    w11 = ca.sin(top2_theta) * c8
+    w7 = ca.sin(top1_theta) * top1_tip_x
+    w8 = ca.cos(upright2_theta) * upright2_tip_x
+    w9 = ca.cos(top2_theta) * top2_tip_x
+    w10 = ca.sin(upright2_theta) * upright2_tip_x
+    w11 = ca.sin(top2_theta) * top2_tip_x
     w12 = upright0_theta_dot**2
     w13 = upright1_theta_dot**2
     w14 = w2 * w13
@@ -423,294 +466,102 @@ def constraints() -> ca.Function:
     w16 = w5 * w13
     w17 = upright2_theta_dot**2
     w18 = top2_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        upright0_x,
-        upright0_y,
-        top1_x - (upright0_x + w0),
-        top1_y - (upright0_y + w1),
-        w3 - (top1_x + w4),
-        w6 - (top1_y + w7),
-        upright1_x - c21,
-        upright1_y,
-        top2_x - w3,
-        top2_y - w6,
-        upright2_x + w8 - (top2_x + w9),
-        upright2_y + w10 - (top2_y + w11),
-        upright2_x - c22,
-        upright2_y,
+        upright0_x,  # A0.x
+        upright0_y,  # A0.y
+        top1_x - (upright0_x + w0),  # B0.x
+        top1_y - (upright0_y + w1),  # B0.y
+        w3 - (top1_x + w4),  # C1.x
+        w6 - (top1_y + w7),  # C1.y
+        upright1_x - ground_foot1_x,  # A1.x
+        upright1_y,  # A1.y
+        top2_x - w3,  # B1.x
+        top2_y - w6,  # B1.y
+        upright2_x + w8 - (top2_x + w9),  # C2.x
+        upright2_y + w10 - (top2_y + w11),  # C2.y
+        upright2_x - ground_foot2_x,  # A2.x
+        upright2_y,  # A2.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7,
-        -w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w5,
-        w2,
-        0.0,
-        0.0,
-        w5,
-        -w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w11,
-        -w9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w10,
-        w8,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 14, 15)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w12),
-        -(w1 * w12),
-        w14 - w4 * w15,
-        w16 - w7 * w15,
-        0.0,
-        0.0,
-        -w14,
-        -w16,
-        w8 * w17 - w9 * w18,
-        w10 * w17 - w11 * w18,
-        0.0,
-        0.0,
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(14, 15)
+    # A0.x
+    C_q[0, 0] = 1.0
+    # A0.y
+    C_q[1, 1] = 1.0
+    # B0.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # B0.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    # C1.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w7
+    C_q[4, 6] = 1.0
+    C_q[4, 8] = -w5
+    # C1.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w4
+    C_q[5, 7] = 1.0
+    C_q[5, 8] = w2
+    # A1.x
+    C_q[6, 6] = 1.0
+    # A1.y
+    C_q[7, 7] = 1.0
+    # B1.x
+    C_q[8, 6] = -1.0
+    C_q[8, 8] = w5
+    C_q[8, 9] = 1.0
+    # B1.y
+    C_q[9, 7] = -1.0
+    C_q[9, 8] = -w2
+    C_q[9, 10] = 1.0
+    # C2.x
+    C_q[10, 9] = -1.0
+    C_q[10, 11] = w11
+    C_q[10, 12] = 1.0
+    C_q[10, 14] = -w10
+    # C2.y
+    C_q[11, 10] = -1.0
+    C_q[11, 11] = -w9
+    C_q[11, 13] = 1.0
+    C_q[11, 14] = w8
+    # A2.x
+    C_q[12, 12] = 1.0
+    # A2.y
+    C_q[13, 13] = 1.0
+    C_t = ca.SX(14, 1)
+    nu = ca.SX(14, 1)
+    gamma = ca.SX(14, 1)
+    gamma[2] = -(w0 * w12)  # B0.x
+    gamma[3] = -(w1 * w12)  # B0.y
+    gamma[4] = w14 - w4 * w15  # C1.x
+    gamma[5] = w16 - w7 * w15  # C1.y
+    gamma[8] = -w14  # B1.x
+    gamma[9] = -w16  # B1.y
+    gamma[10] = w8 * w17 - w9 * w18  # C2.x
+    gamma[11] = w10 * w17 - w11 * w18  # C2.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 842 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 15) [mixed]: rates of all coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 15 x 15) [SI]: mass matrix in all coordinates
+    gives K (n x n = 15 x 15) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 15) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 15) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 15) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 14) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    842 operations.
+    """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     c = ca.SX.sym("c", 36)
@@ -724,32 +575,33 @@ def augmented() -> ca.Function:
     upright1_theta_dot = q_dot[8]
     top2_theta_dot = q_dot[11]
     upright2_theta_dot = q_dot[14]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    upright0_tip_x = c[0]
+    top1_mass = c[1]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c8 = c[8]
-    c9 = c[9]
+    top2_mass = c[6]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
+    gravity_y = c[15]
     c17 = c[17]
     c19 = c[19]
-    c23 = c[23]
+    upright0_mass = c[23]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
+    upright1_mass = c[25]
+    upright2_mass = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
+    # intermediate terms (57)
     w0 = ca.sin(upright0_theta)
     w1 = w0 * c27
     w2 = -w1
@@ -790,772 +642,200 @@ def augmented() -> ca.Function:
     w37 = upright2_theta_dot**2
     w38 = w24 * w37
     w39 = w21 * w37
-    w40 = w4 * c15
-    w41 = w9 * c15
-    w42 = w14 * c15
-    w43 = w19 * c15
-    w44 = w24 * c15
-    w45 = w0 * c0
-    w46 = w3 * c0
-    w47 = w5 * c3
-    w48 = w8 * c3
-    w49 = w10 * c4
-    w50 = w13 * c4
-    w51 = w15 * c8
-    w52 = w18 * c8
-    w53 = w20 * c9
-    w54 = w23 * c9
+    w40 = w4 * gravity_y
+    w41 = w9 * gravity_y
+    w42 = w14 * gravity_y
+    w43 = w19 * gravity_y
+    w44 = w24 * gravity_y
+    w45 = w0 * upright0_tip_x
+    w46 = w3 * upright0_tip_x
+    w47 = w5 * top1_tip_x
+    w48 = w8 * top1_tip_x
+    w49 = w10 * upright1_tip_x
+    w50 = w13 * upright1_tip_x
+    w51 = w15 * top2_tip_x
+    w52 = w18 * top2_tip_x
+    w53 = w20 * upright2_tip_x
+    w54 = w23 * upright2_tip_x
     w55 = w31 * w50
     w56 = w31 * w49
-    M = ca.vertcat(
-        c23,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c23,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c24,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-        0.0,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-        w9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7,
-        w9,
-        c14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c25,
-        0.0,
-        w12,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c25,
-        w14,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w12,
-        w14,
-        c5,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c6,
-        0.0,
-        w17,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c6,
-        w19,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w17,
-        w19,
-        c12,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c26,
-        0.0,
-        w22,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c26,
-        w24,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w22,
-        w24,
-        c10,
-    )
-    M = ca.reshape(M, 15, 15)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 15, 15)
-    K = ca.densify(K)
+    # outputs
+    M = ca.SX(15, 15)
+    # upright0.x
+    M[0, 0] = upright0_mass
+    M[0, 2] = w2
+    # upright0.y
+    M[1, 1] = upright0_mass
+    M[1, 2] = w4
+    # upright0.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c24
+    # top1.x
+    M[3, 3] = top1_mass
+    M[3, 5] = w7
+    # top1.y
+    M[4, 4] = top1_mass
+    M[4, 5] = w9
+    # top1.theta
+    M[5, 3] = w7
+    M[5, 4] = w9
+    M[5, 5] = c14
+    # upright1.x
+    M[6, 6] = upright1_mass
+    M[6, 8] = w12
+    # upright1.y
+    M[7, 7] = upright1_mass
+    M[7, 8] = w14
+    # upright1.theta
+    M[8, 6] = w12
+    M[8, 7] = w14
+    M[8, 8] = c5
+    # top2.x
+    M[9, 9] = top2_mass
+    M[9, 11] = w17
+    # top2.y
+    M[10, 10] = top2_mass
+    M[10, 11] = w19
+    # top2.theta
+    M[11, 9] = w17
+    M[11, 10] = w19
+    M[11, 11] = c12
+    # upright2.x
+    M[12, 12] = upright2_mass
+    M[12, 14] = w22
+    # upright2.y
+    M[13, 13] = upright2_mass
+    M[13, 14] = w24
+    # upright2.theta
+    M[14, 12] = w22
+    M[14, 13] = w24
+    M[14, 14] = c10
+    K = ca.SX(15, 15)
     Q_v = ca.vertcat(
-        w26,
-        w27,
-        0.0,
-        w29,
-        w30,
-        0.0,
-        w32,
-        w33,
-        0.0,
-        w35,
-        w36,
-        0.0,
-        w38,
-        w39,
-        0.0,
+        w26,  # upright0.x
+        w27,  # upright0.y
+        0.0,  # upright0.theta
+        w29,  # top1.x
+        w30,  # top1.y
+        0.0,  # top1.theta
+        w32,  # upright1.x
+        w33,  # upright1.y
+        0.0,  # upright1.theta
+        w35,  # top2.x
+        w36,  # top2.y
+        0.0,  # top2.theta
+        w38,  # upright2.x
+        w39,  # upright2.y
+        0.0,  # upright2.theta
     )
-    Q_v = ca.densify(Q_v)
     Q_F = ca.vertcat(
-        0.0,
-        c30,
-        w40,
-        0.0,
-        c17,
-        w41,
-        0.0,
-        c31,
-        w42,
-        0.0,
-        c19,
-        w43,
-        0.0,
-        c32,
-        w44,
+        0.0,  # upright0.x
+        c30,  # upright0.y
+        w40,  # upright0.theta
+        0.0,  # top1.x
+        c17,  # top1.y
+        w41,  # top1.theta
+        0.0,  # upright1.x
+        c31,  # upright1.y
+        w42,  # upright1.theta
+        0.0,  # top2.x
+        c19,  # top2.y
+        w43,  # top2.theta
+        0.0,  # upright2.x
+        c32,  # upright2.y
+        w44,  # upright2.theta
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w26,
-        w27 + c30,
-        w40,
-        w29,
-        c17 + w30,
-        w41,
-        w32,
-        w33 + c31,
-        w42,
-        w35,
-        c19 + w36,
-        w43,
-        w38,
-        w39 + c32,
-        w44,
+        w26,  # upright0.x
+        w27 + c30,  # upright0.y
+        w40,  # upright0.theta
+        w29,  # top1.x
+        c17 + w30,  # top1.y
+        w41,  # top1.theta
+        w32,  # upright1.x
+        w33 + c31,  # upright1.y
+        w42,  # upright1.theta
+        w35,  # top2.x
+        c19 + w36,  # top2.y
+        w43,  # top2.theta
+        w38,  # upright2.x
+        w39 + c32,  # upright2.y
+        w44,  # upright2.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w45,
-        -w46,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w47,
-        -w48,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w49,
-        w50,
-        0.0,
-        0.0,
-        w49,
-        -w50,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w51,
-        -w52,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        -w53,
-        w54,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 14, 15)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w25 * w46),
-        -(w25 * w45),
-        w55 - w28 * w48,
-        w56 - w28 * w47,
-        0.0,
-        0.0,
-        -w55,
-        -w56,
-        w37 * w54 - w34 * w52,
-        w37 * w53 - w34 * w51,
-        0.0,
-        0.0,
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(14, 15)
+    # A0.x
+    C_q[0, 0] = 1.0
+    # A0.y
+    C_q[1, 1] = 1.0
+    # B0.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w45
+    C_q[2, 3] = 1.0
+    # B0.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w46
+    C_q[3, 4] = 1.0
+    # C1.x
+    C_q[4, 3] = -1.0
+    C_q[4, 5] = w47
+    C_q[4, 6] = 1.0
+    C_q[4, 8] = -w49
+    # C1.y
+    C_q[5, 4] = -1.0
+    C_q[5, 5] = -w48
+    C_q[5, 7] = 1.0
+    C_q[5, 8] = w50
+    # A1.x
+    C_q[6, 6] = 1.0
+    # A1.y
+    C_q[7, 7] = 1.0
+    # B1.x
+    C_q[8, 6] = -1.0
+    C_q[8, 8] = w49
+    C_q[8, 9] = 1.0
+    # B1.y
+    C_q[9, 7] = -1.0
+    C_q[9, 8] = -w50
+    C_q[9, 10] = 1.0
+    # C2.x
+    C_q[10, 9] = -1.0
+    C_q[10, 11] = w51
+    C_q[10, 12] = 1.0
+    C_q[10, 14] = -w53
+    # C2.y
+    C_q[11, 10] = -1.0
+    C_q[11, 11] = -w52
+    C_q[11, 13] = 1.0
+    C_q[11, 14] = w54
+    # A2.x
+    C_q[12, 12] = 1.0
+    # A2.y
+    C_q[13, 13] = 1.0
+    gamma_b = ca.SX(14, 1)
+    gamma_b[2] = -(w25 * w46)  # B0.x
+    gamma_b[3] = -(w25 * w45)  # B0.y
+    gamma_b[4] = w55 - w28 * w48  # C1.x
+    gamma_b[5] = w56 - w28 * w47  # C1.y
+    gamma_b[8] = -w55  # B1.x
+    gamma_b[9] = -w56  # B1.y
+    gamma_b[10] = w37 * w54 - w34 * w52  # C2.x
+    gamma_b[11] = w37 * w53 - w34 * w51  # C2.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 257 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 15) [mixed]: rates of all coordinates
+    takes q_ddot (n = 15) [mixed]: accelerations of all coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 14) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 7) [N, N m]: world force and moment of a joint on its body b, at b
+    257 operations.
+    """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     q_ddot = ca.SX.sym("q_ddot", 15)
@@ -1585,30 +865,31 @@ def reactions() -> ca.Function:
     upright2_x_ddot = q_ddot[12]
     upright2_y_ddot = q_ddot[13]
     upright2_theta_ddot = q_ddot[14]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    top1_mass = c[1]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c8 = c[8]
-    c9 = c[9]
+    top2_mass = c[6]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
+    gravity_y = c[15]
     c17 = c[17]
     c19 = c[19]
-    c23 = c[23]
-    c25 = c[25]
-    c26 = c[26]
+    upright0_mass = c[23]
+    upright1_mass = c[25]
+    upright2_mass = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
+    # intermediate terms (54)
     w0 = upright0_theta_dot**2
     w1 = ca.cos(upright0_theta) * c27
     w2 = ca.sin(upright0_theta) * c27
@@ -1618,9 +899,9 @@ def reactions() -> ca.Function:
     w6 = ca.sin(top1_theta)
     w7 = w6 * c13
     w8 = ca.cos(upright1_theta)
-    w9 = w8 * c4
-    w10 = w5 * c15 - (w5 * top1_y_ddot - top1_x_ddot * w7 + top1_theta_ddot * c14)
-    w11 = w4 * c3
+    w9 = w8 * upright1_tip_x
+    w10 = w5 * gravity_y - (w5 * top1_y_ddot - top1_x_ddot * w7 + top1_theta_ddot * c14)
+    w11 = w4 * top1_tip_x
     w12 = w8 * c28
     w13 = ca.sin(upright1_theta)
     w14 = w13 * c28
@@ -1629,88 +910,83 @@ def reactions() -> ca.Function:
     w17 = w16 * c11
     w18 = ca.cos(top2_theta)
     w19 = w18 * c11
-    w20 = c19 + w15 * w17 - (top2_y_ddot * c6 + w19 * top2_theta_ddot)
-    w21 = w12 * c15 - (w12 * upright1_y_ddot - w14 * upright1_x_ddot + upright1_theta_ddot * c5) + w9 * w20
-    w22 = w13 * c4
-    w23 = w15 * w19 - (top2_x_ddot * c6 - w17 * top2_theta_ddot)
+    w20 = c19 + w15 * w17 - (top2_y_ddot * top2_mass + w19 * top2_theta_ddot)
+    w21 = w12 * gravity_y - (w12 * upright1_y_ddot - w14 * upright1_x_ddot + upright1_theta_ddot * c5) + w9 * w20
+    w22 = w13 * upright1_tip_x
+    w23 = w15 * w19 - (top2_x_ddot * top2_mass - w17 * top2_theta_ddot)
     w24 = ca.cos(upright2_theta)
-    w25 = w24 * c9
-    w26 = w19 * c15 - (top2_y_ddot * w19 - w17 * top2_x_ddot + top2_theta_ddot * c12)
-    w27 = w18 * c8
+    w25 = w24 * upright2_tip_x
+    w26 = w19 * gravity_y - (top2_y_ddot * w19 - w17 * top2_x_ddot + top2_theta_ddot * c12)
+    w27 = w18 * top2_tip_x
     w28 = w24 * c29
     w29 = ca.sin(upright2_theta)
     w30 = w29 * c29
-    w31 = w28 * c15 - (w28 * upright2_y_ddot - w30 * upright2_x_ddot + upright2_theta_ddot * c10)
-    w32 = w16 * c8
-    w33 = w29 * c9
+    w31 = w28 * gravity_y - (w28 * upright2_y_ddot - w30 * upright2_x_ddot + upright2_theta_ddot * c10)
+    w32 = w16 * top2_tip_x
+    w33 = w29 * upright2_tip_x
     w34 = w25 * w32 - w27 * w33
     w35 = (w25 * w26 + w27 * w31) / w34
     w36 = (w26 * w33 + w31 * w32) / w34
     w37 = w21 - w22 * w23 - w22 * w35 + w9 * w36
-    w38 = w6 * c3
+    w38 = w6 * top1_tip_x
     w39 = w9 * w38 - w11 * w22
     w40 = (w9 * w10 + w11 * w37) / w39
-    w41 = w3 * w5 - (top1_x_ddot * c1 - w7 * top1_theta_ddot) + w40
-    w42 = w0 * w1 - (upright0_x_ddot * c23 - w2 * upright0_theta_ddot) + w41
+    w41 = w3 * w5 - (top1_x_ddot * top1_mass - w7 * top1_theta_ddot) + w40
+    w42 = w0 * w1 - (upright0_x_ddot * upright0_mass - w2 * upright0_theta_ddot) + w41
     w43 = (w10 * w22 + w37 * w38) / w39
-    w44 = c17 + w3 * w7 - (top1_y_ddot * c1 + w5 * top1_theta_ddot) + w43
-    w45 = c30 + w0 * w2 - (upright0_y_ddot * c23 + w1 * upright0_theta_ddot) + w44
+    w44 = c17 + w3 * w7 - (top1_y_ddot * top1_mass + w5 * top1_theta_ddot) + w43
+    w45 = c30 + w0 * w2 - (upright0_y_ddot * upright0_mass + w1 * upright0_theta_ddot) + w44
     w46 = upright1_theta_dot**2
     w47 = w23 + w35
-    w48 = w12 * w46 - (upright1_x_ddot * c25 - w14 * upright1_theta_ddot) - w40 + w47
+    w48 = w12 * w46 - (upright1_x_ddot * upright1_mass - w14 * upright1_theta_ddot) - w40 + w47
     w49 = w20 + w36
-    w50 = c31 + w14 * w46 - (upright1_y_ddot * c25 + w12 * upright1_theta_ddot) - w43 + w49
+    w50 = c31 + w14 * w46 - (upright1_y_ddot * upright1_mass + w12 * upright1_theta_ddot) - w43 + w49
     w51 = upright2_theta_dot**2
-    w52 = w28 * w51 - (upright2_x_ddot * c26 - w30 * upright2_theta_ddot) - w35
-    w53 = c32 + w30 * w51 - (upright2_y_ddot * c26 + w28 * upright2_theta_ddot) - w36
+    w52 = w28 * w51 - (upright2_x_ddot * upright2_mass - w30 * upright2_theta_ddot) - w35
+    w53 = c32 + w30 * w51 - (upright2_y_ddot * upright2_mass + w28 * upright2_theta_ddot) - w36
+    # outputs
     lam = ca.vertcat(
-        w42,
-        w45,
-        w41,
-        w44,
-        w40,
-        w43,
-        w48,
-        w50,
-        w47,
-        w49,
-        w35,
-        w36,
-        w52,
-        w53,
+        w42,  # A0.x
+        w45,  # A0.y
+        w41,  # B0.x
+        w44,  # B0.y
+        w40,  # C1.x
+        w43,  # C1.y
+        w48,  # A1.x
+        w50,  # A1.y
+        w47,  # B1.x
+        w49,  # B1.y
+        w35,  # C2.x
+        w36,  # C2.y
+        w52,  # A2.x
+        w53,  # A2.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w42,
-        -w45,
-        0.0,
-        -w41,
-        -w44,
-        0.0,
-        -w40,
-        -w43,
-        0.0,
-        -w48,
-        -w50,
-        0.0,
-        -w47,
-        -w49,
-        0.0,
-        -w35,
-        -w36,
-        0.0,
-        -w52,
-        -w53,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w42, -w45, 0.0),  # A0
+        ca.vertcat(-w41, -w44, 0.0),  # B0
+        ca.vertcat(-w40, -w43, 0.0),  # C1
+        ca.vertcat(-w48, -w50, 0.0),  # A1
+        ca.vertcat(-w47, -w49, 0.0),  # B1
+        ca.vertcat(-w35, -w36, 0.0),  # C2
+        ca.vertcat(-w52, -w53, 0.0),  # A2
     )
-    joint_forces = ca.reshape(joint_forces, 3, 7)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 173 operations."""
+    """Energies and powers.
+
+    takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 15) [mixed]: rates of all coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    173 operations.
+    """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     c = ca.SX.sym("c", 36)
@@ -1739,67 +1015,61 @@ def energy() -> ca.Function:
     upright2_x_dot = q_dot[12]
     upright2_y_dot = q_dot[13]
     upright2_theta_dot = q_dot[14]
-    c1 = c[1]
+    top1_mass = c[1]
     c5 = c[5]
-    c6 = c[6]
+    top2_mass = c[6]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
-    c23 = c[23]
+    gravity_y = c[15]
+    upright0_mass = c[23]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
+    upright1_mass = c[25]
+    upright2_mass = c[26]
     c27 = c[27]
     c28 = c[28]
     c29 = c[29]
+    # intermediate terms (19)
     w0 = ca.sin(upright0_theta) * c27
     w1 = ca.cos(upright0_theta) * c27
-    w2 = upright0_x_dot * (upright0_x_dot * c23 - w0 * upright0_theta_dot) + upright0_y_dot * (upright0_y_dot * c23 + upright0_theta_dot * w1)
+    w2 = upright0_x_dot * (upright0_x_dot * upright0_mass - w0 * upright0_theta_dot) + upright0_y_dot * (upright0_y_dot * upright0_mass + upright0_theta_dot * w1)
     w3 = ca.sin(top1_theta) * c13
-    w4 = w2 + upright0_theta_dot * (upright0_y_dot * w1 - upright0_x_dot * w0 + upright0_theta_dot * c24) + top1_x_dot * (top1_x_dot * c1 - w3 * top1_theta_dot)
+    w4 = w2 + upright0_theta_dot * (upright0_y_dot * w1 - upright0_x_dot * w0 + upright0_theta_dot * c24) + top1_x_dot * (top1_x_dot * top1_mass - w3 * top1_theta_dot)
     w5 = ca.cos(top1_theta) * c13
-    w6 = w4 + top1_y_dot * (top1_y_dot * c1 + top1_theta_dot * w5) + top1_theta_dot * (top1_y_dot * w5 - top1_x_dot * w3 + top1_theta_dot * c14)
+    w6 = w4 + top1_y_dot * (top1_y_dot * top1_mass + top1_theta_dot * w5) + top1_theta_dot * (top1_y_dot * w5 - top1_x_dot * w3 + top1_theta_dot * c14)
     w7 = ca.sin(upright1_theta) * c28
     w8 = ca.cos(upright1_theta) * c28
-    w9 = w6 + upright1_x_dot * (upright1_x_dot * c25 - w7 * upright1_theta_dot) + upright1_y_dot * (upright1_y_dot * c25 + upright1_theta_dot * w8)
+    w9 = w6 + upright1_x_dot * (upright1_x_dot * upright1_mass - w7 * upright1_theta_dot) + upright1_y_dot * (upright1_y_dot * upright1_mass + upright1_theta_dot * w8)
     w10 = ca.sin(top2_theta) * c11
-    w11 = w9 + upright1_theta_dot * (upright1_y_dot * w8 - upright1_x_dot * w7 + upright1_theta_dot * c5) + top2_x_dot * (top2_x_dot * c6 - w10 * top2_theta_dot)
+    w11 = w9 + upright1_theta_dot * (upright1_y_dot * w8 - upright1_x_dot * w7 + upright1_theta_dot * c5) + top2_x_dot * (top2_x_dot * top2_mass - w10 * top2_theta_dot)
     w12 = ca.cos(top2_theta) * c11
-    w13 = w11 + top2_y_dot * (top2_y_dot * c6 + top2_theta_dot * w12) + top2_theta_dot * (top2_y_dot * w12 - top2_x_dot * w10 + top2_theta_dot * c12)
+    w13 = w11 + top2_y_dot * (top2_y_dot * top2_mass + top2_theta_dot * w12) + top2_theta_dot * (top2_y_dot * w12 - top2_x_dot * w10 + top2_theta_dot * c12)
     w14 = ca.sin(upright2_theta) * c29
     w15 = ca.cos(upright2_theta) * c29
-    w16 = w13 + upright2_x_dot * (upright2_x_dot * c26 - w14 * upright2_theta_dot) + upright2_y_dot * (upright2_y_dot * c26 + upright2_theta_dot * w15)
+    w16 = w13 + upright2_x_dot * (upright2_x_dot * upright2_mass - w14 * upright2_theta_dot) + upright2_y_dot * (upright2_y_dot * upright2_mass + upright2_theta_dot * w15)
     w17 = w16 + upright2_theta_dot * (upright2_y_dot * w15 - upright2_x_dot * w14 + upright2_theta_dot * c10)
-    w18 = (w0 + upright0_y * c23) * c15 + (w3 + top1_y * c1) * c15 + (w7 + upright1_y * c25) * c15 + (w10 + top2_y * c6) * c15
-    kinetic = ca.vertcat(
-        w17 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
+    w18 = (w0 + upright0_y * upright0_mass) * gravity_y + (w3 + top1_y * top1_mass) * gravity_y + (w7 + upright1_y * upright1_mass) * gravity_y
+    # outputs
+    kinetic = ca.vertcat(w17 / 2.0)
+    elastic = ca.SX(1, 1)
     potential = ca.vertcat(
-        -(w18 + (w14 + upright2_y * c26) * c15),
+        -(w18 + (w10 + top2_y * top2_mass) * gravity_y + (w14 + upright2_y * upright2_mass) * gravity_y),
     )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 92 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 5) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    92 operations.
+    """
     q = ca.SX.sym("q", 15)
     upright0_x = q[0]
     upright0_y = q[1]
@@ -1816,6 +1086,7 @@ def poses() -> ca.Function:
     upright2_x = q[12]
     upright2_y = q[13]
     upright2_theta = q[14]
+    # intermediate terms (10)
     w0 = ca.cos(upright0_theta)
     w1 = ca.sin(upright0_theta)
     w2 = ca.cos(top1_theta)
@@ -1826,76 +1097,58 @@ def poses() -> ca.Function:
     w7 = ca.sin(top2_theta)
     w8 = ca.cos(upright2_theta)
     w9 = ca.sin(upright2_theta)
-    poses = ca.vertcat(
-        upright0_x,
-        upright0_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        top1_x,
-        top1_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        upright1_x,
-        upright1_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        top2_x,
-        top2_y,
-        0.0,
-        w6,
-        w7,
-        0.0,
-        -w7,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        upright2_x,
-        upright2_y,
-        0.0,
-        w8,
-        w9,
-        0.0,
-        -w9,
-        w8,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 5)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 5)
+    poses[0, 0] = upright0_x
+    poses[0, 1] = top1_x
+    poses[0, 2] = upright1_x
+    poses[0, 3] = top2_x
+    poses[0, 4] = upright2_x
+    poses[1, 0] = upright0_y
+    poses[1, 1] = top1_y
+    poses[1, 2] = upright1_y
+    poses[1, 3] = top2_y
+    poses[1, 4] = upright2_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[3, 3] = w6
+    poses[3, 4] = w8
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[4, 3] = w7
+    poses[4, 4] = w9
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[6, 3] = -w7
+    poses[6, 4] = -w9
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[7, 3] = w6
+    poses[7, 4] = w8
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    poses[11, 3] = 1.0
+    poses[11, 4] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 563 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
+    563 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -1911,43 +1164,44 @@ def dQ_hat_dq_i() -> ca.Function:
     upright1_theta_dot = q_d_dot[7]
     top2_theta_dot = q_d_dot[10]
     upright2_theta_dot = q_d_dot[13]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    upright0_tip_x = c[0]
+    top1_mass = c[1]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c8 = c[8]
-    c9 = c[9]
+    top2_mass = c[6]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c15 = c[15]
+    gravity_y = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
     c20 = c[20]
+    # intermediate terms (126)
     w0 = ca.cos(top1_theta)
-    w1 = ca.cos(upright0_theta) * c0
+    w1 = ca.cos(upright0_theta) * upright0_tip_x
     w2 = ca.cos(upright1_theta)
-    w3 = w0 * c3
+    w3 = w0 * top1_tip_x
     w4 = upright1_theta_dot**2
-    w5 = w2 * c4
+    w5 = w2 * upright1_tip_x
     w6 = w4 * w5
     w7 = top1_theta_dot**2
     w8 = upright0_theta_dot**2
     w9 = w1 * w8
     w10 = w6 - w3 * w7 - w9
     w11 = ca.sin(top1_theta)
-    w12 = w11 * c3
+    w12 = w11 * top1_tip_x
     w13 = ca.sin(upright1_theta)
-    w14 = w13 * c4
+    w14 = w13 * upright1_tip_x
     w15 = w4 * w14
     w16 = ca.sin(upright0_theta)
-    w17 = w16 * c0
+    w17 = w16 * upright0_tip_x
     w18 = w8 * w17
     w19 = w15 - w7 * w12 - w18
     w20 = w5 * w12 - w3 * w14
@@ -1959,25 +1213,25 @@ def dQ_hat_dq_i() -> ca.Function:
     w26 = ca.cos(top2_theta)
     w27 = w26 * c11
     w28 = ca.cos(upright2_theta)
-    w29 = w28 * c9
+    w29 = w28 * upright2_tip_x
     w30 = upright2_theta_dot**2
-    w31 = w26 * c8
+    w31 = w26 * top2_tip_x
     w32 = w29 * w30 - w22 * w31 - w6
     w33 = ca.sin(upright2_theta)
-    w34 = w33 * c9
-    w35 = w23 * c8
+    w34 = w33 * upright2_tip_x
+    w35 = w23 * top2_tip_x
     w36 = w30 * w34 - w22 * w35 - w15
     w37 = w29 * w35 - w31 * w34
     w38 = (w29 * w32 + w34 * w36) / w37
     w39 = (w5 * w34 - w14 * w29) / w37
     w40 = w38 + w21 * w39
-    w41 = c19 + w22 * w24 - (w25 * c6 + w27 * w40)
+    w41 = c19 + w22 * w24 - (w25 * top2_mass + w27 * w40)
     w42 = w6 + w14 * w21
-    w43 = w22 * w27 + (w42 * c6 + w24 * w40)
+    w43 = w22 * w27 + (w42 * top2_mass + w24 * w40)
     w44 = (w31 * w32 + w35 * w36) / w37
     w45 = (w5 * w35 - w14 * w31) / w37
     w46 = w28 * c20 - (w44 + w21 * w45) * c10
-    w47 = w27 * c15 - (w24 * w42 + w25 * w27 + w40 * c12)
+    w47 = w27 * gravity_y - (w24 * w42 + w25 * w27 + w40 * c12)
     w48 = w2 * c18 - w21 * c5 + w5 * w41 - w14 * w43 + w45 * w46 + w39 * w47
     w49 = w48 / w20
     w50 = (w1 * w12 - w3 * w17) / w20
@@ -1985,10 +1239,10 @@ def dQ_hat_dq_i() -> ca.Function:
     w52 = w51 * c10
     w53 = w39 * w50
     w54 = w14 * w50
-    w55 = w24 * w53 + w54 * c6
+    w55 = w24 * w53 + w54 * top2_mass
     w56 = w5 * w50
     w57 = w53 * c12 + w24 * w54 + w27 * w56
-    w58 = w27 * w53 + w56 * c6
+    w58 = w27 * w53 + w56 * top2_mass
     w59 = w45 * w52 + w14 * w55 + w39 * w57 + w5 * w58 + w50 * c5
     w60 = w59 / w20
     w61 = (w1 * w14 - w5 * w17) / w20
@@ -1996,15 +1250,15 @@ def dQ_hat_dq_i() -> ca.Function:
     w63 = w0 * c13
     w64 = w11 * c13
     w65 = (w5 * w10 + w14 * w19) / w20
-    w66 = w63 * c15 - (w9 * w64 - w18 * w63 + w65 * c14)
+    w66 = w63 * gravity_y - (w9 * w64 - w18 * w63 + w65 * c14)
     w67 = w50 / w20
     w68 = w61 * c14 + w17 * w64 + w1 * w63
     w69 = w59 * (w21 / w20) - (w62 * w66 + w48 * w67) + w65 / w20 * w68
     w70 = w68 / w20
     w71 = w12 * w60 + w14 * w70
-    w72 = w0 * ((w1 * w49 - w19 * w60 + w5 * w69 + w7 * w71) * c3 + (w1 * w7 - (w9 * w61 + w17 * w65)) * c13)
+    w72 = (w1 * w49 - w19 * w60 + w5 * w69 + w7 * w71) * top1_tip_x + (w1 * w7 - (w9 * w61 + w17 * w65)) * c13
     w73 = w3 * w60 + w5 * w70
-    w74 = (w7 * w73 - (w17 * w49 + w10 * w60 + w14 * w69)) * c3 + (w18 * w61 + w61 * c15 - w7 * w17 - w1 * w65) * c13
+    w74 = (w7 * w73 - (w17 * w49 + w10 * w60 + w14 * w69)) * top1_tip_x + (w18 * w61 + w61 * gravity_y - w7 * w17 - w1 * w65) * c13
     w75 = w66 / w20
     w76 = w46 * w50 - w21 * w52
     w77 = w76 / w37
@@ -2014,26 +1268,26 @@ def dQ_hat_dq_i() -> ca.Function:
     w81 = w57 / w37
     w82 = w35 * w80 + w34 * w81
     w83 = w58 + w82 - w71
-    w84 = (w1 * w75 - w31 * w77 - w43 * w50 - w21 * w55 - w29 * w79 - w3 * w69 - w19 * w70 + w4 * w83) * c4
+    w84 = (w1 * w75 - w31 * w77 - w43 * w50 - w21 * w55 - w29 * w79 - w3 * w69 - w19 * w70 + w4 * w83) * upright1_tip_x
     w85 = w31 * w80 + w29 * w81
     w86 = w85 - w55 - w73
-    w87 = (w35 * w77 - w17 * w75 + w41 * w50 + w34 * w79 - w21 * w58 + w12 * w69 - w10 * w70 + w4 * w86) * c4
+    w87 = (w35 * w77 - w17 * w75 + w41 * w50 + w34 * w79 - w21 * w58 + w12 * w69 - w10 * w70 + w4 * w86) * upright1_tip_x
     w88 = w45 / w37
     w89 = w39 / w37
     w90 = w52 * (w44 / w37) - w76 * w88 - w78 * w89 + w57 * (w38 / w37)
-    w91 = (w5 * w77 - w36 * w80 + w29 * w90 + w22 * w82) * c8 + (w22 * w56 - (w42 * w53 + w40 * w54)) * c11
-    w92 = (w22 * w85 - (w14 * w77 + w32 * w80 + w34 * w90)) * c8 + (w53 * c15 - w25 * w53 - w22 * w54 - w40 * w56) * c11
-    w93 = w61 * (w72 - w11 * w74) + w50 * (w2 * w84 - w13 * (w50 * c18 + w87)) + w53 * (w26 * w91 - w23 * w92)
-    w94 = w28 * ((w5 * w79 - w31 * w90 - w36 * w81 - w30 * w82) * c9) - w33 * (w51 * c20 + (w35 * w90 - w14 * w79 - w32 * w81 - w30 * w85) * c9)
+    w91 = (w5 * w77 - w36 * w80 + w29 * w90 + w22 * w82) * top2_tip_x + (w22 * w56 - (w42 * w53 + w40 * w54)) * c11
+    w92 = (w22 * w85 - (w14 * w77 + w32 * w80 + w34 * w90)) * top2_tip_x + (w53 * gravity_y - w25 * w53 - w22 * w54 - w40 * w56) * c11
+    w93 = w61 * (w0 * w72 - w11 * w74) + w50 * (w2 * w84 - w13 * (w50 * c18 + w87)) + w53 * (w26 * w91 - w23 * w92)
+    w94 = w28 * ((w5 * w79 - w31 * w90 - w36 * w81 - w30 * w82) * upright2_tip_x) - w33 * (w51 * c20 + (w35 * w90 - w14 * w79 - w32 * w81 - w30 * w85) * upright2_tip_x)
     w95 = (w5 * w18 - w9 * w14) / w20
-    w96 = w9 * c1
-    w97 = w18 * c1
+    w96 = w9 * top1_mass
+    w97 = w18 * top1_mass
     w98 = w16 * c16 + (w1 * (w63 * w95 - w96) + w17 * (c17 + w7 * w64 - (w63 * w65 - w97))) + (w17 * (w64 * w95 - w97) + w1 * (w7 * w63 + (w96 + w64 * w65)))
     w99 = (w3 * w18 - w9 * w12) / w20
     w100 = w5 * w99
     w101 = w39 * w99
     w102 = w14 * w99
-    w103 = w99 * c5 + w5 * (w100 * c6 + w27 * w101) + w14 * (w102 * c6 + w24 * w101) + w45 * (w45 * w99 * c10)
+    w103 = w99 * c5 + w5 * (w100 * top2_mass + w27 * w101) + w14 * (w102 * top2_mass + w24 * w101) + w45 * (w45 * w99 * c10)
     w104 = (w12 * w17 + w1 * w3) / w20
     w105 = (w14 * w17 + w1 * w5) / w20
     w106 = w98 + (w50 * (w103 + w39 * (w24 * w102 + w27 * w100 + w101 * c12)) + w48 * w104) + (w61 * (w95 * c14 - (w18 * w64 + w9 * w63)) + w66 * w105)
@@ -2056,16 +1310,22 @@ def dQ_hat_dq_i() -> ca.Function:
     w123 = w88 * w119
     w124 = w61 * (w45 * w112) + w50 * (w45 * w113 - w117 * w122) + w53 * (w117 * (w122 - w123)) + w51 * (w117 * w123)
     w125 = w115 + (w116 * (w35 * w82 + w31 * w85) + w116 * (w24 * w56 - w27 * w54)) * (w121 - w39 * w114) - 2 * upright2_theta_dot * (w34 * w82 + w29 * w85) * (w124 - w45 * w114)
-    dQ_hat_dq_i = ca.vertcat(
-        w93 + w51 * w94 - w106 + w125,
-    )
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.vertcat(w93 + w51 * w94 - w106 + w125)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 170 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    170 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -2076,28 +1336,29 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     top2_theta = q_d[10]
     upright2_theta = q_d[13]
     upright0_theta_dot = q_i_dot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    upright0_tip_x = c[0]
+    top1_mass = c[1]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c8 = c[8]
-    c9 = c[9]
+    top2_mass = c[6]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    w0 = ca.cos(upright0_theta) * c0
+    # intermediate terms (46)
+    w0 = ca.cos(upright0_theta) * upright0_tip_x
     w1 = ca.sin(top1_theta)
     w2 = w1 * c13
-    w3 = ca.sin(upright1_theta) * c4
-    w4 = ca.cos(upright1_theta) * c4
-    w5 = ca.sin(upright0_theta) * c0
-    w6 = w1 * c3
+    w3 = ca.sin(upright1_theta) * upright1_tip_x
+    w4 = ca.cos(upright1_theta) * upright1_tip_x
+    w5 = ca.sin(upright0_theta) * upright0_tip_x
+    w6 = w1 * top1_tip_x
     w7 = ca.cos(top1_theta)
-    w8 = w7 * c3
+    w8 = w7 * top1_tip_x
     w9 = w4 * w6 - w3 * w8
     w10 = (w0 * w3 - w4 * w5) / w9
     w11 = w10 * (2 * (w10 * upright0_theta_dot))
@@ -2113,37 +1374,44 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w21 = w5 * w17
     w22 = w20 - w6 * w11 - w21
     w23 = (w4 * w19 + w3 * w22) / w9
-    w24 = ca.sin(top2_theta)
-    w25 = w24 * c11
-    w26 = ca.sin(upright2_theta) * c9
-    w27 = ca.cos(upright2_theta) * c9
-    w28 = w24 * c8
-    w29 = ca.cos(top2_theta)
-    w30 = w29 * c8
-    w31 = w27 * w28 - w26 * w30
-    w32 = (w4 * w26 - w3 * w27) / w31
-    w33 = 2 * (w14 * w32) * (w13 * w32)
-    w34 = (w8 * w19 + w6 * w22) / w9
-    w35 = w4 * w34 - w20
-    w36 = w29 * c11
-    w37 = (w4 * w28 - w3 * w30) / w31
-    w38 = 2 * (w14 * w37) * (w13 * w37)
-    w39 = w27 * w38 - w30 * w33 - w16
-    w40 = w26 * w38 - w28 * w33 - w20
-    w41 = (w27 * w39 + w26 * w40) / w31 + w32 * w34
-    w42 = w16 + w3 * w34
-    w43 = w4 * (w25 * w33 - (w35 * c6 + w36 * w41)) - w34 * c5 - w3 * (w33 * w36 + (w42 * c6 + w25 * w41)) - w37 * (((w30 * w39 + w28 * w40) / w31 + w34 * w37) * c10)
-    w44 = w0 * (w2 * w11 - (w12 * w23 - w21 * c1)) - w5 * (w11 * w12 + (w18 * c1 + w2 * w23)) + w13 * (w43 - w32 * (w25 * w42 + w35 * w36 + w41 * c12))
-    dQ_hat_dq_i_dot = ca.vertcat(
-        w44 - w10 * (w2 * w18 - w12 * w21 + w23 * c14),
-    )
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    w24 = w0 * (w2 * w11 - (w12 * w23 - w21 * top1_mass)) - w5 * (w11 * w12 + (w18 * top1_mass + w2 * w23))
+    w25 = ca.sin(top2_theta)
+    w26 = w25 * c11
+    w27 = ca.sin(upright2_theta) * upright2_tip_x
+    w28 = ca.cos(upright2_theta) * upright2_tip_x
+    w29 = w25 * top2_tip_x
+    w30 = ca.cos(top2_theta)
+    w31 = w30 * top2_tip_x
+    w32 = w28 * w29 - w27 * w31
+    w33 = (w4 * w27 - w3 * w28) / w32
+    w34 = 2 * (w14 * w33) * (w13 * w33)
+    w35 = (w8 * w19 + w6 * w22) / w9
+    w36 = w4 * w35 - w20
+    w37 = w30 * c11
+    w38 = (w4 * w29 - w3 * w31) / w32
+    w39 = 2 * (w14 * w38) * (w13 * w38)
+    w40 = w28 * w39 - w31 * w34 - w16
+    w41 = w27 * w39 - w29 * w34 - w20
+    w42 = (w28 * w40 + w27 * w41) / w32 + w33 * w35
+    w43 = w16 + w3 * w35
+    w44 = w4 * (w26 * w34 - (w36 * top2_mass + w37 * w42)) - w35 * c5 - w3 * (w34 * w37 + (w43 * top2_mass + w26 * w42))
+    w45 = w44 - w38 * (((w31 * w40 + w29 * w41) / w32 + w35 * w38) * c10) - w33 * (w26 * w43 + w36 * w37 + w42 * c12)
+    # outputs
+    dQ_hat_dq_i_dot = ca.vertcat(w24 + w13 * w45 - w10 * (w2 * w18 - w12 * w21 + w23 * c14))
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 310 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    310 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
@@ -2154,14 +1422,14 @@ def dMa_dq_i() -> ca.Function:
     top2_theta = q_d[10]
     upright2_theta = q_d[13]
     upright0_theta_ddot = q_i_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
-    c3 = c[3]
-    c4 = c[4]
+    upright0_tip_x = c[0]
+    top1_mass = c[1]
+    top1_tip_x = c[3]
+    upright1_tip_x = c[4]
     c5 = c[5]
-    c6 = c[6]
-    c8 = c[8]
-    c9 = c[9]
+    top2_mass = c[6]
+    top2_tip_x = c[8]
+    upright2_tip_x = c[9]
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
@@ -2170,26 +1438,27 @@ def dMa_dq_i() -> ca.Function:
     c33 = c[33]
     c34 = c[34]
     c35 = c[35]
+    # intermediate terms (76)
     w0 = ca.sin(upright0_theta)
-    w1 = w0 * c0
+    w1 = w0 * upright0_tip_x
     w2 = ca.cos(upright0_theta)
-    w3 = w2 * c0
+    w3 = w2 * upright0_tip_x
     w4 = upright0_theta_ddot * w3
-    w5 = w4 * c1
+    w5 = w4 * top1_mass
     w6 = ca.sin(top1_theta)
     w7 = w6 * c13
     w8 = ca.sin(upright1_theta)
-    w9 = w8 * c4
+    w9 = w8 * upright1_tip_x
     w10 = ca.cos(upright1_theta)
-    w11 = w10 * c4
-    w12 = w6 * c3
+    w11 = w10 * upright1_tip_x
+    w12 = w6 * top1_tip_x
     w13 = ca.cos(top1_theta)
-    w14 = w13 * c3
+    w14 = w13 * top1_tip_x
     w15 = w11 * w12 - w9 * w14
     w16 = (w1 * w9 + w3 * w11) / w15
     w17 = upright0_theta_ddot * w16
     w18 = w1 * upright0_theta_ddot
-    w19 = w18 * c1
+    w19 = w18 * top1_mass
     w20 = (w3 * w9 - w1 * w11) / w15
     w21 = upright0_theta_ddot * w20
     w22 = w13 * c13
@@ -2200,60 +1469,66 @@ def dMa_dq_i() -> ca.Function:
     w27 = ca.cos(top2_theta)
     w28 = w27 * c11
     w29 = ca.sin(upright2_theta)
-    w30 = w29 * c9
+    w30 = w29 * upright2_tip_x
     w31 = ca.cos(upright2_theta)
-    w32 = w31 * c9
+    w32 = w31 * upright2_tip_x
     w33 = ca.sin(top2_theta)
-    w34 = w33 * c8
-    w35 = w27 * c8
+    w34 = w33 * top2_tip_x
+    w35 = w27 * top2_tip_x
     w36 = w32 * w34 - w30 * w35
     w37 = (w11 * w30 - w9 * w32) / w36
     w38 = w25 * w37
     w39 = w9 * w25
     w40 = w33 * c11
     w41 = (w11 * w34 - w9 * w35) / w36
-    w42 = w25 * c5 + w11 * (w26 * c6 + w28 * w38) + w9 * (w39 * c6 + w38 * w40) + w41 * (w25 * w41 * c10) + w37 * (w39 * w40 + w26 * w28 + w38 * c12)
+    w42 = w25 * c5 + w11 * (w26 * top2_mass + w28 * w38) + w9 * (w39 * top2_mass + w38 * w40) + w41 * (w25 * w41 * c10)
     w43 = upright0_theta_ddot * w23
     w44 = w11 * w43
     w45 = w37 * w43
-    w46 = w44 * c6 + w28 * w45
+    w46 = w44 * top2_mass + w28 * w45
     w47 = w9 * w43
-    w48 = w47 * c6 + w40 * w45
+    w48 = w47 * top2_mass + w40 * w45
     w49 = w40 * w47 + w28 * w44 + w45 * c12
     w50 = w43 * c5 + w11 * w46 + w9 * w48 + w41 * (w41 * w43 * c10) + w37 * w49
-    w51 = w1 * (w5 - w7 * w17) + w3 * (w19 + w7 * w21) - (w3 * (w19 + w17 * w22) + w1 * (w5 + w21 * w22)) - (w23 * w42 + w24 * w50)
+    w51 = w1 * (w5 - w7 * w17) + w3 * (w19 + w7 * w21) - (w3 * (w19 + w17 * w22) + w1 * (w5 + w21 * w22)) - (w23 * (w42 + w37 * (w39 * w40 + w26 * w28 + w38 * c12)) + w24 * w50)
     w52 = w7 * w18 + w4 * w22 + w21 * c14
     w53 = w23 * w41
     w54 = w23 * w37
     w55 = w9 * w23
-    w56 = w40 * w54 + w55 * c6
+    w56 = w40 * w54 + w55 * top2_mass
     w57 = w11 * w23
     w58 = w54 * c12 + w40 * w55 + w28 * w57
-    w59 = w28 * w54 + w57 * c6
+    w59 = w28 * w54 + w57 * top2_mass
     w60 = w50 + upright0_theta_ddot * (w41 * (w53 * c10) + w9 * w56 + w37 * w58 + w11 * w59 + w23 * c5)
     w61 = w60 / w15
     w62 = w52 + upright0_theta_ddot * (w20 * c14 + w1 * w7 + w3 * w22)
     w63 = w60 * (w23 / w15) + w20 / w15 * w62
-    w64 = w13 * (w20 * (w0 * upright0_theta_ddot) * c33 + (w3 * w61 - w11 * w63) * c3) - w6 * ((w9 * w63 - w1 * w61) * c3 + w20 * (upright0_theta_ddot * w2) * c33)
+    w64 = w13 * (w20 * (w0 * upright0_theta_ddot) * c33 + (w3 * w61 - w11 * w63) * top1_tip_x) - w6 * ((w9 * w63 - w1 * w61) * top1_tip_x + w20 * (upright0_theta_ddot * w2) * c33)
     w65 = w41 * (w23 * w43) * c34
     w66 = w65 / w36
     w67 = w23 * w49 + w43 * w58
     w68 = w67 / w36
     w69 = w62 / w15
-    w70 = w10 * ((w23 * w48 - w35 * w66 + w43 * w56 - w32 * w68 + w14 * w63 + w3 * w69) * c4) - w8 * ((w34 * w66 + w23 * w46 + w30 * w68 + w43 * w59 - w12 * w63 - w1 * w69) * c4)
+    w70 = w10 * ((w23 * w48 - w35 * w66 + w43 * w56 - w32 * w68 + w14 * w63 + w3 * w69) * upright1_tip_x) - w8 * ((w34 * w66 + w23 * w46 + w30 * w68 + w43 * w59 - w12 * w63 - w1 * w69) * upright1_tip_x)
     w71 = w65 * (w41 / w36) + w67 * (w37 / w36)
-    w72 = w27 * (w37 * (w23 * (w23 * (upright0_theta_ddot * w8))) * c35 + (w11 * w66 - w32 * w71) * c8) - w33 * ((w30 * w71 - w9 * w66) * c8 + w37 * (w23 * (w23 * (upright0_theta_ddot * w10))) * c35)
-    w73 = w20 * w64 + w23 * w70 + w54 * w72 + w53 * (w29 * ((w34 * w71 + w9 * w68) * c9) + w31 * ((w35 * w71 + w11 * w68) * c9))
-    dMa_dq_i = ca.vertcat(
-        w51 + (w20 * (w4 * w7 - w18 * w22 - w17 * c14) - w16 * w52) + w73,
-    )
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    w72 = w27 * (w37 * (w23 * (w23 * (upright0_theta_ddot * w8))) * c35 + (w11 * w66 - w32 * w71) * top2_tip_x)
+    w73 = w33 * ((w30 * w71 - w9 * w66) * top2_tip_x + w37 * (w23 * (w23 * (upright0_theta_ddot * w10))) * c35)
+    w74 = w29 * ((w34 * w71 + w9 * w68) * upright2_tip_x) + w31 * ((w35 * w71 + w11 * w68) * upright2_tip_x)
+    w75 = w51 + (w20 * (w4 * w7 - w18 * w22 - w17 * c14) - w16 * w52) + (w20 * w64 + w23 * w70 + w54 * (w72 - w73) + w53 * w74)
+    # outputs
+    dMa_dq_i = ca.vertcat(w75)
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 165 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 13) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 13) [1]: columns of the rotation matrix of the marker at a drawn point
+    165 operations.
+    """
     p = ca.SX.sym("p", 18)
     upright0_tip_x = p[11]
     top1_tip_x = p[12]
@@ -2262,171 +1537,56 @@ def geometry() -> ca.Function:
     top2_tip_x = p[15]
     upright2_tip_x = p[16]
     ground_foot2_x = p[17]
-    positions = ca.vertcat(
-        ground_foot1_x,
-        0.0,
-        0.0,
-        ground_foot2_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        upright0_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        top1_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        upright1_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        top2_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        upright2_tip_x,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 13)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 13)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 13)
+    positions[0, 0] = ground_foot1_x
+    positions[0, 1] = ground_foot2_x
+    positions[0, 4] = upright0_tip_x
+    positions[0, 6] = top1_tip_x
+    positions[0, 8] = upright1_tip_x
+    positions[0, 10] = top2_tip_x
+    positions[0, 12] = upright2_tip_x
+    axes = ca.SX(9, 13)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[0, 12] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[4, 8] = 1.0
+    axes[4, 9] = 1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    axes[8, 8] = 1.0
+    axes[8, 9] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    axes[8, 12] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

@@ -1,13 +1,24 @@
 """Pendulum with an overdamped joint: equations of motion, emitted by symgen from the scene `overdamped_joint`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 rod.theta [rad], 1 finger.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 rod.x [m], 1 rod.y [m], 2 finger.x [m], 3 finger.y [m]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 59 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    59 operations.
+    """
     p = ca.SX.sym("p", 10)
     gravity_y = p[0]
     rod_mass = p[1]
@@ -19,40 +30,49 @@ def constants() -> ca.Function:
     rod_tip_x = p[7]
     spring_stiffness = p[8]
     spring_damping = p[9]
+    # intermediate terms (4)
     w0 = rod_tip_x * finger_mass
     w1 = finger_mass * finger_center_of_mass_x
     w2 = rod_mass * rod_center_of_mass_x
     w3 = w2 * gravity_y
+    # outputs
     c = ca.vertcat(
-        spring_stiffness,
-        spring_damping,
-        rod_inertia + rod_center_of_mass_x * w2 + finger_mass * rod_tip_x**2,
-        w0 * finger_center_of_mass_x,
-        finger_inertia + finger_center_of_mass_x * w1,
-        w3 + w0 * gravity_y,
-        w1 * gravity_y,
-        rod_tip_x,
-        rod_mass,
-        rod_inertia + rod_mass * rod_center_of_mass_x**2,
-        finger_mass,
-        w1,
-        finger_inertia + finger_mass * finger_center_of_mass_x**2,
-        w2,
-        gravity_y,
-        finger_mass * gravity_y,
-        rod_mass * gravity_y,
-        -spring_stiffness,
-        -spring_damping,
-        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),
-        w3,
+        spring_stiffness,  # spring_stiffness
+        spring_damping,  # spring_damping
+        rod_inertia + rod_center_of_mass_x * w2 + finger_mass * rod_tip_x**2,  # c2
+        w0 * finger_center_of_mass_x,  # c3
+        finger_inertia + finger_center_of_mass_x * w1,  # c4
+        w3 + w0 * gravity_y,  # c5
+        w1 * gravity_y,  # c6
+        rod_tip_x,  # rod_tip_x
+        rod_mass,  # rod_mass
+        rod_inertia + rod_mass * rod_center_of_mass_x**2,  # c9
+        finger_mass,  # finger_mass
+        w1,  # c11
+        finger_inertia + finger_mass * finger_center_of_mass_x**2,  # c12
+        w2,  # c13
+        gravity_y,  # gravity_y
+        finger_mass * gravity_y,  # c15
+        rod_mass * gravity_y,  # c16
+        -spring_stiffness,  # c17
+        -spring_damping,  # c18
+        finger_center_of_mass_x * (finger_mass * (2 * rod_tip_x)),  # c19
+        w3,  # c20
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 44 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
+    44 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
@@ -60,75 +80,87 @@ def condensed() -> ca.Function:
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
+    # intermediate terms (7)
     w0 = finger_theta - rod_theta
     w1 = ca.cos(w0) * c3
-    w2 = rod_theta * c0
-    w3 = finger_theta * c0
-    w4 = finger_theta_dot * c1
+    w2 = rod_theta * spring_stiffness
+    w3 = finger_theta * spring_stiffness
+    w4 = finger_theta_dot * spring_damping
     w5 = ca.sin(w0) * c3
-    w6 = rod_theta_dot * c1
+    w6 = rod_theta_dot * spring_damping
+    # outputs
     M_hat = ca.vertcat(
-        c2,
-        w1,
-        w1,
-        c4,
+        ca.horzcat(c2, w1),  # rod.theta
+        ca.horzcat(w1, c4),  # finger.theta
     )
-    M_hat = ca.reshape(M_hat, 2, 2)
-    M_hat = ca.densify(M_hat)
     Q_hat = ca.vertcat(
-        finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6,
-        w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5,
+        finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6,  # rod.theta
+        w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5,  # finger.theta
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 11 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
+    11 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
-    c7 = c[7]
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        ca.cos(rod_theta) * c7,
-        ca.sin(rod_theta) * c7,
-    )
-    q_d_next = ca.densify(q_d_next)
-    inputs, outputs = [q_i, c], [q_d_next]
+    rod_tip_x = c[7]
+    # outputs
+    q_d_next = ca.SX(4, 1)
+    q_d_next[2] = ca.cos(rod_theta) * rod_tip_x  # finger.x
+    q_d_next[3] = ca.sin(rod_theta) * rod_tip_x  # finger.y
+    inputs, outputs = [q_i, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["q_i", "c"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 15 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
+    15 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
-    c7 = c[7]
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -(ca.sin(rod_theta) * c7 * rod_theta_dot),
-        rod_theta_dot * (ca.cos(rod_theta) * c7),
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_d_dot]
+    rod_tip_x = c[7]
+    # outputs
+    q_d_dot = ca.SX(4, 1)
+    q_d_dot[2] = -(ca.sin(rod_theta) * rod_tip_x * rod_theta_dot)  # finger.x
+    q_d_dot[3] = rod_theta_dot * (ca.cos(rod_theta) * rod_tip_x)  # finger.y
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 21 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
+    21 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
@@ -136,23 +168,32 @@ def accelerations() -> ca.Function:
     rod_theta = q_i[0]
     rod_theta_dot = q_i_dot[0]
     rod_theta_ddot = q_i_ddot[0]
-    c7 = c[7]
+    rod_tip_x = c[7]
+    # intermediate terms (3)
     w0 = rod_theta_dot**2
-    w1 = ca.cos(rod_theta) * c7
-    w2 = ca.sin(rod_theta) * c7
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w1 + w2 * rod_theta_ddot),
-        w1 * rod_theta_ddot - w0 * w2,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [q_d_ddot]
+    w1 = ca.cos(rod_theta) * rod_tip_x
+    w2 = ca.sin(rod_theta) * rod_tip_x
+    # outputs
+    q_d_ddot = ca.SX(4, 1)
+    q_d_ddot[2] = -(w0 * w1 + w2 * rod_theta_ddot)  # finger.x
+    q_d_ddot[3] = w1 * rod_theta_ddot - w0 * w2  # finger.y
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 64 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
+    gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 4) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 4) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    64 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 21)
@@ -162,72 +203,55 @@ def constraints() -> ca.Function:
     finger_x = q[3]
     finger_y = q[4]
     rod_theta_dot = q_dot[2]
-    c7 = c[7]
-    w0 = ca.cos(rod_theta) * c7
-    w1 = ca.sin(rod_theta) * c7
+    rod_tip_x = c[7]
+    # intermediate terms (3)
+    w0 = ca.cos(rod_theta) * rod_tip_x
+    w1 = ca.sin(rod_theta) * rod_tip_x
     w2 = rod_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        rod_x,
-        rod_y,
-        finger_x - (rod_x + w0),
-        finger_y - (rod_y + w1),
+        rod_x,  # hinge.x
+        rod_y,  # hinge.y
+        finger_x - (rod_x + w0),  # knuckle.x
+        finger_y - (rod_y + w1),  # knuckle.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 4, 6)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w2),
-        -(w1 * w2),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(4, 6)
+    # hinge.x
+    C_q[0, 0] = 1.0
+    # hinge.y
+    C_q[1, 1] = 1.0
+    # knuckle.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # knuckle.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    C_t = ca.SX(4, 1)
+    nu = ca.SX(4, 1)
+    gamma = ca.SX(4, 1)
+    gamma[2] = -(w0 * w2)  # knuckle.x
+    gamma[3] = -(w1 * w2)  # knuckle.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 171 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
+    gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 6) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 6) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 4) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    171 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 21)
@@ -235,18 +259,19 @@ def augmented() -> ca.Function:
     finger_theta = q[5]
     rod_theta_dot = q_dot[2]
     finger_theta_dot = q_dot[5]
-    c0 = c[0]
-    c1 = c[1]
-    c7 = c[7]
-    c8 = c[8]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
+    rod_tip_x = c[7]
+    rod_mass = c[8]
     c9 = c[9]
-    c10 = c[10]
+    finger_mass = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    c14 = c[14]
+    gravity_y = c[14]
     c15 = c[15]
     c16 = c[16]
+    # intermediate terms (19)
     w0 = ca.sin(rod_theta)
     w1 = w0 * c13
     w2 = -w1
@@ -261,159 +286,89 @@ def augmented() -> ca.Function:
     w11 = finger_theta_dot**2
     w12 = w7 * w11
     w13 = w5 * w11
-    w14 = (finger_theta - rod_theta) * c0 + (finger_theta_dot - rod_theta_dot) * c1
-    w15 = w4 * c14 + w14
-    w16 = w7 * c14 - w14
-    w17 = w0 * c7
-    w18 = w3 * c7
-    M = ca.vertcat(
-        c8,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c8,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c10,
-        0.0,
-        w6,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c10,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w7,
-        c12,
-    )
-    M = ca.reshape(M, 6, 6)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 6, 6)
-    K = ca.densify(K)
+    w14 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
+    w15 = w4 * gravity_y + w14
+    w16 = w7 * gravity_y - w14
+    w17 = w0 * rod_tip_x
+    w18 = w3 * rod_tip_x
+    # outputs
+    M = ca.SX(6, 6)
+    # rod.x
+    M[0, 0] = rod_mass
+    M[0, 2] = w2
+    # rod.y
+    M[1, 1] = rod_mass
+    M[1, 2] = w4
+    # rod.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c9
+    # finger.x
+    M[3, 3] = finger_mass
+    M[3, 5] = w6
+    # finger.y
+    M[4, 4] = finger_mass
+    M[4, 5] = w7
+    # finger.theta
+    M[5, 3] = w6
+    M[5, 4] = w7
+    M[5, 5] = c12
+    K = ca.SX(6, 6)
     Q_v = ca.vertcat(
-        w9,
-        w10,
-        0.0,
-        w12,
-        w13,
-        0.0,
+        w9,  # rod.x
+        w10,  # rod.y
+        0.0,  # rod.theta
+        w12,  # finger.x
+        w13,  # finger.y
+        0.0,  # finger.theta
     )
-    Q_v = ca.densify(Q_v)
     Q_F = ca.vertcat(
-        0.0,
-        c16,
-        w15,
-        0.0,
-        c15,
-        w16,
+        0.0,  # rod.x
+        c16,  # rod.y
+        w15,  # rod.theta
+        0.0,  # finger.x
+        c15,  # finger.y
+        w16,  # finger.theta
     )
-    Q_F = ca.densify(Q_F)
     Q_star = ca.vertcat(
-        w9,
-        w10 + c16,
-        w15,
-        w12,
-        c15 + w13,
-        w16,
+        w9,  # rod.x
+        w10 + c16,  # rod.y
+        w15,  # rod.theta
+        w12,  # finger.x
+        c15 + w13,  # finger.y
+        w16,  # finger.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        w17,
-        -w18,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 4, 6)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w8 * w18),
-        -(w8 * w17),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(4, 6)
+    # hinge.x
+    C_q[0, 0] = 1.0
+    # hinge.y
+    C_q[1, 1] = 1.0
+    # knuckle.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w17
+    C_q[2, 3] = 1.0
+    # knuckle.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w18
+    C_q[3, 4] = 1.0
+    gamma_b = ca.SX(4, 1)
+    gamma_b[2] = -(w8 * w18)  # knuckle.x
+    gamma_b[3] = -(w8 * w17)  # knuckle.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 65 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
+    65 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
@@ -428,45 +383,51 @@ def reactions() -> ca.Function:
     finger_x_ddot = q_ddot[3]
     finger_y_ddot = q_ddot[4]
     finger_theta_ddot = q_ddot[5]
-    c8 = c[8]
-    c10 = c[10]
+    rod_mass = c[8]
+    finger_mass = c[10]
     c11 = c[11]
     c13 = c[13]
     c15 = c[15]
     c16 = c[16]
+    # intermediate terms (10)
     w0 = rod_theta_dot**2
     w1 = ca.cos(rod_theta) * c13
     w2 = ca.sin(rod_theta) * c13
     w3 = finger_theta_dot**2
     w4 = ca.cos(finger_theta) * c11
     w5 = ca.sin(finger_theta) * c11
-    w6 = w3 * w4 - (finger_x_ddot * c10 - w5 * finger_theta_ddot)
-    w7 = w0 * w1 - (rod_x_ddot * c8 - w2 * rod_theta_ddot) + w6
-    w8 = c15 + w3 * w5 - (finger_y_ddot * c10 + w4 * finger_theta_ddot)
-    w9 = c16 + w0 * w2 - (rod_y_ddot * c8 + w1 * rod_theta_ddot) + w8
+    w6 = w3 * w4 - (finger_x_ddot * finger_mass - w5 * finger_theta_ddot)
+    w7 = w0 * w1 - (rod_x_ddot * rod_mass - w2 * rod_theta_ddot) + w6
+    w8 = c15 + w3 * w5 - (finger_y_ddot * finger_mass + w4 * finger_theta_ddot)
+    w9 = c16 + w0 * w2 - (rod_y_ddot * rod_mass + w1 * rod_theta_ddot) + w8
+    # outputs
     lam = ca.vertcat(
-        w7,
-        w9,
-        w6,
-        w8,
+        w7,  # hinge.x
+        w9,  # hinge.y
+        w6,  # knuckle.x
+        w8,  # knuckle.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w7,
-        -w9,
-        0.0,
-        -w6,
-        -w8,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w7, -w9, 0.0),  # hinge
+        ca.vertcat(-w6, -w8, 0.0),  # knuckle
     )
-    joint_forces = ca.reshape(joint_forces, 3, 2)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 83 operations."""
+    """Energies and powers.
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    83 operations.
+    """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     c = ca.SX.sym("c", 21)
@@ -480,48 +441,40 @@ def energy() -> ca.Function:
     finger_x_dot = q_dot[3]
     finger_y_dot = q_dot[4]
     finger_theta_dot = q_dot[5]
-    c0 = c[0]
-    c1 = c[1]
-    c8 = c[8]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
+    rod_mass = c[8]
     c9 = c[9]
-    c10 = c[10]
+    finger_mass = c[10]
     c11 = c[11]
     c12 = c[12]
     c13 = c[13]
-    c14 = c[14]
+    gravity_y = c[14]
+    # intermediate terms (7)
     w0 = ca.sin(rod_theta) * c13
     w1 = ca.cos(rod_theta) * c13
-    w2 = rod_x_dot * (rod_x_dot * c8 - w0 * rod_theta_dot) + rod_y_dot * (rod_y_dot * c8 + rod_theta_dot * w1)
+    w2 = rod_x_dot * (rod_x_dot * rod_mass - w0 * rod_theta_dot) + rod_y_dot * (rod_y_dot * rod_mass + rod_theta_dot * w1)
     w3 = ca.sin(finger_theta) * c11
-    w4 = w2 + rod_theta_dot * (rod_y_dot * w1 - rod_x_dot * w0 + rod_theta_dot * c9) + finger_x_dot * (finger_x_dot * c10 - w3 * finger_theta_dot)
+    w4 = w2 + rod_theta_dot * (rod_y_dot * w1 - rod_x_dot * w0 + rod_theta_dot * c9) + finger_x_dot * (finger_x_dot * finger_mass - w3 * finger_theta_dot)
     w5 = ca.cos(finger_theta) * c11
-    w6 = w4 + finger_y_dot * (finger_y_dot * c10 + finger_theta_dot * w5) + finger_theta_dot * (finger_y_dot * w5 - finger_x_dot * w3 + finger_theta_dot * c12)
-    kinetic = ca.vertcat(
-        w6 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (finger_theta - rod_theta)**2 * c0 / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + rod_y * c8) * c14 + (w3 + finger_y * c10) * c14),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        (finger_theta_dot - rod_theta_dot)**2 * c1,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w6 = w4 + finger_y_dot * (finger_y_dot * finger_mass + finger_theta_dot * w5) + finger_theta_dot * (finger_y_dot * w5 - finger_x_dot * w3 + finger_theta_dot * c12)
+    # outputs
+    kinetic = ca.vertcat(w6 / 2.0)
+    elastic = ca.vertcat((finger_theta - rod_theta)**2 * spring_stiffness / 2.0)
+    potential = ca.vertcat(-((w0 + rod_y * rod_mass) * gravity_y + (w3 + finger_y * finger_mass) * gravity_y))
+    power_dissipated = ca.vertcat((finger_theta_dot - rod_theta_dot)**2 * spring_damping)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 38 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 2) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    38 operations.
+    """
     q = ca.SX.sym("q", 6)
     rod_x = q[0]
     rod_y = q[1]
@@ -529,44 +482,40 @@ def poses() -> ca.Function:
     finger_x = q[3]
     finger_y = q[4]
     finger_theta = q[5]
+    # intermediate terms (4)
     w0 = ca.cos(rod_theta)
     w1 = ca.sin(rod_theta)
     w2 = ca.cos(finger_theta)
     w3 = ca.sin(finger_theta)
-    poses = ca.vertcat(
-        rod_x,
-        rod_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        finger_x,
-        finger_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 2)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 2)
+    poses[0, 0] = rod_x
+    poses[0, 1] = finger_x
+    poses[1, 0] = rod_y
+    poses[1, 1] = finger_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 30 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
+    30 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
@@ -574,28 +523,33 @@ def dQ_hat_dq_i() -> ca.Function:
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
-    c0 = c[0]
+    spring_stiffness = c[0]
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
     c17 = c[17]
+    # intermediate terms (3)
     w0 = ca.cos(finger_theta - rod_theta) * c3
     w1 = finger_theta_dot**2 * w0
     w2 = rod_theta_dot**2 * w0
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        c17 - w1 - ca.sin(rod_theta) * c5,
-        c0 + w2,
-        c0 + w1,
-        c17 - w2 - ca.sin(finger_theta) * c6,
+        ca.horzcat(c17 - w1 - ca.sin(rod_theta) * c5, spring_stiffness + w1),  # rod.theta
+        ca.horzcat(spring_stiffness + w2, c17 - w2 - ca.sin(finger_theta) * c6),  # finger.theta
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 18 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    18 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
@@ -603,24 +557,29 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
-    c1 = c[1]
+    spring_damping = c[1]
     c18 = c[18]
     c19 = c[19]
+    # intermediate terms (1)
     w0 = ca.sin(finger_theta - rod_theta) * c19
+    # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
-        c18,
-        c1 - rod_theta_dot * w0,
-        c1 + finger_theta_dot * w0,
-        c18,
+        ca.horzcat(c18, spring_damping + finger_theta_dot * w0),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w0, c18),  # finger.theta
     )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 2, 2)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_i_dot, c], [dQ_hat_dq_i_dot]
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 16 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    16 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
     c = ca.SX.sym("c", 21)
@@ -629,23 +588,28 @@ def dMa_dq_i() -> ca.Function:
     rod_theta_ddot = q_i_ddot[0]
     finger_theta_ddot = q_i_ddot[1]
     c3 = c[3]
+    # intermediate terms (3)
     w0 = ca.sin(finger_theta - rod_theta) * c3
     w1 = finger_theta_ddot * w0
     w2 = rod_theta_ddot * w0
+    # outputs
     dMa_dq_i = ca.vertcat(
-        w1,
-        w2,
-        -w1,
-        -w2,
+        ca.horzcat(w1, -w1),  # rod.theta
+        ca.horzcat(w2, -w2),  # finger.theta
     )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 2, 2)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_i_ddot, c], [dMa_dq_i]
+    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 83 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
+    83 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
@@ -653,46 +617,56 @@ def forward_dynamics() -> ca.Function:
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c7 = c[7]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
+    rod_tip_x = c[7]
     c9 = c[9]
-    c10 = c[10]
+    finger_mass = c[10]
     c11 = c[11]
     c12 = c[12]
-    c14 = c[14]
+    gravity_y = c[14]
     c15 = c[15]
     c20 = c[20]
+    # intermediate terms (19)
     w0 = ca.cos(rod_theta)
-    w1 = (finger_theta - rod_theta) * c0 + (finger_theta_dot - rod_theta_dot) * c1
-    w2 = w0 * c7
+    w1 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
+    w2 = w0 * rod_tip_x
     w3 = finger_theta_dot**2
     w4 = ca.sin(finger_theta) * c11
     w5 = ca.cos(finger_theta) * c11
     w6 = w5 / c12
-    w7 = w5 * c14 - w1
-    w8 = c10 - w5 * w6
+    w7 = w5 * gravity_y - w1
+    w8 = finger_mass - w5 * w6
     w9 = rod_theta_dot**2
-    w10 = ca.sin(rod_theta) * c7
+    w10 = ca.sin(rod_theta) * rod_tip_x
     w11 = w9 * w10
     w12 = w4 / c12
     w13 = w5 * w12
     w14 = w2 * w13
     w15 = w2 * w9
-    w16 = c10 - w4 * w12
+    w16 = finger_mass - w4 * w12
     w17 = w0 * c20 + w1 + w2 * (c15 + w3 * w4 - w6 * w7 + w8 * w11) + w14 * w15 - w10 * (w3 * w5 + w7 * w12 + w11 * w13 + w15 * w16)
     w18 = w17 / (c9 + w2 * (w2 * w8) - (w10 * (w14 - w10 * w16) + w10 * w14))
-    q_i_ddot = ca.vertcat(
-        w18,
-        (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c12,
-    )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_i_dot, c], [q_i_ddot]
+    # outputs
+    q_i_ddot = ca.vertcat(w18, (w7 - (w4 * (w15 + w10 * w18) + w5 * (w2 * w18 - w11))) / c12)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 44 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 1) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 1) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 1) [N, N m]: part of Q_hat of S
+    44 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 21)
@@ -700,50 +674,43 @@ def blocks() -> ca.Function:
     finger_theta = q_i[1]
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
     c2 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
     c6 = c[6]
+    # intermediate terms (7)
     w0 = finger_theta - rod_theta
     w1 = ca.cos(w0) * c3
-    w2 = rod_theta * c0
-    w3 = finger_theta * c0
-    w4 = finger_theta_dot * c1
+    w2 = rod_theta * spring_stiffness
+    w3 = finger_theta * spring_stiffness
+    w4 = finger_theta_dot * spring_damping
     w5 = ca.sin(w0) * c3
-    w6 = rod_theta_dot * c1
-    M_hat_LL = ca.vertcat(
-        c2,
-    )
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        w1,
-    )
-    M_hat_LS = ca.densify(M_hat_LS)
-    M_hat_SL = ca.vertcat(
-        w1,
-    )
-    M_hat_SL = ca.densify(M_hat_SL)
-    M_hat_SS = ca.vertcat(
-        c4,
-    )
-    M_hat_SS = ca.densify(M_hat_SS)
-    Q_hat_L = ca.vertcat(
-        finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6,
-    )
-    Q_hat_L = ca.densify(Q_hat_L)
-    Q_hat_S = ca.vertcat(
-        w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5,
-    )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    w6 = rod_theta_dot * spring_damping
+    # outputs
+    M_hat_LL = ca.vertcat(c2)
+    M_hat_LS = ca.vertcat(w1)
+    M_hat_SL = ca.vertcat(w1)
+    M_hat_SS = ca.vertcat(c4)
+    Q_hat_L = ca.vertcat(finger_theta_dot**2 * w5 + (w4 + (ca.cos(rod_theta) * c5 + w3)) - w2 - w6)
+    Q_hat_S = ca.vertcat(w6 + (w2 + ca.cos(finger_theta) * c6) - w3 - w4 - rod_theta_dot**2 * w5)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 32 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 1) [N, N m]: right-hand side of a sub-step, slow q'' given
+    32 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
@@ -753,86 +720,49 @@ def substep_2() -> ca.Function:
     rod_theta_dot = q_i_dot[0]
     finger_theta_dot = q_i_dot[1]
     rod_theta_ddot = q_L_ddot[0]
-    c0 = c[0]
-    c1 = c[1]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
     c3 = c[3]
     c4 = c[4]
     c6 = c[6]
+    # intermediate terms (3)
     w0 = rod_theta - finger_theta
-    w1 = rod_theta_dot**2 * (ca.sin(w0) * c3) + (rod_theta_dot * c1 + (ca.cos(finger_theta) * c6 + rod_theta * c0))
-    M_hat_SS = ca.vertcat(
-        c4,
-    )
-    M_hat_SS = ca.densify(M_hat_SS)
-    rhs_S = ca.vertcat(
-        w1 - finger_theta * c0 - finger_theta_dot * c1 - rod_theta_ddot * (ca.cos(w0) * c3),
-    )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    w1 = rod_theta_dot**2 * (ca.sin(w0) * c3) + (rod_theta_dot * spring_damping + (ca.cos(finger_theta) * c6 + rod_theta * spring_stiffness))
+    w2 = w1 - finger_theta * spring_stiffness - finger_theta_dot * spring_damping - rod_theta_ddot * (ca.cos(w0) * c3)
+    # outputs
+    M_hat_SS = ca.vertcat(c4)
+    rhs_S = ca.vertcat(w2)
+    inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_i_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 51 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 10) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 4) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 4) [1]: columns of the rotation matrix of the marker at a drawn point
+    51 operations.
+    """
     p = ca.SX.sym("p", 10)
     rod_tip_x = p[7]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        rod_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 4)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 4)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 4)
+    positions[0, 2] = rod_tip_x
+    axes = ca.SX(9, 4)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

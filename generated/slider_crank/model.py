@@ -1,13 +1,25 @@
 """Rigid slider-crank: equations of motion, emitted by symgen from the scene `slider_crank`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 crank.theta [rad]
+
+q_d, the dependent coordinates by index:
+    0 crank.x [m], 1 crank.y [m], 2 rod.x [m], 3 rod.y [m], 4 rod.theta [rad], 5 slider.x [m],
+    6 slider.y [m], 7 slider.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 76 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    76 operations.
+    """
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
     crank_mass = p[1]
@@ -20,6 +32,7 @@ def constants() -> ca.Function:
     slider_inertia = p[8]
     crank_tip_x = p[9]
     rod_tip_x = p[10]
+    # intermediate terms (8)
     w0 = crank_mass * crank_center_of_mass_x
     w1 = 2 * crank_tip_x
     w2 = rod_mass * w1
@@ -28,40 +41,50 @@ def constants() -> ca.Function:
     w5 = 2 * rod_mass
     w6 = rod_tip_x * (rod_tip_x * (2 * slider_mass))
     w7 = rod_center_of_mass_x * (rod_tip_x * w2)
+    # outputs
     c = ca.vertcat(
-        crank_inertia + crank_mass * crank_center_of_mass_x**2,
-        crank_tip_x,
-        rod_mass,
-        slider_mass,
-        rod_mass + slider_mass,
-        rod_tip_x,
-        rod_mass * rod_center_of_mass_x,
-        rod_inertia + rod_mass * rod_center_of_mass_x**2,
-        gravity_y,
-        w0 * gravity_y,
-        rod_mass * gravity_y,
-        crank_mass,
-        w0,
-        slider_inertia,
-        crank_mass * gravity_y,
-        slider_mass * gravity_y,
-        w3,
-        w3 + w4,
-        slider_mass * (crank_tip_x * w1),
-        w6,
-        w7,
-        w7 + rod_tip_x * w4,
-        rod_center_of_mass_x * (rod_center_of_mass_x * w5) + 2 * rod_inertia,
-        rod_tip_x * w6,
-        rod_center_of_mass_x * (rod_center_of_mass_x * (rod_tip_x * w5)) + rod_inertia * (2 * rod_tip_x),
+        crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
+        crank_tip_x,  # crank_tip_x
+        rod_mass,  # rod_mass
+        slider_mass,  # slider_mass
+        rod_mass + slider_mass,  # c4
+        rod_tip_x,  # rod_tip_x
+        rod_mass * rod_center_of_mass_x,  # c6
+        rod_inertia + rod_mass * rod_center_of_mass_x**2,  # c7
+        gravity_y,  # gravity_y
+        w0 * gravity_y,  # c9
+        rod_mass * gravity_y,  # c10
+        crank_mass,  # crank_mass
+        w0,  # c12
+        slider_inertia,  # slider_inertia
+        crank_mass * gravity_y,  # c14
+        slider_mass * gravity_y,  # c15
+        w3,  # c16
+        w3 + w4,  # c17
+        slider_mass * (crank_tip_x * w1),  # c18
+        w6,  # c19
+        w7,  # c20
+        w7 + rod_tip_x * w4,  # c21
+        rod_center_of_mass_x * (rod_center_of_mass_x * w5) + 2 * rod_inertia,  # c22
+        rod_tip_x * w6,  # c23
+        rod_center_of_mass_x * (rod_center_of_mass_x * (rod_tip_x * w5)) + rod_inertia * (2 * rod_tip_x),  # c24
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 87 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
+    87 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -72,86 +95,89 @@ def condensed() -> ca.Function:
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
+    crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
     c4 = c[4]
-    c5 = c[5]
+    rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c9 = c[9]
     c10 = c[10]
+    # intermediate terms (19)
     w0 = ca.cos(crank_theta)
-    w1 = w0 * c1
-    w2 = ca.sin(crank_theta) * c1
+    w1 = w0 * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = ca.cos(rod_theta)
-    w4 = w3 * c5
+    w4 = w3 * rod_tip_x
     w5 = w1 / w4
     w6 = w3 * c6
     w7 = ca.sin(rod_theta)
     w8 = w7 * c6
-    w9 = w7 * c5
-    w10 = w9 * c3
+    w9 = w7 * rod_tip_x
+    w10 = w9 * slider_mass
     w11 = w1 * w6 + w2 * (w8 + w10)
     w12 = rod_theta_dot**2
     w13 = crank_theta_dot**2
     w14 = w2 * w13
     w15 = (w9 * w12 + w14) / w4
     w16 = w1 * w13
-    w17 = (w16 + w4 * w12 + w9 * w15) * c3
-    w18 = w0 * c9 + w1 * (w8 * w12 + c10 - (w6 * w15 - w14 * c2)) - w2 * (w6 * w12 + (w16 * c2 + w8 * w15) + w17)
-    M_hat = ca.vertcat(
-        c0 + w1 * (w1 * c2) + w2 * (w2 * c4) - (w5 * (w11 - w5 * (c7 + w9 * w10)) + w5 * w11),
-    )
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        w18 - w5 * (w6 * c8 - (w8 * w16 - w6 * w14 + w15 * c7) - w9 * w17),
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    w17 = (w16 + w4 * w12 + w9 * w15) * slider_mass
+    w18 = w0 * c9 + w1 * (w8 * w12 + c10 - (w6 * w15 - w14 * rod_mass)) - w2 * (w6 * w12 + (w16 * rod_mass + w8 * w15) + w17)
+    # outputs
+    M_hat = ca.vertcat(c0 + w1 * (w1 * rod_mass) + w2 * (w2 * c4) - (w5 * (w11 - w5 * (c7 + w9 * w10)) + w5 * w11))
+    Q_hat = ca.vertcat(w18 - w5 * (w6 * gravity_y - (w8 * w16 - w6 * w14 + w15 * c7) - w9 * w17))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 31 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    31 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     c = ca.SX.sym("c", 25)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
-    c1 = c[1]
-    c5 = c[5]
-    w0 = ca.cos(crank_theta) * c1
-    w1 = ca.sin(crank_theta) * c1
-    w2 = w1 + ca.sin(rod_theta) * c5
-    w3 = ca.cos(rod_theta) * c5
+    crank_tip_x = c[1]
+    rod_tip_x = c[5]
+    # intermediate terms (5)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = w1 + ca.sin(rod_theta) * rod_tip_x
+    w3 = ca.cos(rod_theta) * rod_tip_x
     w4 = rod_theta - w2 / w3
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w0,
-        w1,
-        w4,
-        w0 + ca.cos(w4) * c5,
-        0.0,
-        0.0,
-    )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        -w2,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        -w3,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d, c], [q_d_next, C_loop, det_loop]
+    # outputs
+    q_d_next = ca.SX(8, 1)
+    q_d_next[2] = w0  # rod.x
+    q_d_next[3] = w1  # rod.y
+    q_d_next[4] = w4  # rod.theta
+    q_d_next[5] = w0 + ca.cos(w4) * rod_tip_x  # slider.x
+    C_loop = ca.vertcat(-w2)
+    det_loop = ca.vertcat(-w3)
+    inputs, outputs = [q_i, q_d, c], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d", "c"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 30 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    30 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -159,28 +185,34 @@ def velocities() -> ca.Function:
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
-    c1 = c[1]
-    c5 = c[5]
-    w0 = ca.sin(crank_theta) * c1 * crank_theta_dot
-    w1 = ca.cos(crank_theta) * c1
-    w2 = crank_theta_dot * (w1 / (ca.cos(rod_theta) * c5))
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        -w0,
-        crank_theta_dot * w1,
-        -w2,
-        w2 * (ca.sin(rod_theta) * c5) - w0,
-        0.0,
-        0.0,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [q_d_dot]
+    crank_tip_x = c[1]
+    rod_tip_x = c[5]
+    # intermediate terms (3)
+    w0 = ca.sin(crank_theta) * crank_tip_x * crank_theta_dot
+    w1 = ca.cos(crank_theta) * crank_tip_x
+    w2 = crank_theta_dot * (w1 / (ca.cos(rod_theta) * rod_tip_x))
+    # outputs
+    q_d_dot = ca.SX(8, 1)
+    q_d_dot[2] = -w0  # rod.x
+    q_d_dot[3] = crank_theta_dot * w1  # rod.y
+    q_d_dot[4] = -w2  # rod.theta
+    q_d_dot[5] = w2 * (ca.sin(rod_theta) * rod_tip_x) - w0  # slider.x
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 44 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
+    44 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -192,34 +224,41 @@ def accelerations() -> ca.Function:
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
-    c1 = c[1]
-    c5 = c[5]
+    crank_tip_x = c[1]
+    rod_tip_x = c[5]
+    # intermediate terms (9)
     w0 = crank_theta_dot**2
-    w1 = ca.cos(crank_theta) * c1
-    w2 = ca.sin(crank_theta) * c1
+    w1 = ca.cos(crank_theta) * crank_tip_x
+    w2 = ca.sin(crank_theta) * crank_tip_x
     w3 = w0 * w1 + w2 * crank_theta_ddot
     w4 = w0 * w2
     w5 = rod_theta_dot**2
-    w6 = ca.sin(rod_theta) * c5
-    w7 = ca.cos(rod_theta) * c5
+    w6 = ca.sin(rod_theta) * rod_tip_x
+    w7 = ca.cos(rod_theta) * rod_tip_x
     w8 = (w4 + w5 * w6) / w7 - crank_theta_ddot * (w1 / w7)
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        -w3,
-        w1 * crank_theta_ddot - w4,
-        w8,
-        -(w3 + w5 * w7 + w6 * w8),
-        0.0,
-        0.0,
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.SX(8, 1)
+    q_d_ddot[2] = -w3  # rod.x
+    q_d_ddot[3] = w1 * crank_theta_ddot - w4  # rod.y
+    q_d_ddot[4] = w8  # rod.theta
+    q_d_ddot[5] = -(w3 + w5 * w7 + w6 * w8)  # slider.x
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 148 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
+    gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 8) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 8) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    148 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 25)
@@ -234,140 +273,77 @@ def constraints() -> ca.Function:
     slider_theta = q[8]
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
-    c1 = c[1]
-    c5 = c[5]
-    w0 = ca.cos(crank_theta) * c1
-    w1 = ca.sin(crank_theta) * c1
-    w2 = ca.cos(rod_theta) * c5
-    w3 = ca.sin(rod_theta) * c5
+    crank_tip_x = c[1]
+    rod_tip_x = c[5]
+    # intermediate terms (6)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = ca.sin(crank_theta) * crank_tip_x
+    w2 = ca.cos(rod_theta) * rod_tip_x
+    w3 = ca.sin(rod_theta) * rod_tip_x
     w4 = crank_theta_dot**2
     w5 = rod_theta_dot**2
+    # outputs
     C = ca.vertcat(
-        crank_x,
-        crank_y,
-        rod_x - (crank_x + w0),
-        rod_y - (crank_y + w1),
-        slider_y,
-        slider_theta,
-        slider_x - (rod_x + w2),
-        slider_y - (rod_y + w3),
+        crank_x,  # A.x
+        crank_y,  # A.y
+        rod_x - (crank_x + w0),  # B.x
+        rod_y - (crank_y + w1),  # B.y
+        slider_y,  # slide.normal
+        slider_theta,  # slide.angle
+        slider_x - (rod_x + w2),  # C.x
+        slider_y - (rod_y + w3),  # C.y
     )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w1,
-        -w0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w3,
-        -w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 9)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        -(w0 * w4),
-        -(w1 * w4),
-        0.0,
-        0.0,
-        -(w2 * w5),
-        -(w3 * w5),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot, c], [C, C_q, C_t, nu, gamma]
+    C_q = ca.SX(8, 9)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w1
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w0
+    C_q[3, 4] = 1.0
+    # slide.normal
+    C_q[4, 7] = 1.0
+    # slide.angle
+    C_q[5, 8] = 1.0
+    # C.x
+    C_q[6, 3] = -1.0
+    C_q[6, 5] = w3
+    C_q[6, 6] = 1.0
+    # C.y
+    C_q[7, 4] = -1.0
+    C_q[7, 5] = -w2
+    C_q[7, 7] = 1.0
+    C_t = ca.SX(8, 1)
+    nu = ca.SX(8, 1)
+    gamma = ca.SX(8, 1)
+    gamma[2] = -(w0 * w4)  # B.x
+    gamma[3] = -(w1 * w4)  # B.y
+    gamma[6] = -(w2 * w5)  # C.x
+    gamma[7] = -(w3 * w5)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 324 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
+    gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 9) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 9) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 8) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    324 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 25)
@@ -376,19 +352,20 @@ def augmented() -> ca.Function:
     crank_theta_dot = q_dot[2]
     rod_theta_dot = q_dot[5]
     c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c5 = c[5]
+    crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
+    rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c10 = c[10]
-    c11 = c[11]
+    crank_mass = c[11]
     c12 = c[12]
-    c13 = c[13]
+    slider_inertia = c[13]
     c14 = c[14]
     c15 = c[15]
+    # intermediate terms (22)
     w0 = ca.sin(crank_theta)
     w1 = w0 * c12
     w2 = -w1
@@ -405,311 +382,108 @@ def augmented() -> ca.Function:
     w13 = rod_theta_dot**2
     w14 = w9 * w13
     w15 = w6 * w13
-    w16 = w4 * c8
-    w17 = w9 * c8
-    w18 = w0 * c1
-    w19 = w3 * c1
-    w20 = w5 * c5
-    w21 = w8 * c5
-    M = ca.vertcat(
-        c11,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c11,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w2,
-        w4,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c2,
-        0.0,
-        w7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c2,
-        w9,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w7,
-        w9,
-        c7,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c13,
-    )
-    M = ca.reshape(M, 9, 9)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 9, 9)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        w11,
-        w12,
-        0.0,
-        w14,
-        w15,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        c14,
-        w16,
-        0.0,
-        c10,
-        w17,
-        0.0,
-        c15,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    w16 = w4 * gravity_y
+    w17 = w9 * gravity_y
+    w18 = w0 * crank_tip_x
+    w19 = w3 * crank_tip_x
+    w20 = w5 * rod_tip_x
+    w21 = w8 * rod_tip_x
+    # outputs
+    M = ca.SX(9, 9)
+    # crank.x
+    M[0, 0] = crank_mass
+    M[0, 2] = w2
+    # crank.y
+    M[1, 1] = crank_mass
+    M[1, 2] = w4
+    # crank.theta
+    M[2, 0] = w2
+    M[2, 1] = w4
+    M[2, 2] = c0
+    # rod.x
+    M[3, 3] = rod_mass
+    M[3, 5] = w7
+    # rod.y
+    M[4, 4] = rod_mass
+    M[4, 5] = w9
+    # rod.theta
+    M[5, 3] = w7
+    M[5, 4] = w9
+    M[5, 5] = c7
+    # slider.x
+    M[6, 6] = slider_mass
+    # slider.y
+    M[7, 7] = slider_mass
+    # slider.theta
+    M[8, 8] = slider_inertia
+    K = ca.SX(9, 9)
+    Q_v = ca.SX(9, 1)
+    Q_v[0] = w11  # crank.x
+    Q_v[1] = w12  # crank.y
+    Q_v[3] = w14  # rod.x
+    Q_v[4] = w15  # rod.y
+    Q_F = ca.SX(9, 1)
+    Q_F[1] = c14  # crank.y
+    Q_F[2] = w16  # crank.theta
+    Q_F[4] = c10  # rod.y
+    Q_F[5] = w17  # rod.theta
+    Q_F[7] = c15  # slider.y
     Q_star = ca.vertcat(
-        w11,
-        w12 + c14,
-        w16,
-        w14,
-        c10 + w15,
-        w17,
-        0.0,
-        c15,
-        0.0,
+        w11,  # crank.x
+        w12 + c14,  # crank.y
+        w16,  # crank.theta
+        w14,  # rod.x
+        c10 + w15,  # rod.y
+        w17,  # rod.theta
+        0.0,  # slider.x
+        c15,  # slider.y
+        0.0,  # slider.theta
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w18,
-        -w19,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        -1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w20,
-        -w21,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 8, 9)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        -(w10 * w19),
-        -(w10 * w18),
-        0.0,
-        0.0,
-        -(w13 * w21),
-        -(w13 * w20),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(8, 9)
+    # A.x
+    C_q[0, 0] = 1.0
+    # A.y
+    C_q[1, 1] = 1.0
+    # B.x
+    C_q[2, 0] = -1.0
+    C_q[2, 2] = w18
+    C_q[2, 3] = 1.0
+    # B.y
+    C_q[3, 1] = -1.0
+    C_q[3, 2] = -w19
+    C_q[3, 4] = 1.0
+    # slide.normal
+    C_q[4, 7] = 1.0
+    # slide.angle
+    C_q[5, 8] = 1.0
+    # C.x
+    C_q[6, 3] = -1.0
+    C_q[6, 5] = w20
+    C_q[6, 6] = 1.0
+    # C.y
+    C_q[7, 4] = -1.0
+    C_q[7, 5] = -w21
+    C_q[7, 7] = 1.0
+    gamma_b = ca.SX(8, 1)
+    gamma_b[2] = -(w10 * w19)  # B.x
+    gamma_b[3] = -(w10 * w18)  # B.y
+    gamma_b[6] = -(w13 * w21)  # C.x
+    gamma_b[7] = -(w13 * w20)  # C.y
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 107 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
+    107 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
@@ -727,18 +501,19 @@ def reactions() -> ca.Function:
     slider_x_ddot = q_ddot[6]
     slider_y_ddot = q_ddot[7]
     slider_theta_ddot = q_ddot[8]
-    c2 = c[2]
-    c3 = c[3]
-    c5 = c[5]
+    rod_mass = c[2]
+    slider_mass = c[3]
+    rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c10 = c[10]
-    c11 = c[11]
+    crank_mass = c[11]
     c12 = c[12]
-    c13 = c[13]
+    slider_inertia = c[13]
     c14 = c[14]
     c15 = c[15]
+    # intermediate terms (17)
     w0 = crank_theta_dot**2
     w1 = ca.cos(crank_theta) * c12
     w2 = ca.sin(crank_theta) * c12
@@ -747,47 +522,49 @@ def reactions() -> ca.Function:
     w5 = w4 * c6
     w6 = ca.sin(rod_theta)
     w7 = w6 * c6
-    w8 = slider_x_ddot * c3
-    w9 = w3 * w5 - (rod_x_ddot * c2 - w7 * rod_theta_ddot) - w8
-    w10 = w0 * w1 - (crank_x_ddot * c11 - w2 * crank_theta_ddot) + w9
-    w11 = (w5 * c8 - (w5 * rod_y_ddot - rod_x_ddot * w7 + rod_theta_ddot * c7) + w8 * (w6 * c5)) / (w4 * c5)
-    w12 = c10 + w3 * w7 - (rod_y_ddot * c2 + w5 * rod_theta_ddot) - w11
-    w13 = c14 + w0 * w2 - (crank_y_ddot * c11 + w1 * crank_theta_ddot) + w12
-    w14 = w11 + (c15 - slider_y_ddot * c3)
-    w15 = slider_theta_ddot * c13
+    w8 = slider_x_ddot * slider_mass
+    w9 = w3 * w5 - (rod_x_ddot * rod_mass - w7 * rod_theta_ddot) - w8
+    w10 = w0 * w1 - (crank_x_ddot * crank_mass - w2 * crank_theta_ddot) + w9
+    w11 = w5 * gravity_y - (w5 * rod_y_ddot - rod_x_ddot * w7 + rod_theta_ddot * c7) + w8 * (w6 * rod_tip_x)
+    w12 = w11 / (w4 * rod_tip_x)
+    w13 = c10 + w3 * w7 - (rod_y_ddot * rod_mass + w5 * rod_theta_ddot) - w12
+    w14 = c14 + w0 * w2 - (crank_y_ddot * crank_mass + w1 * crank_theta_ddot) + w13
+    w15 = w12 + (c15 - slider_y_ddot * slider_mass)
+    w16 = slider_theta_ddot * slider_inertia
+    # outputs
     lam = ca.vertcat(
-        w10,
-        w13,
-        w9,
-        w12,
-        w14,
-        -w15,
-        -w8,
-        -w11,
+        w10,  # A.x
+        w14,  # A.y
+        w9,  # B.x
+        w13,  # B.y
+        w15,  # slide.normal
+        -w16,  # slide.angle
+        -w8,  # C.x
+        -w12,  # C.y
     )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w10,
-        -w13,
-        0.0,
-        -w9,
-        -w12,
-        0.0,
-        0.0,
-        -w14,
-        w15,
-        w8,
-        w11,
-        0.0,
+    joint_forces = ca.horzcat(
+        ca.vertcat(-w10, -w14, 0.0),  # A
+        ca.vertcat(-w9, -w13, 0.0),  # B
+        ca.vertcat(0.0, -w15, w16),  # slide
+        ca.vertcat(w8, w12, 0.0),  # C
     )
-    joint_forces = ca.reshape(joint_forces, 3, 4)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 92 operations."""
+    """Energies and powers.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 9) [mixed]: rates of all coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    92 operations.
+    """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     c = ca.SX.sym("c", 25)
@@ -806,49 +583,42 @@ def energy() -> ca.Function:
     slider_y_dot = q_dot[7]
     slider_theta_dot = q_dot[8]
     c0 = c[0]
-    c2 = c[2]
-    c3 = c[3]
+    rod_mass = c[2]
+    slider_mass = c[3]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
-    c11 = c[11]
+    gravity_y = c[8]
+    crank_mass = c[11]
     c12 = c[12]
-    c13 = c[13]
+    slider_inertia = c[13]
     c15 = c[15]
+    # intermediate terms (9)
     w0 = ca.sin(crank_theta) * c12
     w1 = ca.cos(crank_theta) * c12
-    w2 = crank_x_dot * (crank_x_dot * c11 - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * c11 + crank_theta_dot * w1)
+    w2 = crank_x_dot * (crank_x_dot * crank_mass - w0 * crank_theta_dot) + crank_y_dot * (crank_y_dot * crank_mass + crank_theta_dot * w1)
     w3 = ca.sin(rod_theta) * c6
-    w4 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c0) + rod_x_dot * (rod_x_dot * c2 - w3 * rod_theta_dot)
+    w4 = w2 + crank_theta_dot * (crank_y_dot * w1 - crank_x_dot * w0 + crank_theta_dot * c0) + rod_x_dot * (rod_x_dot * rod_mass - w3 * rod_theta_dot)
     w5 = ca.cos(rod_theta) * c6
-    w6 = w4 + rod_y_dot * (rod_y_dot * c2 + rod_theta_dot * w5) + rod_theta_dot * (rod_y_dot * w5 - rod_x_dot * w3 + rod_theta_dot * c7)
-    w7 = w6 + slider_x_dot * (slider_x_dot * c3) + slider_y_dot * (slider_y_dot * c3) + slider_theta_dot * (slider_theta_dot * c13)
-    kinetic = ca.vertcat(
-        w7 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        -((w0 + crank_y * c11) * c8 + (w3 + rod_y * c2) * c8 + slider_y * c15),
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    w6 = w4 + rod_y_dot * (rod_y_dot * rod_mass + rod_theta_dot * w5) + rod_theta_dot * (rod_y_dot * w5 - rod_x_dot * w3 + rod_theta_dot * c7)
+    w7 = w6 + slider_x_dot * (slider_x_dot * slider_mass) + slider_y_dot * (slider_y_dot * slider_mass) + slider_theta_dot * (slider_theta_dot * slider_inertia)
+    w8 = -((w0 + crank_y * crank_mass) * gravity_y + (w3 + rod_y * rod_mass) * gravity_y + slider_y * c15)
+    # outputs
+    kinetic = ca.vertcat(w7 / 2.0)
+    elastic = ca.SX(1, 1)
+    potential = ca.vertcat(w8)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 56 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12 x 3) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    56 operations.
+    """
     q = ca.SX.sym("q", 9)
     crank_x = q[0]
     crank_y = q[1]
@@ -859,58 +629,51 @@ def poses() -> ca.Function:
     slider_x = q[6]
     slider_y = q[7]
     slider_theta = q[8]
+    # intermediate terms (6)
     w0 = ca.cos(crank_theta)
     w1 = ca.sin(crank_theta)
     w2 = ca.cos(rod_theta)
     w3 = ca.sin(rod_theta)
     w4 = ca.cos(slider_theta)
     w5 = ca.sin(slider_theta)
-    poses = ca.vertcat(
-        crank_x,
-        crank_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        rod_x,
-        rod_y,
-        0.0,
-        w2,
-        w3,
-        0.0,
-        -w3,
-        w2,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        slider_x,
-        slider_y,
-        0.0,
-        w4,
-        w5,
-        0.0,
-        -w5,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.reshape(poses, 12, 3)
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 3)
+    poses[0, 0] = crank_x
+    poses[0, 1] = rod_x
+    poses[0, 2] = slider_x
+    poses[1, 0] = crank_y
+    poses[1, 1] = rod_y
+    poses[1, 2] = slider_y
+    poses[3, 0] = w0
+    poses[3, 1] = w2
+    poses[3, 2] = w4
+    poses[4, 0] = w1
+    poses[4, 1] = w3
+    poses[4, 2] = w5
+    poses[6, 0] = -w1
+    poses[6, 1] = -w3
+    poses[6, 2] = -w5
+    poses[7, 0] = w0
+    poses[7, 1] = w2
+    poses[7, 2] = w4
+    poses[11, 0] = 1.0
+    poses[11, 1] = 1.0
+    poses[11, 2] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 149 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
+    149 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -920,18 +683,19 @@ def dQ_hat_dq_i() -> ca.Function:
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
     rod_theta_dot = q_d_dot[4]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c5 = c[5]
+    crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
+    rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    c8 = c[8]
+    gravity_y = c[8]
     c9 = c[9]
     c10 = c[10]
-    w0 = ca.cos(crank_theta) * c1
+    # intermediate terms (38)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = w1 * c5
+    w2 = w1 * rod_tip_x
     w3 = w0 / w2
     w4 = crank_theta_dot**2
     w5 = w0 * w4
@@ -939,44 +703,50 @@ def dQ_hat_dq_i() -> ca.Function:
     w7 = ca.sin(rod_theta)
     w8 = w7 * c6
     w9 = ca.sin(crank_theta)
-    w10 = w9 * c1
+    w10 = w9 * crank_tip_x
     w11 = w4 * w10
     w12 = w1 * c6
     w13 = w8 * w11 + w5 * w12
-    w14 = w7 * c5
-    w15 = (w6 * w14 - w11) * c3
+    w14 = w7 * rod_tip_x
+    w15 = (w6 * w14 - w11) * slider_mass
     w16 = rod_theta_dot**2
     w17 = w14 * w16
     w18 = w11 + w17
     w19 = w18 / w2
-    w20 = (w5 + w2 * w16 + w14 * w19) * c3
-    w21 = w12 * c8 - (w5 * w8 - w11 * w12 + w19 * c7) - w14 * w20
+    w20 = (w5 + w2 * w16 + w14 * w19) * slider_mass
+    w21 = w12 * gravity_y - (w5 * w8 - w11 * w12 + w19 * c7) - w14 * w20
     w22 = w10 / w2
-    w23 = w5 * c2
+    w23 = w5 * rod_mass
     w24 = w8 * w16
     w25 = w12 * w19
-    w26 = w11 * c2
+    w26 = w11 * rod_mass
     w27 = w12 * w16
     w28 = w8 * w19
     w29 = w9 * c9 + (w0 * (w6 * w12 - w23) + w10 * (c10 + w24 - (w25 - w26))) + (w10 * (w15 + (w6 * w8 - w26)) + w0 * (w20 + (w27 + (w23 + w28))))
     w30 = w16 + w14 * (w19 / w2)
-    w31 = (w18 + w14 * w30 - w17) * c3
+    w31 = (w18 + w14 * w30 - w17) * slider_mass
     w32 = w14 * (w3 / w2)
-    w33 = w0 * (w27 - (w12 * w30 - w28)) - w10 * (w25 + w8 * w30 - w24 + w31) - (w21 * w32 - w3 * (w8 * c8 + (w13 + w30 * c7) + (w14 * w31 + w2 * w20)))
+    w33 = w0 * (w27 - (w12 * w30 - w28)) - w10 * (w25 + w8 * w30 - w24 + w31) - (w21 * w32 - w3 * (w8 * gravity_y + (w13 + w30 * c7) + (w14 * w31 + w2 * w20)))
     w34 = 2 * rod_theta_dot
     w35 = w14 * w34 / w2
-    w36 = (w2 * w34 + w14 * w35) * c3
+    w36 = (w2 * w34 + w14 * w35) * slider_mass
     w37 = (w0 * (w8 * w34 - w12 * w35) - w10 * (w12 * w34 + w8 * w35 + w36) + w3 * (w35 * c7 + w14 * w36)) * (crank_theta_dot * w22 + w3 * (crank_theta_dot * w32))
-    dQ_hat_dq_i = ca.vertcat(
-        w3 * (w6 * c7 - w13 + w14 * w15) + w21 * w22 - w29 - w3 * w33 + w37,
-    )
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.vertcat(w3 * (w6 * c7 - w13 + w14 * w15) + w21 * w22 - w29 - w3 * w33 + w37)
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 58 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    58 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
@@ -984,38 +754,45 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
-    c1 = c[1]
-    c2 = c[2]
-    c3 = c[3]
-    c5 = c[5]
+    crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
+    rod_tip_x = c[5]
     c6 = c[6]
     c7 = c[7]
-    w0 = ca.cos(crank_theta) * c1
+    # intermediate terms (16)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.sin(rod_theta)
     w2 = w1 * c6
     w3 = ca.cos(rod_theta)
-    w4 = w3 * c5
+    w4 = w3 * rod_tip_x
     w5 = w0 / w4
     w6 = w5 * (2 * (w5 * crank_theta_dot))
     w7 = w3 * c6
-    w8 = w1 * c5
-    w9 = ca.sin(crank_theta) * c1
+    w8 = w1 * rod_tip_x
+    w9 = ca.sin(crank_theta) * crank_tip_x
     w10 = 2 * crank_theta_dot
     w11 = w9 * w10
     w12 = (w6 * w8 + w11) / w4
     w13 = w0 * w10
-    w14 = (w13 + w4 * w6 + w8 * w12) * c3
-    w15 = w0 * (w2 * w6 - (w7 * w12 - w11 * c2)) - w9 * (w6 * w7 + (w13 * c2 + w2 * w12) + w14) + w5 * (w2 * w13 - w7 * w11 + w12 * c7 + w8 * w14)
-    dQ_hat_dq_i_dot = ca.vertcat(
-        w15,
-    )
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    w14 = (w13 + w4 * w6 + w8 * w12) * slider_mass
+    w15 = w0 * (w2 * w6 - (w7 * w12 - w11 * rod_mass)) - w9 * (w6 * w7 + (w13 * rod_mass + w2 * w12) + w14)
+    # outputs
+    dQ_hat_dq_i_dot = ca.vertcat(w15 + w5 * (w2 * w13 - w7 * w11 + w12 * c7 + w8 * w14))
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 82 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    82 operations.
+    """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
@@ -1023,8 +800,8 @@ def dMa_dq_i() -> ca.Function:
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_ddot = q_i_ddot[0]
-    c1 = c[1]
-    c5 = c[5]
+    crank_tip_x = c[1]
+    rod_tip_x = c[5]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
@@ -1034,12 +811,13 @@ def dMa_dq_i() -> ca.Function:
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
+    # intermediate terms (21)
     w0 = ca.cos(crank_theta)
     w1 = ca.cos(rod_theta)
     w2 = ca.sin(crank_theta)
-    w3 = w1 * c5
-    w4 = crank_theta_ddot * (w2 * c1 / w3)
-    w5 = w0 * c1 / w3
+    w3 = w1 * rod_tip_x
+    w4 = crank_theta_ddot * (w2 * crank_tip_x / w3)
+    w5 = w0 * crank_tip_x / w3
     w6 = crank_theta_ddot * w5
     w7 = ca.sin(rod_theta)
     w8 = w5 / w3
@@ -1055,100 +833,47 @@ def dMa_dq_i() -> ca.Function:
     w18 = w6 * (w13 * c16) + (crank_theta_ddot * (w0 * w2 * c18) + (w4 * (w9 * c16) + w7 * w9 * c20 * w10))
     w19 = w10 * (w7 * w14 * c21) + (w4 * (w14 * c17) + (w12 * (w13 * c17) + w18)) - w11 * c16 * w12 - w6 * (w11 * c17)
     w20 = w19 - w1 * w7 * c19 * (w5 * w12) - w15 * c22 - w15 * (w16 * c19) - w7 * w16 * c23 * w17 - w17 * (w7 * c24)
-    dMa_dq_i = ca.vertcat(
-        w20,
-    )
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    # outputs
+    dMa_dq_i = ca.vertcat(w20)
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 76 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 6) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 6) [1]: columns of the rotation matrix of the marker at a drawn point
+    76 operations.
+    """
     p = ca.SX.sym("p", 11)
     crank_tip_x = p[9]
     rod_tip_x = p[10]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        crank_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        rod_tip_x,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 6)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 6)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 6)
+    positions[0, 2] = crank_tip_x
+    positions[0, 4] = rod_tip_x
+    axes = ca.SX(9, 6)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

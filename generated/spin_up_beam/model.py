@@ -1,13 +1,24 @@
 """Spin-up of a rotating beam (F3): equations of motion, emitted by symgen from the scene `spin_up_beam`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 beam.q1 [m], 1 beam.q2 [m], 2 beam.q3 [m], 3 beam.q4 [m], 4 beam.q5 [m]
+
+q_d, the dependent coordinates by index:
+    0 beam.x [m], 1 beam.y [m], 2 beam.theta [rad]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 385 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 654) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    385 operations.
+    """
     p = ca.SX.sym("p", 654)
     omega = p[0]
     ramp = p[1]
@@ -118,6 +129,7 @@ def constants() -> ca.Function:
     beam200_clamped_free5_1_0_H_4_2 = p[111]
     beam200_clamped_free5_1_0_H_4_3 = p[112]
     beam200_clamped_free5_1_0_H_4_4 = p[113]
+    # intermediate terms (37)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = w1 * beam200_clamped_free5_mass_0_0
@@ -155,151 +167,160 @@ def constants() -> ca.Function:
     w34 = w1 * beam200_clamped_free5_xH_4_2
     w35 = w1 * beam200_clamped_free5_xH_4_3
     w36 = w1 * beam200_clamped_free5_xH_4_4
+    # outputs
     c = ca.vertcat(
-        w2,
-        w3,
-        w4,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-        w13 * beam200_clamped_free5_kappa_lateral_0_0,
-        ramp,
-        w14 * beam200_clamped_free5_xi_phi_y_0_0,
-        omega / ramp,
-        w15 * w16**2,
-        w17,
-        w18,
-        w19,
-        w20,
-        w21,
-        w13 * beam200_clamped_free5_kappa_lateral_1_1,
-        w14 * beam200_clamped_free5_xi_phi_y_1_0,
-        w22,
-        w23,
-        w24,
-        w25,
-        w26,
-        w13 * beam200_clamped_free5_kappa_lateral_2_2,
-        w14 * beam200_clamped_free5_xi_phi_y_2_0,
-        w27,
-        w28,
-        w29,
-        w30,
-        w31,
-        w13 * beam200_clamped_free5_kappa_lateral_3_3,
-        w14 * beam200_clamped_free5_xi_phi_y_3_0,
-        w32,
-        w33,
-        w34,
-        w35,
-        w36,
-        w13 * beam200_clamped_free5_kappa_lateral_4_4,
-        w14 * beam200_clamped_free5_xi_phi_y_4_0,
-        omega,
-        w15,
-        ramp / 2.0,
-        w15 * w16,
-        w1,
-        w14 * beam200_clamped_free5_s1_0_0,
-        w0 * beam200_clamped_free5_H_0_0,
-        w0 * beam200_clamped_free5_H_0_1,
-        w0 * beam200_clamped_free5_H_0_2,
-        w0 * beam200_clamped_free5_H_0_3,
-        w0 * beam200_clamped_free5_H_0_4,
-        w0 * beam200_clamped_free5_H_1_0,
-        w0 * beam200_clamped_free5_H_1_1,
-        w0 * beam200_clamped_free5_H_1_2,
-        w0 * beam200_clamped_free5_H_1_3,
-        w0 * beam200_clamped_free5_H_1_4,
-        w0 * beam200_clamped_free5_H_2_0,
-        w0 * beam200_clamped_free5_H_2_1,
-        w0 * beam200_clamped_free5_H_2_2,
-        w0 * beam200_clamped_free5_H_2_3,
-        w0 * beam200_clamped_free5_H_2_4,
-        w0 * beam200_clamped_free5_H_3_0,
-        w0 * beam200_clamped_free5_H_3_1,
-        w0 * beam200_clamped_free5_H_3_2,
-        w0 * beam200_clamped_free5_H_3_3,
-        w0 * beam200_clamped_free5_H_3_4,
-        w0 * beam200_clamped_free5_H_4_0,
-        w0 * beam200_clamped_free5_H_4_1,
-        w0 * beam200_clamped_free5_H_4_2,
-        w0 * beam200_clamped_free5_H_4_3,
-        w0 * beam200_clamped_free5_H_4_4,
-        w1 * beam200_clamped_free5_phi_y_0_0,
-        w1 * beam200_clamped_free5_phi_y_1_0,
-        w1 * beam200_clamped_free5_phi_y_2_0,
-        w1 * beam200_clamped_free5_phi_y_3_0,
-        w1 * beam200_clamped_free5_phi_y_4_0,
-        w1 * w12 * beam200_clamped_free5_i0_0_0,
-        beam_length,
-        beam200_clamped_free5_1_0_H_0_0 / beam_length,
-        beam200_clamped_free5_1_0_H_0_1 / beam_length,
-        beam200_clamped_free5_1_0_H_0_2 / beam_length,
-        beam200_clamped_free5_1_0_H_0_3 / beam_length,
-        beam200_clamped_free5_1_0_H_0_4 / beam_length,
-        beam200_clamped_free5_1_0_H_1_0 / beam_length,
-        beam200_clamped_free5_1_0_H_1_1 / beam_length,
-        beam200_clamped_free5_1_0_H_1_2 / beam_length,
-        beam200_clamped_free5_1_0_H_1_3 / beam_length,
-        beam200_clamped_free5_1_0_H_1_4 / beam_length,
-        beam200_clamped_free5_1_0_H_2_0 / beam_length,
-        beam200_clamped_free5_1_0_H_2_1 / beam_length,
-        beam200_clamped_free5_1_0_H_2_2 / beam_length,
-        beam200_clamped_free5_1_0_H_2_3 / beam_length,
-        beam200_clamped_free5_1_0_H_2_4 / beam_length,
-        beam200_clamped_free5_1_0_H_3_0 / beam_length,
-        beam200_clamped_free5_1_0_H_3_1 / beam_length,
-        beam200_clamped_free5_1_0_H_3_2 / beam_length,
-        beam200_clamped_free5_1_0_H_3_3 / beam_length,
-        beam200_clamped_free5_1_0_H_3_4 / beam_length,
-        beam200_clamped_free5_1_0_H_4_0 / beam_length,
-        beam200_clamped_free5_1_0_H_4_1 / beam_length,
-        beam200_clamped_free5_1_0_H_4_2 / beam_length,
-        beam200_clamped_free5_1_0_H_4_3 / beam_length,
-        beam200_clamped_free5_1_0_H_4_4 / beam_length,
-        beam200_clamped_free5_1_0_shape_1_0,
-        beam200_clamped_free5_1_0_shape_1_1,
-        beam200_clamped_free5_1_0_shape_1_2,
-        beam200_clamped_free5_1_0_shape_1_3,
-        beam200_clamped_free5_1_0_shape_1_4,
-        w2 - w7,
-        -w17,
-        -w22,
-        -w27,
-        -w32,
-        -w8,
-        w3 - w18,
-        -w23,
-        -w28,
-        -w33,
-        -w9,
-        -w19,
-        w4 - w24,
-        -w29,
-        -w34,
-        -w10,
-        -w20,
-        -w25,
-        w5 - w30,
-        -w35,
-        -w11,
-        -w21,
-        -w26,
-        -w31,
-        w6 - w36,
+        w2,  # c0
+        w3,  # c1
+        w4,  # c2
+        w5,  # c3
+        w6,  # c4
+        w7,  # c5
+        w8,  # c6
+        w9,  # c7
+        w10,  # c8
+        w11,  # c9
+        w13 * beam200_clamped_free5_kappa_lateral_0_0,  # c10
+        ramp,  # ramp
+        w14 * beam200_clamped_free5_xi_phi_y_0_0,  # c12
+        omega / ramp,  # c13
+        w15 * w16**2,  # c14
+        w17,  # c15
+        w18,  # c16
+        w19,  # c17
+        w20,  # c18
+        w21,  # c19
+        w13 * beam200_clamped_free5_kappa_lateral_1_1,  # c20
+        w14 * beam200_clamped_free5_xi_phi_y_1_0,  # c21
+        w22,  # c22
+        w23,  # c23
+        w24,  # c24
+        w25,  # c25
+        w26,  # c26
+        w13 * beam200_clamped_free5_kappa_lateral_2_2,  # c27
+        w14 * beam200_clamped_free5_xi_phi_y_2_0,  # c28
+        w27,  # c29
+        w28,  # c30
+        w29,  # c31
+        w30,  # c32
+        w31,  # c33
+        w13 * beam200_clamped_free5_kappa_lateral_3_3,  # c34
+        w14 * beam200_clamped_free5_xi_phi_y_3_0,  # c35
+        w32,  # c36
+        w33,  # c37
+        w34,  # c38
+        w35,  # c39
+        w36,  # c40
+        w13 * beam200_clamped_free5_kappa_lateral_4_4,  # c41
+        w14 * beam200_clamped_free5_xi_phi_y_4_0,  # c42
+        omega,  # omega
+        w15,  # c44
+        ramp / 2.0,  # c45
+        w15 * w16,  # c46
+        w1,  # c47
+        w14 * beam200_clamped_free5_s1_0_0,  # c48
+        w0 * beam200_clamped_free5_H_0_0,  # c49
+        w0 * beam200_clamped_free5_H_0_1,  # c50
+        w0 * beam200_clamped_free5_H_0_2,  # c51
+        w0 * beam200_clamped_free5_H_0_3,  # c52
+        w0 * beam200_clamped_free5_H_0_4,  # c53
+        w0 * beam200_clamped_free5_H_1_0,  # c54
+        w0 * beam200_clamped_free5_H_1_1,  # c55
+        w0 * beam200_clamped_free5_H_1_2,  # c56
+        w0 * beam200_clamped_free5_H_1_3,  # c57
+        w0 * beam200_clamped_free5_H_1_4,  # c58
+        w0 * beam200_clamped_free5_H_2_0,  # c59
+        w0 * beam200_clamped_free5_H_2_1,  # c60
+        w0 * beam200_clamped_free5_H_2_2,  # c61
+        w0 * beam200_clamped_free5_H_2_3,  # c62
+        w0 * beam200_clamped_free5_H_2_4,  # c63
+        w0 * beam200_clamped_free5_H_3_0,  # c64
+        w0 * beam200_clamped_free5_H_3_1,  # c65
+        w0 * beam200_clamped_free5_H_3_2,  # c66
+        w0 * beam200_clamped_free5_H_3_3,  # c67
+        w0 * beam200_clamped_free5_H_3_4,  # c68
+        w0 * beam200_clamped_free5_H_4_0,  # c69
+        w0 * beam200_clamped_free5_H_4_1,  # c70
+        w0 * beam200_clamped_free5_H_4_2,  # c71
+        w0 * beam200_clamped_free5_H_4_3,  # c72
+        w0 * beam200_clamped_free5_H_4_4,  # c73
+        w1 * beam200_clamped_free5_phi_y_0_0,  # c74
+        w1 * beam200_clamped_free5_phi_y_1_0,  # c75
+        w1 * beam200_clamped_free5_phi_y_2_0,  # c76
+        w1 * beam200_clamped_free5_phi_y_3_0,  # c77
+        w1 * beam200_clamped_free5_phi_y_4_0,  # c78
+        w1 * w12 * beam200_clamped_free5_i0_0_0,  # c79
+        beam_length,  # beam_length
+        beam200_clamped_free5_1_0_H_0_0 / beam_length,  # c81
+        beam200_clamped_free5_1_0_H_0_1 / beam_length,  # c82
+        beam200_clamped_free5_1_0_H_0_2 / beam_length,  # c83
+        beam200_clamped_free5_1_0_H_0_3 / beam_length,  # c84
+        beam200_clamped_free5_1_0_H_0_4 / beam_length,  # c85
+        beam200_clamped_free5_1_0_H_1_0 / beam_length,  # c86
+        beam200_clamped_free5_1_0_H_1_1 / beam_length,  # c87
+        beam200_clamped_free5_1_0_H_1_2 / beam_length,  # c88
+        beam200_clamped_free5_1_0_H_1_3 / beam_length,  # c89
+        beam200_clamped_free5_1_0_H_1_4 / beam_length,  # c90
+        beam200_clamped_free5_1_0_H_2_0 / beam_length,  # c91
+        beam200_clamped_free5_1_0_H_2_1 / beam_length,  # c92
+        beam200_clamped_free5_1_0_H_2_2 / beam_length,  # c93
+        beam200_clamped_free5_1_0_H_2_3 / beam_length,  # c94
+        beam200_clamped_free5_1_0_H_2_4 / beam_length,  # c95
+        beam200_clamped_free5_1_0_H_3_0 / beam_length,  # c96
+        beam200_clamped_free5_1_0_H_3_1 / beam_length,  # c97
+        beam200_clamped_free5_1_0_H_3_2 / beam_length,  # c98
+        beam200_clamped_free5_1_0_H_3_3 / beam_length,  # c99
+        beam200_clamped_free5_1_0_H_3_4 / beam_length,  # c100
+        beam200_clamped_free5_1_0_H_4_0 / beam_length,  # c101
+        beam200_clamped_free5_1_0_H_4_1 / beam_length,  # c102
+        beam200_clamped_free5_1_0_H_4_2 / beam_length,  # c103
+        beam200_clamped_free5_1_0_H_4_3 / beam_length,  # c104
+        beam200_clamped_free5_1_0_H_4_4 / beam_length,  # c105
+        beam200_clamped_free5_1_0_shape_1_0,  # beam200_clamped_free5_1_0_shape_1_0
+        beam200_clamped_free5_1_0_shape_1_1,  # beam200_clamped_free5_1_0_shape_1_1
+        beam200_clamped_free5_1_0_shape_1_2,  # beam200_clamped_free5_1_0_shape_1_2
+        beam200_clamped_free5_1_0_shape_1_3,  # beam200_clamped_free5_1_0_shape_1_3
+        beam200_clamped_free5_1_0_shape_1_4,  # beam200_clamped_free5_1_0_shape_1_4
+        w2 - w7,  # c111
+        -w17,  # c112
+        -w22,  # c113
+        -w27,  # c114
+        -w32,  # c115
+        -w8,  # c116
+        w3 - w18,  # c117
+        -w23,  # c118
+        -w28,  # c119
+        -w33,  # c120
+        -w9,  # c121
+        -w19,  # c122
+        w4 - w24,  # c123
+        -w29,  # c124
+        -w34,  # c125
+        -w10,  # c126
+        -w20,  # c127
+        -w25,  # c128
+        w5 - w30,  # c129
+        -w35,  # c130
+        -w11,  # c131
+        -w21,  # c132
+        -w26,  # c133
+        -w31,  # c134
+        w6 - w36,  # c135
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 176 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 5 x 5) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 5) [N, N m]: condensed force S^T (Q* - M s)
+    176 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
@@ -321,7 +342,7 @@ def condensed() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    c11 = c[11]
+    ramp = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
@@ -353,192 +374,169 @@ def condensed() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
+    # intermediate terms (8)
     w0 = beam_theta_dot**2
     w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
-    w2 = t < c11
-    w3 = (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13
+    w2 = t < ramp
+    w3 = (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13
     w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
     w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
     w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
     w7 = w0 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
-    M_hat = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c1,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c2,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-    )
-    M_hat = ca.reshape(M_hat, 5, 5)
-    M_hat = ca.densify(M_hat)
+    # outputs
+    M_hat = ca.SX(5, 5)
+    # beam.q1
+    M_hat[0, 0] = c0
+    # beam.q2
+    M_hat[1, 1] = c1
+    # beam.q3
+    M_hat[2, 2] = c2
+    # beam.q4
+    M_hat[3, 3] = c3
+    # beam.q5
+    M_hat[4, 4] = c4
     Q_hat = ca.vertcat(
-        w1 - ca.if_else(w2, w3 * c12, 0),
-        w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0),
-        w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0),
-        w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0),
-        w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0),
+        w1 - ca.if_else(w2, w3 * c12, 0),  # beam.q1
+        w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0),  # beam.q2
+        w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0),  # beam.q3
+        w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0),  # beam.q4
+        w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0),  # beam.q5
     )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d_dot, t, c], [M_hat, Q_hat]
+    inputs, outputs = [q_i, q_d_dot, t, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d_dot", "t", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 29 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_next (n_d = 3) [mixed]: dependent coordinates after one Newton step
+    29 operations.
+    """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 136)
-    c11 = c[11]
+    ramp = c[11]
     c13 = c[13]
-    c43 = c[43]
+    omega = c[43]
     c44 = c[44]
     c45 = c[45]
-    w0 = t < c11
-    w1 = ca.if_else(w0, (t**2 / 2.0 + (ca.cos(t * 6.283185307179586 / c11) - 1.0) * c44) * c13, 0) + ca.if_else(ca.logic_not(w0), (t - c45) * c43, 0)
-    q_d_next = ca.vertcat(
-        0.0,
-        0.0,
-        w1,
-    )
-    q_d_next = ca.densify(q_d_next)
-    inputs, outputs = [t, c], [q_d_next]
+    # intermediate terms (2)
+    w0 = t < ramp
+    w1 = ca.if_else(w0, (t**2 / 2.0 + (ca.cos(t * 6.283185307179586 / ramp) - 1.0) * c44) * c13, 0) + ca.if_else(ca.logic_not(w0), (t - c45) * omega, 0)
+    # outputs
+    q_d_next = ca.vertcat(0.0, 0.0, w1)
+    inputs, outputs = [t, c], [ca.densify(q_d_next)]
     return ca.Function("closure", inputs, outputs, ["t", "c"], ["q_d_next"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 21 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
+    21 operations.
+    """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 136)
-    c11 = c[11]
+    ramp = c[11]
     c13 = c[13]
-    c43 = c[43]
+    omega = c[43]
     c46 = c[46]
-    w0 = t < c11
-    w1 = ca.if_else(w0, (t - ca.sin(t * 6.283185307179586 / c11) * c46) * c13, 0) + ca.if_else(ca.logic_not(w0), c43, 0)
-    q_d_dot = ca.vertcat(
-        0.0,
-        0.0,
-        w1,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [t, c], [q_d_dot]
+    # intermediate terms (2)
+    w0 = t < ramp
+    w1 = ca.if_else(w0, (t - ca.sin(t * 6.283185307179586 / ramp) * c46) * c13, 0) + ca.if_else(ca.logic_not(w0), omega, 0)
+    # outputs
+    q_d_dot = ca.vertcat(0.0, 0.0, w1)
+    inputs, outputs = [t, c], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["t", "c"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 18 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_d_ddot (n_d = 3) [mixed]: accelerations of the dependent coordinates
+    18 operations.
+    """
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 136)
-    c11 = c[11]
+    ramp = c[11]
     c13 = c[13]
     c14 = c[14]
-    q_d_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        ca.if_else(t < c11, (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13, 0),
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [t, c], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.vertcat(0.0, 0.0, ca.if_else(t < ramp, (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13, 0))
+    inputs, outputs = [t, c], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["t", "c"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 80 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives C (n_c = 3) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
+    gives C_t (n_c = 3) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 3) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 3) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    80 operations.
+    """
     q = ca.SX.sym("q", 8)
     t = ca.SX.sym("t", 1)
     c = ca.SX.sym("c", 136)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
-    c11 = c[11]
+    ramp = c[11]
     c13 = c[13]
     c14 = c[14]
-    c43 = c[43]
+    omega = c[43]
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    w0 = t < c11
-    w1 = t * 6.283185307179586 / c11
+    # intermediate terms (6)
+    w0 = t < ramp
+    w1 = t * 6.283185307179586 / ramp
     w2 = ca.cos(w1)
     w3 = ca.logic_not(w0)
-    w4 = beam_theta - (ca.if_else(w0, (t**2 / 2.0 + (w2 - 1.0) * c44) * c13, 0) + ca.if_else(w3, (t - c45) * c43, 0))
-    w5 = ca.if_else(w0, (t - ca.sin(w1) * c46) * c13, 0) + ca.if_else(w3, c43, 0)
-    C = ca.vertcat(
-        beam_x,
-        beam_y,
-        w4,
-    )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 3, 8)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-        0.0,
-        -w5,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-        0.0,
-        w5,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        0.0,
-        0.0,
-        ca.if_else(w0, (1.0 - w2 * c14) * c13, 0),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, t, c], [C, C_q, C_t, nu, gamma]
+    w4 = beam_theta - (ca.if_else(w0, (t**2 / 2.0 + (w2 - 1.0) * c44) * c13, 0) + ca.if_else(w3, (t - c45) * omega, 0))
+    w5 = ca.if_else(w0, (t - ca.sin(w1) * c46) * c13, 0) + ca.if_else(w3, omega, 0)
+    # outputs
+    C = ca.vertcat(beam_x, beam_y, w4)
+    C_q = ca.SX(3, 8)
+    # pivot.x
+    C_q[0, 0] = 1.0
+    # pivot.y
+    C_q[1, 1] = 1.0
+    # spin.angle
+    C_q[2, 2] = 1.0
+    C_t = ca.vertcat(0.0, 0.0, -w5)
+    nu = ca.vertcat(0.0, 0.0, w5)
+    gamma = ca.vertcat(0.0, 0.0, ca.if_else(w0, (1.0 - w2 * c14) * c13, 0))
+    inputs, outputs = [q, t, c], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "t", "c"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 571 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 8) [mixed]: rates of all coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 8 x 8) [SI]: mass matrix in all coordinates
+    gives K (n x n = 8 x 8) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 8) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 8) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 8) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 3 x 8) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 3) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    571 operations.
+    """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     t = ca.SX.sym("t", 1)
@@ -566,7 +564,7 @@ def augmented() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    c11 = c[11]
+    ramp = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
@@ -631,6 +629,7 @@ def augmented() -> ca.Function:
     c77 = c[77]
     c78 = c[78]
     c79 = c[79]
+    # intermediate terms (46)
     w0 = ca.sin(beam_theta)
     w1 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
     w2 = beam_q1 * c54 + beam_q2 * c55 + beam_q3 * c56 + beam_q4 * c57 + beam_q5 * c58
@@ -677,215 +676,113 @@ def augmented() -> ca.Function:
     w43 = w24 * w27
     w44 = w25 * w27
     w45 = w26 * w27
-    M = ca.vertcat(
-        c47,
-        0.0,
-        w10,
-        w11,
-        w12,
-        w13,
-        w14,
-        w15,
-        0.0,
-        c47,
-        w16,
-        w17,
-        w18,
-        w19,
-        w20,
-        w21,
-        w10,
-        w16,
-        c79 + (beam_q1 * w22 + beam_q2 * w23 + beam_q3 * w24 + beam_q4 * w25 + beam_q5 * w26),
-        c12,
-        c21,
-        c28,
-        c35,
-        c42,
-        w11,
-        w17,
-        c12,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w12,
-        w18,
-        c21,
-        0.0,
-        c1,
-        0.0,
-        0.0,
-        0.0,
-        w13,
-        w19,
-        c28,
-        0.0,
-        0.0,
-        c2,
-        0.0,
-        0.0,
-        w14,
-        w20,
-        c35,
-        0.0,
-        0.0,
-        0.0,
-        c3,
-        0.0,
-        w15,
-        w21,
-        c42,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c4,
-    )
-    M = ca.reshape(M, 8, 8)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c10,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c20,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c27,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c34,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c41,
-    )
-    K = ca.reshape(K, 8, 8)
-    K = ca.densify(K)
+    # outputs
+    M = ca.SX(8, 8)
+    # beam.x
+    M[0, 0] = c47
+    M[0, 2] = w10
+    M[0, 3] = w11
+    M[0, 4] = w12
+    M[0, 5] = w13
+    M[0, 6] = w14
+    M[0, 7] = w15
+    # beam.y
+    M[1, 1] = c47
+    M[1, 2] = w16
+    M[1, 3] = w17
+    M[1, 4] = w18
+    M[1, 5] = w19
+    M[1, 6] = w20
+    M[1, 7] = w21
+    # beam.theta
+    M[2, 0] = w10
+    M[2, 1] = w16
+    M[2, 2] = c79 + (beam_q1 * w22 + beam_q2 * w23 + beam_q3 * w24 + beam_q4 * w25 + beam_q5 * w26)
+    M[2, 3] = c12
+    M[2, 4] = c21
+    M[2, 5] = c28
+    M[2, 6] = c35
+    M[2, 7] = c42
+    # beam.q1
+    M[3, 0] = w11
+    M[3, 1] = w17
+    M[3, 2] = c12
+    M[3, 3] = c0
+    # beam.q2
+    M[4, 0] = w12
+    M[4, 1] = w18
+    M[4, 2] = c21
+    M[4, 4] = c1
+    # beam.q3
+    M[5, 0] = w13
+    M[5, 1] = w19
+    M[5, 2] = c28
+    M[5, 5] = c2
+    # beam.q4
+    M[6, 0] = w14
+    M[6, 1] = w20
+    M[6, 2] = c35
+    M[6, 6] = c3
+    # beam.q5
+    M[7, 0] = w15
+    M[7, 1] = w21
+    M[7, 2] = c42
+    M[7, 7] = c4
+    K = ca.SX(8, 8)
+    # beam.q1
+    K[3, 3] = c10
+    # beam.q2
+    K[4, 4] = c20
+    # beam.q3
+    K[5, 5] = c27
+    # beam.q4
+    K[6, 6] = c34
+    # beam.q5
+    K[7, 7] = c41
     Q_v = ca.vertcat(
-        w37,
-        w38,
-        w40,
-        w41,
-        w42,
-        w43,
-        w44,
-        w45,
+        w37,  # beam.x
+        w38,  # beam.y
+        w40,  # beam.theta
+        w41,  # beam.q1
+        w42,  # beam.q2
+        w43,  # beam.q3
+        w44,  # beam.q4
+        w45,  # beam.q5
     )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
+    Q_F = ca.SX(8, 1)
     Q_star = ca.vertcat(
-        w37,
-        w38,
-        w40,
-        w41 - beam_q1 * c10,
-        w42 - beam_q2 * c20,
-        w43 - beam_q3 * c27,
-        w44 - beam_q4 * c34,
-        w45 - beam_q5 * c41,
+        w37,  # beam.x
+        w38,  # beam.y
+        w40,  # beam.theta
+        w41 - beam_q1 * c10,  # beam.q1
+        w42 - beam_q2 * c20,  # beam.q2
+        w43 - beam_q3 * c27,  # beam.q3
+        w44 - beam_q4 * c34,  # beam.q4
+        w45 - beam_q5 * c41,  # beam.q5
     )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    C_q = ca.reshape(C_q, 3, 8)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        0.0,
-        0.0,
-        ca.if_else(t < c11, (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13, 0),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, t, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    C_q = ca.SX(3, 8)
+    # pivot.x
+    C_q[0, 0] = 1.0
+    # pivot.y
+    C_q[1, 1] = 1.0
+    # spin.angle
+    C_q[2, 2] = 1.0
+    gamma_b = ca.vertcat(0.0, 0.0, ca.if_else(t < ramp, (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13, 0))
+    inputs, outputs = [q, q_dot, t, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "t", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 416 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 8) [mixed]: rates of all coordinates
+    takes q_ddot (n = 8) [mixed]: accelerations of all coordinates
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 3) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
+    416 operations.
+    """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     q_ddot = ca.SX.sym("q_ddot", 8)
@@ -978,6 +875,7 @@ def reactions() -> ca.Function:
     c77 = c[77]
     c78 = c[78]
     c79 = c[79]
+    # intermediate terms (36)
     w0 = beam_theta_dot**2
     w1 = ca.cos(beam_theta)
     w2 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
@@ -1014,28 +912,29 @@ def reactions() -> ca.Function:
     w33 = beam_theta_ddot * (c79 + (beam_q1 * w27 + beam_q2 * w28 + beam_q3 * w29 + beam_q4 * w30 + beam_q5 * w31))
     w34 = w10 * beam_y_ddot - beam_x_ddot * w20 + w33 + beam_q1_ddot * c12 + beam_q2_ddot * c21 + beam_q3_ddot * c28
     w35 = beam_theta_dot * -2.0 * w32 - (w34 + beam_q4_ddot * c35 + beam_q5_ddot * c42)
-    lam = ca.vertcat(
-        w23,
-        w26,
-        w35,
-    )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-        -w23,
-        -w26,
-        0.0,
-        0.0,
-        0.0,
-        -w35,
-    )
-    joint_forces = ca.reshape(joint_forces, 3, 2)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    # outputs
+    lam = ca.vertcat(w23, w26, w35)
+    joint_forces = ca.SX(3, 2)
+    joint_forces[0, 0] = -w23
+    joint_forces[1, 0] = -w26
+    joint_forces[2, 1] = -w35
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 370 operations."""
+    """Energies and powers.
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 8) [mixed]: rates of all coordinates
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    370 operations.
+    """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     c = ca.SX.sym("c", 136)
@@ -1126,6 +1025,7 @@ def energy() -> ca.Function:
     c77 = c[77]
     c78 = c[78]
     c79 = c[79]
+    # intermediate terms (37)
     w0 = ca.sin(beam_theta)
     w1 = beam_q1 * c49 + beam_q2 * c50 + beam_q3 * c51 + beam_q4 * c52 + beam_q5 * c53
     w2 = beam_q1 * c54 + beam_q2 * c55 + beam_q3 * c56 + beam_q4 * c57 + beam_q5 * c58
@@ -1163,32 +1063,25 @@ def energy() -> ca.Function:
     w34 = w33 + beam_q4_dot * (beam_y_dot * w21 - beam_x_dot * w14 + beam_theta_dot * c35 + beam_q4_dot * c3)
     w35 = w34 + beam_q5_dot * (beam_y_dot * w22 - beam_x_dot * w15 + beam_theta_dot * c42 + beam_q5_dot * c4)
     w36 = beam_q1 * (beam_q1 * c10) + beam_q2 * (beam_q2 * c20) + beam_q3 * (beam_q3 * c27) + beam_q4 * (beam_q4 * c34)
-    kinetic = ca.vertcat(
-        w35 / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        (w36 + beam_q5 * (beam_q5 * c41)) / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        0.0,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # outputs
+    kinetic = ca.vertcat(w35 / 2.0)
+    elastic = ca.vertcat((w36 + beam_q5 * (beam_q5 * c41)) / 2.0)
+    potential = ca.SX(1, 1)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def measures() -> ca.Function:
-    """The scene's measures and their rates. 219 operations."""
+    """The scene's measures and their rates.
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 8) [mixed]: rates of all coordinates
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives measures (measures = 4) [mixed]: measures of the scene and their rates
+    219 operations.
+    """
     q = ca.SX.sym("q", 8)
     q_dot = ca.SX.sym("q_dot", 8)
     c = ca.SX.sym("c", 136)
@@ -1208,7 +1101,7 @@ def measures() -> ca.Function:
     beam_q3_dot = q_dot[5]
     beam_q4_dot = q_dot[6]
     beam_q5_dot = q_dot[7]
-    c80 = c[80]
+    beam_length = c[80]
     c81 = c[81]
     c82 = c[82]
     c83 = c[83]
@@ -1234,70 +1127,80 @@ def measures() -> ca.Function:
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
-    c106 = c[106]
-    c107 = c[107]
-    c108 = c[108]
-    c109 = c[109]
-    c110 = c[110]
+    beam200_clamped_free5_1_0_shape_1_0 = c[106]
+    beam200_clamped_free5_1_0_shape_1_1 = c[107]
+    beam200_clamped_free5_1_0_shape_1_2 = c[108]
+    beam200_clamped_free5_1_0_shape_1_3 = c[109]
+    beam200_clamped_free5_1_0_shape_1_4 = c[110]
+    # intermediate terms (22)
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * c81 + beam_q2 * c82 + beam_q3 * c83 + beam_q4 * c84 + beam_q5 * c85
     w2 = beam_q1 * c86 + beam_q2 * c87 + beam_q3 * c88 + beam_q4 * c89 + beam_q5 * c90
     w3 = beam_q1 * c91 + beam_q2 * c92 + beam_q3 * c93 + beam_q4 * c94 + beam_q5 * c95
     w4 = beam_q1 * c96 + beam_q2 * c97 + beam_q3 * c98 + beam_q4 * c99 + beam_q5 * c100
     w5 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
-    w6 = c80 - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
+    w6 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.sin(beam_theta)
-    w8 = beam_q1 * c106 + beam_q2 * c107 + beam_q3 * c108 + beam_q4 * c109 + beam_q5 * c110
-    w9 = w7 * beam_theta_dot
-    w10 = beam_q1_dot * c81 + beam_q2_dot * c82 + beam_q3_dot * c83 + beam_q4_dot * c84 + beam_q5_dot * c85
-    w11 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
-    w12 = beam_q1_dot * c91 + beam_q2_dot * c92 + beam_q3_dot * c93 + beam_q4_dot * c94 + beam_q5_dot * c95
-    w13 = w1 * beam_q1_dot + beam_q1 * w10 + (w2 * beam_q2_dot + beam_q2 * w11) + (w3 * beam_q3_dot + beam_q3 * w12)
-    w14 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
-    w15 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
-    w16 = (w13 + (w4 * beam_q4_dot + beam_q4 * w14) + (w5 * beam_q5_dot + beam_q5 * w15)) * 0.5
-    w17 = w0 * beam_theta_dot
-    w18 = beam_q1_dot * c106 + beam_q2_dot * c107 + beam_q3_dot * c108 + beam_q4_dot * c109 + beam_q5_dot * c110
+    w8 = beam_q1 * beam200_clamped_free5_1_0_shape_1_0 + beam_q2 * beam200_clamped_free5_1_0_shape_1_1 + beam_q3 * beam200_clamped_free5_1_0_shape_1_2
+    w9 = w8 + beam_q4 * beam200_clamped_free5_1_0_shape_1_3 + beam_q5 * beam200_clamped_free5_1_0_shape_1_4
+    w10 = w7 * beam_theta_dot
+    w11 = beam_q1_dot * c81 + beam_q2_dot * c82 + beam_q3_dot * c83 + beam_q4_dot * c84 + beam_q5_dot * c85
+    w12 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
+    w13 = beam_q1_dot * c91 + beam_q2_dot * c92 + beam_q3_dot * c93 + beam_q4_dot * c94 + beam_q5_dot * c95
+    w14 = w1 * beam_q1_dot + beam_q1 * w11 + (w2 * beam_q2_dot + beam_q2 * w12) + (w3 * beam_q3_dot + beam_q3 * w13)
+    w15 = beam_q1_dot * c96 + beam_q2_dot * c97 + beam_q3_dot * c98 + beam_q4_dot * c99 + beam_q5_dot * c100
+    w16 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
+    w17 = (w14 + (w4 * beam_q4_dot + beam_q4 * w15) + (w5 * beam_q5_dot + beam_q5 * w16)) * 0.5
+    w18 = w0 * beam_theta_dot
+    w19 = beam_q1_dot * beam200_clamped_free5_1_0_shape_1_0 + beam_q2_dot * beam200_clamped_free5_1_0_shape_1_1
+    w20 = w19 + beam_q3_dot * beam200_clamped_free5_1_0_shape_1_2 + beam_q4_dot * beam200_clamped_free5_1_0_shape_1_3
+    w21 = w20 + beam_q5_dot * beam200_clamped_free5_1_0_shape_1_4
+    # outputs
     measures = ca.vertcat(
-        beam_x + (w0 * w6 - w7 * w8),
-        beam_x_dot - (w6 * w9 + w0 * w16 + (w8 * w17 + w7 * w18)),
-        beam_y + (w6 * w7 + w0 * w8),
-        beam_y_dot + (w6 * w17 - w7 * w16 + (w0 * w18 - w8 * w9)),
+        beam_x + (w0 * w6 - w7 * w9),  # tip_x
+        beam_x_dot - (w6 * w10 + w0 * w17 + (w9 * w18 + w7 * w21)),  # tip_x_dot
+        beam_y + (w6 * w7 + w0 * w9),  # tip_y
+        beam_y_dot + (w6 * w18 - w7 * w17 + (w0 * w21 - w9 * w10)),  # tip_y_dot
     )
-    measures = ca.densify(measures)
-    inputs, outputs = [q, q_dot, c], [measures]
+    inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 20 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 8) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    20 operations.
+    """
     q = ca.SX.sym("q", 8)
     beam_x = q[0]
     beam_y = q[1]
     beam_theta = q[2]
+    # intermediate terms (2)
     w0 = ca.cos(beam_theta)
     w1 = ca.sin(beam_theta)
-    poses = ca.vertcat(
-        beam_x,
-        beam_y,
-        0.0,
-        w0,
-        w1,
-        0.0,
-        -w1,
-        w0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    # outputs
+    poses = ca.SX(12, 1)
+    poses[0] = beam_x
+    poses[1] = beam_y
+    poses[3] = w0
+    poses[4] = w1
+    poses[6] = -w1
+    poses[7] = w0
+    poses[11] = 1.0
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 87 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i, through q_d
+    87 operations.
+    """
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     c = ca.SX.sym("c", 136)
     beam_theta_dot = q_d_dot[2]
@@ -1331,112 +1234,54 @@ def dQ_hat_dq_i() -> ca.Function:
     c133 = c[133]
     c134 = c[134]
     c135 = c[135]
+    # intermediate terms (1)
     w0 = beam_theta_dot**2
+    # outputs
     dQ_hat_dq_i = ca.vertcat(
-        w0 * c111 - c10,
-        w0 * c112,
-        w0 * c113,
-        w0 * c114,
-        w0 * c115,
-        w0 * c116,
-        w0 * c117 - c20,
-        w0 * c118,
-        w0 * c119,
-        w0 * c120,
-        w0 * c121,
-        w0 * c122,
-        w0 * c123 - c27,
-        w0 * c124,
-        w0 * c125,
-        w0 * c126,
-        w0 * c127,
-        w0 * c128,
-        w0 * c129 - c34,
-        w0 * c130,
-        w0 * c131,
-        w0 * c132,
-        w0 * c133,
-        w0 * c134,
-        w0 * c135 - c41,
+        ca.horzcat(w0 * c111 - c10, w0 * c116, w0 * c121, w0 * c126, w0 * c131),  # beam.q1
+        ca.horzcat(w0 * c112, w0 * c117 - c20, w0 * c122, w0 * c127, w0 * c132),  # beam.q2
+        ca.horzcat(w0 * c113, w0 * c118, w0 * c123 - c27, w0 * c128, w0 * c133),  # beam.q3
+        ca.horzcat(w0 * c114, w0 * c119, w0 * c124, w0 * c129 - c34, w0 * c134),  # beam.q4
+        ca.horzcat(w0 * c115, w0 * c120, w0 * c125, w0 * c130, w0 * c135 - c41),  # beam.q5
     )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 5, 5)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_d_dot, c], [dQ_hat_dq_i]
+    inputs, outputs = [q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 26 operations."""
-    dQ_hat_dq_i_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 5, 5)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [], [dQ_hat_dq_i_dot]
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    gives dQ_hat_dq_i_dot (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    26 operations.
+    """
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(5, 5)
+    inputs, outputs = [], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, [], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 26 operations."""
-    dMa_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 5, 5)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [], [dMa_dq_i]
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    gives dMa_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    26 operations.
+    """
+    # outputs
+    dMa_dq_i = ca.SX(5, 5)
+    inputs, outputs = [], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 155 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
+    takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
+    155 operations.
+    """
     q_i = ca.SX.sym("q_i", 5)
     q_d_dot = ca.SX.sym("q_d_dot", 3)
     t = ca.SX.sym("t", 1)
@@ -1458,7 +1303,7 @@ def forward_dynamics() -> ca.Function:
     c8 = c[8]
     c9 = c[9]
     c10 = c[10]
-    c11 = c[11]
+    ramp = c[11]
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
@@ -1490,28 +1335,39 @@ def forward_dynamics() -> ca.Function:
     c40 = c[40]
     c41 = c[41]
     c42 = c[42]
+    # intermediate terms (8)
     w0 = beam_theta_dot**2
     w1 = w0 * (beam_q1 * c0 - (beam_q1 * c5 + beam_q2 * c6 + beam_q3 * c7 + beam_q4 * c8 + beam_q5 * c9)) - beam_q1 * c10
-    w2 = t < c11
-    w3 = (1.0 - ca.cos(t * 6.283185307179586 / c11) * c14) * c13
+    w2 = t < ramp
+    w3 = (1.0 - ca.cos(t * 6.283185307179586 / ramp) * c14) * c13
     w4 = w0 * (beam_q2 * c1 - (beam_q1 * c15 + beam_q2 * c16 + beam_q3 * c17 + beam_q4 * c18 + beam_q5 * c19))
     w5 = w0 * (beam_q3 * c2 - (beam_q1 * c22 + beam_q2 * c23 + beam_q3 * c24 + beam_q4 * c25 + beam_q5 * c26))
     w6 = w0 * (beam_q4 * c3 - (beam_q1 * c29 + beam_q2 * c30 + beam_q3 * c31 + beam_q4 * c32 + beam_q5 * c33))
     w7 = w0 * (beam_q5 * c4 - (beam_q1 * c36 + beam_q2 * c37 + beam_q3 * c38 + beam_q4 * c39 + beam_q5 * c40))
+    # outputs
     q_i_ddot = ca.vertcat(
-        (w1 - ca.if_else(w2, w3 * c12, 0)) / c0,
-        (w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0)) / c1,
-        (w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0)) / c2,
-        (w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0)) / c3,
-        (w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0)) / c4,
+        (w1 - ca.if_else(w2, w3 * c12, 0)) / c0,  # beam.q1
+        (w4 - beam_q2 * c20 - ca.if_else(w2, w3 * c21, 0)) / c1,  # beam.q2
+        (w5 - beam_q3 * c27 - ca.if_else(w2, w3 * c28, 0)) / c2,  # beam.q3
+        (w6 - beam_q4 * c34 - ca.if_else(w2, w3 * c35, 0)) / c3,  # beam.q4
+        (w7 - beam_q5 * c41 - ca.if_else(w2, w3 * c42, 0)) / c4,  # beam.q5
     )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_d_dot, t, c], [q_i_ddot]
+    inputs, outputs = [q_i, q_d_dot, t, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d_dot", "t", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 2317 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 654) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 20) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 20) [1]: columns of the rotation matrix of the marker at a drawn point
+    gives shapes (3 x modes = 3 x 95) [1]: displacement of a drawn point by each mode of its body
+    gives turns (3 x modes = 3 x 95) [1/m]: rotation at a drawn point by each mode of its body
+    gives H (1 x entries = 1 x 425) [1/m]: foreshortening of the drawn points that have it, nf x nf each
+    gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
+    2317 operations.
+    """
     p = ca.SX.sym("p", 654)
     beam_length = p[2]
     beam_area = p[4]
@@ -2091,6 +1947,7 @@ def geometry() -> ca.Function:
     beam200_clamped_free5_0_9375_H_4_2 = p[651]
     beam200_clamped_free5_0_9375_H_4_3 = p[652]
     beam200_clamped_free5_0_9375_H_4_4 = p[653]
+    # intermediate terms (31)
     w0 = beam200_clamped_free5_1_0_slope_0_0 / beam_length
     w1 = beam200_clamped_free5_1_0_slope_1_0 / beam_length
     w2 = beam200_clamped_free5_1_0_slope_2_0 / beam_length
@@ -2122,1267 +1979,452 @@ def geometry() -> ca.Function:
     w28 = beam200_clamped_free5_1_0_H_4_3 / beam_length
     w29 = beam200_clamped_free5_1_0_H_4_4 / beam_length
     w30 = ca.sqrt(12.0 * beam_second_moment / beam_area)
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_0625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_1875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_25_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_3125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_375_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_4375_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_5_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_5625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_625_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_6875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_75_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_8125_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_875_at_0_0,
-        0.0,
-        0.0,
-        beam_length * beam200_clamped_free5_0_9375_at_0_0,
-        0.0,
-        0.0,
-        beam_length,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam_length,
-        0.0,
-        0.0,
+    # outputs
+    positions = ca.SX(3, 20)
+    positions[0, 1] = beam_length * beam200_clamped_free5_0_0625_at_0_0
+    positions[0, 2] = beam_length * beam200_clamped_free5_0_125_at_0_0
+    positions[0, 3] = beam_length * beam200_clamped_free5_0_1875_at_0_0
+    positions[0, 4] = beam_length * beam200_clamped_free5_0_25_at_0_0
+    positions[0, 5] = beam_length * beam200_clamped_free5_0_3125_at_0_0
+    positions[0, 6] = beam_length * beam200_clamped_free5_0_375_at_0_0
+    positions[0, 7] = beam_length * beam200_clamped_free5_0_4375_at_0_0
+    positions[0, 8] = beam_length * beam200_clamped_free5_0_5_at_0_0
+    positions[0, 9] = beam_length * beam200_clamped_free5_0_5625_at_0_0
+    positions[0, 10] = beam_length * beam200_clamped_free5_0_625_at_0_0
+    positions[0, 11] = beam_length * beam200_clamped_free5_0_6875_at_0_0
+    positions[0, 12] = beam_length * beam200_clamped_free5_0_75_at_0_0
+    positions[0, 13] = beam_length * beam200_clamped_free5_0_8125_at_0_0
+    positions[0, 14] = beam_length * beam200_clamped_free5_0_875_at_0_0
+    positions[0, 15] = beam_length * beam200_clamped_free5_0_9375_at_0_0
+    positions[0, 16] = beam_length
+    positions[0, 19] = beam_length
+    axes = ca.SX(9, 20)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[0, 3] = 1.0
+    axes[0, 4] = 1.0
+    axes[0, 5] = 1.0
+    axes[0, 6] = 1.0
+    axes[0, 7] = 1.0
+    axes[0, 8] = 1.0
+    axes[0, 9] = 1.0
+    axes[0, 10] = 1.0
+    axes[0, 11] = 1.0
+    axes[0, 12] = 1.0
+    axes[0, 13] = 1.0
+    axes[0, 14] = 1.0
+    axes[0, 15] = 1.0
+    axes[0, 16] = 1.0
+    axes[0, 17] = 1.0
+    axes[0, 18] = 1.0
+    axes[0, 19] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[4, 3] = 1.0
+    axes[4, 4] = 1.0
+    axes[4, 5] = 1.0
+    axes[4, 6] = 1.0
+    axes[4, 7] = 1.0
+    axes[4, 8] = 1.0
+    axes[4, 9] = 1.0
+    axes[4, 10] = 1.0
+    axes[4, 11] = 1.0
+    axes[4, 12] = 1.0
+    axes[4, 13] = 1.0
+    axes[4, 14] = 1.0
+    axes[4, 15] = 1.0
+    axes[4, 16] = 1.0
+    axes[4, 17] = 1.0
+    axes[4, 18] = 1.0
+    axes[4, 19] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    axes[8, 3] = 1.0
+    axes[8, 4] = 1.0
+    axes[8, 5] = 1.0
+    axes[8, 6] = 1.0
+    axes[8, 7] = 1.0
+    axes[8, 8] = 1.0
+    axes[8, 9] = 1.0
+    axes[8, 10] = 1.0
+    axes[8, 11] = 1.0
+    axes[8, 12] = 1.0
+    axes[8, 13] = 1.0
+    axes[8, 14] = 1.0
+    axes[8, 15] = 1.0
+    axes[8, 16] = 1.0
+    axes[8, 17] = 1.0
+    axes[8, 18] = 1.0
+    axes[8, 19] = 1.0
+    shapes = ca.SX(3, 95)
+    shapes[1, 5] = beam200_clamped_free5_0_0625_shape_1_0
+    shapes[1, 6] = beam200_clamped_free5_0_0625_shape_1_1
+    shapes[1, 7] = beam200_clamped_free5_0_0625_shape_1_2
+    shapes[1, 8] = beam200_clamped_free5_0_0625_shape_1_3
+    shapes[1, 9] = beam200_clamped_free5_0_0625_shape_1_4
+    shapes[1, 10] = beam200_clamped_free5_0_125_shape_1_0
+    shapes[1, 11] = beam200_clamped_free5_0_125_shape_1_1
+    shapes[1, 12] = beam200_clamped_free5_0_125_shape_1_2
+    shapes[1, 13] = beam200_clamped_free5_0_125_shape_1_3
+    shapes[1, 14] = beam200_clamped_free5_0_125_shape_1_4
+    shapes[1, 15] = beam200_clamped_free5_0_1875_shape_1_0
+    shapes[1, 16] = beam200_clamped_free5_0_1875_shape_1_1
+    shapes[1, 17] = beam200_clamped_free5_0_1875_shape_1_2
+    shapes[1, 18] = beam200_clamped_free5_0_1875_shape_1_3
+    shapes[1, 19] = beam200_clamped_free5_0_1875_shape_1_4
+    shapes[1, 20] = beam200_clamped_free5_0_25_shape_1_0
+    shapes[1, 21] = beam200_clamped_free5_0_25_shape_1_1
+    shapes[1, 22] = beam200_clamped_free5_0_25_shape_1_2
+    shapes[1, 23] = beam200_clamped_free5_0_25_shape_1_3
+    shapes[1, 24] = beam200_clamped_free5_0_25_shape_1_4
+    shapes[1, 25] = beam200_clamped_free5_0_3125_shape_1_0
+    shapes[1, 26] = beam200_clamped_free5_0_3125_shape_1_1
+    shapes[1, 27] = beam200_clamped_free5_0_3125_shape_1_2
+    shapes[1, 28] = beam200_clamped_free5_0_3125_shape_1_3
+    shapes[1, 29] = beam200_clamped_free5_0_3125_shape_1_4
+    shapes[1, 30] = beam200_clamped_free5_0_375_shape_1_0
+    shapes[1, 31] = beam200_clamped_free5_0_375_shape_1_1
+    shapes[1, 32] = beam200_clamped_free5_0_375_shape_1_2
+    shapes[1, 33] = beam200_clamped_free5_0_375_shape_1_3
+    shapes[1, 34] = beam200_clamped_free5_0_375_shape_1_4
+    shapes[1, 35] = beam200_clamped_free5_0_4375_shape_1_0
+    shapes[1, 36] = beam200_clamped_free5_0_4375_shape_1_1
+    shapes[1, 37] = beam200_clamped_free5_0_4375_shape_1_2
+    shapes[1, 38] = beam200_clamped_free5_0_4375_shape_1_3
+    shapes[1, 39] = beam200_clamped_free5_0_4375_shape_1_4
+    shapes[1, 40] = beam200_clamped_free5_0_5_shape_1_0
+    shapes[1, 41] = beam200_clamped_free5_0_5_shape_1_1
+    shapes[1, 42] = beam200_clamped_free5_0_5_shape_1_2
+    shapes[1, 43] = beam200_clamped_free5_0_5_shape_1_3
+    shapes[1, 44] = beam200_clamped_free5_0_5_shape_1_4
+    shapes[1, 45] = beam200_clamped_free5_0_5625_shape_1_0
+    shapes[1, 46] = beam200_clamped_free5_0_5625_shape_1_1
+    shapes[1, 47] = beam200_clamped_free5_0_5625_shape_1_2
+    shapes[1, 48] = beam200_clamped_free5_0_5625_shape_1_3
+    shapes[1, 49] = beam200_clamped_free5_0_5625_shape_1_4
+    shapes[1, 50] = beam200_clamped_free5_0_625_shape_1_0
+    shapes[1, 51] = beam200_clamped_free5_0_625_shape_1_1
+    shapes[1, 52] = beam200_clamped_free5_0_625_shape_1_2
+    shapes[1, 53] = beam200_clamped_free5_0_625_shape_1_3
+    shapes[1, 54] = beam200_clamped_free5_0_625_shape_1_4
+    shapes[1, 55] = beam200_clamped_free5_0_6875_shape_1_0
+    shapes[1, 56] = beam200_clamped_free5_0_6875_shape_1_1
+    shapes[1, 57] = beam200_clamped_free5_0_6875_shape_1_2
+    shapes[1, 58] = beam200_clamped_free5_0_6875_shape_1_3
+    shapes[1, 59] = beam200_clamped_free5_0_6875_shape_1_4
+    shapes[1, 60] = beam200_clamped_free5_0_75_shape_1_0
+    shapes[1, 61] = beam200_clamped_free5_0_75_shape_1_1
+    shapes[1, 62] = beam200_clamped_free5_0_75_shape_1_2
+    shapes[1, 63] = beam200_clamped_free5_0_75_shape_1_3
+    shapes[1, 64] = beam200_clamped_free5_0_75_shape_1_4
+    shapes[1, 65] = beam200_clamped_free5_0_8125_shape_1_0
+    shapes[1, 66] = beam200_clamped_free5_0_8125_shape_1_1
+    shapes[1, 67] = beam200_clamped_free5_0_8125_shape_1_2
+    shapes[1, 68] = beam200_clamped_free5_0_8125_shape_1_3
+    shapes[1, 69] = beam200_clamped_free5_0_8125_shape_1_4
+    shapes[1, 70] = beam200_clamped_free5_0_875_shape_1_0
+    shapes[1, 71] = beam200_clamped_free5_0_875_shape_1_1
+    shapes[1, 72] = beam200_clamped_free5_0_875_shape_1_2
+    shapes[1, 73] = beam200_clamped_free5_0_875_shape_1_3
+    shapes[1, 74] = beam200_clamped_free5_0_875_shape_1_4
+    shapes[1, 75] = beam200_clamped_free5_0_9375_shape_1_0
+    shapes[1, 76] = beam200_clamped_free5_0_9375_shape_1_1
+    shapes[1, 77] = beam200_clamped_free5_0_9375_shape_1_2
+    shapes[1, 78] = beam200_clamped_free5_0_9375_shape_1_3
+    shapes[1, 79] = beam200_clamped_free5_0_9375_shape_1_4
+    shapes[1, 80] = beam200_clamped_free5_1_0_shape_1_0
+    shapes[1, 81] = beam200_clamped_free5_1_0_shape_1_1
+    shapes[1, 82] = beam200_clamped_free5_1_0_shape_1_2
+    shapes[1, 83] = beam200_clamped_free5_1_0_shape_1_3
+    shapes[1, 84] = beam200_clamped_free5_1_0_shape_1_4
+    shapes[1, 90] = beam200_clamped_free5_1_0_shape_1_0
+    shapes[1, 91] = beam200_clamped_free5_1_0_shape_1_1
+    shapes[1, 92] = beam200_clamped_free5_1_0_shape_1_2
+    shapes[1, 93] = beam200_clamped_free5_1_0_shape_1_3
+    shapes[1, 94] = beam200_clamped_free5_1_0_shape_1_4
+    turns = ca.SX(3, 95)
+    turns[2, 5] = beam200_clamped_free5_0_0625_slope_0_0 / beam_length
+    turns[2, 6] = beam200_clamped_free5_0_0625_slope_1_0 / beam_length
+    turns[2, 7] = beam200_clamped_free5_0_0625_slope_2_0 / beam_length
+    turns[2, 8] = beam200_clamped_free5_0_0625_slope_3_0 / beam_length
+    turns[2, 9] = beam200_clamped_free5_0_0625_slope_4_0 / beam_length
+    turns[2, 10] = beam200_clamped_free5_0_125_slope_0_0 / beam_length
+    turns[2, 11] = beam200_clamped_free5_0_125_slope_1_0 / beam_length
+    turns[2, 12] = beam200_clamped_free5_0_125_slope_2_0 / beam_length
+    turns[2, 13] = beam200_clamped_free5_0_125_slope_3_0 / beam_length
+    turns[2, 14] = beam200_clamped_free5_0_125_slope_4_0 / beam_length
+    turns[2, 15] = beam200_clamped_free5_0_1875_slope_0_0 / beam_length
+    turns[2, 16] = beam200_clamped_free5_0_1875_slope_1_0 / beam_length
+    turns[2, 17] = beam200_clamped_free5_0_1875_slope_2_0 / beam_length
+    turns[2, 18] = beam200_clamped_free5_0_1875_slope_3_0 / beam_length
+    turns[2, 19] = beam200_clamped_free5_0_1875_slope_4_0 / beam_length
+    turns[2, 20] = beam200_clamped_free5_0_25_slope_0_0 / beam_length
+    turns[2, 21] = beam200_clamped_free5_0_25_slope_1_0 / beam_length
+    turns[2, 22] = beam200_clamped_free5_0_25_slope_2_0 / beam_length
+    turns[2, 23] = beam200_clamped_free5_0_25_slope_3_0 / beam_length
+    turns[2, 24] = beam200_clamped_free5_0_25_slope_4_0 / beam_length
+    turns[2, 25] = beam200_clamped_free5_0_3125_slope_0_0 / beam_length
+    turns[2, 26] = beam200_clamped_free5_0_3125_slope_1_0 / beam_length
+    turns[2, 27] = beam200_clamped_free5_0_3125_slope_2_0 / beam_length
+    turns[2, 28] = beam200_clamped_free5_0_3125_slope_3_0 / beam_length
+    turns[2, 29] = beam200_clamped_free5_0_3125_slope_4_0 / beam_length
+    turns[2, 30] = beam200_clamped_free5_0_375_slope_0_0 / beam_length
+    turns[2, 31] = beam200_clamped_free5_0_375_slope_1_0 / beam_length
+    turns[2, 32] = beam200_clamped_free5_0_375_slope_2_0 / beam_length
+    turns[2, 33] = beam200_clamped_free5_0_375_slope_3_0 / beam_length
+    turns[2, 34] = beam200_clamped_free5_0_375_slope_4_0 / beam_length
+    turns[2, 35] = beam200_clamped_free5_0_4375_slope_0_0 / beam_length
+    turns[2, 36] = beam200_clamped_free5_0_4375_slope_1_0 / beam_length
+    turns[2, 37] = beam200_clamped_free5_0_4375_slope_2_0 / beam_length
+    turns[2, 38] = beam200_clamped_free5_0_4375_slope_3_0 / beam_length
+    turns[2, 39] = beam200_clamped_free5_0_4375_slope_4_0 / beam_length
+    turns[2, 40] = beam200_clamped_free5_0_5_slope_0_0 / beam_length
+    turns[2, 41] = beam200_clamped_free5_0_5_slope_1_0 / beam_length
+    turns[2, 42] = beam200_clamped_free5_0_5_slope_2_0 / beam_length
+    turns[2, 43] = beam200_clamped_free5_0_5_slope_3_0 / beam_length
+    turns[2, 44] = beam200_clamped_free5_0_5_slope_4_0 / beam_length
+    turns[2, 45] = beam200_clamped_free5_0_5625_slope_0_0 / beam_length
+    turns[2, 46] = beam200_clamped_free5_0_5625_slope_1_0 / beam_length
+    turns[2, 47] = beam200_clamped_free5_0_5625_slope_2_0 / beam_length
+    turns[2, 48] = beam200_clamped_free5_0_5625_slope_3_0 / beam_length
+    turns[2, 49] = beam200_clamped_free5_0_5625_slope_4_0 / beam_length
+    turns[2, 50] = beam200_clamped_free5_0_625_slope_0_0 / beam_length
+    turns[2, 51] = beam200_clamped_free5_0_625_slope_1_0 / beam_length
+    turns[2, 52] = beam200_clamped_free5_0_625_slope_2_0 / beam_length
+    turns[2, 53] = beam200_clamped_free5_0_625_slope_3_0 / beam_length
+    turns[2, 54] = beam200_clamped_free5_0_625_slope_4_0 / beam_length
+    turns[2, 55] = beam200_clamped_free5_0_6875_slope_0_0 / beam_length
+    turns[2, 56] = beam200_clamped_free5_0_6875_slope_1_0 / beam_length
+    turns[2, 57] = beam200_clamped_free5_0_6875_slope_2_0 / beam_length
+    turns[2, 58] = beam200_clamped_free5_0_6875_slope_3_0 / beam_length
+    turns[2, 59] = beam200_clamped_free5_0_6875_slope_4_0 / beam_length
+    turns[2, 60] = beam200_clamped_free5_0_75_slope_0_0 / beam_length
+    turns[2, 61] = beam200_clamped_free5_0_75_slope_1_0 / beam_length
+    turns[2, 62] = beam200_clamped_free5_0_75_slope_2_0 / beam_length
+    turns[2, 63] = beam200_clamped_free5_0_75_slope_3_0 / beam_length
+    turns[2, 64] = beam200_clamped_free5_0_75_slope_4_0 / beam_length
+    turns[2, 65] = beam200_clamped_free5_0_8125_slope_0_0 / beam_length
+    turns[2, 66] = beam200_clamped_free5_0_8125_slope_1_0 / beam_length
+    turns[2, 67] = beam200_clamped_free5_0_8125_slope_2_0 / beam_length
+    turns[2, 68] = beam200_clamped_free5_0_8125_slope_3_0 / beam_length
+    turns[2, 69] = beam200_clamped_free5_0_8125_slope_4_0 / beam_length
+    turns[2, 70] = beam200_clamped_free5_0_875_slope_0_0 / beam_length
+    turns[2, 71] = beam200_clamped_free5_0_875_slope_1_0 / beam_length
+    turns[2, 72] = beam200_clamped_free5_0_875_slope_2_0 / beam_length
+    turns[2, 73] = beam200_clamped_free5_0_875_slope_3_0 / beam_length
+    turns[2, 74] = beam200_clamped_free5_0_875_slope_4_0 / beam_length
+    turns[2, 75] = beam200_clamped_free5_0_9375_slope_0_0 / beam_length
+    turns[2, 76] = beam200_clamped_free5_0_9375_slope_1_0 / beam_length
+    turns[2, 77] = beam200_clamped_free5_0_9375_slope_2_0 / beam_length
+    turns[2, 78] = beam200_clamped_free5_0_9375_slope_3_0 / beam_length
+    turns[2, 79] = beam200_clamped_free5_0_9375_slope_4_0 / beam_length
+    turns[2, 80] = w0
+    turns[2, 81] = w1
+    turns[2, 82] = w2
+    turns[2, 83] = w3
+    turns[2, 84] = w4
+    turns[2, 90] = w0
+    turns[2, 91] = w1
+    turns[2, 92] = w2
+    turns[2, 93] = w3
+    turns[2, 94] = w4
+    H = ca.horzcat(
+        beam200_clamped_free5_0_0625_H_0_0 / beam_length, beam200_clamped_free5_0_0625_H_0_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_2 / beam_length, beam200_clamped_free5_0_0625_H_0_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_0_4 / beam_length, beam200_clamped_free5_0_0625_H_1_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_1 / beam_length, beam200_clamped_free5_0_0625_H_1_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_1_3 / beam_length, beam200_clamped_free5_0_0625_H_1_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_0 / beam_length, beam200_clamped_free5_0_0625_H_2_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_2 / beam_length, beam200_clamped_free5_0_0625_H_2_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_2_4 / beam_length, beam200_clamped_free5_0_0625_H_3_0 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_1 / beam_length, beam200_clamped_free5_0_0625_H_3_2 / beam_length,
+        beam200_clamped_free5_0_0625_H_3_3 / beam_length, beam200_clamped_free5_0_0625_H_3_4 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_0 / beam_length, beam200_clamped_free5_0_0625_H_4_1 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_2 / beam_length, beam200_clamped_free5_0_0625_H_4_3 / beam_length,
+        beam200_clamped_free5_0_0625_H_4_4 / beam_length, beam200_clamped_free5_0_125_H_0_0 / beam_length,
+        beam200_clamped_free5_0_125_H_0_1 / beam_length, beam200_clamped_free5_0_125_H_0_2 / beam_length,
+        beam200_clamped_free5_0_125_H_0_3 / beam_length, beam200_clamped_free5_0_125_H_0_4 / beam_length,
+        beam200_clamped_free5_0_125_H_1_0 / beam_length, beam200_clamped_free5_0_125_H_1_1 / beam_length,
+        beam200_clamped_free5_0_125_H_1_2 / beam_length, beam200_clamped_free5_0_125_H_1_3 / beam_length,
+        beam200_clamped_free5_0_125_H_1_4 / beam_length, beam200_clamped_free5_0_125_H_2_0 / beam_length,
+        beam200_clamped_free5_0_125_H_2_1 / beam_length, beam200_clamped_free5_0_125_H_2_2 / beam_length,
+        beam200_clamped_free5_0_125_H_2_3 / beam_length, beam200_clamped_free5_0_125_H_2_4 / beam_length,
+        beam200_clamped_free5_0_125_H_3_0 / beam_length, beam200_clamped_free5_0_125_H_3_1 / beam_length,
+        beam200_clamped_free5_0_125_H_3_2 / beam_length, beam200_clamped_free5_0_125_H_3_3 / beam_length,
+        beam200_clamped_free5_0_125_H_3_4 / beam_length, beam200_clamped_free5_0_125_H_4_0 / beam_length,
+        beam200_clamped_free5_0_125_H_4_1 / beam_length, beam200_clamped_free5_0_125_H_4_2 / beam_length,
+        beam200_clamped_free5_0_125_H_4_3 / beam_length, beam200_clamped_free5_0_125_H_4_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_0 / beam_length, beam200_clamped_free5_0_1875_H_0_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_2 / beam_length, beam200_clamped_free5_0_1875_H_0_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_0_4 / beam_length, beam200_clamped_free5_0_1875_H_1_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_1 / beam_length, beam200_clamped_free5_0_1875_H_1_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_1_3 / beam_length, beam200_clamped_free5_0_1875_H_1_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_0 / beam_length, beam200_clamped_free5_0_1875_H_2_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_2 / beam_length, beam200_clamped_free5_0_1875_H_2_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_2_4 / beam_length, beam200_clamped_free5_0_1875_H_3_0 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_1 / beam_length, beam200_clamped_free5_0_1875_H_3_2 / beam_length,
+        beam200_clamped_free5_0_1875_H_3_3 / beam_length, beam200_clamped_free5_0_1875_H_3_4 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_0 / beam_length, beam200_clamped_free5_0_1875_H_4_1 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_2 / beam_length, beam200_clamped_free5_0_1875_H_4_3 / beam_length,
+        beam200_clamped_free5_0_1875_H_4_4 / beam_length, beam200_clamped_free5_0_25_H_0_0 / beam_length,
+        beam200_clamped_free5_0_25_H_0_1 / beam_length, beam200_clamped_free5_0_25_H_0_2 / beam_length,
+        beam200_clamped_free5_0_25_H_0_3 / beam_length, beam200_clamped_free5_0_25_H_0_4 / beam_length,
+        beam200_clamped_free5_0_25_H_1_0 / beam_length, beam200_clamped_free5_0_25_H_1_1 / beam_length,
+        beam200_clamped_free5_0_25_H_1_2 / beam_length, beam200_clamped_free5_0_25_H_1_3 / beam_length,
+        beam200_clamped_free5_0_25_H_1_4 / beam_length, beam200_clamped_free5_0_25_H_2_0 / beam_length,
+        beam200_clamped_free5_0_25_H_2_1 / beam_length, beam200_clamped_free5_0_25_H_2_2 / beam_length,
+        beam200_clamped_free5_0_25_H_2_3 / beam_length, beam200_clamped_free5_0_25_H_2_4 / beam_length,
+        beam200_clamped_free5_0_25_H_3_0 / beam_length, beam200_clamped_free5_0_25_H_3_1 / beam_length,
+        beam200_clamped_free5_0_25_H_3_2 / beam_length, beam200_clamped_free5_0_25_H_3_3 / beam_length,
+        beam200_clamped_free5_0_25_H_3_4 / beam_length, beam200_clamped_free5_0_25_H_4_0 / beam_length,
+        beam200_clamped_free5_0_25_H_4_1 / beam_length, beam200_clamped_free5_0_25_H_4_2 / beam_length,
+        beam200_clamped_free5_0_25_H_4_3 / beam_length, beam200_clamped_free5_0_25_H_4_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_0 / beam_length, beam200_clamped_free5_0_3125_H_0_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_2 / beam_length, beam200_clamped_free5_0_3125_H_0_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_0_4 / beam_length, beam200_clamped_free5_0_3125_H_1_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_1 / beam_length, beam200_clamped_free5_0_3125_H_1_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_1_3 / beam_length, beam200_clamped_free5_0_3125_H_1_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_0 / beam_length, beam200_clamped_free5_0_3125_H_2_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_2 / beam_length, beam200_clamped_free5_0_3125_H_2_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_2_4 / beam_length, beam200_clamped_free5_0_3125_H_3_0 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_1 / beam_length, beam200_clamped_free5_0_3125_H_3_2 / beam_length,
+        beam200_clamped_free5_0_3125_H_3_3 / beam_length, beam200_clamped_free5_0_3125_H_3_4 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_0 / beam_length, beam200_clamped_free5_0_3125_H_4_1 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_2 / beam_length, beam200_clamped_free5_0_3125_H_4_3 / beam_length,
+        beam200_clamped_free5_0_3125_H_4_4 / beam_length, beam200_clamped_free5_0_375_H_0_0 / beam_length,
+        beam200_clamped_free5_0_375_H_0_1 / beam_length, beam200_clamped_free5_0_375_H_0_2 / beam_length,
+        beam200_clamped_free5_0_375_H_0_3 / beam_length, beam200_clamped_free5_0_375_H_0_4 / beam_length,
+        beam200_clamped_free5_0_375_H_1_0 / beam_length, beam200_clamped_free5_0_375_H_1_1 / beam_length,
+        beam200_clamped_free5_0_375_H_1_2 / beam_length, beam200_clamped_free5_0_375_H_1_3 / beam_length,
+        beam200_clamped_free5_0_375_H_1_4 / beam_length, beam200_clamped_free5_0_375_H_2_0 / beam_length,
+        beam200_clamped_free5_0_375_H_2_1 / beam_length, beam200_clamped_free5_0_375_H_2_2 / beam_length,
+        beam200_clamped_free5_0_375_H_2_3 / beam_length, beam200_clamped_free5_0_375_H_2_4 / beam_length,
+        beam200_clamped_free5_0_375_H_3_0 / beam_length, beam200_clamped_free5_0_375_H_3_1 / beam_length,
+        beam200_clamped_free5_0_375_H_3_2 / beam_length, beam200_clamped_free5_0_375_H_3_3 / beam_length,
+        beam200_clamped_free5_0_375_H_3_4 / beam_length, beam200_clamped_free5_0_375_H_4_0 / beam_length,
+        beam200_clamped_free5_0_375_H_4_1 / beam_length, beam200_clamped_free5_0_375_H_4_2 / beam_length,
+        beam200_clamped_free5_0_375_H_4_3 / beam_length, beam200_clamped_free5_0_375_H_4_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_0 / beam_length, beam200_clamped_free5_0_4375_H_0_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_2 / beam_length, beam200_clamped_free5_0_4375_H_0_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_0_4 / beam_length, beam200_clamped_free5_0_4375_H_1_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_1 / beam_length, beam200_clamped_free5_0_4375_H_1_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_1_3 / beam_length, beam200_clamped_free5_0_4375_H_1_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_0 / beam_length, beam200_clamped_free5_0_4375_H_2_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_2 / beam_length, beam200_clamped_free5_0_4375_H_2_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_2_4 / beam_length, beam200_clamped_free5_0_4375_H_3_0 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_1 / beam_length, beam200_clamped_free5_0_4375_H_3_2 / beam_length,
+        beam200_clamped_free5_0_4375_H_3_3 / beam_length, beam200_clamped_free5_0_4375_H_3_4 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_0 / beam_length, beam200_clamped_free5_0_4375_H_4_1 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_2 / beam_length, beam200_clamped_free5_0_4375_H_4_3 / beam_length,
+        beam200_clamped_free5_0_4375_H_4_4 / beam_length, beam200_clamped_free5_0_5_H_0_0 / beam_length,
+        beam200_clamped_free5_0_5_H_0_1 / beam_length, beam200_clamped_free5_0_5_H_0_2 / beam_length,
+        beam200_clamped_free5_0_5_H_0_3 / beam_length, beam200_clamped_free5_0_5_H_0_4 / beam_length,
+        beam200_clamped_free5_0_5_H_1_0 / beam_length, beam200_clamped_free5_0_5_H_1_1 / beam_length,
+        beam200_clamped_free5_0_5_H_1_2 / beam_length, beam200_clamped_free5_0_5_H_1_3 / beam_length,
+        beam200_clamped_free5_0_5_H_1_4 / beam_length, beam200_clamped_free5_0_5_H_2_0 / beam_length,
+        beam200_clamped_free5_0_5_H_2_1 / beam_length, beam200_clamped_free5_0_5_H_2_2 / beam_length,
+        beam200_clamped_free5_0_5_H_2_3 / beam_length, beam200_clamped_free5_0_5_H_2_4 / beam_length,
+        beam200_clamped_free5_0_5_H_3_0 / beam_length, beam200_clamped_free5_0_5_H_3_1 / beam_length,
+        beam200_clamped_free5_0_5_H_3_2 / beam_length, beam200_clamped_free5_0_5_H_3_3 / beam_length,
+        beam200_clamped_free5_0_5_H_3_4 / beam_length, beam200_clamped_free5_0_5_H_4_0 / beam_length,
+        beam200_clamped_free5_0_5_H_4_1 / beam_length, beam200_clamped_free5_0_5_H_4_2 / beam_length,
+        beam200_clamped_free5_0_5_H_4_3 / beam_length, beam200_clamped_free5_0_5_H_4_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_0 / beam_length, beam200_clamped_free5_0_5625_H_0_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_2 / beam_length, beam200_clamped_free5_0_5625_H_0_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_0_4 / beam_length, beam200_clamped_free5_0_5625_H_1_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_1 / beam_length, beam200_clamped_free5_0_5625_H_1_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_1_3 / beam_length, beam200_clamped_free5_0_5625_H_1_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_0 / beam_length, beam200_clamped_free5_0_5625_H_2_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_2 / beam_length, beam200_clamped_free5_0_5625_H_2_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_2_4 / beam_length, beam200_clamped_free5_0_5625_H_3_0 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_1 / beam_length, beam200_clamped_free5_0_5625_H_3_2 / beam_length,
+        beam200_clamped_free5_0_5625_H_3_3 / beam_length, beam200_clamped_free5_0_5625_H_3_4 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_0 / beam_length, beam200_clamped_free5_0_5625_H_4_1 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_2 / beam_length, beam200_clamped_free5_0_5625_H_4_3 / beam_length,
+        beam200_clamped_free5_0_5625_H_4_4 / beam_length, beam200_clamped_free5_0_625_H_0_0 / beam_length,
+        beam200_clamped_free5_0_625_H_0_1 / beam_length, beam200_clamped_free5_0_625_H_0_2 / beam_length,
+        beam200_clamped_free5_0_625_H_0_3 / beam_length, beam200_clamped_free5_0_625_H_0_4 / beam_length,
+        beam200_clamped_free5_0_625_H_1_0 / beam_length, beam200_clamped_free5_0_625_H_1_1 / beam_length,
+        beam200_clamped_free5_0_625_H_1_2 / beam_length, beam200_clamped_free5_0_625_H_1_3 / beam_length,
+        beam200_clamped_free5_0_625_H_1_4 / beam_length, beam200_clamped_free5_0_625_H_2_0 / beam_length,
+        beam200_clamped_free5_0_625_H_2_1 / beam_length, beam200_clamped_free5_0_625_H_2_2 / beam_length,
+        beam200_clamped_free5_0_625_H_2_3 / beam_length, beam200_clamped_free5_0_625_H_2_4 / beam_length,
+        beam200_clamped_free5_0_625_H_3_0 / beam_length, beam200_clamped_free5_0_625_H_3_1 / beam_length,
+        beam200_clamped_free5_0_625_H_3_2 / beam_length, beam200_clamped_free5_0_625_H_3_3 / beam_length,
+        beam200_clamped_free5_0_625_H_3_4 / beam_length, beam200_clamped_free5_0_625_H_4_0 / beam_length,
+        beam200_clamped_free5_0_625_H_4_1 / beam_length, beam200_clamped_free5_0_625_H_4_2 / beam_length,
+        beam200_clamped_free5_0_625_H_4_3 / beam_length, beam200_clamped_free5_0_625_H_4_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_0 / beam_length, beam200_clamped_free5_0_6875_H_0_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_2 / beam_length, beam200_clamped_free5_0_6875_H_0_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_0_4 / beam_length, beam200_clamped_free5_0_6875_H_1_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_1 / beam_length, beam200_clamped_free5_0_6875_H_1_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_1_3 / beam_length, beam200_clamped_free5_0_6875_H_1_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_0 / beam_length, beam200_clamped_free5_0_6875_H_2_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_2 / beam_length, beam200_clamped_free5_0_6875_H_2_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_2_4 / beam_length, beam200_clamped_free5_0_6875_H_3_0 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_1 / beam_length, beam200_clamped_free5_0_6875_H_3_2 / beam_length,
+        beam200_clamped_free5_0_6875_H_3_3 / beam_length, beam200_clamped_free5_0_6875_H_3_4 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_0 / beam_length, beam200_clamped_free5_0_6875_H_4_1 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_2 / beam_length, beam200_clamped_free5_0_6875_H_4_3 / beam_length,
+        beam200_clamped_free5_0_6875_H_4_4 / beam_length, beam200_clamped_free5_0_75_H_0_0 / beam_length,
+        beam200_clamped_free5_0_75_H_0_1 / beam_length, beam200_clamped_free5_0_75_H_0_2 / beam_length,
+        beam200_clamped_free5_0_75_H_0_3 / beam_length, beam200_clamped_free5_0_75_H_0_4 / beam_length,
+        beam200_clamped_free5_0_75_H_1_0 / beam_length, beam200_clamped_free5_0_75_H_1_1 / beam_length,
+        beam200_clamped_free5_0_75_H_1_2 / beam_length, beam200_clamped_free5_0_75_H_1_3 / beam_length,
+        beam200_clamped_free5_0_75_H_1_4 / beam_length, beam200_clamped_free5_0_75_H_2_0 / beam_length,
+        beam200_clamped_free5_0_75_H_2_1 / beam_length, beam200_clamped_free5_0_75_H_2_2 / beam_length,
+        beam200_clamped_free5_0_75_H_2_3 / beam_length, beam200_clamped_free5_0_75_H_2_4 / beam_length,
+        beam200_clamped_free5_0_75_H_3_0 / beam_length, beam200_clamped_free5_0_75_H_3_1 / beam_length,
+        beam200_clamped_free5_0_75_H_3_2 / beam_length, beam200_clamped_free5_0_75_H_3_3 / beam_length,
+        beam200_clamped_free5_0_75_H_3_4 / beam_length, beam200_clamped_free5_0_75_H_4_0 / beam_length,
+        beam200_clamped_free5_0_75_H_4_1 / beam_length, beam200_clamped_free5_0_75_H_4_2 / beam_length,
+        beam200_clamped_free5_0_75_H_4_3 / beam_length, beam200_clamped_free5_0_75_H_4_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_0 / beam_length, beam200_clamped_free5_0_8125_H_0_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_2 / beam_length, beam200_clamped_free5_0_8125_H_0_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_0_4 / beam_length, beam200_clamped_free5_0_8125_H_1_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_1 / beam_length, beam200_clamped_free5_0_8125_H_1_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_1_3 / beam_length, beam200_clamped_free5_0_8125_H_1_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_0 / beam_length, beam200_clamped_free5_0_8125_H_2_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_2 / beam_length, beam200_clamped_free5_0_8125_H_2_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_2_4 / beam_length, beam200_clamped_free5_0_8125_H_3_0 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_1 / beam_length, beam200_clamped_free5_0_8125_H_3_2 / beam_length,
+        beam200_clamped_free5_0_8125_H_3_3 / beam_length, beam200_clamped_free5_0_8125_H_3_4 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_0 / beam_length, beam200_clamped_free5_0_8125_H_4_1 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_2 / beam_length, beam200_clamped_free5_0_8125_H_4_3 / beam_length,
+        beam200_clamped_free5_0_8125_H_4_4 / beam_length, beam200_clamped_free5_0_875_H_0_0 / beam_length,
+        beam200_clamped_free5_0_875_H_0_1 / beam_length, beam200_clamped_free5_0_875_H_0_2 / beam_length,
+        beam200_clamped_free5_0_875_H_0_3 / beam_length, beam200_clamped_free5_0_875_H_0_4 / beam_length,
+        beam200_clamped_free5_0_875_H_1_0 / beam_length, beam200_clamped_free5_0_875_H_1_1 / beam_length,
+        beam200_clamped_free5_0_875_H_1_2 / beam_length, beam200_clamped_free5_0_875_H_1_3 / beam_length,
+        beam200_clamped_free5_0_875_H_1_4 / beam_length, beam200_clamped_free5_0_875_H_2_0 / beam_length,
+        beam200_clamped_free5_0_875_H_2_1 / beam_length, beam200_clamped_free5_0_875_H_2_2 / beam_length,
+        beam200_clamped_free5_0_875_H_2_3 / beam_length, beam200_clamped_free5_0_875_H_2_4 / beam_length,
+        beam200_clamped_free5_0_875_H_3_0 / beam_length, beam200_clamped_free5_0_875_H_3_1 / beam_length,
+        beam200_clamped_free5_0_875_H_3_2 / beam_length, beam200_clamped_free5_0_875_H_3_3 / beam_length,
+        beam200_clamped_free5_0_875_H_3_4 / beam_length, beam200_clamped_free5_0_875_H_4_0 / beam_length,
+        beam200_clamped_free5_0_875_H_4_1 / beam_length, beam200_clamped_free5_0_875_H_4_2 / beam_length,
+        beam200_clamped_free5_0_875_H_4_3 / beam_length, beam200_clamped_free5_0_875_H_4_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_0 / beam_length, beam200_clamped_free5_0_9375_H_0_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_2 / beam_length, beam200_clamped_free5_0_9375_H_0_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_0_4 / beam_length, beam200_clamped_free5_0_9375_H_1_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_1 / beam_length, beam200_clamped_free5_0_9375_H_1_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_1_3 / beam_length, beam200_clamped_free5_0_9375_H_1_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_0 / beam_length, beam200_clamped_free5_0_9375_H_2_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_2 / beam_length, beam200_clamped_free5_0_9375_H_2_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_2_4 / beam_length, beam200_clamped_free5_0_9375_H_3_0 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_1 / beam_length, beam200_clamped_free5_0_9375_H_3_2 / beam_length,
+        beam200_clamped_free5_0_9375_H_3_3 / beam_length, beam200_clamped_free5_0_9375_H_3_4 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_0 / beam_length, beam200_clamped_free5_0_9375_H_4_1 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_2 / beam_length, beam200_clamped_free5_0_9375_H_4_3 / beam_length,
+        beam200_clamped_free5_0_9375_H_4_4 / beam_length, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16,
+        w17, w18, w19, w20, w21, w22, w23, w24, w25, w26, w27, w28, w29, w5, w6, w7, w8, w9, w10, w11, w12, w13,
+        w14, w15, w16, w17, w18, w19, w20, w21, w22, w23, w24, w25, w26, w27, w28, w29,
     )
-    positions = ca.reshape(positions, 3, 20)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 20)
-    axes = ca.densify(axes)
-    shapes = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_shape_1_4,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_1,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_2,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_3,
-        0.0,
-        0.0,
-        beam200_clamped_free5_1_0_shape_1_4,
-        0.0,
-    )
-    shapes = ca.reshape(shapes, 3, 95)
-    shapes = ca.densify(shapes)
-    turns = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_0625_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_125_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_1875_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_25_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_3125_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_375_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_4375_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_5625_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_625_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_6875_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_75_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_8125_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_875_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_slope_0_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_slope_1_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_slope_2_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_slope_3_0 / beam_length,
-        0.0,
-        0.0,
-        beam200_clamped_free5_0_9375_slope_4_0 / beam_length,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-        0.0,
-        0.0,
-        w4,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0,
-        0.0,
-        0.0,
-        w1,
-        0.0,
-        0.0,
-        w2,
-        0.0,
-        0.0,
-        w3,
-        0.0,
-        0.0,
-        w4,
-    )
-    turns = ca.reshape(turns, 3, 95)
-    turns = ca.densify(turns)
-    H = ca.vertcat(
-        beam200_clamped_free5_0_0625_H_0_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_4 / beam_length,
-        beam200_clamped_free5_0_125_H_0_0 / beam_length,
-        beam200_clamped_free5_0_125_H_0_1 / beam_length,
-        beam200_clamped_free5_0_125_H_0_2 / beam_length,
-        beam200_clamped_free5_0_125_H_0_3 / beam_length,
-        beam200_clamped_free5_0_125_H_0_4 / beam_length,
-        beam200_clamped_free5_0_125_H_1_0 / beam_length,
-        beam200_clamped_free5_0_125_H_1_1 / beam_length,
-        beam200_clamped_free5_0_125_H_1_2 / beam_length,
-        beam200_clamped_free5_0_125_H_1_3 / beam_length,
-        beam200_clamped_free5_0_125_H_1_4 / beam_length,
-        beam200_clamped_free5_0_125_H_2_0 / beam_length,
-        beam200_clamped_free5_0_125_H_2_1 / beam_length,
-        beam200_clamped_free5_0_125_H_2_2 / beam_length,
-        beam200_clamped_free5_0_125_H_2_3 / beam_length,
-        beam200_clamped_free5_0_125_H_2_4 / beam_length,
-        beam200_clamped_free5_0_125_H_3_0 / beam_length,
-        beam200_clamped_free5_0_125_H_3_1 / beam_length,
-        beam200_clamped_free5_0_125_H_3_2 / beam_length,
-        beam200_clamped_free5_0_125_H_3_3 / beam_length,
-        beam200_clamped_free5_0_125_H_3_4 / beam_length,
-        beam200_clamped_free5_0_125_H_4_0 / beam_length,
-        beam200_clamped_free5_0_125_H_4_1 / beam_length,
-        beam200_clamped_free5_0_125_H_4_2 / beam_length,
-        beam200_clamped_free5_0_125_H_4_3 / beam_length,
-        beam200_clamped_free5_0_125_H_4_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_4 / beam_length,
-        beam200_clamped_free5_0_25_H_0_0 / beam_length,
-        beam200_clamped_free5_0_25_H_0_1 / beam_length,
-        beam200_clamped_free5_0_25_H_0_2 / beam_length,
-        beam200_clamped_free5_0_25_H_0_3 / beam_length,
-        beam200_clamped_free5_0_25_H_0_4 / beam_length,
-        beam200_clamped_free5_0_25_H_1_0 / beam_length,
-        beam200_clamped_free5_0_25_H_1_1 / beam_length,
-        beam200_clamped_free5_0_25_H_1_2 / beam_length,
-        beam200_clamped_free5_0_25_H_1_3 / beam_length,
-        beam200_clamped_free5_0_25_H_1_4 / beam_length,
-        beam200_clamped_free5_0_25_H_2_0 / beam_length,
-        beam200_clamped_free5_0_25_H_2_1 / beam_length,
-        beam200_clamped_free5_0_25_H_2_2 / beam_length,
-        beam200_clamped_free5_0_25_H_2_3 / beam_length,
-        beam200_clamped_free5_0_25_H_2_4 / beam_length,
-        beam200_clamped_free5_0_25_H_3_0 / beam_length,
-        beam200_clamped_free5_0_25_H_3_1 / beam_length,
-        beam200_clamped_free5_0_25_H_3_2 / beam_length,
-        beam200_clamped_free5_0_25_H_3_3 / beam_length,
-        beam200_clamped_free5_0_25_H_3_4 / beam_length,
-        beam200_clamped_free5_0_25_H_4_0 / beam_length,
-        beam200_clamped_free5_0_25_H_4_1 / beam_length,
-        beam200_clamped_free5_0_25_H_4_2 / beam_length,
-        beam200_clamped_free5_0_25_H_4_3 / beam_length,
-        beam200_clamped_free5_0_25_H_4_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_4 / beam_length,
-        beam200_clamped_free5_0_375_H_0_0 / beam_length,
-        beam200_clamped_free5_0_375_H_0_1 / beam_length,
-        beam200_clamped_free5_0_375_H_0_2 / beam_length,
-        beam200_clamped_free5_0_375_H_0_3 / beam_length,
-        beam200_clamped_free5_0_375_H_0_4 / beam_length,
-        beam200_clamped_free5_0_375_H_1_0 / beam_length,
-        beam200_clamped_free5_0_375_H_1_1 / beam_length,
-        beam200_clamped_free5_0_375_H_1_2 / beam_length,
-        beam200_clamped_free5_0_375_H_1_3 / beam_length,
-        beam200_clamped_free5_0_375_H_1_4 / beam_length,
-        beam200_clamped_free5_0_375_H_2_0 / beam_length,
-        beam200_clamped_free5_0_375_H_2_1 / beam_length,
-        beam200_clamped_free5_0_375_H_2_2 / beam_length,
-        beam200_clamped_free5_0_375_H_2_3 / beam_length,
-        beam200_clamped_free5_0_375_H_2_4 / beam_length,
-        beam200_clamped_free5_0_375_H_3_0 / beam_length,
-        beam200_clamped_free5_0_375_H_3_1 / beam_length,
-        beam200_clamped_free5_0_375_H_3_2 / beam_length,
-        beam200_clamped_free5_0_375_H_3_3 / beam_length,
-        beam200_clamped_free5_0_375_H_3_4 / beam_length,
-        beam200_clamped_free5_0_375_H_4_0 / beam_length,
-        beam200_clamped_free5_0_375_H_4_1 / beam_length,
-        beam200_clamped_free5_0_375_H_4_2 / beam_length,
-        beam200_clamped_free5_0_375_H_4_3 / beam_length,
-        beam200_clamped_free5_0_375_H_4_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_4 / beam_length,
-        beam200_clamped_free5_0_5_H_0_0 / beam_length,
-        beam200_clamped_free5_0_5_H_0_1 / beam_length,
-        beam200_clamped_free5_0_5_H_0_2 / beam_length,
-        beam200_clamped_free5_0_5_H_0_3 / beam_length,
-        beam200_clamped_free5_0_5_H_0_4 / beam_length,
-        beam200_clamped_free5_0_5_H_1_0 / beam_length,
-        beam200_clamped_free5_0_5_H_1_1 / beam_length,
-        beam200_clamped_free5_0_5_H_1_2 / beam_length,
-        beam200_clamped_free5_0_5_H_1_3 / beam_length,
-        beam200_clamped_free5_0_5_H_1_4 / beam_length,
-        beam200_clamped_free5_0_5_H_2_0 / beam_length,
-        beam200_clamped_free5_0_5_H_2_1 / beam_length,
-        beam200_clamped_free5_0_5_H_2_2 / beam_length,
-        beam200_clamped_free5_0_5_H_2_3 / beam_length,
-        beam200_clamped_free5_0_5_H_2_4 / beam_length,
-        beam200_clamped_free5_0_5_H_3_0 / beam_length,
-        beam200_clamped_free5_0_5_H_3_1 / beam_length,
-        beam200_clamped_free5_0_5_H_3_2 / beam_length,
-        beam200_clamped_free5_0_5_H_3_3 / beam_length,
-        beam200_clamped_free5_0_5_H_3_4 / beam_length,
-        beam200_clamped_free5_0_5_H_4_0 / beam_length,
-        beam200_clamped_free5_0_5_H_4_1 / beam_length,
-        beam200_clamped_free5_0_5_H_4_2 / beam_length,
-        beam200_clamped_free5_0_5_H_4_3 / beam_length,
-        beam200_clamped_free5_0_5_H_4_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_4 / beam_length,
-        beam200_clamped_free5_0_625_H_0_0 / beam_length,
-        beam200_clamped_free5_0_625_H_0_1 / beam_length,
-        beam200_clamped_free5_0_625_H_0_2 / beam_length,
-        beam200_clamped_free5_0_625_H_0_3 / beam_length,
-        beam200_clamped_free5_0_625_H_0_4 / beam_length,
-        beam200_clamped_free5_0_625_H_1_0 / beam_length,
-        beam200_clamped_free5_0_625_H_1_1 / beam_length,
-        beam200_clamped_free5_0_625_H_1_2 / beam_length,
-        beam200_clamped_free5_0_625_H_1_3 / beam_length,
-        beam200_clamped_free5_0_625_H_1_4 / beam_length,
-        beam200_clamped_free5_0_625_H_2_0 / beam_length,
-        beam200_clamped_free5_0_625_H_2_1 / beam_length,
-        beam200_clamped_free5_0_625_H_2_2 / beam_length,
-        beam200_clamped_free5_0_625_H_2_3 / beam_length,
-        beam200_clamped_free5_0_625_H_2_4 / beam_length,
-        beam200_clamped_free5_0_625_H_3_0 / beam_length,
-        beam200_clamped_free5_0_625_H_3_1 / beam_length,
-        beam200_clamped_free5_0_625_H_3_2 / beam_length,
-        beam200_clamped_free5_0_625_H_3_3 / beam_length,
-        beam200_clamped_free5_0_625_H_3_4 / beam_length,
-        beam200_clamped_free5_0_625_H_4_0 / beam_length,
-        beam200_clamped_free5_0_625_H_4_1 / beam_length,
-        beam200_clamped_free5_0_625_H_4_2 / beam_length,
-        beam200_clamped_free5_0_625_H_4_3 / beam_length,
-        beam200_clamped_free5_0_625_H_4_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_4 / beam_length,
-        beam200_clamped_free5_0_75_H_0_0 / beam_length,
-        beam200_clamped_free5_0_75_H_0_1 / beam_length,
-        beam200_clamped_free5_0_75_H_0_2 / beam_length,
-        beam200_clamped_free5_0_75_H_0_3 / beam_length,
-        beam200_clamped_free5_0_75_H_0_4 / beam_length,
-        beam200_clamped_free5_0_75_H_1_0 / beam_length,
-        beam200_clamped_free5_0_75_H_1_1 / beam_length,
-        beam200_clamped_free5_0_75_H_1_2 / beam_length,
-        beam200_clamped_free5_0_75_H_1_3 / beam_length,
-        beam200_clamped_free5_0_75_H_1_4 / beam_length,
-        beam200_clamped_free5_0_75_H_2_0 / beam_length,
-        beam200_clamped_free5_0_75_H_2_1 / beam_length,
-        beam200_clamped_free5_0_75_H_2_2 / beam_length,
-        beam200_clamped_free5_0_75_H_2_3 / beam_length,
-        beam200_clamped_free5_0_75_H_2_4 / beam_length,
-        beam200_clamped_free5_0_75_H_3_0 / beam_length,
-        beam200_clamped_free5_0_75_H_3_1 / beam_length,
-        beam200_clamped_free5_0_75_H_3_2 / beam_length,
-        beam200_clamped_free5_0_75_H_3_3 / beam_length,
-        beam200_clamped_free5_0_75_H_3_4 / beam_length,
-        beam200_clamped_free5_0_75_H_4_0 / beam_length,
-        beam200_clamped_free5_0_75_H_4_1 / beam_length,
-        beam200_clamped_free5_0_75_H_4_2 / beam_length,
-        beam200_clamped_free5_0_75_H_4_3 / beam_length,
-        beam200_clamped_free5_0_75_H_4_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_4 / beam_length,
-        beam200_clamped_free5_0_875_H_0_0 / beam_length,
-        beam200_clamped_free5_0_875_H_0_1 / beam_length,
-        beam200_clamped_free5_0_875_H_0_2 / beam_length,
-        beam200_clamped_free5_0_875_H_0_3 / beam_length,
-        beam200_clamped_free5_0_875_H_0_4 / beam_length,
-        beam200_clamped_free5_0_875_H_1_0 / beam_length,
-        beam200_clamped_free5_0_875_H_1_1 / beam_length,
-        beam200_clamped_free5_0_875_H_1_2 / beam_length,
-        beam200_clamped_free5_0_875_H_1_3 / beam_length,
-        beam200_clamped_free5_0_875_H_1_4 / beam_length,
-        beam200_clamped_free5_0_875_H_2_0 / beam_length,
-        beam200_clamped_free5_0_875_H_2_1 / beam_length,
-        beam200_clamped_free5_0_875_H_2_2 / beam_length,
-        beam200_clamped_free5_0_875_H_2_3 / beam_length,
-        beam200_clamped_free5_0_875_H_2_4 / beam_length,
-        beam200_clamped_free5_0_875_H_3_0 / beam_length,
-        beam200_clamped_free5_0_875_H_3_1 / beam_length,
-        beam200_clamped_free5_0_875_H_3_2 / beam_length,
-        beam200_clamped_free5_0_875_H_3_3 / beam_length,
-        beam200_clamped_free5_0_875_H_3_4 / beam_length,
-        beam200_clamped_free5_0_875_H_4_0 / beam_length,
-        beam200_clamped_free5_0_875_H_4_1 / beam_length,
-        beam200_clamped_free5_0_875_H_4_2 / beam_length,
-        beam200_clamped_free5_0_875_H_4_3 / beam_length,
-        beam200_clamped_free5_0_875_H_4_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_4 / beam_length,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-        w12,
-        w13,
-        w14,
-        w15,
-        w16,
-        w17,
-        w18,
-        w19,
-        w20,
-        w21,
-        w22,
-        w23,
-        w24,
-        w25,
-        w26,
-        w27,
-        w28,
-        w29,
-        w5,
-        w6,
-        w7,
-        w8,
-        w9,
-        w10,
-        w11,
-        w12,
-        w13,
-        w14,
-        w15,
-        w16,
-        w17,
-        w18,
-        w19,
-        w20,
-        w21,
-        w22,
-        w23,
-        w24,
-        w25,
-        w26,
-        w27,
-        w28,
-        w29,
-    )
-    H = ca.reshape(H, 1, 425)
-    H = ca.densify(H)
-    sections = ca.vertcat(
-        w30,
-        beam_area / w30,
-    )
-    sections = ca.densify(sections)
-    inputs, outputs = [p], [positions, axes, shapes, turns, H, sections]
+    sections = ca.vertcat(w30, beam_area / w30)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
 
 

@@ -1,18 +1,30 @@
 """Free body turning over: equations of motion, emitted by symgen from the scene `tumbling_body`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 body.x [m], 1 body.y [m], 2 body.z [m], 3 body.e1 [1], 4 body.e2 [1], 5 body.e3 [1]
+
+q_d, the dependent coordinates by index:
+    0 body.e0 [1]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 58 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    58 operations.
+    """
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
     body_inertia_yy = p[2]
     body_inertia_zz = p[3]
+    # intermediate terms (9)
     w0 = (body_inertia_xx + body_inertia_yy + body_inertia_zz) / 2.0
     w1 = w0 - body_inertia_yy
     w2 = w0 - body_inertia_zz
@@ -22,34 +34,44 @@ def constants() -> ca.Function:
     w6 = w1 + w4
     w7 = -4.0 * w6
     w8 = -4.0 * w5
+    # outputs
     c = ca.vertcat(
-        body_mass,
-        w1,
-        w2,
-        w3,
-        w4,
-        w5,
-        w6,
-        4.0 * w5 + w7,
-        4.0 * w3 + w8,
-        4.0 * w6 + -4.0 * w3,
-        4.0 * w6 + -4.0 * w3,
-        4.0 * w3 + w8,
-        w7 + 4.0 * w5,
-        2 * w3,
-        -2.0 * w5,
-        2 * w6,
-        -2.0 * w3,
-        -2.0 * w6,
-        2 * w5,
+        body_mass,  # body_mass
+        w1,  # c1
+        w2,  # c2
+        w3,  # c3
+        w4,  # c4
+        w5,  # c5
+        w6,  # c6
+        4.0 * w5 + w7,  # c7
+        4.0 * w3 + w8,  # c8
+        4.0 * w6 + -4.0 * w3,  # c9
+        4.0 * w6 + -4.0 * w3,  # c10
+        4.0 * w3 + w8,  # c11
+        w7 + 4.0 * w5,  # c12
+        2 * w3,  # c13
+        -2.0 * w5,  # c14
+        2 * w6,  # c15
+        -2.0 * w3,  # c16
+        -2.0 * w6,  # c17
+        2 * w5,  # c18
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 236 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 6 x 6) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 6) [N, N m]: condensed force S^T (Q* - M s)
+    236 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -63,7 +85,7 @@ def condensed() -> ca.Function:
     body_e2_dot = q_i_dot[4]
     body_e3_dot = q_i_dot[5]
     body_e0_dot = q_d_dot[0]
-    c0 = c[0]
+    body_mass = c[0]
     c1 = c[1]
     c2 = c[2]
     c3 = c[3]
@@ -76,6 +98,7 @@ def condensed() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
+    # intermediate terms (36)
     w0 = 2 * body_e0
     w1 = w0 * c3
     w2 = body_e3 * -2.0
@@ -112,86 +135,69 @@ def condensed() -> ca.Function:
     w33 = w28 * w30 - w27 * w31
     w34 = (body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2) / body_e0
     w35 = w5 * w29 + w6 * w32 + w2 * w33 + w8 * w34
-    M_hat = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * w1 + w2 * (w2 * c5) + w3 * (w3 * c6) - (w4 * (w7 - w4 * w8) + w4 * w7),
-        w15,
-        w23,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        w9 * (w9 * c3) + w0 * w10 + w5 * w11 - (w13 * w14 + w12 * w13),
-        w24,
-        0.0,
-        0.0,
-        0.0,
-        w23,
-        w24,
-        w6 * w16 + w17 * w18 + w0 * w19 - (w21 * w22 + w20 * w21),
-    )
-    M_hat = ca.reshape(M_hat, 6, 6)
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w0 * w29 + w2 * w32 + w3 * w33 + w7 * w34 - w4 * w35,
-        w9 * w29 + w0 * w32 + w5 * w33 + w12 * w34 - w13 * w35,
-        w6 * w29 + w17 * w32 + w0 * w33 + w20 * w34 - w21 * w35,
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [M_hat, Q_hat]
+    # outputs
+    M_hat = ca.SX(6, 6)
+    # body.x
+    M_hat[0, 0] = body_mass
+    # body.y
+    M_hat[1, 1] = body_mass
+    # body.z
+    M_hat[2, 2] = body_mass
+    # body.e1
+    M_hat[3, 3] = w0 * w1 + w2 * (w2 * c5) + w3 * (w3 * c6) - (w4 * (w7 - w4 * w8) + w4 * w7)
+    M_hat[3, 4] = w15
+    M_hat[3, 5] = w23
+    # body.e2
+    M_hat[4, 3] = w15
+    M_hat[4, 4] = w9 * (w9 * c3) + w0 * w10 + w5 * w11 - (w13 * w14 + w12 * w13)
+    M_hat[4, 5] = w24
+    # body.e3
+    M_hat[5, 3] = w23
+    M_hat[5, 4] = w24
+    M_hat[5, 5] = w6 * w16 + w17 * w18 + w0 * w19 - (w21 * w22 + w20 * w21)
+    Q_hat = ca.SX(6, 1)
+    Q_hat[3] = w0 * w29 + w2 * w32 + w3 * w33 + w7 * w34 - w4 * w35  # body.e1
+    Q_hat[4] = w9 * w29 + w0 * w32 + w5 * w33 + w12 * w34 - w13 * w35  # body.e2
+    Q_hat[5] = w6 * w29 + w17 * w32 + w0 * w33 + w20 * w34 - w21 * w35  # body.e3
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def closure() -> ca.Function:
-    """One Newton step on the loop unknowns, then q_d (Eq. 31); C_loop before it, det_loop of its blocks. 20 operations."""
+    """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    gives q_d_next (n_d = 1) [mixed]: dependent coordinates after one Newton step
+    gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
+    gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
+    20 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
     body_e0 = q_d[0]
+    # intermediate terms (1)
     w0 = (body_e0**2 + body_e1**2 + body_e2**2 + body_e3**2 - 1.0) / 2.0
-    q_d_next = ca.vertcat(
-        body_e0 - w0 / body_e0,
-    )
-    q_d_next = ca.densify(q_d_next)
-    C_loop = ca.vertcat(
-        w0,
-    )
-    C_loop = ca.densify(C_loop)
-    det_loop = ca.vertcat(
-        body_e0,
-    )
-    det_loop = ca.densify(det_loop)
-    inputs, outputs = [q_i, q_d], [q_d_next, C_loop, det_loop]
+    # outputs
+    q_d_next = ca.vertcat(body_e0 - w0 / body_e0)
+    C_loop = ca.vertcat(w0)
+    det_loop = ca.vertcat(body_e0)
+    inputs, outputs = [q_i, q_d], [ca.densify(q_d_next), ca.densify(C_loop), ca.densify(det_loop)]
     return ca.Function("closure", inputs, outputs, ["q_i", "q_d"], ["q_d_next", "C_loop", "det_loop"])
 
 
 def velocities() -> ca.Function:
-    """q_d_dot (Eq. 36). 17 operations."""
+    """Rates of the dependent coordinates (Eq. 36).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    gives q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
+    17 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -202,17 +208,25 @@ def velocities() -> ca.Function:
     body_e1_dot = q_i_dot[3]
     body_e2_dot = q_i_dot[4]
     body_e3_dot = q_i_dot[5]
+    # intermediate terms (1)
     w0 = body_e1 / body_e0 * body_e1_dot + body_e2 / body_e0 * body_e2_dot + body_e3 / body_e0 * body_e3_dot
-    q_d_dot = ca.vertcat(
-        -w0,
-    )
-    q_d_dot = ca.densify(q_d_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot], [q_d_dot]
+    # outputs
+    q_d_dot = ca.vertcat(-w0)
+    inputs, outputs = [q_i, q_d, q_i_dot], [ca.densify(q_d_dot)]
     return ca.Function("velocities", inputs, outputs, ["q_i", "q_d", "q_i_dot"], ["q_d_dot"])
 
 
 def accelerations() -> ca.Function:
-    """q_d_ddot (Eq. 35). 30 operations."""
+    """Accelerations of the dependent coordinates (Eq. 35).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
+    takes q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
+    gives q_d_ddot (n_d = 1) [mixed]: accelerations of the dependent coordinates
+    30 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -229,17 +243,26 @@ def accelerations() -> ca.Function:
     body_e1_ddot = q_i_ddot[3]
     body_e2_ddot = q_i_ddot[4]
     body_e3_ddot = q_i_ddot[5]
+    # intermediate terms (1)
     w0 = (body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2) / body_e0 + body_e1 / body_e0 * body_e1_ddot
-    q_d_ddot = ca.vertcat(
-        -(w0 + body_e2 / body_e0 * body_e2_ddot + body_e3 / body_e0 * body_e3_ddot),
-    )
-    q_d_ddot = ca.densify(q_d_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot], [q_d_ddot]
+    # outputs
+    q_d_ddot = ca.vertcat(-(w0 + body_e2 / body_e0 * body_e2_ddot + body_e3 / body_e0 * body_e3_ddot))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot], [ca.densify(q_d_ddot)]
     return ca.Function("accelerations", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot"], ["q_d_ddot"])
 
 
 def constraints() -> ca.Function:
-    """C, C_q, C_t, nu and gamma in all coordinates (Eqs. 21-27). 39 operations."""
+    """Constraints and their derivatives in all coordinates (Eqs. 21-27).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    gives C (n_c = 1) [m, rad]: constraint rows C(q, t) = 0 in scene order
+    gives C_q (n_c x n = 1 x 7) [SI]: constraint Jacobian
+    gives C_t (n_c = 1) [m/s, rad/s]: partial time derivative of C (prescribed motions)
+    gives nu (n_c = 1) [m/s, rad/s]: right-hand side at velocity level, nu = -C_t
+    gives gamma (n_c = 1) [m/s^2, rad/s^2]: right-hand side at acceleration level
+    39 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     body_e0 = q[3]
@@ -250,39 +273,36 @@ def constraints() -> ca.Function:
     body_e1_dot = q_dot[4]
     body_e2_dot = q_dot[5]
     body_e3_dot = q_dot[6]
-    C = ca.vertcat(
-        (body_e0**2 + body_e1**2 + body_e2**2 + body_e3**2 - 1.0) / 2.0,
-    )
-    C = ca.densify(C)
-    C_q = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        body_e0,
-        body_e1,
-        body_e2,
-        body_e3,
-    )
-    C_q = ca.reshape(C_q, 1, 7)
-    C_q = ca.densify(C_q)
-    C_t = ca.vertcat(
-        0.0,
-    )
-    C_t = ca.densify(C_t)
-    nu = ca.vertcat(
-        0.0,
-    )
-    nu = ca.densify(nu)
-    gamma = ca.vertcat(
-        -(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2),
-    )
-    gamma = ca.densify(gamma)
-    inputs, outputs = [q, q_dot], [C, C_q, C_t, nu, gamma]
+    # outputs
+    C = ca.vertcat((body_e0**2 + body_e1**2 + body_e2**2 + body_e3**2 - 1.0) / 2.0)
+    C_q = ca.SX(1, 7)
+    # body.norm
+    C_q[0, 3] = body_e0
+    C_q[0, 4] = body_e1
+    C_q[0, 5] = body_e2
+    C_q[0, 6] = body_e3
+    C_t = ca.SX(1, 1)
+    nu = ca.SX(1, 1)
+    gamma = ca.vertcat(-(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2))
+    inputs, outputs = [q, q_dot], [ca.densify(C), ca.densify(C_q), ca.densify(C_t), ca.densify(nu), ca.densify(gamma)]
     return ca.Function("constraints", inputs, outputs, ["q", "q_dot"], ["C", "C_q", "C_t", "nu", "gamma"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 274 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
+    gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 7) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 7) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    gives C_q (n_c x n = 1 x 7) [SI]: constraint Jacobian
+    gives gamma_b (n_c = 1) [m/s^2, rad/s^2]: gamma with Baumgarte terms
+    274 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     c = ca.SX.sym("c", 19)
@@ -294,7 +314,7 @@ def augmented() -> ca.Function:
     body_e1_dot = q_dot[4]
     body_e2_dot = q_dot[5]
     body_e3_dot = q_dot[6]
-    c0 = c[0]
+    body_mass = c[0]
     c1 = c[1]
     c2 = c[2]
     c3 = c[3]
@@ -307,6 +327,7 @@ def augmented() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
+    # intermediate terms (32)
     w0 = body_e1 * -2.0
     w1 = body_e2 * -2.0
     w2 = body_e3 * -2.0
@@ -339,163 +360,68 @@ def augmented() -> ca.Function:
     w29 = w3 * w23 + w2 * w26 + w5 * w27
     w30 = w7 * w23 + w3 * w26 + w0 * w27
     w31 = w1 * w23 + w12 * w26 + w3 * w27
-    M = ca.vertcat(
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        c0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * (w0 * c3) + w1 * (w1 * c5) + w2 * (w2 * c6),
-        w6,
-        w10,
-        w15,
-        0.0,
-        0.0,
-        0.0,
-        w6,
-        w3 * w4 + w2 * (w2 * c5) + w5 * (w5 * c6),
-        w16,
-        w17,
-        0.0,
-        0.0,
-        0.0,
-        w10,
-        w16,
-        w7 * (w7 * c3) + w3 * w8 + w0 * w9,
-        w18,
-        0.0,
-        0.0,
-        0.0,
-        w15,
-        w17,
-        w18,
-        w1 * w11 + w12 * w13 + w3 * w14,
-    )
-    M = ca.reshape(M, 7, 7)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    K = ca.reshape(K, 7, 7)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w28,
-        w29,
-        w30,
-        w31,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    Q_F = ca.densify(Q_F)
-    Q_star = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w28,
-        w29,
-        w30,
-        w31,
-    )
-    Q_star = ca.densify(Q_star)
-    C_q = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        body_e0,
-        body_e1,
-        body_e2,
-        body_e3,
-    )
-    C_q = ca.reshape(C_q, 1, 7)
-    C_q = ca.densify(C_q)
-    gamma_b = ca.vertcat(
-        -(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2),
-    )
-    gamma_b = ca.densify(gamma_b)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star, C_q, gamma_b]
+    # outputs
+    M = ca.SX(7, 7)
+    # body.x
+    M[0, 0] = body_mass
+    # body.y
+    M[1, 1] = body_mass
+    # body.z
+    M[2, 2] = body_mass
+    # body.e0
+    M[3, 3] = w0 * (w0 * c3) + w1 * (w1 * c5) + w2 * (w2 * c6)
+    M[3, 4] = w6
+    M[3, 5] = w10
+    M[3, 6] = w15
+    # body.e1
+    M[4, 3] = w6
+    M[4, 4] = w3 * w4 + w2 * (w2 * c5) + w5 * (w5 * c6)
+    M[4, 5] = w16
+    M[4, 6] = w17
+    # body.e2
+    M[5, 3] = w10
+    M[5, 4] = w16
+    M[5, 5] = w7 * (w7 * c3) + w3 * w8 + w0 * w9
+    M[5, 6] = w18
+    # body.e3
+    M[6, 3] = w15
+    M[6, 4] = w17
+    M[6, 5] = w18
+    M[6, 6] = w1 * w11 + w12 * w13 + w3 * w14
+    K = ca.SX(7, 7)
+    Q_v = ca.SX(7, 1)
+    Q_v[3] = w28  # body.e0
+    Q_v[4] = w29  # body.e1
+    Q_v[5] = w30  # body.e2
+    Q_v[6] = w31  # body.e3
+    Q_F = ca.SX(7, 1)
+    Q_star = ca.SX(7, 1)
+    Q_star[3] = w28  # body.e0
+    Q_star[4] = w29  # body.e1
+    Q_star[5] = w30  # body.e2
+    Q_star[6] = w31  # body.e3
+    C_q = ca.SX(1, 7)
+    # body.norm
+    C_q[0, 3] = body_e0
+    C_q[0, 4] = body_e1
+    C_q[0, 5] = body_e2
+    C_q[0, 6] = body_e3
+    gamma_b = ca.vertcat(-(body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2))
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star), ca.densify(C_q), ca.densify(gamma_b)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star", "C_q", "gamma_b"])
 
 
 def reactions() -> ca.Function:
-    """Multipliers lam (Eq. 37); world force and moment of each joint on its body b, at marker b. 100 operations."""
+    """Multipliers, and what the joints do to their bodies b (Eq. 37).
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives lam (n_c = 1) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
+    gives joint_forces (3 or 6 x joints = 6 x 0) [N, N m]: world force and moment of a joint on its body b, at b
+    100 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
@@ -521,6 +447,7 @@ def reactions() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c11 = c[11]
+    # intermediate terms (12)
     w0 = body_e1 * -2.0
     w1 = body_e3 * -2.0
     w2 = 2 * body_e0
@@ -533,20 +460,26 @@ def reactions() -> ca.Function:
     w9 = w8 * c4
     w10 = (w0 * (w0 * c3) + w5 * (w5 * c5) + w1 * (w1 * c6)) * body_e0_ddot + (w0 * (w2 * c3) + body_e3 * body_e2 * c7) * body_e1_ddot
     w11 = w10 + (w5 * (w2 * c5) + body_e1 * body_e3 * c9) * body_e2_ddot + (body_e1 * body_e2 * c11 + w1 * (w2 * c6)) * body_e3_ddot
-    lam = ca.vertcat(
-        (w0 * (w4 * w6 - w3 * w7) + w5 * (w3 * w9 - w4 * w8) + w1 * (w7 * w8 - w6 * w9) - w11) / body_e0,
-    )
-    lam = ca.densify(lam)
-    joint_forces = ca.vertcat(
-    )
-    joint_forces = ca.reshape(joint_forces, 6, 0)
-    joint_forces = ca.densify(joint_forces)
-    inputs, outputs = [q, q_dot, q_ddot, c], [lam, joint_forces]
+    # outputs
+    lam = ca.vertcat((w0 * (w4 * w6 - w3 * w7) + w5 * (w3 * w9 - w4 * w8) + w1 * (w7 * w8 - w6 * w9) - w11) / body_e0)
+    joint_forces = ca.SX(6, 0)
+    inputs, outputs = [q, q_dot, q_ddot, c], [ca.densify(lam), ca.densify(joint_forces)]
     return ca.Function("reactions", inputs, outputs, ["q", "q_dot", "q_ddot", "c"], ["lam", "joint_forces"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 137 operations."""
+    """Energies and powers.
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 7) [mixed]: rates of all coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    137 operations.
+    """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     c = ca.SX.sym("c", 19)
@@ -561,7 +494,7 @@ def energy() -> ca.Function:
     body_e1_dot = q_dot[4]
     body_e2_dot = q_dot[5]
     body_e3_dot = q_dot[6]
-    c0 = c[0]
+    body_mass = c[0]
     c3 = c[3]
     c5 = c[5]
     c6 = c[6]
@@ -571,56 +504,49 @@ def energy() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
-    w0 = body_e1 * -2.0
-    w1 = body_e2 * -2.0
-    w2 = body_e3 * -2.0
-    w3 = 2 * body_e0
-    w4 = w3 * c3
-    w5 = 2 * body_e2
-    w6 = w0 * w4 + body_e2 * body_e3 * c7
-    w7 = 2 * body_e3
-    w8 = w3 * c5
-    w9 = w0 * c6
-    w10 = w1 * w8 + body_e1 * body_e3 * c9
-    w11 = body_e0_dot * (w0 * (w0 * c3) + w1 * (w1 * c5) + w2 * (w2 * c6)) + w6 * body_e1_dot + w10 * body_e2_dot
-    w12 = w1 * c3
-    w13 = 2 * body_e1
-    w14 = w13 * c5
-    w15 = w3 * c6
-    w16 = body_e1 * body_e2 * c11 + w2 * w15
-    w17 = body_x_dot * (body_x_dot * c0) + body_y_dot * (body_y_dot * c0) + body_z_dot * (body_z_dot * c0) + body_e0_dot * (w11 + w16 * body_e3_dot)
-    w18 = body_e3 * body_e0 * c8 + w5 * w9
-    w19 = w2 * w14 + body_e2 * body_e0 * c10
-    w20 = body_e0_dot * w6 + body_e1_dot * (w3 * w4 + w2 * (w2 * c5) + w5 * (w5 * c6)) + body_e2_dot * w18 + body_e3_dot * w19
-    w21 = w7 * w12 + body_e1 * body_e0 * c12
-    w22 = body_e0_dot * w10 + body_e1_dot * w18 + body_e2_dot * (w7 * (w7 * c3) + w3 * w8 + w0 * w9) + body_e3_dot * w21
-    w23 = body_e0_dot * w16 + body_e1_dot * w19 + body_e2_dot * w21 + body_e3_dot * (w1 * w12 + w13 * w14 + w3 * w15)
-    kinetic = ca.vertcat(
-        (w17 + body_e1_dot * w20 + body_e2_dot * w22 + body_e3_dot * w23) / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        0.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        0.0,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        0.0,
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # intermediate terms (25)
+    w0 = body_x_dot * (body_x_dot * body_mass) + body_y_dot * (body_y_dot * body_mass) + body_z_dot * (body_z_dot * body_mass)
+    w1 = body_e1 * -2.0
+    w2 = body_e2 * -2.0
+    w3 = body_e3 * -2.0
+    w4 = 2 * body_e0
+    w5 = w4 * c3
+    w6 = 2 * body_e2
+    w7 = w1 * w5 + body_e2 * body_e3 * c7
+    w8 = 2 * body_e3
+    w9 = w4 * c5
+    w10 = w1 * c6
+    w11 = w2 * w9 + body_e1 * body_e3 * c9
+    w12 = body_e0_dot * (w1 * (w1 * c3) + w2 * (w2 * c5) + w3 * (w3 * c6)) + w7 * body_e1_dot + w11 * body_e2_dot
+    w13 = w2 * c3
+    w14 = 2 * body_e1
+    w15 = w14 * c5
+    w16 = w4 * c6
+    w17 = body_e1 * body_e2 * c11 + w3 * w16
+    w18 = body_e3 * body_e0 * c8 + w6 * w10
+    w19 = w3 * w15 + body_e2 * body_e0 * c10
+    w20 = body_e0_dot * w7 + body_e1_dot * (w4 * w5 + w3 * (w3 * c5) + w6 * (w6 * c6)) + body_e2_dot * w18 + body_e3_dot * w19
+    w21 = w8 * w13 + body_e1 * body_e0 * c12
+    w22 = body_e0_dot * w11 + body_e1_dot * w18 + body_e2_dot * (w8 * (w8 * c3) + w4 * w9 + w1 * w10) + body_e3_dot * w21
+    w23 = body_e0_dot * w17 + body_e1_dot * w19 + body_e2_dot * w21 + body_e3_dot * (w2 * w13 + w14 * w15 + w4 * w16)
+    w24 = w0 + body_e0_dot * (w12 + w17 * body_e3_dot) + body_e1_dot * w20 + body_e2_dot * w22 + body_e3_dot * w23
+    # outputs
+    kinetic = ca.vertcat(w24 / 2.0)
+    elastic = ca.SX(1, 1)
+    potential = ca.SX(1, 1)
+    power_dissipated = ca.SX(1, 1)
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def poses() -> ca.Function:
-    """Origin and rotation matrix of each body, for pictures. 46 operations."""
+    """Origin and rotation matrix of each body, for pictures.
+
+    takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    gives poses (12 x bodies = 12) [m, 1]: origin, then columns of the rotation matrix, of each body that moves
+    46 operations.
+    """
     q = ca.SX.sym("q", 7)
     body_x = q[0]
     body_y = q[1]
@@ -629,6 +555,7 @@ def poses() -> ca.Function:
     body_e1 = q[4]
     body_e2 = q[5]
     body_e3 = q[6]
+    # intermediate terms (11)
     w0 = 2 * body_e2**2
     w1 = 2 * body_e3**2
     w2 = 2 * body_e0
@@ -640,27 +567,26 @@ def poses() -> ca.Function:
     w8 = 1.0 - 2 * body_e1**2
     w9 = w2 * body_e1
     w10 = body_e3 * (2 * body_e2)
+    # outputs
     poses = ca.vertcat(
-        body_x,
-        body_y,
-        body_z,
-        1.0 - w0 - w1,
-        w3 + w5,
-        w6 - w7,
-        w5 - w3,
-        w8 - w1,
-        w9 + w10,
-        w6 + w7,
-        w10 - w9,
+        body_x, body_y, body_z, 1.0 - w0 - w1, w3 + w5, w6 - w7, w5 - w3, w8 - w1, w9 + w10, w6 + w7, w10 - w9,
         w8 - w0,
     )
-    poses = ca.densify(poses)
-    inputs, outputs = [q], [poses]
+    inputs, outputs = [q], [ca.densify(poses)]
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 556 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i, through q_d
+    556 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -689,6 +615,7 @@ def dQ_hat_dq_i() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
+    # intermediate terms (114)
     w0 = 2 * body_e0
     w1 = body_e2 * -2.0
     w2 = body_e3 * -2.0
@@ -803,52 +730,34 @@ def dQ_hat_dq_i() -> ca.Function:
     w111 = body_e3_dot / body_e0 + w68 * w70
     w112 = w40 + w17 * w105 + w0 * w107 + w8 * w108 + w25 * (w51 + w8 * c6 * -2.0) - w66 * w109 - w68 * w78 - w79 * w111
     w113 = w1 * w105 + w3 * w107 + w0 * w108 + w25 * (w83 * -2.0) - (w39 + w68 * w109) - w68 * w85 - w86 * w111
-    dQ_hat_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * w14 + w2 * w21 + w7 * w24 + w25 * (w26 * -2.0) - (w27 * w32 + w39) - w27 * w56 - w65 * w71,
-        w80,
-        w87,
-        0.0,
-        0.0,
-        0.0,
-        w100,
-        w17 * w90 + w0 * w93 + w8 * w95 + w25 * (w76 * -2.0) - (w39 + w66 * w98) - w66 * w78 - w79 * w99,
-        w101,
-        0.0,
-        0.0,
-        0.0,
-        w110 - w65 * w111,
-        w112,
-        w113,
-    )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 6, 6)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.SX(6, 6)
+    # body.e1
+    dQ_hat_dq_i[3, 3] = w0 * w14 + w2 * w21 + w7 * w24 + w25 * (w26 * -2.0) - (w27 * w32 + w39) - w27 * w56 - w65 * w71
+    dQ_hat_dq_i[3, 4] = w100
+    dQ_hat_dq_i[3, 5] = w110 - w65 * w111
+    # body.e2
+    dQ_hat_dq_i[4, 3] = w80
+    dQ_hat_dq_i[4, 4] = w17 * w90 + w0 * w93 + w8 * w95 + w25 * (w76 * -2.0) - (w39 + w66 * w98) - w66 * w78 - w79 * w99
+    dQ_hat_dq_i[4, 5] = w112
+    # body.e3
+    dQ_hat_dq_i[5, 3] = w87
+    dQ_hat_dq_i[5, 4] = w101
+    dQ_hat_dq_i[5, 5] = w113
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 321 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    321 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -869,6 +778,7 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     c7 = c[7]
     c9 = c[9]
     c11 = c[11]
+    # intermediate terms (55)
     w0 = 2 * body_e0
     w1 = body_e3 * -2.0
     w2 = body_e1 / body_e0
@@ -924,52 +834,34 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     w52 = w22 * w47 + w17 * w49 - (w8 * w50 + w23 * w46)
     w53 = (w4 * w27 + 2 * body_e3_dot) / body_e0
     w54 = w12 * w48 + w6 * w51 + w1 * w52 + w29 * w53
-    dQ_hat_dq_i_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        w0 * w18 + w1 * w24 + w9 * w25 + w26 * w28 - w2 * w30,
-        w18 * w21 + w0 * w24 + w12 * w25 + w28 * w31 - w3 * w30,
-        w6 * w18 + w7 * w24 + w0 * w25 + w28 * w32 - w4 * w30,
-        0.0,
-        0.0,
-        0.0,
-        w0 * w37 + w1 * w40 + w9 * w41 + w26 * w42 - w2 * w43,
-        w21 * w37 + w0 * w40 + w12 * w41 + w31 * w42 - w3 * w43,
-        w6 * w37 + w7 * w40 + w0 * w41 + w32 * w42 - w4 * w43,
-        0.0,
-        0.0,
-        0.0,
-        w0 * w48 + w1 * w51 + w9 * w52 + w26 * w53 - w2 * w54,
-        w21 * w48 + w0 * w51 + w12 * w52 + w31 * w53 - w3 * w54,
-        w6 * w48 + w7 * w51 + w0 * w52 + w32 * w53 - w4 * w54,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 6, 6)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [q_i, q_d, q_i_dot, c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(6, 6)
+    # body.e1
+    dQ_hat_dq_i_dot[3, 3] = w0 * w18 + w1 * w24 + w9 * w25 + w26 * w28 - w2 * w30
+    dQ_hat_dq_i_dot[3, 4] = w0 * w37 + w1 * w40 + w9 * w41 + w26 * w42 - w2 * w43
+    dQ_hat_dq_i_dot[3, 5] = w0 * w48 + w1 * w51 + w9 * w52 + w26 * w53 - w2 * w54
+    # body.e2
+    dQ_hat_dq_i_dot[4, 3] = w18 * w21 + w0 * w24 + w12 * w25 + w28 * w31 - w3 * w30
+    dQ_hat_dq_i_dot[4, 4] = w21 * w37 + w0 * w40 + w12 * w41 + w31 * w42 - w3 * w43
+    dQ_hat_dq_i_dot[4, 5] = w21 * w48 + w0 * w51 + w12 * w52 + w31 * w53 - w3 * w54
+    # body.e3
+    dQ_hat_dq_i_dot[5, 3] = w6 * w18 + w7 * w24 + w0 * w25 + w28 * w32 - w4 * w30
+    dQ_hat_dq_i_dot[5, 4] = w6 * w37 + w7 * w40 + w0 * w41 + w32 * w42 - w4 * w43
+    dQ_hat_dq_i_dot[5, 5] = w6 * w48 + w7 * w51 + w0 * w52 + w32 * w53 - w4 * w54
+    inputs, outputs = [q_i, q_d, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 371 operations."""
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dMa_dq_i (n_i x n_i = 6 x 6) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    371 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_ddot = ca.SX.sym("q_i_ddot", 6)
@@ -993,6 +885,7 @@ def dMa_dq_i() -> ca.Function:
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
+    # intermediate terms (86)
     w0 = 2 * body_e2
     w1 = w0 * c17
     w2 = body_e1 / body_e0
@@ -1079,52 +972,35 @@ def dMa_dq_i() -> ca.Function:
     w83 = w40 + w53
     w84 = body_e1_ddot * w79 - (w5 * (w23 + w19 * -2.0) + w20 * w80) + body_e2_ddot * w83 + body_e3_ddot * w55
     w85 = body_e1_ddot * w81 - (w5 * w83 + w32 * w80) + body_e2_ddot * (w45 + w21 * c13) + body_e3_ddot * w47
-    dMa_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-        body_e2_ddot * w1 - (w5 * w8 + w13 * w14) + body_e3_ddot * w15 - (w2 * w29 + w38) - w2 * w52,
-        w57 - w3 * w29 - w2 * w61,
-        w62 - w4 * w29 - w2 * w65,
-        0.0,
-        0.0,
-        0.0,
-        w71 - w2 * w76 - w3 * w52,
-        body_e1_ddot * w69 - (w5 * w73 + w32 * w68) + body_e3_ddot * w77 - (w38 + w3 * w76) - w3 * w61,
-        w78 - w4 * w76 - w3 * w65,
-        0.0,
-        0.0,
-        0.0,
-        w82 - w2 * w84 - w4 * w52,
-        w85 - w3 * w84 - w4 * w61,
-        body_e1_ddot * w74 - (w5 * w55 + w36 * w80) + body_e2_ddot * w47 - (w38 + w4 * w84) - w4 * w65,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 6, 6)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [dMa_dq_i]
+    # outputs
+    dMa_dq_i = ca.SX(6, 6)
+    # body.e1
+    dMa_dq_i[3, 3] = body_e2_ddot * w1 - (w5 * w8 + w13 * w14) + body_e3_ddot * w15 - (w2 * w29 + w38) - w2 * w52
+    dMa_dq_i[3, 4] = w71 - w2 * w76 - w3 * w52
+    dMa_dq_i[3, 5] = w82 - w2 * w84 - w4 * w52
+    # body.e2
+    dMa_dq_i[4, 3] = w57 - w3 * w29 - w2 * w61
+    dMa_dq_i[4, 4] = body_e1_ddot * w69 - (w5 * w73 + w32 * w68) + body_e3_ddot * w77 - (w38 + w3 * w76) - w3 * w61
+    dMa_dq_i[4, 5] = w85 - w3 * w84 - w4 * w61
+    # body.e3
+    dMa_dq_i[5, 3] = w62 - w4 * w29 - w2 * w65
+    dMa_dq_i[5, 4] = w78 - w4 * w76 - w3 * w65
+    dMa_dq_i[5, 5] = body_e1_ddot * w74 - (w5 * w55 + w36 * w80) + body_e2_ddot * w47 - (w38 + w4 * w84) - w4 * w65
+    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
 def forward_dynamics() -> ca.Function:
-    """q_i_ddot of a tree by topology-ordered elimination, without M_hat. 225 operations."""
+    """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
+
+    takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
+    takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 19) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
+    225 operations.
+    """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
@@ -1150,6 +1026,7 @@ def forward_dynamics() -> ca.Function:
     c10 = c[10]
     c11 = c[11]
     c12 = c[12]
+    # intermediate terms (46)
     w0 = 2 * body_e0
     w1 = body_e3 * -2.0
     w2 = 2 * body_e2
@@ -1196,69 +1073,41 @@ def forward_dynamics() -> ca.Function:
     w43 = w0 * w16 + w1 * (w1 * c5) + w2 * (w2 * c6) - (w19 * (w17 - w19 * w20) + w17 * w19) - w28 * w30 - w38 * w41
     w44 = (w0 * w10 + w1 * w14 + w2 * w15 + w17 * w18 - w19 * w21 - w30 * w31 - w41 * w42) / w43
     w45 = (w42 - w38 * w44) / w40
-    q_i_ddot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        w44,
-        w45,
-        (w31 - (w28 * w44 + w37 * w45)) / w29,
-    )
-    q_i_ddot = ca.densify(q_i_ddot)
-    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [q_i_ddot]
+    # outputs
+    q_i_ddot = ca.SX(6, 1)
+    q_i_ddot[3] = w44  # body.e1
+    q_i_ddot[4] = w45  # body.e2
+    q_i_ddot[5] = (w31 - (w28 * w44 + w37 * w45)) / w29  # body.e3
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["q_i_ddot"])
 
 
 def geometry() -> ca.Function:
-    """Points of the bodies as functions of the parameters, for pictures. 40 operations."""
+    """Points of the bodies as functions of the parameters, for pictures.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives positions (3 x points = 3 x 3) [m]: drawn points in body axes
+    gives axes (9 x points = 9 x 3) [1]: columns of the rotation matrix of the marker at a drawn point
+    40 operations.
+    """
     p = ca.SX.sym("p", 6)
     body_tip_x_x = p[4]
     body_tip_y_y = p[5]
-    positions = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        body_tip_x_x,
-        0.0,
-        0.0,
-        0.0,
-        body_tip_y_y,
-        0.0,
-    )
-    positions = ca.reshape(positions, 3, 3)
-    positions = ca.densify(positions)
-    axes = ca.vertcat(
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-        1.0,
-    )
-    axes = ca.reshape(axes, 9, 3)
-    axes = ca.densify(axes)
-    inputs, outputs = [p], [positions, axes]
+    # outputs
+    positions = ca.SX(3, 3)
+    positions[0, 1] = body_tip_x_x
+    positions[1, 2] = body_tip_y_y
+    axes = ca.SX(9, 3)
+    axes[0, 0] = 1.0
+    axes[0, 1] = 1.0
+    axes[0, 2] = 1.0
+    axes[4, 0] = 1.0
+    axes[4, 1] = 1.0
+    axes[4, 2] = 1.0
+    axes[8, 0] = 1.0
+    axes[8, 1] = 1.0
+    axes[8, 2] = 1.0
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes)]
     return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes"])
 
 

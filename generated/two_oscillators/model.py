@@ -1,13 +1,21 @@
 """Two coupled oscillators (L1): equations of motion, emitted by symgen from the scene `two_oscillators`.
 
 Do not edit: change the scene and run `symgen generate`. model.md says what was modelled.
+
+q_i, the independent coordinates by index:
+    0 x_L [m], 1 x_S [m]
 """
 
 import casadi as ca
 
 
 def constants() -> ca.Function:
-    """c: everything that depends on the parameters p only. 26 operations."""
+    """Everything that depends on the parameters p only.
+
+    takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
+    gives c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    26 operations.
+    """
     p = ca.SX.sym("p", 6)
     x_c = p[0]
     k_L = p[1]
@@ -15,111 +23,118 @@ def constants() -> ca.Function:
     zeta = p[3]
     x_M_0_0 = p[4]
     x_M_1_1 = p[5]
+    # intermediate terms (3)
     w0 = w**2
     w1 = zeta * (2 * w)
     w2 = w * (2 * zeta)
+    # outputs
     c = ca.vertcat(
-        x_M_0_0,
-        x_c,
-        x_M_1_1,
-        -k_L,
-        w1,
-        -w0,
-        k_L,
-        w0,
-        -w1,
-        w2,
-        -w2,
+        x_M_0_0,  # x_M_0_0
+        x_c,  # x_c
+        x_M_1_1,  # x_M_1_1
+        -k_L,  # c3
+        w1,  # c4
+        -w0,  # c5
+        k_L,  # k_L
+        w0,  # c7
+        -w1,  # c8
+        w2,  # c9
+        -w2,  # c10
     )
-    c = ca.densify(c)
-    inputs, outputs = [p], [c]
+    inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
 
 
 def condensed() -> ca.Function:
-    """M_hat and Q_hat (Eq. 38). 19 operations."""
+    """Condensed mass matrix and force (Eq. 38).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
+    gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
+    19 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 11)
     x_L = q_i[0]
     x_S = q_i[1]
     x_S_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    x_M_0_0 = c[0]
+    x_c = c[1]
+    x_M_1_1 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
+    # outputs
     M_hat = ca.vertcat(
-        c0,
-        c1,
-        c1,
-        c2,
+        ca.horzcat(x_M_0_0, x_c),  # x_L
+        ca.horzcat(x_c, x_M_1_1),  # x_S
     )
-    M_hat = ca.reshape(M_hat, 2, 2)
-    M_hat = ca.densify(M_hat)
-    Q_hat = ca.vertcat(
-        x_L * c3,
-        x_S * c5 - x_S_dot * c4,
-    )
-    Q_hat = ca.densify(Q_hat)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat, Q_hat]
+    Q_hat = ca.vertcat(x_L * c3, x_S * c5 - x_S_dot * c4)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
 
 
 def augmented() -> ca.Function:
-    """M, K, Q_v, Q_F, Q* = Q_F + Q_v - K q, C_q and gamma (with Baumgarte terms) of Eq. (28). 29 operations."""
+    """Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms (Eq. 28).
+
+    takes q (n = 2) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 2) [mixed]: rates of all coordinates
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M (n x n = 2 x 2) [SI]: mass matrix in all coordinates
+    gives K (n x n = 2 x 2) [SI]: stiffness matrix in all coordinates
+    gives Q_v (n = 2) [N, N m]: quadratic velocity force in all coordinates
+    gives Q_F (n = 2) [N, N m]: force of loads, weight and damping in all coordinates
+    gives Q_star (n = 2) [N, N m]: generalised force Q_F + Q_v - K q in all coordinates
+    29 operations.
+    """
     q = ca.SX.sym("q", 2)
     q_dot = ca.SX.sym("q_dot", 2)
     c = ca.SX.sym("c", 11)
     x_L = q[0]
     x_S = q[1]
     x_S_dot = q_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    x_M_0_0 = c[0]
+    x_c = c[1]
+    x_M_1_1 = c[2]
     c3 = c[3]
-    c6 = c[6]
+    k_L = c[6]
     c7 = c[7]
     c8 = c[8]
+    # intermediate terms (1)
     w0 = x_S_dot * c8
+    # outputs
     M = ca.vertcat(
-        c0,
-        c1,
-        c1,
-        c2,
+        ca.horzcat(x_M_0_0, x_c),  # x_L
+        ca.horzcat(x_c, x_M_1_1),  # x_S
     )
-    M = ca.reshape(M, 2, 2)
-    M = ca.densify(M)
-    K = ca.vertcat(
-        c6,
-        0.0,
-        0.0,
-        c7,
-    )
-    K = ca.reshape(K, 2, 2)
-    K = ca.densify(K)
-    Q_v = ca.vertcat(
-        0.0,
-        0.0,
-    )
-    Q_v = ca.densify(Q_v)
-    Q_F = ca.vertcat(
-        0.0,
-        w0,
-    )
-    Q_F = ca.densify(Q_F)
-    Q_star = ca.vertcat(
-        x_L * c3,
-        w0 - x_S * c7,
-    )
-    Q_star = ca.densify(Q_star)
-    inputs, outputs = [q, q_dot, c], [M, K, Q_v, Q_F, Q_star]
+    K = ca.SX(2, 2)
+    # x_L
+    K[0, 0] = k_L
+    # x_S
+    K[1, 1] = c7
+    Q_v = ca.SX(2, 1)
+    Q_F = ca.vertcat(0.0, w0)
+    Q_star = ca.vertcat(x_L * c3, w0 - x_S * c7)
+    inputs, outputs = [q, q_dot, c], [ca.densify(M), ca.densify(K), ca.densify(Q_v), ca.densify(Q_F), ca.densify(Q_star)]
     return ca.Function("augmented", inputs, outputs, ["q", "q_dot", "c"], ["M", "K", "Q_v", "Q_F", "Q_star"])
 
 
 def energy() -> ca.Function:
-    """Energies in J and powers in W. 36 operations."""
+    """Energies and powers.
+
+    takes q (n = 2) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 2) [mixed]: rates of all coordinates
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives kinetic (1) [J]: kinetic energy
+    gives elastic (1) [J]: energy stored in bodies and springs
+    gives potential (1) [J]: potential energy of the weight
+    gives power_dissipated (1) [W]: power lost in dampers, at least zero
+    gives power_applied (1) [W]: power of the loads
+    36 operations.
+    """
     q = ca.SX.sym("q", 2)
     q_dot = ca.SX.sym("q_dot", 2)
     c = ca.SX.sym("c", 11)
@@ -127,127 +142,121 @@ def energy() -> ca.Function:
     x_S = q[1]
     x_L_dot = q_dot[0]
     x_S_dot = q_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
-    c6 = c[6]
+    x_M_0_0 = c[0]
+    x_c = c[1]
+    x_M_1_1 = c[2]
+    k_L = c[6]
     c7 = c[7]
     c9 = c[9]
-    kinetic = ca.vertcat(
-        (x_L_dot * (x_L_dot * c0 + x_S_dot * c1) + x_S_dot * (x_L_dot * c1 + x_S_dot * c2)) / 2.0,
-    )
-    kinetic = ca.densify(kinetic)
-    elastic = ca.vertcat(
-        x_L * (x_L * c6) / 2.0 + x_S * (x_S * c7) / 2.0,
-    )
-    elastic = ca.densify(elastic)
-    potential = ca.vertcat(
-        0.0,
-    )
-    potential = ca.densify(potential)
-    power_dissipated = ca.vertcat(
-        x_S_dot * (x_S_dot * c9),
-    )
-    power_dissipated = ca.densify(power_dissipated)
-    power_applied = ca.vertcat(
-        0.0,
-    )
-    power_applied = ca.densify(power_applied)
-    inputs, outputs = [q, q_dot, c], [kinetic, elastic, potential, power_dissipated, power_applied]
+    # intermediate terms (1)
+    w0 = (x_L_dot * (x_L_dot * x_M_0_0 + x_S_dot * x_c) + x_S_dot * (x_L_dot * x_c + x_S_dot * x_M_1_1)) / 2.0
+    # outputs
+    kinetic = ca.vertcat(w0)
+    elastic = ca.vertcat(x_L * (x_L * k_L) / 2.0 + x_S * (x_S * c7) / 2.0)
+    potential = ca.SX(1, 1)
+    power_dissipated = ca.vertcat(x_S_dot * (x_S_dot * c9))
+    power_applied = ca.SX(1, 1)
+    inputs, outputs = [q, q_dot, c], [ca.densify(kinetic), ca.densify(elastic), ca.densify(potential), ca.densify(power_dissipated), ca.densify(power_applied)]
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
 def dQ_hat_dq_i() -> ca.Function:
-    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t). 7 operations."""
+    """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
+
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
+    7 operations.
+    """
     c = ca.SX.sym("c", 11)
     c3 = c[3]
     c5 = c[5]
-    dQ_hat_dq_i = ca.vertcat(
-        c3,
-        0.0,
-        0.0,
-        c5,
-    )
-    dQ_hat_dq_i = ca.reshape(dQ_hat_dq_i, 2, 2)
-    dQ_hat_dq_i = ca.densify(dQ_hat_dq_i)
-    inputs, outputs = [c], [dQ_hat_dq_i]
+    # outputs
+    dQ_hat_dq_i = ca.SX(2, 2)
+    # x_L
+    dQ_hat_dq_i[0, 0] = c3
+    # x_S
+    dQ_hat_dq_i[1, 1] = c5
+    inputs, outputs = [c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["c"], ["dQ_hat_dq_i"])
 
 
 def dQ_hat_dq_i_dot() -> ca.Function:
-    """Total derivative of Q_hat by q_i_dot, through q_d_dot. 6 operations."""
+    """Total derivative of Q_hat by q_i_dot, through q_d_dot.
+
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
+    6 operations.
+    """
     c = ca.SX.sym("c", 11)
     c10 = c[10]
-    dQ_hat_dq_i_dot = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        c10,
-    )
-    dQ_hat_dq_i_dot = ca.reshape(dQ_hat_dq_i_dot, 2, 2)
-    dQ_hat_dq_i_dot = ca.densify(dQ_hat_dq_i_dot)
-    inputs, outputs = [c], [dQ_hat_dq_i_dot]
+    # outputs
+    dQ_hat_dq_i_dot = ca.SX(2, 2)
+    # x_S
+    dQ_hat_dq_i_dot[1, 1] = c10
+    inputs, outputs = [c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["c"], ["dQ_hat_dq_i_dot"])
 
 
 def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot. 5 operations."""
-    dMa_dq_i = ca.vertcat(
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    )
-    dMa_dq_i = ca.reshape(dMa_dq_i, 2, 2)
-    dMa_dq_i = ca.densify(dMa_dq_i)
-    inputs, outputs = [], [dMa_dq_i]
+    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+
+    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
+    5 operations.
+    """
+    # outputs
+    dMa_dq_i = ca.SX(2, 2)
+    inputs, outputs = [], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
 def blocks() -> ca.Function:
-    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39). 19 operations."""
+    """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_LL (n_L x n_L = 1) [SI]: block of M_hat, rows of L, columns of L
+    gives M_hat_LS (n_L x n_S = 1) [SI]: block of M_hat, rows of L, columns of S
+    gives M_hat_SL (n_S x n_L = 1) [SI]: block of M_hat, rows of S, columns of L
+    gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat, rows of S, columns of S
+    gives Q_hat_L (n_L = 1) [N, N m]: part of Q_hat of L
+    gives Q_hat_S (n_S = 1) [N, N m]: part of Q_hat of S
+    19 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     c = ca.SX.sym("c", 11)
     x_L = q_i[0]
     x_S = q_i[1]
     x_S_dot = q_i_dot[1]
-    c0 = c[0]
-    c1 = c[1]
-    c2 = c[2]
+    x_M_0_0 = c[0]
+    x_c = c[1]
+    x_M_1_1 = c[2]
     c3 = c[3]
     c4 = c[4]
     c5 = c[5]
-    M_hat_LL = ca.vertcat(
-        c0,
-    )
-    M_hat_LL = ca.densify(M_hat_LL)
-    M_hat_LS = ca.vertcat(
-        c1,
-    )
-    M_hat_LS = ca.densify(M_hat_LS)
-    M_hat_SL = ca.vertcat(
-        c1,
-    )
-    M_hat_SL = ca.densify(M_hat_SL)
-    M_hat_SS = ca.vertcat(
-        c2,
-    )
-    M_hat_SS = ca.densify(M_hat_SS)
-    Q_hat_L = ca.vertcat(
-        x_L * c3,
-    )
-    Q_hat_L = ca.densify(Q_hat_L)
-    Q_hat_S = ca.vertcat(
-        x_S * c5 - x_S_dot * c4,
-    )
-    Q_hat_S = ca.densify(Q_hat_S)
-    inputs, outputs = [q_i, q_i_dot, c], [M_hat_LL, M_hat_LS, M_hat_SL, M_hat_SS, Q_hat_L, Q_hat_S]
+    # outputs
+    M_hat_LL = ca.vertcat(x_M_0_0)
+    M_hat_LS = ca.vertcat(x_c)
+    M_hat_SL = ca.vertcat(x_c)
+    M_hat_SS = ca.vertcat(x_M_1_1)
+    Q_hat_L = ca.vertcat(x_L * c3)
+    Q_hat_S = ca.vertcat(x_S * c5 - x_S_dot * c4)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat_LL), ca.densify(M_hat_LS), ca.densify(M_hat_SL), ca.densify(M_hat_SS), ca.densify(Q_hat_L), ca.densify(Q_hat_S)]
     return ca.Function("blocks", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat_LL", "M_hat_LS", "M_hat_SL", "M_hat_SS", "Q_hat_L", "Q_hat_S"])
 
 
 def substep_2() -> ca.Function:
-    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64). 14 operations."""
+    """Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given (Eq. 64).
+
+    takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
+    takes q_L_ddot (n_L = 1) [mixed]: accelerations of the slower groups, frozen over their step
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives M_hat_SS (n_S x n_S = 1) [SI]: block of M_hat of the groups that take a sub-step
+    gives rhs_S (n_S = 1) [N, N m]: right-hand side of a sub-step, slow q'' given
+    14 operations.
+    """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_L_ddot = ca.SX.sym("q_L_ddot", 1)
@@ -255,19 +264,14 @@ def substep_2() -> ca.Function:
     x_S = q_i[1]
     x_S_dot = q_i_dot[1]
     x_L_ddot = q_L_ddot[0]
-    c1 = c[1]
-    c2 = c[2]
+    x_c = c[1]
+    x_M_1_1 = c[2]
     c4 = c[4]
     c5 = c[5]
-    M_hat_SS = ca.vertcat(
-        c2,
-    )
-    M_hat_SS = ca.densify(M_hat_SS)
-    rhs_S = ca.vertcat(
-        x_S * c5 - x_S_dot * c4 - x_L_ddot * c1,
-    )
-    rhs_S = ca.densify(rhs_S)
-    inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [M_hat_SS, rhs_S]
+    # outputs
+    M_hat_SS = ca.vertcat(x_M_1_1)
+    rhs_S = ca.vertcat(x_S * c5 - x_S_dot * c4 - x_L_ddot * x_c)
+    inputs, outputs = [q_i, q_i_dot, q_L_ddot, c], [ca.densify(M_hat_SS), ca.densify(rhs_S)]
     return ca.Function("substep_2", inputs, outputs, ["q_i", "q_i_dot", "q_L_ddot", "c"], ["M_hat_SS", "rhs_S"])
 
 

@@ -30,9 +30,7 @@ def augmented_accelerations(model: Model) -> ca.Function:
     rows = len(kept)
     q, q_dot, t = ca.SX.sym("q", n), ca.SX.sym("q_dot", n), ca.SX.sym("t")
     c = ca.SX.sym("c", model.kernel("constants").size1_out(0))
-    kernel = model.kernel("augmented")
-    values = {"q": q, "q_dot": q_dot, "t": t, "c": c}
-    result = kernel.call({name: values[name] for name in kernel.name_in()})
+    result = model.evaluate("augmented", q=q, q_dot=q_dot, t=t, c=c)
     parts = [result["M"], result["Q_star"]]
     parts += [result["C_q"], result["gamma_b"]] if rows else [ca.SX(0, n), ca.SX(0, 1)]
     blocks = ca.Function("blocks", [t, q, q_dot, c], [ca.densify(part) for part in parts])

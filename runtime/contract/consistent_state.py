@@ -53,7 +53,7 @@ class ConsistentState:
 def consistent_state(
     names: list[str],
     elastic: frozenset[int],
-    labels: list[str],
+    owners: list[str],
     position: Residual,
     velocity: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
     coordinates: GivenValues,
@@ -65,7 +65,7 @@ def consistent_state(
 ) -> ConsistentState:
     """Solve C(q) = 0, then C_q q_dot = nu.
 
-    names: coordinates; labels: constraint rows `joint.row`; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
+    names: coordinates; owners: joint of each constraint row; position(q) -> (C, C_q); velocity(q) -> (C_q, nu);
     guess: where coordinates that were left open start (zero by default); reluctant: those of them that count as given;
     first: rows that place bodies, satisfied by what was left open before the others are looked at; following:
     coordinates that these rows give, whose rates cost nothing, so that those of all others change least.
@@ -83,7 +83,7 @@ def consistent_state(
         if q is not None:
             break
     if q is None:
-        _refuse(*position(_nearest(q0, free, position)), free, labels, names, "position")
+        _refuse(*position(_nearest(q0, free, position)), free, owners, names, "position")
     v0, stages = _start(names, elastic, rates, None, reluctant)
     free = stages[-1]
     C_q, nu = velocity(q)
@@ -91,7 +91,7 @@ def consistent_state(
     v = next((v for mask in stages if (v := _velocities(v0, mask, cheap, C_q, nu)) is not None), None)
     if v is None:
         nearest = v0 + _least_change(C_q, nu - C_q @ v0, free)
-        _refuse(nu - C_q @ nearest, C_q, free, labels, names, "velocity")
+        _refuse(nu - C_q @ nearest, C_q, free, owners, names, "velocity")
     changed = {
         name: (float(given[k]), float(q[k]))
         for k, name in enumerate(names)
@@ -186,10 +186,10 @@ def _scale(values: np.ndarray) -> float:
 
 
 def _refuse(
-    residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, labels: list[str], names: list[str], level: str
+    residual: np.ndarray, C_q: np.ndarray, free: np.ndarray, owners: list[str], names: list[str], level: str
 ) -> NoReturn:
     worst = np.abs(residual) > 0.01 * np.abs(residual).max()
-    joints = sorted({labels[k].split(".")[0] for k in np.flatnonzero(worst)})
+    joints = sorted({owners[k] for k in np.flatnonzero(worst)})
     touched = np.abs(C_q[worst]).max(axis=0) > 0
     held = sorted(names[k] for k in np.flatnonzero(touched & ~free))
     reason = f"; fixed there: {', '.join(held)}" if held else ""

@@ -12,9 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from runtime.contract.model import Group, Model, ModelError, Parameter
-
-FORMAT = 2
+from runtime.contract.manifest import FORMAT, OLDER, described, manifest_digest
+from runtime.contract.model import Model, ModelError
 
 
 class _CheckedSource(InspectLoader):
@@ -49,12 +48,6 @@ def load_model(folder: str | Path) -> Model:
         ) from error
 
 
-def manifest_digest(manifest: dict[str, Any]) -> str:
-    """SHA-256 of a manifest without its versions and its own hash."""
-    kept = {key: value for key, value in manifest.items() if key not in ("versions", "sha256")}
-    return hashlib.sha256(json.dumps(kept, sort_keys=True).encode()).hexdigest()
-
-
 def _manifest(path: Path) -> dict[str, Any]:
     try:
         manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
@@ -64,7 +57,12 @@ def _manifest(path: Path) -> dict[str, Any]:
             f"generate it with: symgen generate SCENE --out {path}"
         ) from error
     if not isinstance(manifest, dict) or manifest.get("format") != FORMAT:
-        raise ModelError(f"{path} was generated in another format; regenerate it with: symgen generate {path}")
+        found = manifest.get("format") if isinstance(manifest, dict) else None
+        by = f", by {OLDER[found]}," if isinstance(found, int) and found in OLDER else ""
+        raise ModelError(
+            f"{path} was generated{by} in another format ({found!r}, where this version reads {FORMAT}); "
+            f"regenerate it with: symgen generate {path}"
+        )
     if manifest.get("sha256") != manifest_digest(manifest):
         raise ModelError(
             f"{path / 'manifest.json'} was edited since it was generated; regenerate with: symgen generate {path}"
@@ -96,31 +94,14 @@ def _module(path: Path, text: str) -> ModuleType:
 
 
 def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
-    q_i = manifest["q_i"]
-    groups = [Group(group["name"], [q_i.index(name) for name in group["coordinates"]]) for group in manifest["groups"]]
-    parameters = [Parameter(**entry, default=data["p"][entry["name"]]) for entry in manifest["parameters"]]
-    names = manifest["coordinates"]
+    found = described(manifest, data["p"])
+    names = [coordinate.name for coordinate in found.coordinates]
     return Model(
-        name=manifest["scene"],
-        title=manifest["title"],
-        coordinates=names,
-        elastic=manifest["elastic"],
-        q_i=q_i,
-        q_d=manifest["q_d"],
-        loop_unknowns=manifest["loop_unknowns"],
-        groups=groups,
-        constraints=manifest["constraints"],
-        joints=manifest["joints"],
-        measures=manifest["measures"],
-        parameters=parameters,
+        description=found,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
-        initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         builders=module.FUNCTIONS,
-        simulation=manifest["simulation"],
-        operations={name: entry["operations"] for name, entry in manifest["functions"].items()},
+        initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         digest=manifest["sha256"],
         scene_toml=scene_toml,
-        redundant=manifest["redundant"],
-        drawing=manifest["drawing"],
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -11,70 +11,130 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import SymgenError
+from runtime.contract.records import Bound, Coordinate, Description, Group, Parameter
 
-# parameters whose sign is part of their meaning, by the last part of their name
-POSITIVE = frozenset(("mass", "length", "density", "area", "youngs_modulus", "second_moment"))
-NOT_NEGATIVE = frozenset(("inertia", "stiffness", "damping", "damping_ratio", "free_length"))
+WORDS = {"positive": "positive", "not negative": "at least zero"}
 
 
 class ModelError(SymgenError, ValueError):
     """A generated model that cannot be used: missing, edited, stale, or asked for something it does not have."""
 
 
-@dataclass(frozen=True)
-class Group:
-    """A group of the partition (Eqs. 39, 72): its name and positions in q_i. Groups run from slow to fast."""
-
-    name: str
-    positions: list[int]
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One entry of p: name, SI unit, meaning, kind (declared, scene, data) and default value."""
-
-    name: str
-    unit: str
-    description: str
-    kind: str
-    default: float
-
-
 @dataclass(frozen=True, repr=False)
 class Model:
     """The equations of one scene. `builders` maps a function name to what builds it from the emitted code.
 
-    redundant: constraint rows that the others imply; nothing is solved from them, their multipliers are a choice.
+    description: the records of the contract; the properties below are views of it by name.
+    initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
-    digest: SHA-256 of the manifest; scene_toml: the scene that the model was generated from; "" if not known.
-    drawing: what the columns of the functions `poses` and `geometry` belong to, joints and loads with their markers.
+    digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; "" if
+    not known.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
-    name: str
-    title: str
-    coordinates: list[str]
-    elastic: list[str]
-    q_i: list[str]
-    q_d: list[str]
-    loop_unknowns: list[str]
-    groups: list[Group]
-    constraints: list[str]
-    joints: list[str]
-    measures: list[str]
-    parameters: list[Parameter]
+    description: Description
     initial_q: np.ndarray
     initial_q_dot: np.ndarray
     builders: Mapping[str, Callable[[], ca.Function]]
-    simulation: Mapping[str, Any] = field(default_factory=dict)
-    operations: Mapping[str, int] = field(default_factory=dict)
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     digest: str = ""
     scene_toml: str = ""
-    redundant: list[str] = field(default_factory=list)
-    drawing: Mapping[str, Any] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
+
+    @property
+    def name(self) -> str:
+        """Name of the scene."""
+        return self.description.name
+
+    @property
+    def title(self) -> str:
+        """What a picture calls it."""
+        return self.description.title
+
+    @cached_property
+    def coordinates(self) -> list[str]:
+        """Names of q, in order; their kinds and units stand in `description.coordinates`."""
+        return [coordinate.name for coordinate in self.description.coordinates]
+
+    @cached_property
+    def elastic(self) -> list[str]:
+        """Names of the modal coordinates."""
+        return [coordinate.name for coordinate in self.description.coordinates if coordinate.elastic]
+
+    @property
+    def q_i(self) -> list[str]:
+        """Names of the independent coordinates."""
+        return self.description.q_i
+
+    @property
+    def q_d(self) -> list[str]:
+        """Names of the dependent coordinates."""
+        return self.description.q_d
+
+    @property
+    def loop_unknowns(self) -> list[str]:
+        """Names of the dependent coordinates that Newton iterations find."""
+        return self.description.loop_unknowns
+
+    @property
+    def groups(self) -> list[Group]:
+        """Groups of the partition, slow to fast."""
+        return self.description.groups
+
+    @cached_property
+    def constraints(self) -> list[str]:
+        """Labels of the constraint rows."""
+        return [row.label for row in self.description.constraints]
+
+    @cached_property
+    def joints(self) -> list[str]:
+        """Names of the joints that have constraint rows, in the order of their first."""
+        return list(dict.fromkeys(row.joint for row in self.description.constraints if row.joint))
+
+    @cached_property
+    def measures(self) -> list[str]:
+        """Names of the measures and of their rates."""
+        return [measure.name for measure in self.description.measures]
+
+    @cached_property
+    def drawing(self) -> dict[str, Any]:
+        """What views draw, as plain values: the record `drawing` with the joints and loads and their markers."""
+        described = self.description
+        return {
+            **asdict(described.drawing),
+            "joints": [
+                {key: getattr(joint, key) for key in ("name", "type", "marker_a", "marker_b")}
+                for joint in described.joints
+            ],
+            "loads": [{"name": load.name, "type": load.type, **load.markers} for load in described.loads],
+        }
+
+    @property
+    def parameters(self) -> list[Parameter]:
+        """Entries of p."""
+        return self.description.parameters
+
+    @property
+    def redundant(self) -> list[str]:
+        """Labels of the rows that the others imply."""
+        return self.description.redundant
+
+    @property
+    def simulation(self) -> Mapping[str, Any]:
+        """What runs use where nothing else is said."""
+        return self.description.simulation
+
+    @cached_property
+    def operations(self) -> dict[str, int]:
+        """Operations of each function."""
+        return {spec.name: spec.operations for spec in self.description.functions}
+
+    def coordinate(self, name: str) -> Coordinate:
+        """The record of a coordinate. Raises ModelError for an unknown name."""
+        if name not in self.coordinates:
+            raise ModelError(f"model {self.name} has no coordinate {name!r}; it has {', '.join(self.coordinates)}")
+        return self.description.coordinates[self.coordinates.index(name)]
 
     def __repr__(self) -> str:
         return (
@@ -116,6 +176,24 @@ class Model:
         return ca.Function(
             name, [*inputs.values(), p], [outputs[key] for key in kernel.name_out()], [*names, "p"], kernel.name_out()
         )
+
+    def evaluate(self, name: str, **values: Any) -> dict[str, Any]:
+        """Outputs of the kernel `name` by name, at numbers or at CasADi expressions.
+
+        values: arguments by name in the shapes of the kernel, `c` among them; what it does not take is left alone.
+        Raises ModelError for a function that the model does not have and for an argument that is missing.
+        """
+        kernel = self.kernel(name)
+        missing = [argument for argument in kernel.name_in() if argument not in values]
+        if missing:
+            raise ModelError(f"function {name} of model {self.name} needs {', '.join(missing)}: give it by name")
+        return dict(kernel.call({argument: values[argument] for argument in kernel.name_in()}))
+
+    @cached_property
+    def conservative(self) -> bool:
+        """Do neither loads nor prescribed motions do work on the mechanism? False where that is not known."""
+        outputs = [("energy", "power_applied")] + ([("constraints", "C_t")] if self.constraints else [])
+        return all(self.has(function) and self.structurally_zero(function, output) for function, output in outputs)
 
     def structurally_zero(self, name: str, output: str) -> bool:
         """Is an output of a kernel zero whatever its arguments are?"""
@@ -162,8 +240,20 @@ class Model:
             if name not in index:
                 known = ", ".join(q.name for q in self.parameters if q.kind != "data")
                 raise ModelError(f"model {self.name} has no parameter {name!r}; it has {known}")
-            p[index[name]] = _checked_value(name, value)
+            p[index[name]] = _checked_value(self.parameters[index[name]], value)
+        if changes and self.description.bounded:
+            self._require_bounds(p)
         return p
+
+    def _require_bounds(self, p: np.ndarray) -> None:
+        """Raises ModelError if an expression of the scene has lost the sign that its use asks for."""
+        values = np.asarray(self.kernel("bounded")(p)).ravel()
+        for quantity, value in zip(self.description.bounded, values, strict=True):
+            if not _within(quantity.bound, value):
+                raise ModelError(
+                    f"{quantity.item} = {quantity.expression!r} would be {value:.6g} but must be "
+                    f"{WORDS[quantity.bound]}: choose other values of its parameters"
+                )
 
     def constants(self, p: np.ndarray) -> np.ndarray:
         """c for a parameter vector p. Raises ModelError if a parameter makes one of them infinite or NaN."""
@@ -173,11 +263,14 @@ class Model:
         return c
 
 
-def _checked_value(name: str, value: float) -> float:
+def _checked_value(parameter: Parameter, value: float) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
-        raise ModelError(f"parameter {name!r} must be a finite number, not {value!r}")
-    kind = name.rpartition(".")[2] if "." in name else ""
-    if (kind in POSITIVE and value <= 0) or (kind in NOT_NEGATIVE and value < 0):
-        wanted = "positive" if kind in POSITIVE else "at least zero"
-        raise ModelError(f"parameter {name!r} must be {wanted}, not {value}")
+        raise ModelError(f"parameter {parameter.name!r} must be a finite number, not {value!r}")
+    if not _within(parameter.bound, float(value)):
+        raise ModelError(f"parameter {parameter.name!r} must be {WORDS[parameter.bound]}, not {value}")
     return float(value)
+
+
+def _within(bound: Bound, value: float) -> bool:
+    """Has a value the sign that a bound asks for?"""
+    return bool({"any": True, "positive": value > 0, "not negative": value >= 0}[bound])

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.files import replacing
-from runtime.contract.model import Group, Model, ModelError, Parameter
+from runtime.contract.model import Model, ModelError
+from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
-from runtime.contract.units import unit
 from runtime.results.stream import read_blocks, read_header
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from runtime.results.samples import Samples
 
-FORMAT = "symgen solution 2"
+FORMAT = "symgen solution 3"
 FORCE_PARTS = {
     3: ("force_x", "force_y", "moment"),
     6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
@@ -41,7 +41,6 @@ ARRAYS = (
     "measures",
     "joint_forces",
 )
-NAMES = ("name", "title", "coordinates", "elastic", "q_i", "q_d", "loop_unknowns", "constraints", "joints", "measures")
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
 
@@ -100,13 +99,9 @@ def run_header(solution: Samples) -> dict[str, Any]:
     model = solution.model
     return {
         "model": {
-            **{key: getattr(model, key) for key in NAMES},
-            "groups": [asdict(group) for group in model.groups],
-            "parameters": [asdict(parameter) for parameter in model.parameters],
+            "description": as_plain(model.description),
             "initial_q": model.initial_q.tolist(),
             "initial_q_dot": model.initial_q_dot.tolist(),
-            "simulation": dict(model.simulation),
-            "operations": dict(model.operations),
         },
         "scheme": solution.scheme,
         "dt": float(solution.dt),
@@ -134,14 +129,10 @@ def read_run_header(header: dict[str, Any], path: str | Path, model: Model | Non
 def _recorded_model(header: dict[str, Any]) -> Model:
     """A model with names but without functions."""
     return Model(
-        **{key: header[key] for key in NAMES},
-        groups=[Group(**entry) for entry in header["groups"]],
-        parameters=[Parameter(**entry) for entry in header["parameters"]],
+        description=description(header["description"]),
         initial_q=np.array(header["initial_q"], dtype=float),
         initial_q_dot=np.array(header["initial_q_dot"], dtype=float),
         builders={},
-        simulation=header["simulation"],
-        operations=header["operations"],
     )
 
 
@@ -192,7 +183,7 @@ def to_xarray(solution: Samples) -> xarray.Dataset:
     kinds = (("q", solution.q, 0), ("q_dot", solution.q_dot, 1), ("q_ddot", solution.q_ddot, 2))
     variables: dict[str, Any] = {}
     for key, values, order in kinds:
-        units = ", ".join(f"{name}: {unit(name, order)}" for name in model.coordinates)
+        units = ", ".join(f"{entry.name}: {entry.unit_of(order)}" for entry in model.description.coordinates)
         variables[key] = (("t", "coordinate"), values, {"units": units})
     variables["q_i"] = (("t", "independent"), solution.q_i)
     variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})

@@ -120,14 +120,14 @@ def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
 
 def _constraint_errors(model: Model) -> ca.Function:
     """(q, q_dot, t, c) -> C, C_t, C_dot = C_q q_dot + C_t."""
-    kernel, n = model.kernel("constraints"), len(model.coordinates)
+    n = len(model.coordinates)
     values = {
         "q": ca.SX.sym("q", n),
         "q_dot": ca.SX.sym("q_dot", n),
         "t": ca.SX.sym("t"),
         "c": ca.SX.sym("c", model.c_size),
     }
-    found = kernel.call({key: values[key] for key in kernel.name_in()})
+    found = model.evaluate("constraints", **values)
     C_dot = ca.mtimes(found["C_q"], values["q_dot"]) + found["C_t"]
     return ca.Function(
         "constraint_errors",

@@ -62,8 +62,9 @@ class Samples:
         Raises ModelError for an unknown name.
         """
         for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
-            if name.endswith(suffix) and name.removesuffix(suffix) in self.model.coordinates:
-                return values[:, self.model.coordinates.index(name.removesuffix(suffix))]
+            names = [f"{coordinate}{suffix}" for coordinate in self.model.coordinates]
+            if name in names:
+                return values[:, names.index(name)]
         return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
 
     def rate(self, name: str) -> np.ndarray:

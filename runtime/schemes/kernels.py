@@ -43,9 +43,7 @@ class StepKernels:
 
     def call(self, name: str, **arguments: ca.SX) -> dict[str, ca.SX]:
         """Kernel outputs by name; arguments that the kernel does not take are ignored."""
-        kernel = self.model.kernel(name)
-        values = {**arguments, "c": self.c}
-        return dict(kernel.call({key: values[key] for key in kernel.name_in()}))
+        return self.model.evaluate(name, **arguments, c=self.c)
 
     def close(self, q_i: ca.SX, loop: ca.SX, t: ca.SX, iterations: int) -> Motion:
         """q_d = f(q_i, t) from a guess of the loop unknowns, by a fixed number of Newton steps."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -32,7 +31,7 @@ def start_state(
 
 
 def _names_elastic(model: Model, changes: Mapping[str, float]) -> bool:
-    return any(name.removesuffix("_dot") in model.elastic for name in changes)
+    return any(name in changes or f"{name}_dot" in changes for name in model.elastic)
 
 
 def _given_state(
@@ -53,13 +52,14 @@ def _given_state(
 def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
+    coordinate_of = {f"{name}_dot": name for name in model.coordinates}
     for name, value in changes.items():
         if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
             raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
         if name in model.coordinates:
             coordinates[name] = float(value)
-        elif name.endswith("_dot") and name[:-4] in model.coordinates:
-            rates[name[:-4]] = float(value)
+        elif name in coordinate_of:
+            rates[coordinate_of[name]] = float(value)
         else:
             raise InitialStateError(
                 f"model {model.name} has no coordinate {name!r}; it has "
@@ -71,12 +71,10 @@ def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float]
 def _assembled(
     model: Model, c: np.ndarray, t0: float, coordinates: dict[str, float], rates: dict[str, float]
 ) -> ConsistentState:
-    kernel = model.kernel("constraints")
     shape = (len(model.constraints), len(model.coordinates))
 
     def evaluate(q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        values: dict[str, Any] = {"q": q, "q_dot": np.zeros(shape[1]), "t": t0, "c": c}
-        result = kernel(**{name: values[name] for name in kernel.name_in()})
+        result = model.evaluate("constraints", q=q, q_dot=np.zeros(shape[1]), t=t0, c=c)
         C, C_q, C_t = (np.asarray(result[name]) for name in ("C", "C_q", "C_t"))
         return C.ravel(), C_q.reshape(shape), C_t.ravel()
 
@@ -100,7 +98,7 @@ def _assembled(
     return consistent_state(
         model.coordinates,
         elastic,
-        model.constraints,
+        [row.joint or row.label for row in model.description.constraints],
         lambda q: evaluate(q)[:2],
         velocity,
         GivenValues({**keep, **coordinates}, frozenset(coordinates)),

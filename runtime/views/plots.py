@@ -18,7 +18,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from runtime.contract.files import OutputError, replacing
-from runtime.contract.units import unit
 from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:
@@ -100,8 +99,9 @@ def phase(solution: Solution, path: str | Path | None = None, names: Sequence[st
         ax.plot(x, v, color=COLOURS[0], lw=0.9)
         ax.plot(x[:1], v[:1], "o", color=COLOURS[2], ms=5, label="start")
         ax.plot(x[-1:], v[-1:], "s", color=COLOURS[1], ms=5, label="end")
-        ax.set_xlabel(f"{name} [{unit(name)}]")
-        ax.set_ylabel(f"rate [{unit(name, 1)}]")
+        coordinate = solution.model.coordinate(name)
+        ax.set_xlabel(f"{name} [{coordinate.unit}]")
+        ax.set_ylabel(f"rate [{coordinate.unit_of(1)}]")
     if axes:
         _legend(axes[0])
     return _finish(figure, path)
@@ -110,16 +110,15 @@ def phase(solution: Solution, path: str | Path | None = None, names: Sequence[st
 def _panels(solution: Solution) -> list[Panel]:
     """Rigid angles, rigid positions, elastic coordinates body by body; what does not move is left out."""
     model = solution.model
-    moving = [name for k, name in enumerate(model.coordinates) if _moves(solution.q[:, k])] or model.coordinates
-    rigid = [name for name in moving if name not in model.elastic]
-    angles = [name for name in rigid if unit(name) == "rad"]
+    records = model.description.coordinates
+    moving = [entry for k, entry in enumerate(records) if _moves(solution.q[:, k])] or records
     panels = [
-        Panel("angles", "angle [rad]", angles),
-        Panel("positions", "position [m]", [name for name in rigid if name not in angles]),
+        Panel("angles", "angle [rad]", [entry.name for entry in moving if entry.kind == "angle"]),
+        Panel("positions", "position [m]", [entry.name for entry in moving if entry.kind == "position"]),
+        Panel("Euler parameters", "[1]", [entry.name for entry in moving if entry.kind == "euler_parameter"]),
     ]
-    elastic = [name for name in moving if name in model.elastic]
-    for body in dict.fromkeys(name.rpartition(".")[0] for name in elastic):
-        own = [name for name in elastic if name.rpartition(".")[0] == body]
+    for body in dict.fromkeys(entry.owner for entry in moving if entry.elastic):
+        own = [entry.name for entry in moving if entry.elastic and entry.owner == body]
         panels.append(Panel(f"{body}: deformation", "modal coordinate [m]", own))
     return [panel for panel in panels if panel.names]
 
@@ -129,8 +128,10 @@ def _moves(values: np.ndarray) -> bool:
 
 
 def _chosen(solution: Solution, names: Sequence[str]) -> list[Panel]:
-    known = solution.model.coordinates
-    return [Panel(name, f"[{unit(name)}]" if name in known else "", [name]) for name in names]
+    described = solution.model.description
+    units = {entry.name: entry.unit for entry in described.coordinates}
+    units |= {entry.name: entry.unit for entry in described.measures}
+    return [Panel(name, f"[{units[name]}]" if name in units else "", [name]) for name in names]
 
 
 def _lines(ax: Axes, solution: Solution, panel: Panel) -> None:

@@ -28,11 +28,10 @@ def axis_labels(model: Model) -> tuple[str, str]:
 
 def up_axis(model: Model) -> int:
     """The world axis that gravity is along; without gravity z, y in a planar mechanism."""
-    gravity = {parameter.name: abs(parameter.default) for parameter in model.parameters}
-    weights = [gravity.get(f"gravity.{axis}", 0.0) for axis in "xyz"]
     if not is_spatial(model):
         return 1
-    return int(np.argmax(weights)) if any(weights) else 2
+    weights = np.abs(model.description.gravity)
+    return int(np.argmax(weights)) if weights.any() else 2
 
 
 def view_axes(up: int) -> np.ndarray:

@@ -2,29 +2,23 @@
 
 Three kinds share one vector: parameters the scene declares, numbers written in the scene (they get a name such
 as `crank.mass`), and data computed from a mesh (`beam/...`). A number that is exactly zero stays a zero.
+
+The sign that a number must have belongs to its use: a declared parameter that is taken for a mass must be positive,
+and an expression that is taken for one must keep a positive value whatever its parameters become.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal, Protocol
+from dataclasses import replace
+from typing import Protocol
 
 import casadi as ca
 import numpy as np
 
-Kind = Literal["declared", "scene", "data"]
+from runtime.contract.records import Bound, BoundedQuantity, Parameter
 
-
-@dataclass(frozen=True)
-class ParameterEntry:
-    """One entry of p: name, default value, SI unit, what it is and where it comes from."""
-
-    name: str
-    default: float
-    unit: str
-    description: str
-    kind: Kind
+STRICTNESS: tuple[Bound, ...] = ("any", "not negative", "positive")
 
 
 class Declaration(Protocol):
@@ -61,34 +55,103 @@ class Declarations(Protocol):
         """The expression in a text; `item` names it in errors."""
 
 
+class Sign(Protocol):
+    """The sign that a quantity must have."""
+
+    @property
+    def value(self) -> Bound:
+        """In words."""
+
+
+class Explained(Protocol):
+    """What a quantity stands for."""
+
+    @property
+    def description(self) -> str:
+        """What it is."""
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+
+    @property
+    def bound(self) -> Sign:
+        """The sign that it must have."""
+
+
+class Part(Protocol):
+    """A named part of a scene that says what its quantities mean."""
+
+    @property
+    def name(self) -> str:
+        """Unique among its kind."""
+
+    def meaning(self, key: str) -> Explained:
+        """Of one of its quantities."""
+
+
 class ParameterTable:
     """Collects the entries of p while the scene's bodies, joints and loads are instantiated."""
 
     def __init__(self, declarations: Declarations) -> None:
         self._declarations = declarations
-        self.entries: list[ParameterEntry] = []
+        self._entries: dict[str, Parameter] = {}
         self._symbols: dict[str, ca.SX] = {}
         self._data: dict[str, ca.SX] = {}
+        self._bounded: dict[str, tuple[BoundedQuantity, ca.SX]] = {}
         for name, parameter in declarations.parameters.items():
-            self._add(ParameterEntry(name, parameter.default, parameter.unit, parameter.description, "declared"))
+            self._add(Parameter(name, parameter.unit, parameter.description, "declared", parameter.default))
 
-    def _add(self, entry: ParameterEntry) -> ca.SX:
+    @property
+    def entries(self) -> list[Parameter]:
+        """The entries of p, in order."""
+        return list(self._entries.values())
+
+    @property
+    def bounded(self) -> list[tuple[BoundedQuantity, ca.SX]]:
+        """Expressions that must keep a sign, with their SX."""
+        return list(self._bounded.values())
+
+    def _add(self, entry: Parameter) -> ca.SX:
         symbol = ca.SX.sym(entry.name)
-        self.entries.append(entry)
+        self._entries[entry.name] = entry
         self._symbols[entry.name] = symbol
         return symbol
 
-    def quantity(self, value: float | str, name: str, unit: str, description: str = "") -> ca.SX:
-        """SX of a scene quantity: 0 for zero, a new entry of p for a number, the expression for a text."""
+    def quantity(
+        self, value: float | str, name: str, unit: str, meaning: str = "", bound: Bound = "any", array: str = ""
+    ) -> ca.SX:
+        """SX of a scene quantity: 0 for zero, a new entry of p for a number, the expression for a text.
+
+        array: the array that the number is an entry of.
+        """
         if isinstance(value, str):
-            return self._declarations.expression(value, name).to_casadi(self.environment())
+            result = self._declarations.expression(value, name).to_casadi(self.environment())
+            self._bind(value, name, bound, result)
+            return result
         if value == 0:
             return ca.SX(0)
         if name in self._symbols:
             return self._symbols[name]
-        return self._add(ParameterEntry(name, float(value), unit, description, "scene"))
+        return self._add(Parameter(name, unit, meaning, "scene", float(value), bound, array))
 
-    def data(self, array: np.ndarray, name: str, unit: str, description: str) -> ca.SX:
+    def of(self, part: Part, key: str) -> ca.SX:
+        """SX of the quantity `key` of a body, joint or load, with the unit, meaning and bound of its field."""
+        meaning = part.meaning(key)
+        value, name = getattr(part, key), f"{part.name}.{key}"
+        return self.quantity(value, name, meaning.unit, meaning.description, meaning.bound.value)
+
+    def _bind(self, text: str, item: str, bound: Bound, value: ca.SX) -> None:
+        """Remember what sign an expression must have: on the parameter itself where it is nothing else."""
+        if bound == "any" or not ca.symvar(value):
+            return
+        parameter = self._entries.get(text.strip())
+        if parameter is None:
+            self._bounded[item] = BoundedQuantity(item, text, bound), value
+        elif STRICTNESS.index(bound) > STRICTNESS.index(parameter.bound):
+            self._entries[parameter.name] = replace(parameter, bound=bound)
+
+    def data(self, array: np.ndarray, name: str, unit: str, meaning: str) -> ca.SX:
         """SX matrix of computed data (a mesh's shape integrals, dimensionless or SI): zeros baked."""
         table = np.atleast_2d(np.asarray(array, dtype=float))
         known = self._data.get(name)
@@ -98,7 +161,7 @@ class ParameterTable:
         for row, column in zip(*np.nonzero(table), strict=True):
             entry = f"{name}[{row},{column}]"
             value = float(table[row, column])
-            result[int(row), int(column)] = self._add(ParameterEntry(entry, value, unit, description, "data"))
+            result[int(row), int(column)] = self._add(Parameter(entry, unit, meaning, "data", value, array=name))
         self._data[name] = result
         return result
 
@@ -108,4 +171,4 @@ class ParameterTable:
 
     def vector(self) -> ca.SX:
         """p as one SX column."""
-        return ca.vertcat(*(self._symbols[entry.name] for entry in self.entries))
+        return ca.vertcat(*self._symbols.values())

@@ -37,6 +37,6 @@ def marker_shape(scene: Scene, reference: str, table: ParameterTable) -> tuple[s
 def _fill(target: ca.SX, rows: Sequence[Sequence[float | str]], name: str, table: ParameterTable) -> None:
     for row, entries in enumerate(rows):
         for column, value in enumerate(entries):
-            quantity = table.quantity(value, f"{name}[{row},{column}]", "1", "modal data at a marker")
+            quantity = table.quantity(value, f"{name}[{row},{column}]", "1", "modal data at a marker", array=name)
             if not quantity.is_zero():
                 target[row, column] = quantity

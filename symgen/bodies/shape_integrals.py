@@ -58,9 +58,9 @@ class ShapeIntegrals:
 
 def rigid_integrals(body: RigidBody, table: ParameterTable) -> ShapeIntegrals:
     """Integrals of a rigid body: no modes."""
-    mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
+    mass = table.of(body, "mass")
     assert not isinstance(body.inertia, tuple)
-    inertia = table.quantity(body.inertia, f"{body.name}.inertia", "kg m^2", "inertia about the centre of mass")
+    inertia = table.of(body, "inertia")
     center = _position(body.center_of_mass, f"{body.name}.center_of_mass", table)
     none, square = ca.SX(2, 0), ca.SX(0, 0)
     column = ca.SX(0, 1)
@@ -101,9 +101,9 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
 
     stiffening = body.foreshortening
     return ShapeIntegrals(
-        mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
+        mass=table.of(body, "mass"),
         S1=_position(body.first_moment, f"{name}.first_moment", table, "kg m"),
-        I0=table.quantity(body.inertia, f"{name}.inertia", "kg m^2", "inertia about the frame origin"),
+        I0=table.of(body, "inertia"),
         Sb=_matrix(body.phi_integral, f"{name}.phi_integral", "kg", table, (2, nf)),
         i1=vector(body.rho_dot_phi or [0.0] * nf, "rho_dot_phi", "kg m"),
         B=vector(body.rho_cross_phi or [0.0] * nf, "rho_cross_phi", "kg m"),
@@ -145,12 +145,9 @@ def mesh_key(body: BeamBody) -> str:
 
 def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTable) -> ShapeIntegrals:
     """Integrals of a uniform beam: physical scale times the mesh's dimensionless data."""
-    name, key = body.name, mesh_key(body)
-    length = table.quantity(body.length, f"{name}.length", "m", "length")
-    density = table.quantity(body.density, f"{name}.density", "kg/m^3", "density")
-    area = table.quantity(body.area, f"{name}.area", "m^2", "cross-section area")
-    modulus = table.quantity(body.youngs_modulus, f"{name}.youngs_modulus", "N/m^2", "Young's modulus")
-    second = table.quantity(body.second_moment, f"{name}.second_moment", "m^4", "second moment of area")
+    key = mesh_key(body)
+    length, density, area = (table.of(body, field) for field in ("length", "density", "area"))
+    modulus, second = table.of(body, "youngs_modulus"), table.of(body, "second_moment")
     mass = density * area * length
 
     def column(values: np.ndarray, label: str) -> ca.SX:
@@ -165,7 +162,7 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
         modulus * area / length * matrix(data.kappa_axial, "kappa_axial"),
     )
     M_ff = mass * matrix(data.mass, "mass")
-    zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
+    zeta = table.of(body, "damping_ratio")
     D_ff = ca.SX(nf, nf)
     if not zeta.is_zero():
         for a in range(nf):
@@ -190,7 +187,7 @@ def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTa
 def beam_point(body: BeamBody, data: BeamIntegrals, at: float, table: ParameterTable) -> PointShape:
     """Shapes of a beam at the fraction `at` of its length."""
     key = f"{mesh_key(body)}@{at!r}"
-    length = table.quantity(body.length, f"{body.name}.length", "m", "length")
+    length = table.of(body, "length")
     point = _mesh_point(data, at)
     on = 1.0 if body.stiffening else 0.0
     rows = np.vstack([point.shape_x, point.shape_y])
@@ -241,7 +238,7 @@ def _matrix(values: Table | None, name: str, unit: str, table: ParameterTable, s
         return result
     for row, entries in enumerate(values):
         for column, value in enumerate(entries):
-            quantity = table.quantity(value, f"{name}[{row},{column}]", unit, "modal data")
+            quantity = table.quantity(value, f"{name}[{row},{column}]", unit, "modal data", array=name)
             if not quantity.is_zero():
                 result[row, column] = quantity
     return result

@@ -85,11 +85,8 @@ class SpatialBody:
     @cached_property
     def _whole(self) -> dict[str, ca.SX]:
         """Outputs of the body template that belong to no mode."""
-        names = [
-            name
-            for name in template.body_template().outputs
-            if not name.endswith("mode_0") and not name.startswith(("M_Rf", "M_turnf"))
-        ]
+        per_mode = (*template.PER_MODE, template.FORCE_ON_MODE)
+        names = [name for name in template.body_template().outputs if name not in per_mode]
         return template.body_template().evaluate(self._moments.values(), names)
 
     @cached_property
@@ -100,8 +97,8 @@ class SpatialBody:
         return [self.orientation.turned(k, h, world) for k in range(len(self.coordinates.theta))]
 
     def _mode(self, a: int) -> dict[str, ca.SX]:
-        names = [name for name in template.body_template().outputs if name.startswith(("M_Rf", "M_turnf"))]
-        return template.body_template().evaluate(self._moments.mode_values(a), [*names, "Q_mode_0"])
+        names = [*template.PER_MODE, template.FORCE_ON_MODE]
+        return template.body_template().evaluate(self._moments.mode_values(a), names)
 
     @cached_property
     def _modes(self) -> list[dict[str, ca.SX]]:
@@ -140,7 +137,7 @@ class SpatialBody:
             force[column] = dot(axes[k], moment)
         for a, column in enumerate(self.coordinates.elastic):
             mode = self._modes[a]
-            force[column] = sub(mode["Q_mode_0"], dot([mode[f"M_turnf_{i}"] for i in range(3)], drift))
+            force[column] = sub(mode[template.FORCE_ON_MODE], dot([mode[f"M_turnf_{i}"] for i in range(3)], drift))
         return nonzero(force)
 
     def stiffness_entries(self) -> list[tuple[int, int, ca.SX]]:

@@ -8,6 +8,7 @@ from functools import lru_cache
 import casadi as ca
 import numpy as np
 
+from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
@@ -29,19 +30,25 @@ def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> Spatial
     return _beam(body, table)
 
 
-def three(values: Sequence[float | str], name: str, unit: str, table: ParameterTable, what: str) -> Vector:
+def three(
+    values: Sequence[float | str], name: str, unit: str, table: ParameterTable, what: str, bound: Bound = "any"
+) -> Vector:
     """Three components of a quantity; a z left out is zero."""
     padded = [*values, 0.0][:3]
-    return [table.quantity(value, f"{name}.{axis}", unit, what) for value, axis in zip(padded, "xyz", strict=True)]
+    return [
+        table.quantity(value, f"{name}.{axis}", unit, what, bound) for value, axis in zip(padded, "xyz", strict=True)
+    ]
 
 
 def _rigid(body: RigidBody, table: ParameterTable) -> SpatialIntegrals:
     """J0 = tr(I)/2 - I of the inertia tensor, plus the centre of mass's share."""
-    mass = table.quantity(body.mass, f"{body.name}.mass", "kg", "mass")
+    mass = table.of(body, "mass")
     center = three(body.center_of_mass, f"{body.name}.center_of_mass", "m", table, "centre of mass")
     assert isinstance(body.inertia, tuple)
     about = [
-        table.quantity(value, f"{body.name}.inertia.{axis}", "kg m^2", f"moment of inertia about {axis}")
+        table.quantity(
+            value, f"{body.name}.inertia.{axis}", "kg m^2", f"moment of inertia about {axis}", "not negative"
+        )
         for value, axis in zip(body.inertia, ("xx", "yy", "zz"), strict=True)
     ]
     xy, xz, yz = (
@@ -65,7 +72,10 @@ def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals
         for a in range(0 if values is None else len(values)):
             assert values is not None
             for b in range(a, len(values)):
-                rows[a][b] = rows[b][a] = table.quantity(values[a][b], f"{name}.{label}[{a},{b}]", unit, "modal data")
+                entry = f"{name}.{label}[{a},{b}]"
+                rows[a][b] = rows[b][a] = table.quantity(
+                    values[a][b], entry, unit, "modal data", array=f"{name}.{label}"
+                )
         return rows
 
     def block(values: np.ndarray, label: str, unit: str) -> Matrix:
@@ -90,11 +100,16 @@ def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals
         else []
     )
     return SpatialIntegrals(
-        mass=table.quantity(body.mass, f"{name}.mass", "kg", "mass"),
+        mass=table.of(body, "mass"),
         S1=three(body.first_moment, f"{name}.first_moment", "kg m", table, "int rho0 dm"),
         J0=symmetric(body.inertia_moments, "inertia_moments", "kg m^2"),
         Sb=[
-            [table.quantity(phi[i][a], f"{name}.phi_integral[{i},{a}]", "kg", "int Phi dm") for i in range(3)]
+            [
+                table.quantity(
+                    phi[i][a], f"{name}.phi_integral[{i},{a}]", "kg", "int Phi dm", array=f"{name}.phi_integral"
+                )
+                for i in range(3)
+            ]
             for a in range(nf)
         ],
         N=[block(rho_phi[a], f"rho_phi[{a}]", "kg m") for a in range(nf)],
@@ -112,16 +127,13 @@ def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
 
     The cross-section's rotary inertia counts in J0, so that the beam has one about its own axis.
     """
-    data, key, name, nf = spatial_beam_of(body), spatial_mesh_key(body), body.name, body.nf
-    length = table.quantity(body.length, f"{name}.length", "m", "length")
-    density = table.quantity(body.density, f"{name}.density", "kg/m^3", "density")
-    area = table.quantity(body.area, f"{name}.area", "m^2", "cross-section area")
-    modulus = table.quantity(body.youngs_modulus, f"{name}.youngs_modulus", "N/m^2", "Young's modulus")
-    section = [
-        table.quantity(value, f"{name}.{label}", "m^4", "second moment of area")
-        for label, value in (("second_moment", body.second_moment), ("second_moment_z", body.second_moment_z))
-    ]
-    zeta = table.quantity(body.damping_ratio, f"{name}.damping_ratio", "1", "modal damping ratio")
+    data, key, nf = spatial_beam_of(body), spatial_mesh_key(body), body.nf
+    length, density, area = (table.of(body, field) for field in ("length", "density", "area"))
+    modulus, section = (
+        table.of(body, "youngs_modulus"),
+        [table.of(body, "second_moment"), table.of(body, "second_moment_z")],
+    )
+    zeta = table.of(body, "damping_ratio")
     mass = density * area * length
 
     def numbers(values: np.ndarray, label: str) -> Matrix:
@@ -192,14 +204,15 @@ def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[
         for target, rows, label in ((shapes, marker.shape, "shape"), (turns, marker.rotation, "rotation")):
             for i, row in enumerate(rows):
                 for a, value in enumerate(row):
-                    target[a][i] = table.quantity(value, f"{reference}.{label}[{i},{a}]", "1", "modal data at a marker")
+                    entry, array = f"{reference}.{label}[{i},{a}]", f"{reference}.{label}"
+                    target[a][i] = table.quantity(value, entry, "1", "modal data at a marker", array=array)
     return body.name, SpatialPoint(position, shapes, turns, [], axes, quaternion)
 
 
 def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:
     """A point of a beam at the fraction `at` of its length, with the frame's axes."""
     data, key, nf = spatial_beam_of(body).point(at), f"{spatial_mesh_key(body)}@{at!r}", body.nf
-    length = table.quantity(body.length, f"{body.name}.length", "m", "length")
+    length = table.of(body, "length")
 
     def columns(values: np.ndarray, label: str) -> list[Vector]:
         return entries(table.data(values.T, f"{key}.{label}", "1", "mode shapes at a marker"))

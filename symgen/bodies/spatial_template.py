@@ -104,6 +104,10 @@ def _of_one_point() -> tuple[dict[str, sp.Expr], dict[sp.Symbol, sp.Expr]]:
     return blocks, values
 
 
+PER_MODE = tuple(f"{block}_{i}" for block in ("M_Rf", "M_turnf") for i in range(3))
+FORCE_ON_MODE = "Q_mode_0"
+
+
 @cache
 def body_template() -> Template:
     """M_RR, M_Rturn_ij, M_turnturn_ij, M_Rf_i, M_turnf_i and Q_R_i, Q_turn_i, Q_mode_0 of Eq. (20), in body axes."""

@@ -47,19 +47,19 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
     equations, topology, requested = system.equations, system.topology, system.requested
     following = frozenset(
         k
-        for k, name in enumerate(equations.names)
-        if name.partition(".")[0] in topology.placed and k not in equations.elastic_columns
+        for k, coordinate in enumerate(equations.coordinates)
+        if coordinate.owner in topology.placed and not coordinate.elastic
     )
     try:
         state = consistent_state(
             equations.names,
             equations.elastic_columns,
-            [row.label for row in equations.constraints],
+            [row.joint or row.label for row in equations.constraints],
             numbers.position,
             numbers.velocity,
             requested.coordinates,
             requested.rates,
-            np.array([equations.at_rest.get(k, 0.0) for k in range(len(equations.names))]),
+            np.array([coordinate.at_rest for coordinate in equations.coordinates]),
             equations.joint_columns,
             [k for k, row in enumerate(equations.constraints) if row.joint in topology.placements],
             following,
@@ -67,19 +67,20 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
         raise DerivationError("initial", problem or remedy, remedy if problem else "check parameters") from error
-    _require_regular_angles(requested.euler_angles, equations.names, state.q)
+    _require_regular_angles(requested.euler_angles, equations, state.q)
     return state
 
 
-def _require_regular_angles(sequences: Mapping[str, str], names: list[str], q: np.ndarray) -> None:
+def _require_regular_angles(sequences: Mapping[str, str], equations: Equations, q: np.ndarray) -> None:
     """Refuse Euler angles (sequences by body) that start where their first and last axis coincide."""
     for body, sequence in sequences.items():
-        if f"{body}.theta2" not in names:
+        turning = [k for k, c in enumerate(equations.coordinates) if c.owner == body and c.kind == "angle"]
+        if len(turning) != 3:  # a planar scene takes no notice of the sequence
             continue
-        middle = q[names.index(f"{body}.theta2")]
+        name, middle = equations.names[turning[1]], q[turning[1]]
         if abs(np.sin(middle) if sequence[0] == sequence[2] else np.cos(middle)) < SINGULAR:
             raise DerivationError(
-                f"{body}.theta2",
+                name,
                 f"Euler angles {sequence} are singular at their start value {middle:.6g}: the "
                 "first and the last turn about the same axis",
                 'start at another angle, choose another sequence, or use orientation = "euler_parameters"',

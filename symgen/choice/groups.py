@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 
-from runtime.contract.model import Group
+from runtime.contract.records import Group
 from symgen.system.build import System
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError

@@ -75,14 +75,14 @@ def _functions(text: str | None) -> frozenset[str] | None:
     """The names given. Raises UsageError for one that no scene has."""
     if text is None:
         return None
-    from symgen.emission.model_text import MEANING
+    from symgen.kernels.specification import FUNCTIONS
 
     names = frozenset(part.strip() for part in text.split(",") if part.strip())
-    unknown = sorted(name for name in names if name not in MEANING and not re.fullmatch(r"substep_\d+", name))
+    unknown = sorted(name for name in names if name not in FUNCTIONS and not re.fullmatch(r"substep_\d+", name))
     if unknown or not names:
         raise UsageError(
             f"--functions: {', '.join(unknown) or 'nothing'} is not a function; "
-            f"known: {', '.join(MEANING)}, substep_2, ..."
+            f"known: {', '.join(name for name in FUNCTIONS if name != 'substep')}, substep_2, ..."
         )
     return names
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from symgen.emission.model_text import meaning
+from runtime.contract.records import Parameter
 from symgen.pipeline import Derived
 from symgen.scene import BeamBody, Joint, ModalBody, RigidBody, SpatialModalBody
 
@@ -19,7 +17,7 @@ JOINT_EQUATIONS = {
 }
 
 
-def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
+def model_page(derived: Derived) -> str:
     """Markdown page of a derived model."""
     scene = derived.scene
     parts = [
@@ -31,7 +29,7 @@ def model_page(derived: Derived, operations: Mapping[str, int]) -> str:
         _redundant(derived),
         _loads(derived),
         _left_out(derived),
-        _functions(derived, operations),
+        _functions(derived),
         _parameters(derived),
     ]
     return "\n\n".join(part for part in parts if part) + "\n"
@@ -119,7 +117,7 @@ def _joint_equations(derived: Derived, joint: Joint) -> str:
         return f"places {placement.child}" + (f" by {own}" if own else "")
     if derived.scene.space == "planar":
         return JOINT_EQUATIONS[joint.type]
-    rows = [row.label.partition(".")[2] for row in derived.system.equations.constraints if row.joint == joint.name]
+    rows = [row.row for row in derived.system.equations.constraints if row.joint == joint.name]
     return ", ".join(SPATIAL_ROWS[row] for row in rows) + " = 0"
 
 
@@ -170,10 +168,11 @@ def _left_out(derived: Derived) -> str:
     return "## Left out because the scene does not need it\n\n" + "\n".join(f"- {item}" for item in items)
 
 
-def _functions(derived: Derived, operations: Mapping[str, int]) -> str:
-    lines = ["## Functions", "", "| function | operations | what it gives |", "|---|---|---|"]
-    redundant = bool(derived.redundant)
-    lines += [f"| `{name}` | {count} | {meaning(name, redundant)} |" for name, count in operations.items()]
+def _functions(derived: Derived) -> str:
+    lines = ["## Functions", "", "| function | operations | what it gives | Eq. |", "|---|---|---|---|"]
+    for spec in derived.functions.values():
+        equation = f"({spec.equation})" if spec.equation else ""
+        lines.append(f"| `{spec.name}` | {spec.operations} | {spec.meaning} | {equation} |")
     return "\n".join(lines)
 
 
@@ -181,6 +180,13 @@ def _parameters(derived: Derived) -> str:
     shown = [entry for entry in derived.parameters if entry.kind != "data"]
     if not shown:
         return ""
-    lines = ["## Parameters (run-time inputs)", "", "| name | unit | meaning |", "|---|---|---|"]
-    lines += [f"| `{entry.name}` | {entry.unit} | {entry.description} |" for entry in shown]
+    lines = ["## Parameters (run-time inputs)", "", "| name | unit | meaning | must be |", "|---|---|---|---|"]
+    arrays: dict[str, list[Parameter]] = {}
+    for entry in shown:
+        arrays.setdefault(entry.array or entry.name, []).append(entry)
+    for name, entries in arrays.items():
+        first = entries[0]
+        many = f", {len(entries)} entries `{first.name}` ..." if first.array else ""
+        bound = "" if first.bound == "any" else first.bound
+        lines.append(f"| `{name}` | {first.unit} | {first.meaning}{many} | {bound} |")
     return "\n".join(lines)

@@ -20,14 +20,13 @@ DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last di
 
 def emit(derived: Derived) -> dict[str, str]:
     """All files of the model by name."""
-    model, operations = model_text(derived)
     files = {
-        "model.py": model,
+        "model.py": model_text(derived),
         "data.json": data_text(derived),
-        "model.md": model_page(derived, operations),
+        "model.md": model_page(derived),
         "scene.toml": derived.scene.to_toml(),
     }
-    return {**files, "manifest.json": manifest_text(derived, operations, files)}
+    return {**files, "manifest.json": manifest_text(derived, files)}
 
 
 def write_model(files: dict[str, str], folder: Path) -> None:

@@ -8,14 +8,15 @@ from dataclasses import dataclass
 import casadi as ca
 import sympy as sp
 
+from runtime.contract.records import ROW_UNITS, Constraint
 from symgen.algebra.rows import Row, add_scaled, nonzero
 from symgen.algebra.scalar import mul, neg, sub
-from symgen.joints.joint_type import JointType
+from symgen.joints.joint_type import ROW_KINDS, JointType
 
 
 @dataclass(frozen=True)
 class ConstraintRow:
-    """One row of the constraints: C (m or rad), C_q by column, C_t, gamma; label `joint.row`.
+    """One row of the constraints: C (m or rad), C_q by column, C_t, gamma; label `joint.row`, row without the joint.
 
     joint: the joint's name, empty for the unit length of a body's Euler parameters. on_b: dC by a displacement and a
     rotation of marker b (planar: x, y, angle; spatial: x, y, z and about them); the joint acts on body b with -lam
@@ -29,6 +30,13 @@ class ConstraintRow:
     C_t: ca.SX
     gamma: ca.SX
     on_b: tuple[ca.SX, ...]
+    row: str
+
+    @property
+    def record(self) -> Constraint:
+        """What the row is, without its expressions."""
+        kind = ROW_KINDS[self.row]
+        return Constraint(self.label, self.joint, kind, ROW_UNITS[kind])
 
 
 @dataclass(frozen=True)
@@ -55,6 +63,8 @@ def template_rows(
             gamma = sub(gamma, mul(factor, slot.bias))
         acting = tuple(output[f"C_{k}_{slot}"] for slot in on_b)
         rows.append(
-            ConstraintRow(f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma, acting)
+            ConstraintRow(
+                f"{name}.{label}", name, output[f"C_{k}"], nonzero(C_q), output[f"C_t_{k}"], gamma, acting, label
+            )
         )
     return rows

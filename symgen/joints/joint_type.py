@@ -6,8 +6,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from runtime.contract.records import ConstraintKind
 from symgen.algebra.template import Template
 
+# What the rows of joints and bodies measure, by the label that the joint gives them.
+ROW_KINDS: dict[str, ConstraintKind] = {
+    **dict.fromkeys(("x", "y", "z", "normal", "across_x", "across_y", "travel", "length"), "distance"),
+    **dict.fromkeys(("parallel_x", "parallel_y", "twist", "cross"), "direction"),
+    **dict.fromkeys(("e0", "e1", "e2", "e3"), "quaternion"),
+    "angle": "angle",
+    "norm": "norm",
+}
 f, f_t, f_tt = sp.symbols("f f_t f_tt")
 
 

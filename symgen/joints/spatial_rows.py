@@ -131,7 +131,14 @@ def coordinate_row(
     """A prescribed motion of a joint's own coordinate about (angle) or along (travel) marker a's z-axis."""
     acting = (*zeros(), *a.axes[2]) if label == "angle" else (*a.axes[2], *zeros())
     return ConstraintRow(
-        f"{name}.{label}", name, found.value - motion[0], {found.column: ONE}, neg(motion[1]), motion[2], tuple(acting)
+        f"{name}.{label}",
+        name,
+        found.value - motion[0],
+        {found.column: ONE},
+        neg(motion[1]),
+        motion[2],
+        tuple(acting),
+        label,
     )
 
 
@@ -147,6 +154,7 @@ def unit_length(body: SpatialBody) -> ConstraintRow:
         ZERO,
         neg(dot(q.theta_dot, q.theta_dot)),
         tuple(zeros(6)),
+        "norm",
     )
 
 
@@ -184,6 +192,7 @@ def _orientation(
                 ZERO,
                 given.bias[k],
                 (*zeros(), *signed),
+                f"e{k}",
             )
         )
     return rows

@@ -11,7 +11,7 @@ from functools import partial
 
 import casadi as ca
 
-from runtime.contract.model import Group
+from runtime.contract.records import Group
 from symgen.algebra.rows import Row
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
@@ -21,6 +21,7 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
+from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
 
@@ -55,7 +56,7 @@ def build_kernels(
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
-        builders[f"substep_{level + 1}"] = partial(_substep, system, arguments, groups, level)
+        builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
     unknown = sorted((wanted or frozenset()) - builders.keys() - TREES_ONLY)
     if unknown:
         raise DerivationError("functions", f"the scene has no {', '.join(unknown)}", f"it has {', '.join(builders)}")
@@ -93,16 +94,12 @@ def _forward_dynamics(system: Condensed, topology: Topology, a: Arguments) -> Ke
 
 
 def _blocks(system: Condensed, a: Arguments, groups: list[Group]) -> Kernel:
-    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39); long names get an underscore."""
+    """M_hat_LL, M_hat_LS, ... and Q_hat_L, ... by the names of the groups (Eq. 39)."""
     M_hat, Q_hat = system.M_hat(), system.generalised_force({})
-    between = "" if all(len(group.name) == 1 for group in groups) else "_"
-    outputs = {
-        f"M_hat_{row.name}{between}{column.name}": M_hat[row.positions, column.positions]
-        for row in groups
-        for column in groups
-    }
-    outputs |= {f"Q_hat_{group.name}": Q_hat[group.positions] for group in groups}
-    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), outputs)
+    values = [M_hat[row.positions, column.positions] for row in groups for column in groups]
+    values += [Q_hat[group.positions] for group in groups]
+    names = [signal.name for signal in block_signals(groups)]
+    return Kernel(a.select("q_i", "q_d", "q_i_dot", "q_d_dot"), dict(zip(names, values, strict=True)))
 
 
 def _substep(system: Condensed, a: Arguments, groups: list[list[int]], level: int) -> Kernel:

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator, Strict, model_validator
 from pydantic_core import PydanticCustomError
@@ -46,10 +46,16 @@ class StrictModel(BaseModel):
                     raise refuse(f"{show(value)} has no order", "give a list instead of a set", key)
         return data
 
+    @classmethod
+    def meaning(cls, key: str) -> Meaning:
+        """What the quantity field `key` stands for."""
+        return next(entry for entry in cls.model_fields[key].metadata if isinstance(entry, Meaning))
+
 
 class Bound(Enum):
     """The sign a quantity must have."""
 
+    value: Literal["any", "positive", "not negative"]
     ANY = "any"
     POSITIVE = "positive"
     NON_NEGATIVE = "not negative"

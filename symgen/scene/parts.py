@@ -7,6 +7,7 @@ from warnings import warn
 
 from pydantic import Field
 
+from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.expressions import Expression, parse_expression
@@ -23,6 +24,12 @@ from symgen.scene.structure import Structure
 
 AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
+# the coordinates that orient a body: names within the body, and what they measure
+ORIENTATIONS: dict[str, tuple[tuple[str, CoordinateKind], ...]] = {
+    "plane": (("theta", "angle"),),
+    "angles": (("theta1", "angle"), ("theta2", "angle"), ("theta3", "angle")),
+    "parameters": tuple((f"e{k}", "euler_parameter") for k in range(4)),
+}
 Body = Annotated[AnyBody, Field(discriminator="type")]
 
 
@@ -77,14 +84,20 @@ class SceneParts(StrictModel):
 
     def coordinates(self) -> list[str]:
         """The names of the coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
+        return [entry.name for entry in self.coordinate_records()]
+
+    def coordinate_records(self) -> list[Coordinate]:
+        """The coordinates q, in the same order: what each measures and whose it is."""
         if self.structure is not None:
-            return list(self.structure.coordinates)
-        names = [
-            f"{body.name}.{part}"
-            for body in self.moving_bodies
-            for part in (*self.frame_coordinates(body), *(f"q{k + 1}" for k in range(body.nf)))
-        ]
-        return names + [name for placement in self.placements() for name in placement.coordinates]
+            return [Coordinate(name, "", "position", UNITS["position"]) for name in self.structure.coordinates]
+        found = []
+        for body in self.moving_bodies:
+            parts = [*self.frame_parts(body), *((f"q{k + 1}", "modal") for k in range(body.nf))]
+            found += [
+                Coordinate(f"{body.name}.{part}", body.name, kind, UNITS[kind], 1.0 if part == "e0" else 0.0)
+                for part, kind in parts
+            ]
+        return found + [entry for placement in self.placements() for entry in placement.records]
 
     @property
     def dimension(self) -> int:
@@ -93,10 +106,18 @@ class SceneParts(StrictModel):
 
     def frame_coordinates(self, body: AnyBody) -> tuple[str, ...]:
         """The names of R_o and of the orientation of a body's frame."""
-        if self.space == "planar":
-            return ("x", "y", "theta")
-        angles = getattr(body, "orientation", "zyx") != "euler_parameters"
-        return ("x", "y", "z", *(("theta1", "theta2", "theta3") if angles else ("e0", "e1", "e2", "e3")))
+        return tuple(part for part, _ in self.frame_parts(body))
+
+    def frame_parts(self, body: AnyBody) -> list[tuple[str, CoordinateKind]]:
+        """R_o and the orientation of a body's frame: (name within the body, what it measures)."""
+        turning = ORIENTATIONS[
+            "plane" if self.space == "planar" else "angles" if self.has_angles(body) else "parameters"
+        ]
+        return [*((axis, "position") for axis in "xyz"[: self.dimension]), *turning]
+
+    def has_angles(self, body: AnyBody) -> bool:
+        """Is a body of a spatial scene oriented by Euler angles?"""
+        return self.space == "spatial" and getattr(body, "orientation", "zyx") != "euler_parameters"
 
     def placements(self) -> list[Placement]:
         """The joints that place a body by coordinates of their own, in scene order (spatial scenes)."""

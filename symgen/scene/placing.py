@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.scene.joints import Joint
 
 
@@ -32,6 +33,14 @@ PLACING: dict[str, tuple[str, ...]] = {
     "planar": ("x", "y", "angle"),
     "weld": (),
 }
+KINDS: dict[str, CoordinateKind] = {
+    "angle": "angle",
+    "angle1": "angle",
+    "angle2": "angle",
+    "travel": "position",
+    "x": "position",
+    "y": "position",
+}
 
 
 @dataclass(frozen=True)
@@ -47,7 +56,15 @@ class Placement:
     @property
     def coordinates(self) -> list[str]:
         """Names of the joint's coordinates."""
-        return [f"{self.joint}.{name}" for name in PLACING[self.type]]
+        return [entry.name for entry in self.records]
+
+    @property
+    def records(self) -> list[Coordinate]:
+        """The joint's coordinates."""
+        return [
+            Coordinate(f"{self.joint}.{name}", self.joint, KINDS[name], UNITS[KINDS[name]])
+            for name in PLACING[self.type]
+        ]
 
 
 def placements_of(bodies: Sequence[Named], joints: Sequence[Joint]) -> list[Placement]:

@@ -35,7 +35,7 @@ def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equat
     """Equations (20)-(28) of bodies in two or three dimensions, or (3)-(14) of a linear structure."""
     if scene.structure is not None:
         return structure_equations(scene, table)
-    equations = blank_equations(scene.coordinates())
+    equations = blank_equations(scene.coordinate_records())
     if scene.space == "spatial":
         space = SpatialSpace(scene, table, equations, topology)
         return Mechanism(scene, table, space, equations, topology).equations

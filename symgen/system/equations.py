@@ -11,6 +11,7 @@ from functools import cached_property
 
 import casadi as ca
 
+from runtime.contract.records import Coordinate
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
@@ -19,13 +20,13 @@ from symgen.joints.instance import ConstraintRow
 
 @dataclass
 class Equations:
-    """Eqs. (20)-(28) of a scene. Columns follow `names`; M is symmetric with both triangles stored.
+    """Eqs. (20)-(28) of a scene. Columns follow `coordinates`; M is symmetric with both triangles stored.
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
-    joint_columns: coordinates of joints; at_rest: coordinates that are not zero where nothing is said (e0 = 1).
+    joint_columns: coordinates of joints; gravity: its components [m/s^2]; measure_units: SI unit of each measure.
     """
 
-    names: list[str]
+    coordinates: list[Coordinate]
     q: list[ca.SX]
     q_dot: list[ca.SX]
     t: ca.SX
@@ -39,12 +40,22 @@ class Equations:
     dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
     applied: ca.SX = field(default_factory=lambda: ca.SX(0))
     measures: dict[str, ca.SX] = field(default_factory=dict)
-    elastic_columns: frozenset[int] = frozenset()
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()
-    at_rest: dict[int, float] = field(default_factory=dict)
+    gravity: list[ca.SX] = field(default_factory=list)
+    measure_units: dict[str, str] = field(default_factory=dict)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
+
+    @cached_property
+    def names(self) -> list[str]:
+        """Names of the coordinates."""
+        return [coordinate.name for coordinate in self.coordinates]
+
+    @cached_property
+    def elastic_columns(self) -> frozenset[int]:
+        """Columns of modal coordinates."""
+        return frozenset(column for column, coordinate in enumerate(self.coordinates) if coordinate.elastic)
 
     @cached_property
     def Q_star(self) -> list[ca.SX]:
@@ -66,12 +77,14 @@ class Equations:
         return dot(self.q_dot, momenta) / 2
 
 
-def blank_equations(names: list[str]) -> Equations:
+def blank_equations(coordinates: list[Coordinate]) -> Equations:
     """Equations of these coordinates with nothing in them yet."""
-    q = [ca.SX.sym(name) for name in names]
-    q_dot = [ca.SX.sym(f"{name}_dot") for name in names]
-    n = len(names)
-    return Equations(names, q, q_dot, ca.SX.sym("t"), [{} for _ in q], [{} for _ in q], [ZERO] * n, [ZERO] * n, [])
+    q = [ca.SX.sym(coordinate.name) for coordinate in coordinates]
+    q_dot = [ca.SX.sym(f"{coordinate.name}_dot") for coordinate in coordinates]
+    n = len(coordinates)
+    return Equations(
+        coordinates, q, q_dot, ca.SX.sym("t"), [{} for _ in q], [{} for _ in q], [ZERO] * n, [ZERO] * n, []
+    )
 
 
 def matrix_times(rows: list[Row], vector: Mapping[int, ca.SX]) -> Row:

@@ -90,7 +90,7 @@ class Mechanism(Generic[Marker]):
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
         self.topology = topology
         gravity = [*scene.gravity, 0.0][: len(space.axes)]
-        self.gravity = [
+        self.gravity = equations.gravity = [
             table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
             for g, axis in zip(gravity, space.axes, strict=True)
         ]
@@ -105,25 +105,25 @@ class Mechanism(Generic[Marker]):
         equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (
-                table.quantity(scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors"),
-                table.quantity(scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors"),
+                table.quantity(
+                    scene.baumgarte.alpha, "baumgarte.alpha", "1/s", "damping of constraint errors", "not negative"
+                ),
+                table.quantity(
+                    scene.baumgarte.beta, "baumgarte.beta", "1/s", "stiffness of constraint errors", "not negative"
+                ),
             )
 
     def _add_bodies(self) -> None:
         eq, first = self.equations, 0
-        elastic: set[int] = set()
         for description in self.scene.moving_bodies:
             columns = list(range(first, len(eq.names)))
             body, size = self.space.add_body(description.name, columns, eq.q[first:], eq.q_dot[first:])
             columns, first = columns[:size], first + size
             eq.body_columns[description.name] = columns
-            elastic.update(columns[size - description.nf :])
             self._add_inertia(body)
-        eq.elastic_columns = frozenset(elastic)
         for placement in self.topology.placements.values():
             eq.body_columns[placement.child] += [eq.names.index(name) for name in placement.coordinates]
         eq.joint_columns = frozenset(range(first, len(eq.names)))
-        eq.at_rest = {column: 1.0 for column, name in enumerate(eq.names) if name.endswith(".e0")}
 
     def _add_inertia(self, body: MovingBody) -> None:
         eq = self.equations
@@ -163,7 +163,7 @@ class Mechanism(Generic[Marker]):
             motion = [f, f_t, ca.jacobian(f_t, eq.t)]
         length = getattr(joint, "length", None)
         if length is not None:
-            motion[0] = self.table.quantity(length, f"{joint.name}.length", "m", "length of the rod")
+            motion[0] = self.table.of(joint, "length")
         eq.constraints += self.space.joint_rows(joint, motion)
         for effect in self.space.joint_friction(joint):
             self._add_effect(effect)
@@ -178,6 +178,14 @@ class Mechanism(Generic[Marker]):
             )
             rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
             eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
+            unit = (
+                eq.coordinates[eq.names.index(measure.coordinate)].unit
+                if measure.type == "coordinate"
+                else "rad"
+                if measure.type == "angle"
+                else "m"
+            )
+            eq.measure_units |= {measure.name: unit, f"{measure.name}_dot": f"{unit}/s"}
         self.environment = {**self.environment, **eq.measures}
 
     def _expression(self, text: float | str, item: str) -> ca.SX:
@@ -190,18 +198,14 @@ class Mechanism(Generic[Marker]):
 def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:
     """Stiffness, damping and free length or angle of a spring-damper."""
     turning = load.type == "rotational_spring_damper"
-    units = ("N m/rad", "N m s/rad", "rad") if turning else ("N/m", "N s/m", "m")
     fields = ("stiffness", "damping", "free_angle" if turning else "free_length")
-    return [
-        table.quantity(getattr(load, field), f"{load.name}.{field}", unit)
-        for field, unit in zip(fields, units, strict=True)
-    ]
+    return [table.of(load, field) for field in fields]
 
 
 def friction(joint: Joint, key: str, table: ParameterTable) -> ca.SX | None:
     """The damping `key` of a joint as SX; None where it has none."""
     value = getattr(joint, key, 0)
-    return None if value == 0 else table.quantity(value, f"{joint.name}.{key}", "N s/m or N m s", "joint damping")
+    return None if value == 0 else table.of(joint, key)
 
 
 def components(texts: Sequence[float | str], item: str, axes: str, value: Any) -> list[ca.SX]:

@@ -72,7 +72,7 @@ class SpatialSpace:
         placement = self.topology.placements.get(joint.name)
         if placement is not None:
             own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
-            lead = self.table.quantity(getattr(joint, "lead", 0), f"{joint.name}.lead", "m", "travel of a turn")
+            lead = self.table.of(joint, "lead") if joint.type == "screw" else ZERO
             return placing_rows(
                 joint.name,
                 joint.type,
@@ -159,8 +159,8 @@ class SpatialSpace:
             return effects.bushing(
                 a,
                 b,
-                (self._triple(load, "stiffness", "N/m"), self._triple(load, "rotational_stiffness", "N m/rad")),
-                (self._triple(load, "damping", "N s/m"), self._triple(load, "rotational_damping", "N m s/rad")),
+                (self._triple(load, "stiffness"), self._triple(load, "rotational_stiffness")),
+                (self._triple(load, "damping"), self._triple(load, "rotational_damping")),
                 self.motion,
             )
         values = spring_values(load, self.table)
@@ -169,9 +169,11 @@ class SpatialSpace:
         angle = self._joint_angle(load.marker_a, load.marker_b) or effects.angle_about_z(a, b, self.motion)
         return effects.turning_spring_damper(angle, *values)
 
-    def _triple(self, load: Load, key: str, unit: str) -> list[ca.SX]:
+    def _triple(self, load: Load, key: str) -> list[ca.SX]:
         values: Sequence[float | str] = getattr(load, key)
-        return three(values, f"{load.name}.{key}", unit, self.table, key.replace("_", " "))
+        meaning = load.meaning(key)
+        what = key.replace("_", " ")
+        return three(values, f"{load.name}.{key}", meaning.unit, self.table, what, meaning.bound.value)
 
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""

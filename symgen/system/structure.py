@@ -17,7 +17,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
     """Equations of the scene's structure."""
     structure = scene.structure
     assert structure is not None
-    eq = blank_equations(scene.coordinates())
+    eq = blank_equations(scene.coordinate_records())
     env = {**table.environment(), "t": eq.t}
 
     def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
@@ -25,7 +25,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
             {}
             if rows is None
             else {
-                column: table.quantity(value, f"{label}[{row},{column}]", unit)
+                column: table.quantity(value, f"{label}[{row},{column}]", unit, array=label)
                 for column, value in enumerate(rows[row])
                 if value != 0
             }

@@ -51,13 +51,13 @@ SYMGEN_ROOMS = {
     "system": "algebra bodies joints loads scene",
     "choice": "algebra system",
     "condensed": "algebra system choice",
-    "kernels": "algebra joints system choice condensed",
+    "kernels": "notation algebra joints system choice condensed",
     "tapes": "system kernels",
-    "pipeline": "algebra choice condensed kernels scene system tapes",
-    "emission": "pipeline scene",
+    "pipeline": "choice condensed kernels scene system tapes",
+    "emission": "notation pipeline scene",
     "generate": "emission pipeline scene",
     "variants": "emission pipeline scene",
-    "cli": "emission generate pipeline scene scenes",
+    "cli": "kernels emission generate pipeline scene scenes",
     "": "",
 }
 ROOMS = {"runtime": RUNTIME_ROOMS, "symgen": SYMGEN_ROOMS}

@@ -7,7 +7,19 @@ import numpy as np
 import pytest
 
 from runtime.contract.files import OutputError, replacing, write_text
-from runtime.contract.model import Group, Model, ModelError, Parameter
+from runtime.contract.model import Model, ModelError
+from runtime.contract.records import (
+    BodyRecord,
+    Constraint,
+    Coordinate,
+    Description,
+    Drawing,
+    FunctionSpec,
+    Group,
+    Measure,
+    Parameter,
+    PointRecord,
+)
 from runtime.contract.status import Status
 from runtime.results.export import table
 from runtime.results.solution import Solution
@@ -40,35 +52,45 @@ def rod_model() -> Model:
         return ca.Function("constants", [p], [p[:1]], ["p"], ["c"])
 
     return Model(
+        description=rod_description(),
+        initial_q=np.zeros(4),
+        initial_q_dot=np.zeros(4),
+        builders={"poses": poses, "geometry": geometry, "constants": constants},
+    )
+
+
+def rod_description() -> Description:
+    """Its records."""
+    return Description(
         name="rod_on_hinge",
         title="Rod on a hinge",
-        coordinates=["rod.x", "rod.y", "rod.theta", "rod.q1"],
-        elastic=["rod.q1"],
+        coordinates=[
+            Coordinate("rod.x", "rod", "position", "m"),
+            Coordinate("rod.y", "rod", "position", "m"),
+            Coordinate("rod.theta", "rod", "angle", "rad"),
+            Coordinate("rod.q1", "rod", "modal", "m"),
+        ],
         q_i=["rod.q1", "rod.theta"],
         q_d=["rod.x", "rod.y"],
         loop_unknowns=[],
         groups=[Group("slow", [1]), Group("fast", [0])],
-        constraints=["hinge.x", "hinge.y"],
-        joints=["hinge"],
-        measures=["tip", "tip_dot"],
+        constraints=[Constraint(f"hinge.{axis}", "hinge", "distance", "m") for axis in "xy"],
+        redundant=[],
+        bodies=[BodyRecord("ground", "ground", ["origin"]), BodyRecord("rod", "beam", ["start", "end"])],
+        joints=[],
+        loads=[],
+        measures=[Measure("tip", "m"), Measure("tip_dot", "m/s")],
+        drawing=Drawing(
+            "planar", ["rod"], [PointRecord("rod", "", 1)] * 5 + [PointRecord("ground", "origin", 0)], ["rod"]
+        ),
+        gravity=[0.0, 0.0],
         parameters=[
             Parameter("length", "m", "of the rod", "declared", 2.0),
             Parameter("rod.data.1", "", "", "data", 3.0),
         ],
-        initial_q=np.zeros(4),
-        initial_q_dot=np.zeros(4),
-        builders={"poses": poses, "geometry": geometry, "constants": constants},
-        drawing={
-            "space": "planar",
-            "poses": ["rod"],
-            "points": [{"body": "rod", "name": "", "modes": 1, "stiffened": False}] * 5
-            + [{"body": "ground", "name": "origin", "modes": 0, "stiffened": False}],
-            "sections": ["rod"],
-            "joints": [],
-            "loads": [],
-        },
+        bounded=[],
+        functions=[FunctionSpec("condensed", "38", "", "condensed", [], [], 55)],
         simulation={"t_end": 2.0, "dt": 0.01, "m": [10], "scheme": "printed", "save_every": 1},
-        operations={"condensed": 55},
     )
 
 

@@ -12,6 +12,7 @@ from PIL import Image
 
 from runtime.contract.files import OutputError
 from runtime.contract.model import ModelError
+from runtime.contract.records import Coordinate
 from runtime.contract.status import Status
 from runtime.results.solution import Solution
 from runtime.views import plots
@@ -48,10 +49,14 @@ def test_panels_separate_rigid_from_elastic_and_leave_out_what_rests() -> None:
 def test_many_coordinates_and_bodies_stay_readable() -> None:
     small = rod_solution()
     bodies = [f"link{k}" for k in range(40)]
-    names = [f"{body}.{part}" for body in bodies for part in ("theta", "q1")]
-    model = replace(
-        small.model, coordinates=names, elastic=[name for name in names if name.endswith("q1")], q_i=names, q_d=[]
-    )
+    coordinates = [
+        Coordinate(f"{body}.{part}", body, kind, unit)
+        for body in bodies
+        for part, kind, unit in (("theta", "angle", "rad"), ("q1", "modal", "m"))
+    ]
+    names = [coordinate.name for coordinate in coordinates]
+    described = replace(small.model.description, coordinates=coordinates, q_i=names, q_d=[])
+    model = replace(small.model, description=described)
     q = np.outer(np.sin(small.t), np.arange(1.0, 81.0))
     many = replace(small, model=model, q=q, q_dot=q, q_ddot=q, q_i=q)
     figure = plots.coordinates(many)

@@ -61,7 +61,7 @@ class Subject:
             for names, key in ((self.model.q_i, "q_i"), (self.model.q_d, "q_d"))
             for name, value in zip(names, np.asarray(seen[key]).ravel(), strict=True)
         }
-        return singular_angles(self.model.scene_toml, values)
+        return singular_angles(self.model.description.bodies, values)
 
 
 class Check:
@@ -97,9 +97,7 @@ def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) ->
         for position, column in enumerate(columns):
             q[int(column)] = seen[f"q_{suffix}"][position]
             q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
-    kernel = model.kernel(name)
-    values = {"q": q, "q_dot": q_dot, "t": seen["t"], "c": c[: model.c_size]}
-    found = kernel.call({key: values[key] for key in kernel.name_in()})
+    found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=c[: model.c_size])
     return ca.Function(f"observed_{name}", [z, c], [found[output] for output in outputs])
 
 

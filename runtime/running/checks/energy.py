@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject, observed
 from runtime.running.checks.step_length import step_advice
@@ -21,7 +20,9 @@ class Energy(Check):
     def __init__(self, subject: Subject) -> None:
         super().__init__(subject)
         parts = ("kinetic", "elastic", "potential")
-        self._energies = observed(subject.model, subject.scheme, "energy", parts) if is_closed(subject.model) else None
+        self._energies = (
+            observed(subject.model, subject.scheme, "energy", parts) if subject.model.conservative else None
+        )
         self.at_start, self.largest = math.nan, 0.0
 
     def start(self, z: np.ndarray) -> Status | None:
@@ -56,12 +57,3 @@ class Energy(Check):
     def resume(self, memory: Sequence[float]) -> None:
         """From `memory`."""
         self.at_start, self.largest = memory
-
-
-def is_closed(model: Model) -> bool:
-    """Do neither loads nor prescribed motions do work on the mechanism? False where no function tells."""
-    needed = ("energy", "constraints") if model.constraints else ("energy",)
-    if not all(model.has(name) for name in needed):
-        return False
-    outputs = [("energy", "power_applied")] + ([("constraints", "C_t")] if model.constraints else [])
-    return all(model.structurally_zero(function, output) for function, output in outputs)

@@ -42,6 +42,4 @@ def _mass(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> M_hat."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     seen = {**scheme.observer(z=z, c=c), "c": c[: model.c_size]}
-    kernel = model.kernel("condensed")
-    result = kernel.call({key: seen[key] for key in kernel.name_in()})
-    return ca.Function("mass", [z, c], [result["M_hat"]])
+    return ca.Function("mass", [z, c], [model.evaluate("condensed", **seen)["M_hat"]])

@@ -52,8 +52,8 @@ def _increment(old: Segment, z: np.ndarray, seen: Solution, name: str, h: float)
     t = float(seen.t[0]) - h
     q_d = closed(model, old.c, t, earlier, guess[model.dependent_columns])
     values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": old.c, "q_i_ddot": a}
-    values["q_d_dot"] = _called(model, "velocities", values)["q_d_dot"]
-    q_d_ddot = np.asarray(_called(model, "accelerations", values)["q_d_ddot"]).ravel()
+    values["q_d_dot"] = model.evaluate("velocities", **values)["q_d_dot"]
+    q_d_ddot = np.asarray(model.evaluate("accelerations", **values)["q_d_ddot"]).ravel()
     position = model.q_d.index(name)
     return float(seen.q[0][column] - q_d[position]), float(q_d_ddot[position])
 
@@ -61,10 +61,5 @@ def _increment(old: Segment, z: np.ndarray, seen: Solution, name: str, h: float)
 def closed(model: Model, c: np.ndarray, t: float, q_i: np.ndarray, q_d: np.ndarray) -> np.ndarray:
     """q_d at q_i from a near guess, by Newton until it no longer moves."""
     for _ in range(CLOSURES):
-        q_d = np.asarray(_called(model, "closure", {"q_i": q_i, "q_d": q_d, "t": t, "c": c})["q_d_next"]).ravel()
+        q_d = np.asarray(model.evaluate("closure", q_i=q_i, q_d=q_d, t=t, c=c)["q_d_next"]).ravel()
     return q_d
-
-
-def _called(model: Model, name: str, values: dict[str, Any]) -> dict[str, Any]:
-    kernel = model.kernel(name)
-    return dict(kernel(**{key: values[key] for key in kernel.name_in()}))

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.contract.units import mechanism_length, turns
+from runtime.contract.units import mechanism_length, turning_columns
 
 CLEARLY = 3.0  # times larger determinant that is worth an exchange
 LIKELY = 0.5  # of the largest gain: a loop unknown with that much is preferred, as closed forms stay closed forms
@@ -43,7 +43,7 @@ def best_exchange(model: Model, C_q: np.ndarray, length: float = 0.0) -> Exchang
     except np.linalg.LinAlgError:
         return None
     length = max(length, mechanism_length(model, C_q))
-    scale = np.array([length if turns(name) else 1.0 for name in model.coordinates])
+    scale = np.where(turning_columns(model), length, 1.0)
     gains = np.abs(W) * scale[model.dependent_columns][:, None] / scale[model.independent_columns][None, :]
     gains[[name in model.elastic for name in model.q_d]] = 0.0
     gains[:, [name in model.elastic for name in model.q_i]] = 0.0

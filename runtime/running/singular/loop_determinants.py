@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import casadi as ca
 import numpy as np
 
@@ -19,9 +17,7 @@ class LoopDeterminants:
 
     def jacobian(self, t: float, q: np.ndarray) -> np.ndarray:
         """C_q (rows x coordinates)."""
-        kernel = self.model.kernel("constraints")
-        values: dict[str, Any] = {"q": q, "q_dot": np.zeros(len(q)), "t": t, "c": self.c}
-        found = kernel(**{name: values[name] for name in kernel.name_in()})["C_q"]
+        found = self.model.evaluate("constraints", q=q, q_dot=np.zeros(len(q)), t=t, c=self.c)["C_q"]
         return np.asarray(found).reshape(len(self.model.constraints), len(q))
 
     def determinants(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -36,8 +32,6 @@ def _determinants(model: Model) -> ca.Function:
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
     q_i, q_d = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("q_d", len(model.q_d))
     v_i, v_d = ca.SX.sym("v_i", len(model.q_i)), ca.SX.sym("v_d", len(model.q_d))
-    kernel = model.kernel("closure")
-    values = {"q_i": q_i, "q_d": q_d, "t": t, "c": c}
-    found = kernel.call({name: values[name] for name in kernel.name_in()})["det_loop"]
+    found = model.evaluate("closure", q_i=q_i, q_d=q_d, t=t, c=c)["det_loop"]
     rate = ca.jtimes(found, q_i, v_i) + ca.jtimes(found, q_d, v_d) + ca.jtimes(found, t, ca.SX(1))
     return ca.Function("determinants_along", [t, q_i, q_d, v_i, v_d, c], [found, rate])

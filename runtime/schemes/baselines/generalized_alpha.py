@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -212,13 +211,7 @@ class HilberHughesTaylor(GeneralizedAlpha):
 
 def _singular_mass(model: Model) -> bool:
     """Is M of the augmented form singular at the model's own start?"""
-    kernel = model.kernel("augmented")
-    values: dict[str, Any] = {
-        "q": model.initial_q,
-        "q_dot": model.initial_q_dot,
-        "t": 0.0,
-        "c": model.constants(model.parameter_vector()),
-    }
-    M = np.asarray(kernel(**{name: values[name] for name in kernel.name_in()})["M"])
+    c = model.constants(model.parameter_vector())
+    M = np.asarray(model.evaluate("augmented", q=model.initial_q, q_dot=model.initial_q_dot, t=0.0, c=c)["M"])
     scale = 1 / np.sqrt(np.maximum(np.diag(M), 1e-300))
     return bool(np.diag(M).min() <= 0 or np.linalg.eigvalsh(M * np.outer(scale, scale))[0] < SINGULAR)

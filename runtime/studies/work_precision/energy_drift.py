@@ -9,7 +9,6 @@ import numpy as np
 
 from runtime.results.observe import join
 from runtime.results.sampling import evaluate
-from runtime.running.checks.energy import is_closed
 from runtime.studies.work_precision.prepared_method import PreparedMethod
 
 
@@ -24,7 +23,7 @@ class EnergyDrift:
 def energy_drift(prepared: PreparedMethod, steps: int) -> EnergyDrift | None:
     """Of a run in so many steps; None where the mechanism is fed or damped on purpose."""
     model, problem = prepared.problem.model, prepared.problem
-    if not is_closed(model):
+    if not model.conservative:
         return None
     times, moving, total = energies(prepared, steps)
     scale = float(moving.max())

@@ -72,8 +72,8 @@ def bodies(model: Model, p: np.ndarray) -> list[Body]:
         markers = [k for k in own if record["points"][k]["name"]]
         elastic = [
             column
-            for column, label in enumerate(model.coordinates)
-            if label in model.elastic and label.rpartition(".")[0] == name
+            for column, entry in enumerate(model.description.coordinates)
+            if entry.elastic and entry.owner == name
         ]
         pose = record["poses"].index(name) if name in record["poses"] else None
         section = tuple(sections[name]) if name in sections else None

@@ -57,9 +57,12 @@ class Scenery:
 
     def marker(self, reference: str) -> tuple[Body, int]:
         """The body and the place among its markers of "body.marker"."""
-        name, _, marker = reference.partition(".")
-        body = next(body for body in self.bodies if body.name == name)
-        return body, body.markers.names.index(marker)
+        return next(
+            (body, place)
+            for body in self.bodies
+            for place, name in enumerate(body.markers.names)
+            if f"{body.name}.{name}" == reference
+        )
 
     def place(self, reference: str, factor: float) -> np.ndarray:
         """(frames, 3) world position of "body.marker" [m]."""

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from runtime.contract.units import unit
-
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
@@ -93,7 +91,7 @@ def _statistics(solution: Solution) -> dict[str, Any]:
 def _final_state(solution: Solution) -> dict[str, Any]:
     model, q, q_dot = solution.model, solution.q[-1], solution.q_dot[-1]
     return {
-        name: {"value": float(q[k]), "rate": float(q_dot[k]), "unit": unit(name)}
+        name: {"value": float(q[k]), "rate": float(q_dot[k]), "unit": model.coordinate(name).unit}
         for k, name in enumerate(model.coordinates)
     }
 
@@ -114,7 +112,11 @@ def _measures(solution: Solution) -> dict[str, Any]:
 def _extremes(solution: Solution) -> dict[str, Any]:
     """Smallest and largest value of each elastic coordinate."""
     return {
-        name: {"smallest": float(solution[name].min()), "largest": float(solution[name].max()), "unit": unit(name)}
+        name: {
+            "smallest": float(solution[name].min()),
+            "largest": float(solution[name].max()),
+            "unit": solution.model.coordinate(name).unit,
+        }
         for name in solution.model.elastic
     }
 

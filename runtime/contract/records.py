@@ -1,0 +1,254 @@
+"""What a model is made of, as records: the generator writes them into the manifest, the runtime reads them there.
+
+Nothing reads physics out of the spelling of a name: what a coordinate measures or what sign a parameter must have is
+said here. Files of the two halves exchange these records only, as JSON (`as_plain`, `description`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal
+
+CoordinateKind = Literal["position", "angle", "euler_parameter", "modal"]
+ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
+ParameterKind = Literal["declared", "scene", "data"]
+Bound = Literal["any", "positive", "not negative"]
+# A ladder: what a function takes is known at its stage. Stage -> the arguments that are known from there on.
+STAGES: dict[str, tuple[str, ...]] = {
+    "constants": ("p",),
+    "closure": ("c", "t", "q_i", "q_d"),
+    "velocities": ("q_i_dot",),
+    "condensed": ("q_d_dot", "q", "q_dot"),
+    "accelerations": ("q_i_ddot", "q_L_ddot"),
+    "reactions": ("q_ddot", "lam_R"),
+    "report": (),
+}
+RATES = ("", "/s", "/s^2")
+UNITS: dict[CoordinateKind, str] = {"position": "m", "angle": "rad", "euler_parameter": "1", "modal": "m"}
+ROW_UNITS: dict[ConstraintKind, str] = {
+    "distance": "m",
+    "angle": "rad",
+    "direction": "1",
+    "quaternion": "1",
+    "norm": "1",
+}
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """An entry of q: the body or joint that owns it ("" in a structure), SI unit, value at rest where none is given."""
+
+    name: str
+    owner: str
+    kind: CoordinateKind
+    unit: str
+    at_rest: float = 0.0
+
+    @property
+    def elastic(self) -> bool:
+        """Is it a modal coordinate of a flexible body?"""
+        return self.kind == "modal"
+
+    @property
+    def turns(self) -> bool:
+        """Is it an angle or an Euler parameter?"""
+        return self.kind in ("angle", "euler_parameter")
+
+    def unit_of(self, derivative: int = 0) -> str:
+        """SI unit of the coordinate (0), its rate (1) or its acceleration (2)."""
+        return self.unit + RATES[derivative]
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """A row of C(q, t) = 0: its label, the joint that it belongs to ("" for a body's own), what it measures."""
+
+    label: str
+    joint: str
+    kind: ConstraintKind
+    unit: str
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """An entry of p: SI unit, meaning, where it comes from (declared, scene, data), default value.
+
+    bound: the sign that its uses ask for. array: the array whose entry it is, "" for a single number.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    kind: ParameterKind
+    default: float
+    bound: Bound = "any"
+    array: str = ""
+
+
+@dataclass(frozen=True)
+class BoundedQuantity:
+    """An expression of parameters whose value must have a sign; entry of the output of the function `bounded`."""
+
+    item: str
+    expression: str
+    bound: Bound
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group of the partition (Eqs. 39, 72): its name and positions in q_i. Groups run from slow to fast."""
+
+    name: str
+    positions: list[int]
+
+
+@dataclass(frozen=True)
+class BodyRecord:
+    """A body: its type and markers; orientation: sequence of its Euler angles, "euler_parameters", "" in the plane.
+
+    angles: names of its Euler angles, in order.
+    """
+
+    name: str
+    type: str
+    markers: list[str]
+    orientation: str = ""
+    angles: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class JointRecord:
+    """A joint between two markers "body.marker"; coordinates: names of those that it has itself."""
+
+    name: str
+    type: str
+    marker_a: str
+    marker_b: str
+    body_a: str
+    body_b: str
+    coordinates: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class LoadRecord:
+    """A load: its type and the markers that it acts at by their role (marker, marker_a, marker_b, reaction)."""
+
+    name: str
+    type: str
+    markers: dict[str, str]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A scalar of the motion and its SI unit; the rate of a measure is a measure of its own."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class PointRecord:
+    """A column of `positions`: a marker of a body, or a station of a beam (name ""), with its modes; has it an H?"""
+
+    body: str
+    name: str
+    modes: int
+    stiffened: bool = False
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to."""
+
+    space: str
+    poses: list[str]
+    points: list[PointRecord]
+    sections: list[str]
+
+
+@dataclass(frozen=True)
+class Signal:
+    """An argument or output of a function: shape in the symbols of the names page and as numbers, SI unit, meaning."""
+
+    name: str
+    shape: str
+    unit: str
+    meaning: str
+    size: list[int] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class FunctionSpec:
+    """An emitted function: paper's equation ("38", "" for none), meaning, stage, arguments and outputs, operations."""
+
+    name: str
+    equation: str
+    meaning: str
+    stage: str
+    inputs: list[Signal]
+    outputs: list[Signal]
+    operations: int = 0
+
+
+@dataclass(frozen=True)
+class Description:
+    """All that is said of a model in words: everything but its functions and its numbers.
+
+    q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
+    components [m/s^2] at default parameters; simulation: what runs use where nothing else is said.
+    """
+
+    name: str
+    title: str
+    coordinates: list[Coordinate]
+    q_i: list[str]
+    q_d: list[str]
+    loop_unknowns: list[str]
+    groups: list[Group]
+    constraints: list[Constraint]
+    redundant: list[str]
+    bodies: list[BodyRecord]
+    joints: list[JointRecord]
+    loads: list[LoadRecord]
+    measures: list[Measure]
+    drawing: Drawing
+    gravity: list[float]
+    parameters: list[Parameter]
+    bounded: list[BoundedQuantity]
+    functions: list[FunctionSpec]
+    simulation: Mapping[str, Any]
+
+
+_TABLES: dict[str, type] = {
+    "coordinates": Coordinate,
+    "groups": Group,
+    "constraints": Constraint,
+    "bodies": BodyRecord,
+    "joints": JointRecord,
+    "loads": LoadRecord,
+    "measures": Measure,
+    "parameters": Parameter,
+    "bounded": BoundedQuantity,
+}
+
+
+def as_plain(description: Description) -> dict[str, Any]:
+    """The description as plain values for JSON."""
+    return asdict(description)
+
+
+def description(plain: Mapping[str, Any]) -> Description:
+    """The description that `as_plain` wrote. Raises KeyError or TypeError for anything else."""
+    values: dict[str, Any] = {key: plain[key] for key in Description.__dataclass_fields__}
+    for key, record in _TABLES.items():
+        values[key] = [record(**entry) for entry in values[key]]
+    values["functions"] = [
+        FunctionSpec(
+            **{**entry, **{side: [Signal(**signal) for signal in entry[side]] for side in ("inputs", "outputs")}}
+        )
+        for entry in values["functions"]
+    ]
+    points = [PointRecord(**entry) for entry in plain["drawing"]["points"]]
+    values["drawing"] = Drawing(**{**plain["drawing"], "points": points})
+    return Description(**values)

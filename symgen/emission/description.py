@@ -1,0 +1,89 @@
+"""The records that the runtime gets of a derived model."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.records import BodyRecord, Description, Drawing, JointRecord, LoadRecord, Measure, PointRecord
+from symgen.pipeline import Derived
+from symgen.scene import Scene
+
+
+def describe(derived: Derived) -> Description:
+    """Coordinates, rows, parts, parameters and functions of a derived model."""
+    eq, choice, scene = derived.system.equations, derived.system.choice, derived.scene
+    return Description(
+        name=scene.name,
+        title=scene.title or scene.name,
+        coordinates=eq.coordinates,
+        q_i=[eq.names[c] for c in choice.independent],
+        q_d=[eq.names[c] for c in derived.dependent],
+        loop_unknowns=[eq.names[c] for c in choice.loop_columns],
+        groups=derived.groups,
+        constraints=[row.record for row in eq.constraints],
+        redundant=[eq.constraints[row].label for row in derived.redundant],
+        bodies=_bodies(derived),
+        joints=_joints(scene),
+        loads=[LoadRecord(load.name, load.type, _markers(load)) for load in scene.loads],
+        measures=[Measure(name, eq.measure_units[name]) for name in eq.measures],
+        drawing=_drawing(derived),
+        gravity=_gravity(derived),
+        parameters=derived.parameters,
+        bounded=derived.bounded,
+        functions=list(derived.functions.values()),
+        simulation=scene.simulation.model_dump(mode="json"),
+    )
+
+
+def _bodies(derived: Derived) -> list[BodyRecord]:
+    scene, found = derived.scene, []
+    if scene.structure is not None:
+        return []
+    for body in (scene.ground, *scene.moving_bodies):
+        markers = sorted({**body.implicit_markers(), **body.markers})
+        own = [entry.name for entry in derived.system.equations.coordinates if entry.owner == body.name]
+        turning = [name for name, (_, kind) in zip(own, scene.frame_parts(body), strict=False) if kind == "angle"]
+        orientation = "" if scene.space == "planar" else str(getattr(body, "orientation", ""))
+        angles = turning if body.type != "ground" and scene.has_angles(body) else []
+        found.append(BodyRecord(body.name, body.type, markers, orientation, angles))
+    return found
+
+
+def _joints(scene: Scene) -> list[JointRecord]:
+    own = {placement.joint: placement.coordinates for placement in scene.placements()}
+    return [
+        JointRecord(
+            joint.name,
+            joint.type,
+            joint.marker_a,
+            joint.marker_b,
+            scene.marker(joint.marker_a)[0].name,
+            scene.marker(joint.marker_b)[0].name,
+            own.get(joint.name, []),
+        )
+        for joint in scene.joints
+    ]
+
+
+def _markers(load: object) -> dict[str, str]:
+    named = {key: getattr(load, key, None) for key in ("marker", "marker_a", "marker_b", "reaction")}
+    return {key: name for key, name in named.items() if name}
+
+
+def _drawing(derived: Derived) -> Drawing:
+    picture = derived.system.equations.picture
+    points = [PointRecord(point.body, point.name, len(point.shapes), bool(point.H)) for point in picture.points]
+    return Drawing(derived.scene.space, list(picture.poses), points, list(picture.sections))
+
+
+def _gravity(derived: Derived) -> list[float]:
+    """Components at default parameters."""
+    gravity = derived.system.equations.gravity
+    if not gravity:
+        return []
+    symbols = ca.symvar(ca.vertcat(*gravity))
+    defaults = {entry.name: entry.default for entry in derived.parameters}
+    evaluate = ca.Function("gravity", symbols, [ca.densify(ca.vertcat(*gravity))])
+    (values,) = evaluate.call([ca.DM(defaults[symbol.name()]) for symbol in symbols])
+    return [float(value) for value in np.asarray(values).ravel()]
