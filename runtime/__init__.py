@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from runtime.contract.errors import SymgenError
     from runtime.contract.files import OutputError
     from runtime.contract.loading import load_model
-    from runtime.contract.model import Group, Model, ModelError
+    from runtime.contract.model import Model, ModelError
+    from runtime.contract.records import Group
     from runtime.contract.status import Status
     from runtime.results.solution import Solution
     from runtime.running.simulate import resume
