@@ -2,7 +2,11 @@
 
 Names follow the paper. A velocity ends in `_dot`, an acceleration in `_ddot`; q_d is *dependent*, never a velocity.
 L and S name the step size (large, small), not rigid and elastic: which coordinate is in which group is data.
-Shapes: n coordinates, n_i independent, n_d dependent, n_c constraint rows, nf modes of a body, n_p parameters.
+Shapes: n coordinates, n_i independent, n_d dependent, n_c constraint rows, nf modes of a body, n_p parameters,
+n_S and n_L in the groups that take a sub-step and in slower ones.
+
+SYMBOLS are the names of the equations and of the emitted functions, FIELDS those of z, the state of a time stepping
+scheme as one vector.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Symbol:
+class Notation:
     """One name: in the code, in the paper, the equation it first stands in ("20", "40-43"), shape, SI unit, meaning.
 
     equation is "" for what the paper does not have. Unit "mixed" means metres or radians (and their rates) by entry.
@@ -25,96 +29,179 @@ class Symbol:
     meaning: str
 
 
-SYMBOLS: tuple[Symbol, ...] = (
+SYMBOLS: tuple[Notation, ...] = (
     # coordinates
-    Symbol("q", "q", "15", "n", "mixed", "all coordinates: R_o, theta, q_f of each body in scene order"),
-    Symbol("R_o", "R^o", "16", "2 or 3", "m", "origin of a body's floating frame in world axes"),
-    Symbol("theta", "theta", "17", "1, 3 or 4", "rad", "angle of a body's frame; Euler angles or parameters e"),
-    Symbol("q_f", "q_f", "18", "nf", "m", "elastic (modal) coordinates of a body"),
-    Symbol("Phi", "phi_k", "19", "2 or 3 x nf", "1", "shape functions at a point of a body"),
-    Symbol("q_i", "q_i", "29", "n_i", "mixed", "independent coordinates, in the order of the partition"),
-    Symbol("q_d", "q_d", "29", "n_d", "mixed", "dependent coordinates, q_d = f(q_i, t)"),
-    Symbol("q_i_dot", "q_i'", "36", "n_i", "mixed", "rates of the independent coordinates"),
-    Symbol("q_d_dot", "q_d'", "36", "n_d", "mixed", "rates of the dependent coordinates"),
-    Symbol("q_i_ddot", "q_i''", "35", "n_i", "mixed", "accelerations of the independent coordinates"),
-    Symbol("q_d_ddot", "q_d''", "35", "n_d", "mixed", "accelerations of the dependent coordinates"),
-    Symbol("t", "t", "21", "1", "s", "time"),
-    Symbol("p", "", "", "n_p", "SI", "parameters: every physical number of a scene that is not zero"),
-    Symbol("c", "", "", "n_const", "SI", "what depends on p only, computed once a run: c = constants(p)"),
+    Notation("q", "q", "15", "n", "mixed", "all coordinates: R_o, theta, q_f of each body in scene order"),
+    Notation("q_dot", "q'", "16", "n", "mixed", "rates of all coordinates"),
+    Notation("q_ddot", "q''", "23", "n", "mixed", "accelerations of all coordinates"),
+    Notation("R_o", "R^o", "16", "2 or 3", "m", "origin of a body's floating frame in world axes"),
+    Notation("theta", "theta", "17", "1, 3 or 4", "rad", "angle of a body's frame; Euler angles or parameters e"),
+    Notation("q_f", "q_f", "18", "nf", "m", "elastic (modal) coordinates of a body"),
+    Notation("Phi", "phi_k", "19", "2 or 3 x nf", "1", "shape functions at a point of a body"),
+    Notation("q_i", "q_i", "29", "n_i", "mixed", "independent coordinates, in the order of the partition"),
+    Notation("q_d", "q_d", "29", "n_d", "mixed", "dependent coordinates, q_d = f(q_i, t)"),
+    Notation("q_i_dot", "q_i'", "36", "n_i", "mixed", "rates of the independent coordinates"),
+    Notation("q_d_dot", "q_d'", "36", "n_d", "mixed", "rates of the dependent coordinates"),
+    Notation("q_i_ddot", "q_i''", "35", "n_i", "mixed", "accelerations of the independent coordinates"),
+    Notation("q_d_ddot", "q_d''", "35", "n_d", "mixed", "accelerations of the dependent coordinates"),
+    Notation("t", "t", "21", "1", "s", "time"),
+    Notation("p", "", "", "n_p", "SI", "parameters: every physical number of a scene that is not zero"),
+    Notation("c", "", "", "n_const", "SI", "what depends on p only, computed once a run: c = constants(p)"),
     # bodies
-    Symbol("M_RR", "m_RR", "20", "2 x 2, 3 x 3", "kg", "translational mass block (its diagonal entry)"),
-    Symbol("M_thetatheta", "m_thetatheta", "20", "1", "kg m^2", "rotational inertia at the current q_f"),
-    Symbol("M_thetaf", "m_thetaf", "20", "1 x nf", "kg m", "coupling of rotation and deformation"),
-    Symbol("M_ff", "m_ff", "20", "nf x nf", "kg", "modal mass matrix"),
-    Symbol("K_ff", "K_ff", "20", "nf x nf", "N/m", "modal stiffness matrix"),
-    Symbol("D_ff", "", "", "nf x nf", "N s/m", "modal damping matrix (the paper has none)"),
-    Symbol("M", "M", "20", "n x n", "SI", "mass matrix in all coordinates"),
-    Symbol("Q_star", "Q*", "28", "n", "N, N m", "generalised force Q_F + Q_v - K q in all coordinates"),
-    Symbol("S_H", "", "", "nf x nf", "kg/m", "int H dm: foreshortening of a body with geometric stiffening"),
-    Symbol("G_H", "", "", "nf x nf", "kg", "int x H dm: its part in the centrifugal stiffness"),
+    Notation("M_RR", "m_RR", "20", "2 x 2, 3 x 3", "kg", "translational mass block (its diagonal entry)"),
+    Notation("M_Rtheta", "m_Rtheta", "20", "2 x 1", "kg m", "coupling of translation and rotation"),
+    Notation("M_Rf", "m_Rf", "20", "2 or 3 x nf", "kg", "coupling of translation and deformation"),
+    Notation("M_thetatheta", "m_thetatheta", "20", "1", "kg m^2", "rotational inertia at the current q_f"),
+    Notation("M_thetaf", "m_thetaf", "20", "1 x nf", "kg m", "coupling of rotation and deformation"),
+    Notation("M_ff", "m_ff", "20", "nf x nf", "kg", "modal mass matrix"),
+    Notation("K_ff", "K_ff", "20", "nf x nf", "N/m", "modal stiffness matrix"),
+    Notation("D_ff", "", "", "nf x nf", "N s/m", "modal damping matrix (the paper has none)"),
+    Notation("M", "M", "20", "n x n", "SI", "mass matrix in all coordinates"),
+    Notation("Q_star", "Q*", "28", "n", "N, N m", "generalised force Q_F + Q_v - K q in all coordinates"),
+    Notation("K", "K", "20", "n x n", "SI", "stiffness matrix in all coordinates"),
+    Notation("Q_v", "Q_v", "20", "n", "N, N m", "quadratic velocity force in all coordinates"),
+    Notation("Q_F", "Q_F", "28", "n", "N, N m", "force of loads, weight and damping in all coordinates"),
+    Notation("S_H", "", "", "nf x nf", "kg/m", "int H dm: foreshortening of a body with geometric stiffening"),
+    Notation("G_H", "", "", "nf x nf", "kg", "int x H dm: its part in the centrifugal stiffness"),
     # constraints
-    Symbol("C", "C", "21", "n_c", "m, rad", "constraint rows C(q, t) = 0 in scene order"),
-    Symbol("C_q", "C_q", "24", "n_c x n", "SI", "constraint Jacobian"),
-    Symbol("C_t", "C_t", "24", "n_c", "m/s, rad/s", "partial time derivative of C (prescribed motions)"),
-    Symbol("nu", "nu", "26", "n_c", "m/s, rad/s", "right-hand side at velocity level, nu = -C_t"),
-    Symbol("gamma", "gamma", "27", "n_c", "m/s^2, rad/s^2", "right-hand side at acceleration level"),
-    Symbol("lam", "lambda", "37", "n_c", "N, N m", "Lagrange multipliers; the constraint force on q is -C_q^T lam"),
+    Notation("C", "C", "21", "n_c", "m, rad", "constraint rows C(q, t) = 0 in scene order"),
+    Notation("C_q", "C_q", "24", "n_c x n", "SI", "constraint Jacobian"),
+    Notation("C_t", "C_t", "24", "n_c", "m/s, rad/s", "partial time derivative of C (prescribed motions)"),
+    Notation("nu", "nu", "26", "n_c", "m/s, rad/s", "right-hand side at velocity level, nu = -C_t"),
+    Notation("gamma", "gamma", "27", "n_c", "m/s^2, rad/s^2", "right-hand side at acceleration level"),
+    Notation("lam", "lambda", "37", "n_c", "N, N m", "Lagrange multipliers; the constraint force on q is -C_q^T lam"),
+    Notation("gamma_b", "gamma", "28", "n_c", "m/s^2, rad/s^2", "gamma with Baumgarte terms"),
+    Notation("lam_R", "", "", "n_R", "N, N m", "multipliers of the redundant rows, which no equation determines"),
     # condensation
-    Symbol("M_hat", "M^", "38", "n_i x n_i", "SI", "condensed mass matrix S^T M S"),
-    Symbol("Q_hat", "Q^", "38", "n_i", "N, N m", "condensed force S^T (Q* - M s)"),
-    Symbol("dQ_hat_dq_i", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i, through q_d"),
-    Symbol("dQ_hat_dq_i_dot", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i_dot, through q_d_dot"),
-    Symbol("dMa_dq_i", "", "", "n_i x n_i", "SI", "total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot"),
-    Symbol("C_loop", "C", "31", "loops", "m, rad", "loop closure error before a Newton step"),
-    Symbol("det_loop", "det C_qd", "31", "loop blocks", "SI", "determinants of the loop blocks, zero if singular"),
-    # what functions take and give beside these
-    Symbol("q_dot", "q'", "16", "n", "mixed", "rates of all coordinates"),
-    Symbol("q_ddot", "q''", "23", "n", "mixed", "accelerations of all coordinates"),
-    Symbol("q_d_next", "q_d", "31", "n_d", "mixed", "dependent coordinates after one Newton step"),
-    Symbol("K", "K", "20", "n x n", "SI", "stiffness matrix in all coordinates"),
-    Symbol("Q_v", "Q_v", "20", "n", "N, N m", "quadratic velocity force in all coordinates"),
-    Symbol("Q_F", "Q_F", "28", "n", "N, N m", "force of loads, weight and damping in all coordinates"),
-    Symbol("gamma_b", "gamma", "28", "n_c", "m/s^2, rad/s^2", "gamma with Baumgarte terms"),
-    Symbol("lam_R", "", "", "n_R", "N, N m", "multipliers of the redundant rows, which no equation determines"),
-    Symbol(
+    Notation("M_hat", "M^", "38", "n_i x n_i", "SI", "condensed mass matrix S^T M S"),
+    Notation("Q_hat", "Q^", "38", "n_i", "N, N m", "condensed force S^T (Q* - M s)"),
+    Notation("S", "", "", "n x n_i", "SI", "q_dot = S q_i_dot + ...: [1; -C_qd^-1 C_qi], in the order (q_i, q_d)"),
+    Notation("J_q", "", "", "n_i x n_i", "SI", "total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot"),
+    Notation("J_v", "", "", "n_i x n_i", "SI", "the same as dQ_hat_dq_i_dot, in a linear system"),
+    Notation("dQ_hat_dq_i", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i, through q_d"),
+    Notation("dQ_hat_dq_i_dot", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i_dot, through q_d_dot"),
+    Notation("dMa_dq_i", "", "", "n_i x n_i", "SI", "total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot"),
+    Notation("C_loop", "C", "31", "loops", "m, rad", "loop closure error before a Newton step"),
+    Notation("q_d_next", "q_d", "31", "n_d", "mixed", "dependent coordinates after one Newton step"),
+    Notation("det_loop", "det C_qd", "31", "loop blocks", "SI", "determinants of the loop blocks, zero if singular"),
+    # groups and steps
+    Notation("M_hat_SS", "M^_SS", "39", "n_S x n_S", "SI", "block of M_hat of the groups that take a sub-step"),
+    Notation("M_hat_LL", "M^_LL", "39", "n_L x n_L", "SI", "block of M_hat of the slower groups"),
+    Notation("M_hat_LS", "M^_LS", "39", "n_L x n_S", "SI", "block of M_hat that couples them"),
+    Notation("M_hat_SL", "M^_SL", "39", "n_S x n_L", "SI", "its transpose"),
+    Notation("Q_hat_L", "Q^_L", "39", "n_L", "N, N m", "part of Q_hat of the slower groups"),
+    Notation("Q_hat_S", "Q^_S", "39", "n_S", "N, N m", "part of Q_hat of the groups that take a sub-step"),
+    Notation("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),
+    Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),
+    Notation("dt_L", "Delta t_L", "40-43", "1", "s", "major step: step of the slowest group"),
+    Notation("m", "m", "72", "groups - 1", "1", "ratio of each next group's step; in templates a body's mass"),
+    Notation("h", "Delta t", "72", "groups", "s", "step of each group, slow to fast"),
+    Notation("eps", "epsilon_L, epsilon_S", "56-57", "groups", "mixed", "tolerances of the sweep, slow to fast"),
+    Notation("z", "", "", "fields", "mixed", "state of a scheme: its fields one after another"),
+    # what else the emitted functions give
+    Notation(
         "joint_forces", "", "", "3 or 6 x joints", "N, N m", "world force and moment of a joint on its body b, at b"
     ),
-    Symbol("kinetic", "", "", "1", "J", "kinetic energy"),
-    Symbol("elastic", "", "", "1", "J", "energy stored in bodies and springs"),
-    Symbol("potential", "", "", "1", "J", "potential energy of the weight"),
-    Symbol("power_dissipated", "", "", "1", "W", "power lost in dampers, at least zero"),
-    Symbol("power_applied", "", "", "1", "W", "power of the loads"),
-    Symbol("measures", "", "", "measures", "mixed", "measures of the scene and their rates"),
-    Symbol(
+    Notation("kinetic", "", "", "1", "J", "kinetic energy"),
+    Notation("elastic", "", "", "1", "J", "energy stored in bodies and springs"),
+    Notation("potential", "", "", "1", "J", "potential energy of the weight"),
+    Notation("power_dissipated", "", "", "1", "W", "power lost in dampers, at least zero"),
+    Notation("power_applied", "", "", "1", "W", "power of the loads"),
+    Notation("measures", "", "", "measures", "mixed", "measures of the scene and their rates"),
+    Notation(
         "poses", "", "", "12 x bodies", "m, 1", "origin, then columns of the rotation matrix, of each body that moves"
     ),
-    Symbol("positions", "", "", "3 x points", "m", "drawn points in body axes"),
-    Symbol("axes", "", "", "9 x points", "1", "columns of the rotation matrix of the marker at a drawn point"),
-    Symbol("shapes", "", "", "3 x modes", "1", "displacement of a drawn point by each mode of its body"),
-    Symbol("turns", "", "", "3 x modes", "1/m", "rotation at a drawn point by each mode of its body"),
-    Symbol("H", "", "", "1 x entries", "1/m", "foreshortening of the drawn points that have it, nf x nf each"),
-    Symbol("sections", "", "", "2 x beams", "m", "height and width of a rectangle that stands for a beam's section"),
-    Symbol("bounded", "", "", "expressions", "SI", "expressions of the scene that must keep their sign"),
-    # groups and steps
-    Symbol("M_hat_SS", "M^_SS", "39", "n_S x n_S", "SI", "block of M_hat of the groups that take a sub-step"),
-    Symbol("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),
-    Symbol("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),
-    Symbol("dt_L", "Delta t_L", "40-43", "1", "s", "major step: step of the slowest group"),
-    Symbol("m", "m", "72", "groups - 1", "1", "ratio of each next group's step; in templates a body's mass"),
-    Symbol("h", "Delta t", "72", "groups", "s", "step of each group, slow to fast"),
-    Symbol("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
-    Symbol("eps", "epsilon_L, epsilon_S", "56-57", "groups", "mixed", "tolerances of the sweep, slow to fast"),
+    Notation("positions", "", "", "3 x points", "m", "drawn points in body axes"),
+    Notation("axes", "", "", "9 x points", "1", "columns of the rotation matrix of the marker at a drawn point"),
+    Notation("shapes", "", "", "3 x modes", "1", "displacement of a drawn point by each mode of its body"),
+    Notation("turns", "", "", "3 x modes", "1/m", "rotation at a drawn point by each mode of its body"),
+    Notation("H", "", "", "1 x entries", "1/m", "foreshortening of the drawn points that have it, nf x nf each"),
+    Notation("sections", "", "", "2 x beams", "m", "height and width of a rectangle that stands for a beam's section"),
+    Notation("bounded", "", "", "expressions", "SI", "expressions of the scene that must keep their sign"),
+)
+
+FIELDS: tuple[Notation, ...] = (
+    # common to all schemes
+    Notation("t0", "", "", "1", "s", "time at the start of the run"),
+    Notation("n", "", "", "1", "1", "major steps done"),
+    Notation(
+        "x",
+        "q_i",
+        "38",
+        "n_i",
+        "mixed",
+        "q_i reached: of fast groups at their sub-step, of slow ones at their step's end",
+    ),
+    Notation("loop", "q_d", "31", "loops", "mixed", "guess of the loop unknowns"),
+    Notation("closure_error", "", "", "1", "m, rad", "largest C_loop so far"),
+    Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
+    Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),
+    Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
+    Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
+    # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled
+    Notation("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
+    Notation("a", "q_i''", "40-43", "n_i", "mixed", "last q_i_ddot"),
+    Notation("s", "(j-1) Delta t_S", "63", "1", "s", "time since the start of the running major step"),
+    Notation("q_L", "q_L", "63", "n_i", "mixed", "slow coordinates at the start of their running step"),
+    Notation("q_L_dot", "q_L'", "60", "n_i", "mixed", "their rates there"),
+    Notation("q_L_ddot", "q_L''", "59", "n_i", "mixed", "their accelerations there"),
+    Notation("t_L", "", "", "groups", "s", "start of each group's running step, since that of the major step"),
+    Notation("unconverged", "", "", "1", "1", "positive until the iteration of a step has converged"),
+    Notation("loop_old", "", "", "loops", "mixed", "loop unknowns one finest step ago"),
+    Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
+    # one-step schemes
+    Notation("v", "q_i'", "36", "n_i", "mixed", "q_i_dot reached"),
+    # coupled, decoupled
+    Notation(
+        "hold_q", "", "", "n_i", "mixed", "where slow coordinates are held: ahead, at the middle of the sub-steps"
+    ),
+    Notation("x_last", "", "", "n_i", "mixed", "x at the last hold: the secant's other end"),
+    Notation("v_last", "", "", "n_i", "mixed", "v at the last hold"),
+    Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS at the middle"),
+    Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
+    # linearised, exponential; M and lu_k also radau
+    Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
+    Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),
+    Notation("tau", "", "", "1", "s", "time since the start of the major step"),
+    Notation("G0", "", "", "n_i", "N, N m", "force on the linear system: G0 + G1 tau + G2 tau^2 / 2"),
+    Notation("G1", "", "", "n_i", "N/s, N m/s", "its first derivative at the start"),
+    Notation("G2", "", "", "n_i", "N/s^2, N m/s^2", "its second derivative"),
+    Notation("M", "M^", "38", "non-zeros", "SI", "M_hat of the linear system"),
+    Notation("J_q", "", "", "non-zeros", "SI", "J_q of the linear system"),
+    Notation("J_v", "", "", "non-zeros", "SI", "J_v of the linear system"),
+    Notation("lu_0", "", "", "non-zeros", "SI", "factors of r^2 M - r h J_v - h^2 J_q for the real r"),
+    Notation("lu_1", "", "", "2 x non-zeros", "SI", "the same for the complex r, real parts first"),
+    Notation(
+        "acceleration", "", "", "n_i", "mixed", "w'' of the last sub-step, where sub-steps are central differences"
+    ),
+    Notation("x_start", "", "", "n_i", "mixed", "x at the start of the running step"),
+    Notation("x_mid", "", "", "n_i", "mixed", "predicted q_i at the middle of the next step"),
+    Notation("v_mid", "", "", "n_i", "mixed", "predicted q_i_dot there"),
+    # radau
+    Notation("K", "", "", "3 x n_i", "mixed", "accelerations of the three stages"),
+    Notation("loop_stages", "", "", "3 x loops", "mixed", "loop unknowns of the stages"),
+    Notation("loop_last", "", "", "loops", "mixed", "loop unknowns at the start of the last step"),
+    Notation("stage_error", "", "", "1", "m, rad", "largest C_loop of the stages"),
+    Notation("eta", "", "", "1", "1", "theta / (1 - theta), theta the ratio of two corrections"),
+    Notation("correction", "", "", "1", "mixed", "largest entry of the last correction"),
+    # generalized_alpha, hht
+    Notation("q", "q", "15", "n", "mixed", "all coordinates"),
+    Notation("q_dot", "q'", "24", "n", "mixed", "their rates"),
+    Notation("q_ddot", "q''", "25", "n", "mixed", "their accelerations"),
+    Notation("q_ddot_old", "q''", "25", "n", "mixed", "those at the start of the running step"),
+    Notation("a_alpha", "", "", "n", "mixed", "Arnold and Bruls's algorithmic acceleration"),
+    Notation("lam", "lambda", "37", "kept rows", "N, N m", "multipliers"),
 )
 
 
-BY_NAME = {symbol.code: symbol for symbol in SYMBOLS}
+BY_NAME = {entry.code: entry for entry in SYMBOLS}
 
 
-def table() -> str:
-    """The symbols as a Markdown table (docs/theory/names.md holds it; a test compares)."""
+def table(entries: tuple[Notation, ...]) -> str:
+    """Names as a Markdown table (docs/theory/names.md holds both; a test compares)."""
     lines = ["| code | paper | Eq. | shape | unit | meaning |", "|---|---|---|---|---|---|"]
-    for symbol in SYMBOLS:
-        paper = f"`{symbol.paper}`" if symbol.paper else ""
-        equation = f"({symbol.equation})" if symbol.equation else ""
-        lines.append(f"| `{symbol.code}` | {paper} | {equation} | {symbol.shape} | {symbol.unit} | {symbol.meaning} |")
+    for entry in entries:
+        paper = f"`{entry.paper}`" if entry.paper else ""
+        equation = f"({entry.equation})" if entry.equation else ""
+        lines.append(f"| `{entry.code}` | {paper} | {equation} | {entry.shape} | {entry.unit} | {entry.meaning} |")
     return "\n".join(lines)

@@ -11,8 +11,8 @@ from benchmarks.harness.models import constants_size
 from runtime.contract.model import Model
 from runtime.engine.compiled import CompiledProgram
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.stage_equations import StageEquations
 
 FUNCTIONS = frozenset({"condensed", "closure", "velocities", "forward_dynamics"})
 DRIFT = 1e-15  # seconds
@@ -22,8 +22,8 @@ def routes(model: Model) -> dict[str, Call]:
     """`condensed` with L D L^T, and `forward_dynamics` where the generator has it."""
     size = constants_size(model)
 
-    def stage(name: str, accelerations: Callable[[StepKernels, Fields], ca.SX]) -> Call:
-        return _stage(name, len(model.q_i), size, lambda z, c: accelerations(StepKernels(model, c), z))
+    def stage(name: str, accelerations: Callable[[StageEquations, Fields], ca.SX]) -> Call:
+        return _stage(name, len(model.q_i), size, lambda z, c: accelerations(StageEquations(model, c), z))
 
     found = {"condensed, L D L^T": stage("rhs_condensed", _by_condensation)}
     if model.has("forward_dynamics"):
@@ -49,14 +49,14 @@ def _stage(name: str, n: int, constants: int, accelerations: Callable[[Fields, c
     return make_stage(name, Layout({"q_i": n, "q_i_dot": n, "q_i_ddot": n}), constants, body)
 
 
-def _by_condensation(kernels: StepKernels, z: Fields) -> ca.SX:
-    motion = kernels.close(z["q_i"], ca.SX(0, 1), ca.SX(0), 1)
-    return solve_symmetric(*kernels.condensed(motion, z["q_i_dot"]))
+def _by_condensation(equations: StageEquations, z: Fields) -> ca.SX:
+    motion = equations.close(z["q_i"], ca.SX(0, 1), ca.SX(0), 1)
+    return solve_symmetric(*equations.condensed(motion, z["q_i_dot"]))
 
 
-def _by_elimination(kernels: StepKernels, z: Fields) -> ca.SX:
-    motion = kernels.close(z["q_i"], ca.SX(0, 1), ca.SX(0), 1)
-    return kernels.tree_accelerations(motion, z["q_i_dot"])
+def _by_elimination(equations: StageEquations, z: Fields) -> ca.SX:
+    motion = equations.close(z["q_i"], ca.SX(0, 1), ca.SX(0), 1)
+    return equations.tree_accelerations(motion, z["q_i_dot"])
 
 
 def evaluated(program: CompiledProgram, state: np.ndarray, c: np.ndarray) -> np.ndarray:

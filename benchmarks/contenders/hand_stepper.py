@@ -13,8 +13,8 @@ from runtime.engine.program import Layout
 
 SOURCE = Path(__file__).parent / "hand_c" / "slider_crank.c"
 # fields of the C struct State, and where they are in the scheme's z
-FIELDS = ("x", "d", "a", "base_q", "base_v", "base_a", "s", "loop", "loop_old", "loop_dot", "closure_error", "n")
-SLOW_ONLY = ("base_q", "base_v", "base_a")
+FIELDS = ("x", "d", "a", "q_L", "q_L_dot", "q_L_ddot", "s", "loop", "loop_old", "loop_dot", "closure_error", "n")
+SLOW_ONLY = ("q_L", "q_L_dot", "q_L_ddot")
 
 
 class HandStepper:

@@ -13,7 +13,7 @@ import casadi as ca
 from runtime.contract.loading import load_model
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields, Layout, make_stage
-from runtime.schemes.kernels import StepKernels
+from runtime.schemes.stage_equations import StageEquations
 from symgen.generate import generate
 from symgen.scene import Scene
 
@@ -44,7 +44,7 @@ def condensed_program(model: Model) -> tuple[Call, Layout]:
     layout = Layout({"q_i": n, "q_i_dot": n, "M_hat": n * n, "Q_hat": n})
 
     def body(z: Fields, c: ca.SX) -> dict[str, ca.SX]:
-        result = StepKernels(model, c).call("condensed", q_i=z["q_i"], q_i_dot=z["q_i_dot"])
+        result = StageEquations(model, c).call("condensed", q_i=z["q_i"], q_i_dot=z["q_i_dot"])
         return {"M_hat": ca.vec(result["M_hat"]), "Q_hat": result["Q_hat"]}
 
     return make_stage("condensed", layout, constants_size(model), body), layout

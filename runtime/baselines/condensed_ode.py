@@ -17,7 +17,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution, join
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
-from runtime.schemes.kernels import Motion, StepKernels
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.start.start_state import start_state
 
 TO_ROUNDING = 3  # Newton steps of the closure from a guess that integration provides
@@ -35,17 +35,17 @@ class CondensedOde:
         self.model, self.n = model, n
         self.t, self.y, self.c = ca.SX.sym("t"), ca.SX.sym("y", 2 * n + loops), ca.SX.sym("c", model.c_size)
         self.q_i, self.v = self.y[:n], self.y[n : 2 * n]
-        self.kernels = StepKernels(model, self.c)
-        self.motion: Motion = self.kernels.close(self.q_i, self.y[2 * n :], self.t, closure_iterations)
-        self.v_d = self.kernels.rates(self.motion, self.v)
+        self.equations = StageEquations(model, self.c)
+        self.motion: ClosedConfiguration = self.equations.close(self.q_i, self.y[2 * n :], self.t, closure_iterations)
+        self.v_d = self.equations.rates(self.motion, self.v)
 
     def slope(self, a: ca.SX) -> ca.SX:
         """y_dot for q_i_ddot = a."""
-        return ca.densify(ca.vertcat(self.v, a, self.kernels.loop_part(self.v_d)))
+        return ca.densify(ca.vertcat(self.v, a, self.equations.loop_part(self.v_d)))
 
     def accelerations(self) -> ca.SX:
         """q_i_ddot by the cheapest route."""
-        return self.kernels.accelerations(self.motion, self.v)
+        return self.equations.accelerations(self.motion, self.v)
 
     def right_hand_side(self) -> ca.Function:
         """(t, y, c) -> y_dot."""
@@ -60,7 +60,7 @@ class CondensedOde:
         """(t, y, c) -> OBSERVED."""
         a, a_d = self.accelerations(), ca.SX(0, 1)
         if self.model.q_d:
-            a_d = self.kernels.call(
+            a_d = self.equations.call(
                 "accelerations",
                 q_i=self.q_i,
                 q_d=self.motion.q_d,

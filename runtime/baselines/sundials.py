@@ -116,7 +116,7 @@ def _system(model: Model, method: str, given: Start) -> tuple[dict[str, ca.SX], 
     if method == "cvodes":
         return {**symbols, "ode": ca.cse(ode.slope(ode.accelerations()))}, np.zeros(0)
     a = ca.SX.sym("a", ode.n)
-    M_hat, Q_hat = ode.kernels.condensed(ode.motion, ode.v)
+    M_hat, Q_hat = ode.equations.condensed(ode.motion, ode.v)
     start = ca.Function("start", [ode.t, ode.y, ode.c], [solve_symmetric(M_hat, Q_hat)])
     slope, algebraic = ca.cse([ode.slope(a), ca.densify(ca.mtimes(M_hat, a) - Q_hat)])
     return {**symbols, "z": a, "ode": slope, "alg": algebraic}, np.asarray(start(0.0, given.y, given.c)).ravel()

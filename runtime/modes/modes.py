@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from runtime.schemes.kernels import StepKernels, velocity_dependent
+from runtime.schemes.stage_equations import StageEquations, velocity_dependent
 
 CLOSURE_ITERATIONS = 3
 
@@ -68,9 +68,9 @@ class ModeSolver:
         n = len(model.q_i)
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
-        kernels = StepKernels(model, constants)
-        motion = kernels.close(q, loop, t, CLOSURE_ITERATIONS)
-        found = kernels.linearised(motion, v)
+        equations = StageEquations(model, constants)
+        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+        found = equations.linearised(motion, v)
         matrices = [ca.densify(matrix) for matrix in (found.M_hat, found.J_q, found.J_v)]
         return ca.Function("modes", [t, q, v, loop, constants], matrices)
 

@@ -13,7 +13,6 @@ from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
 from runtime.running.run import Run
 from runtime.running.segment import Segment
-from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import evaluation_operations
 
 
@@ -38,10 +37,9 @@ def finished(run: Run, setup: float) -> Solution:
 def _circumstances(run: Run) -> dict[str, float | int | str]:
     """What a run was made with, and what happened."""
     first, plan = run.record.segments[0], run.segment.plan
-    taken = scheme_kind(plan.name).takes
     found: dict[str, float | int | str] = {
         "initial_changes": run.initial_changes,
-        "options": ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in taken),
+        "options": ", ".join(f"{key} = {getattr(plan.scheme.options, key)}" for key in plan.scheme.options.names()),
     }
     if run.segment.stepper.engine.note:
         found["engine_note"] = run.segment.stepper.engine.note

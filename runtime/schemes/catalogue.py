@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Any, Literal
 
 from runtime.contract.model import Model
-from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
-from runtime.schemes.baselines.radau import Radau
+from runtime.schemes.baselines.generalized_alpha import (
+    GeneralizedAlpha,
+    GeneralizedAlphaOptions,
+    HilberHughesTaylor,
+    HilberHughesTaylorOptions,
+)
+from runtime.schemes.baselines.radau import Radau, RadauOptions
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
-from runtime.schemes.central_difference import CentralDifference
+from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
 from runtime.schemes.grid import make_grid
-from runtime.schemes.linearised import Linearised
-from runtime.schemes.options import Options, SchemeError
+from runtime.schemes.linear_sub_steps import LinearSubStepOptions
+from runtime.schemes.linearised import Linearised, LinearisedOptions
+from runtime.schemes.options import ClosureOptions, Options, SchemeError, SingleClosureOptions
+from runtime.schemes.printed import Printed, PrintedOptions
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.single_rate import SingleRate
 
 Ratios = Literal["none", "groups", "sub_steps"]
-CENTRAL = ("common_velocity", "newton_iterations", "closure_iterations")
-NEWTON = ("eps", "max_iterations")
-SWEEP = ("common_update", "guess", "slow_interpolation", "sub_step_velocity", "eps", "stopping", "max_iterations")
 
 
 @dataclass(frozen=True)
@@ -30,15 +36,14 @@ class SchemeKind:
     """A scheme that can be asked for by name.
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
-    sub-steps for all coordinates; `none`: no m. takes: the options that change anything. defaults: its Options.
+    sub-steps for all coordinates; `none`: no m. options: the record of its options, defaults in it.
     default_m: m where neither the user nor the scene gives one that fits.
     """
 
     make: type[Scheme]
     title: str
     ratios: Ratios
-    takes: tuple[str, ...]
-    defaults: Options = field(default_factory=Options)
+    options: type[Options]
     default_m: int = 1
 
     @property
@@ -48,9 +53,7 @@ class SchemeKind:
 
     def build(self, name: str, model: Model, dt: Any, m: list[Any] | None, changes: Mapping[str, Any]) -> Scheme:
         """The scheme on a model. Raises SchemeError for a step, ratios or options that cannot be used."""
-        for option in changes:
-            if option not in self.takes:
-                raise SchemeError(f"{name} has no option {option!r}; its options are {', '.join(sorted(self.takes))}")
+        options = self.chosen(name, changes)
         if self.ratios == "none" and m:
             raise SchemeError(
                 f"{name} takes one step for all coordinates; leave m = {m!r} out, or choose another scheme"
@@ -64,7 +67,15 @@ class SchemeKind:
         grid = make_grid(
             groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
         )
-        return self.make(model, grid, replace(self.defaults, **changes))
+        return self.make(model, grid, options)
+
+    def chosen(self, name: str, changes: Mapping[str, Any]) -> Options:
+        """The options with some changed by name, their values not checked yet. Raises SchemeError for other names."""
+        known = self.options.names()
+        for option in changes:
+            if option not in known:
+                raise SchemeError(f"{name} has no option {option!r}{_meant(option, known)}")
+        return self.options(**changes)
 
     def _usual_m(self, model: Model) -> list[int]:
         """m of the scene where it has the right number of ratios, else default_m."""
@@ -78,60 +89,38 @@ class SchemeKind:
 
 
 SCHEMES: dict[str, SchemeKind] = {
-    "single_rate": SchemeKind(CentralDifference, "central difference, one step for all coordinates", "none", CENTRAL),
-    "printed": SchemeKind(
-        CentralDifference, "the paper's sub-cycling", "groups", CENTRAL + SWEEP, Options(common_update="fixed_point")
+    "single_rate": SchemeKind(
+        SingleRate, "central difference, one step for all coordinates", "none", CentralDifferenceOptions
     ),
-    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", ("closure_iterations",)),
+    "printed": SchemeKind(Printed, "the paper's sub-cycling", "groups", PrintedOptions),
+    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", ClosureOptions),
     "decoupled": SchemeKind(
-        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", ("closure_iterations",)
+        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", ClosureOptions
     ),
     "linearised": SchemeKind(
-        Linearised,
-        "sub-steps of the system linearised at the midpoint",
-        "sub_steps",
-        ("propagation", "closure_iterations", "corrections"),
-        default_m=4,
+        Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps", LinearisedOptions, default_m=4
     ),
     "exponential": SchemeKind(
-        Exponential, "exponential Rosenbrock, order 4", "sub_steps", ("propagation", "closure_iterations"), default_m=4
+        Exponential, "exponential Rosenbrock, order 4", "sub_steps", LinearSubStepOptions, default_m=4
     ),
-    "rk4": SchemeKind(
-        ClassicalRungeKutta,
-        "classical Runge-Kutta, order 4",
-        "none",
-        ("closure_iterations",),
-        Options(closure_iterations=1),
-    ),
-    "dop853": SchemeKind(
-        DormandPrince8,
-        "Dormand-Prince, order 8, fixed step",
-        "none",
-        ("closure_iterations",),
-        Options(closure_iterations=1),
-    ),
-    "radau": SchemeKind(
-        Radau,
-        "Radau IIA, order 5, fixed step",
-        "none",
-        NEWTON + ("closure_iterations",),
-        Options(eps=(1e-10,), max_iterations=15, closure_iterations=1),
-    ),
+    "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", SingleClosureOptions),
+    "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", SingleClosureOptions),
+    "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", RadauOptions),
     "generalized_alpha": SchemeKind(
-        GeneralizedAlpha,
-        "generalized-alpha on all coordinates, order 2",
-        "none",
-        (*NEWTON, "rho_inf"),
-        Options(eps=(1e-7,), max_iterations=15),
+        GeneralizedAlpha, "generalized-alpha on all coordinates, order 2", "none", GeneralizedAlphaOptions
     ),
     "hht": SchemeKind(
-        HilberHughesTaylor,
-        "Hilber-Hughes-Taylor on all coordinates, order 2",
-        "none",
-        (*NEWTON, "alpha"),
-        Options(eps=(1e-7,), max_iterations=15),
+        HilberHughesTaylor, "Hilber-Hughes-Taylor on all coordinates, order 2", "none", HilberHughesTaylorOptions
     ),
 }
+
+
+def _meant(option: str, known: tuple[str, ...]) -> str:
+    """What is to be said after the name of an option that a scheme does not take."""
+    near = get_close_matches(option, known, 1)
+    takers = [name for name, kind in SCHEMES.items() if option in kind.options.names()]
+    hint = f" (did you mean {near[0]!r}?)" if near else f" ({', '.join(takers)} would take it)" if takers else ""
+    return f"{hint}; its options are {', '.join(sorted(known))}"
 
 
 def scheme_kind(name: str) -> SchemeKind:

@@ -9,16 +9,16 @@ import casadi as ca
 
 from runtime.engine.program import Fields
 from runtime.schemes.held_slow import HeldSlow
-from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 
 
 class Coupled(HeldSlow):
     """Schur complement in every sub-step."""
 
-    def accelerations(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX) -> ca.SX:
+    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         """All accelerations from M_hat and Q_hat of this sub-step."""
-        M_hat, Q_hat = kernels.condensed(motion, v)
+        M_hat, Q_hat = equations.condensed(motion, v)
         order = [*self.fast, *self.slow]  # the last are eliminated first: q_L
         solved = solve_symmetric(M_hat[order, order], Q_hat[order])
         a = ca.SX(len(order), 1)

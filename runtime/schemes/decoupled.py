@@ -12,37 +12,38 @@ from runtime.contract.model import Model
 from runtime.engine.program import Fields
 from runtime.schemes.grid import Grid
 from runtime.schemes.held_slow import HeldSlow
-from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
-from runtime.schemes.options import Options, SchemeError
+from runtime.schemes.options import ClosureOptions, SchemeError
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.state_fields import StateField, work
 
 
 class Decoupled(HeldSlow):
     """Two groups."""
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+    def __init__(self, model: Model, grid: Grid, options: ClosureOptions) -> None:
         if len(grid.groups) > 2:
             raise SchemeError(f"decoupled works on two groups, not {len(grid.groups)}; use coupled")
         super().__init__(model, grid, options)
 
-    def work_fields(self) -> dict[str, int]:
+    def further_fields(self) -> dict[str, StateField]:
         """And N, column by column, and y_ddot."""
         slow = len(self.slow)
-        return {**super().work_fields(), "N": slow * (len(self.model.q_i) - slow), "y_ddot": slow}
+        return {**super().further_fields(), "N": work(slow * (len(self.model.q_i) - slow)), "y_ddot": work(slow)}
 
-    def renewed(self, kernels: StepKernels, motion: Motion, v: ca.SX) -> dict[str, ca.SX]:
+    def renewed(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
         """N and y_ddot at the state ahead."""
         L, S = self.slow, self.fast
         if not L:
             return {}
-        M_hat, Q_hat = kernels.condensed(motion, v)
+        M_hat, Q_hat = equations.condensed(motion, v)
         columns = [solve_symmetric(M_hat[L, L], M_hat[L, k]) for k in S]
         return {"N": ca.vertcat(*columns), "y_ddot": solve_symmetric(M_hat[L, L], Q_hat[L])}
 
-    def accelerations(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX) -> ca.SX:
+    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         """The rows of q_S, then q_L."""
         L, S = self.slow, self.fast
-        M_hat, Q_hat = kernels.condensed(motion, v)
+        M_hat, Q_hat = equations.condensed(motion, v)
         if not L:
             return solve_symmetric(M_hat, Q_hat)
         N = ca.reshape(z["N"], len(L), len(S))

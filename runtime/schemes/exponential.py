@@ -19,9 +19,10 @@ from math import ceil
 import casadi as ca
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.linear_sub_steps import LinearSubSteps
+from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.state_fields import StateField, work
 
 NODE = 0.75  # c
 WEIGHT = 32 / 9
@@ -32,9 +33,9 @@ class Exponential(LinearSubSteps):
 
     order = 4
 
-    def work_fields(self) -> dict[str, int]:
+    def further_fields(self) -> dict[str, StateField]:
         """And the rates of the loop unknowns at the start of the step."""
-        return {**super().work_fields(), "loop_dot": len(self.model.loop_unknowns)}
+        return {**super().further_fields(), "loop_dot": work(len(self.model.loop_unknowns))}
 
     def program(self) -> Program:
         """Linearise, run to 3/4 of the step, correct, run to its end."""
@@ -57,30 +58,30 @@ class Exponential(LinearSubSteps):
         """Two, and the sub-steps."""
         return 2, ceil(NODE * self.grid.m[0]) + self.grid.m[0]
 
-    def _linearise(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        v, t = z["v"], self.now(z, kernels)
-        motion = kernels.close(z["x"], z["loop"], t, self.options.closure_iterations)
-        found = kernels.linearised(motion, v)
+    def _linearise(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        v, t = z["v"], self.now(z, equations)
+        motion = equations.close(z["x"], z["loop"], t, self.options.closure_iterations)
+        found = equations.linearised(motion, v)
         G0 = found.Q_hat - ca.mtimes(found.J_v, v)
         return {
-            **self.begin(z, kernels, found, G0, kernels.force_rate(motion, v, found.a)),
-            "loop": kernels.loop_part(motion.q_d),
-            "loop_dot": kernels.loop_part(kernels.rates(motion, v)),
+            **self.begin(z, equations, found, G0, equations.force_rate(motion, v, found.a)),
+            "loop": equations.loop_part(motion.q_d),
+            "loop_dot": equations.loop_part(equations.rates(motion, v)),
             **self.closed(z, motion),
         }
 
-    def _correct(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        h, system = kernels.h[0], self.stored.unpack(z)
+    def _correct(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, system = equations.h[0], self.stored.unpack(z)
         tau = NODE * h
-        motion = kernels.close(
+        motion = equations.close(
             z["x"] + z["w"],
             z["loop"] + tau * z["loop_dot"],
-            self.now(z, kernels) + tau,
+            self.now(z, equations) + tau,
             self.options.closure_iterations,
         )
-        a = kernels.accelerations(motion, z["u"])
+        a = equations.accelerations(motion, z["u"])
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
-        bend = kernels.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
+        bend = equations.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
         out = {
             "G2": WEIGHT / (h * h) * (ca.mtimes(system.M, a) - linear),
             "w": ca.SX.zeros(len(self.model.q_i)),
@@ -93,5 +94,5 @@ class Exponential(LinearSubSteps):
             out["acceleration"] = solve_symmetric(system.M, z["G0"] + ca.mtimes(system.J_v, z["v"]))
         return out
 
-    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1}

@@ -37,9 +37,10 @@ class Grid:
 
 
 def make_grid(groups: list[list[int]], dt: Any, m: list[Any], ratios: int, names: str) -> Grid:
-    """Grid with major step dt and one more step for each ratio in m. names: what the ratios belong to, for errors.
+    """Grid with major step dt and one more step for each ratio in m, (8) and (72).
 
-    Raises SchemeError for steps that are not positive, ratios that are not whole, or a wrong number of ratios.
+    names: what the ratios belong to, for errors. Raises SchemeError for steps that are not positive, ratios that
+    are not whole, or a wrong number of ratios.
     """
     if isinstance(dt, bool) or not isinstance(dt, Real) or not 0 < float(dt) < float("inf"):
         raise SchemeError(f"the step dt must be a positive number of seconds, not {dt!r}")

@@ -24,22 +24,35 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence
-from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.step_limit import PREDICTED_DECAY_REACH, StepLimit, central_difference_limit
+from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.state_fields import StateField, history, state, work
+from runtime.schemes.step_limit import StepLimit, central_difference_limit
 
 
 class HeldSlow(OneStep):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
-    reach, decay_reach = 2.0, PREDICTED_DECAY_REACH
-    memory = ("x", "v", "loop", "a", "x_last", "v_last", "loop_old", "loop_dot")
-    history = ("a", "x_last", "v_last")
+    options: ClosureOptions
 
-    def work_fields(self) -> dict[str, int]:
+    def further_fields(self) -> dict[str, StateField]:
         """Held positions, ends of the secants, and s: time since the start of the major step."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        return {"s": 1, "a": n, "hold_q": n, "x_last": n, "v_last": n, "loop_old": loops, "loop_dot": loops}
+        return {
+            "s": work(1),
+            "a": history(n),
+            "hold_q": work(n),
+            "x_last": history(n),
+            "v_last": history(n),
+            "loop_old": state(loops),
+            "loop_dot": state(loops),
+        }
+
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Yes: its sub-steps are central differences."""
+        return True
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of central difference with predicted velocities."""
@@ -72,31 +85,33 @@ class HeldSlow(OneStep):
             per_step *= ratio
         return holds, per_step
 
-    def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
         """Accelerations at the start, and secants along the rates and accelerations there."""
-        fields = super().started(t0, q_i, q_i_dot, loop, kernels)
-        motion = kernels.close(q_i, fields["loop"], t0, 1)
-        a, H = kernels.accelerations(motion, q_i_dot), self._own_steps(kernels)
-        loop_dot = kernels.loop_part(kernels.rates(motion, q_i_dot))
+        fields = super().started(t0, q_i, q_i_dot, loop, equations)
+        motion = equations.close(q_i, fields["loop"], t0, 1)
+        a, H = equations.accelerations(motion, q_i_dot), self._own_steps(equations)
+        loop_dot = equations.loop_part(equations.rates(motion, q_i_dot))
         return {
             **fields,
             "a": a,
             "x_last": q_i - H * q_i_dot + H * H / 2 * a,
             "v_last": q_i_dot - H * a,
             "loop_dot": loop_dot,
-            "loop_old": fields["loop"] - kernels.h[0] * loop_dot,
+            "loop_old": fields["loop"] - equations.h[0] * loop_dot,
         }
 
-    def _own_steps(self, kernels: StepKernels) -> ca.SX:
+    def _own_steps(self, equations: StageEquations) -> ca.SX:
         """Time between two holds of each coordinate; the fastest group's secant is the slowest one's."""
         last = len(self.grid.groups) - 1
         groups = (self.group_of(k) for k in range(len(self.model.q_i)))
-        return ca.vertcat(*(kernels.h[0 if g == last else g] for g in groups))
+        return ca.vertcat(*(equations.h[0 if g == last else g] for g in groups))
 
-    def _hold(self, z: Fields, kernels: StepKernels, level: int) -> Mapping[str, ca.SX]:
+    def _hold(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
         """Hold a group where it will be at the mean time of its finest sub-steps, (H + h) / 2 from now."""
-        ahead = (kernels.h[level] + kernels.h[-1]) / 2
-        share = ahead / self._own_steps(kernels)
+        ahead = (equations.h[level] + equations.h[-1]) / 2
+        share = ahead / self._own_steps(equations)
         x_ahead = z["x"] + share * (z["x"] - z["x_last"])
         v_ahead = z["v"] + share * (z["v"] - z["v_last"])
         out = {name: ca.SX(z[name]) for name in ("hold_q", "x_last", "v_last")}
@@ -106,43 +121,43 @@ class HeldSlow(OneStep):
             out["x_last"][k], out["v_last"][k] = z["x"][k], z["v"][k]
         if level > 0:
             return out
-        motion = kernels.close(
+        motion = equations.close(
             x_ahead,
-            z["loop_old"] + 2 * kernels.h[0] * z["loop_dot"],
-            self.now(z, kernels) + ahead,
+            z["loop_old"] + 2 * equations.h[0] * z["loop_dot"],
+            self.now(z, equations) + ahead,
             self.options.closure_iterations,
         )
-        held = {**out, "s": ca.SX(0), **self.renewed(kernels, motion, v_ahead)}
-        if kernels.loops:
+        held = {**out, "s": ca.SX(0), **self.renewed(equations, motion, v_ahead)}
+        if equations.loops:
             held |= {
                 "loop_old": z["loop"],
-                "loop": kernels.loop_part(motion.q_d),
-                "loop_dot": kernels.loop_part(kernels.rates(motion, v_ahead)),
+                "loop": equations.loop_part(motion.q_d),
+                "loop_dot": equations.loop_part(equations.rates(motion, v_ahead)),
                 **self.closed(z, motion),
             }
         return held
 
-    def renewed(self, kernels: StepKernels, motion: Motion, v: ca.SX) -> dict[str, ca.SX]:
+    def renewed(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
         """What else is computed once a major step, at the state ahead."""
         return {}
 
-    def _sub_step(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        h = kernels.h[-1]
+    def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h = equations.h[-1]
         half = z["v"] + h / 2 * z["a"]
         x, v, s = z["x"] + h * half, half + h / 2 * z["a"], z["s"] + h
         seen = ca.SX(x)
         for k in self.slow:
             seen[k] = z["hold_q"][k]
-        motion = kernels.close(seen, z["loop"], self.now(z, kernels) + s, self.options.closure_iterations)
-        a = self.accelerations(z, kernels, motion, v)
+        motion = equations.close(seen, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
+        a = self.accelerations(z, equations, motion, v)
         out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
-        if kernels.loops:
-            out |= {"loop": kernels.loop_part(motion.q_d), **self.closed(z, motion)}
+        if equations.loops:
+            out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
         return out
 
     @abstractmethod
-    def accelerations(self, z: Fields, kernels: StepKernels, motion: Motion, v: ca.SX) -> ca.SX:
+    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         """q_i_ddot at the seen motion and the rates of the sub-step."""
 
-    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         return {"n": z["n"] + 1}

@@ -7,6 +7,7 @@ and the linear system.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import partial
 
 import casadi as ca
@@ -15,44 +16,63 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import LinearisedEquations, StepKernels
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import Options
-from runtime.schemes.step_limit import PREDICTED_DECAY_REACH, StepLimit, central_difference_limit
+from runtime.schemes.options import ClosureOptions, Options, one_of
+from runtime.schemes.stage_equations import LinearisedEquations, StageEquations
+from runtime.schemes.state_fields import StateField, work
+from runtime.schemes.step_limit import StepLimit, central_difference_limit
 from runtime.schemes.stored_system import StoredSystem
+
+
+@dataclass(frozen=True)
+class LinearSubStepOptions(ClosureOptions):
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+
+    propagation: the sub-steps of the linear system: `rational` (of order 6, stable for any stiffness) or
+        `central_difference` (matrix-vector products, stable up to h w = 2).
+    """
+
+    propagation: str = one_of("rational", "central_difference")
 
 
 class LinearSubSteps(OneStep):
     """m sub-steps of all coordinates in a major step; grid.h is (major step, sub-step)."""
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
-        self.by_central_difference = options.propagation == "central_difference"
+    options: LinearSubStepOptions
+
+    def __init__(self, model: Model, grid: Grid, options: LinearSubStepOptions) -> None:
+        self.by_central_difference = self.limited(options)
         self.stored = StoredSystem(model, () if self.by_central_difference else None)
-        if self.by_central_difference:
-            self.reach, self.decay_reach = 2.0, PREDICTED_DECAY_REACH
         super().__init__(model, grid, options)
 
-    def work_fields(self) -> dict[str, int]:
+    def further_fields(self) -> dict[str, StateField]:
         """See the module's text; `acceleration` is what a central difference goes by."""
         n = len(self.model.q_i)
-        sizes = {"w": n, "u": n, "tau": 1, "G0": n, "G1": n, "G2": n, **self.stored.fields()}
-        return {**sizes, "acceleration": n} if self.by_central_difference else sizes
+        sizes = {"w": n, "u": n, "tau": 1, "G0": n, "G1": n, "G2": n, **self.stored.sizes()}
+        if self.by_central_difference:
+            sizes["acceleration"] = n
+        return {name: work(size) for name, size in sizes.items()}
+
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Only where the sub-steps are central differences."""
+        return isinstance(options, LinearSubStepOptions) and options.propagation == "central_difference"
 
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """Of central-difference sub-steps with predicted velocities; few sub-steps a major step take more damping."""
         return central_difference_limit(A_q, A_v, predicted=True) if self.by_central_difference else None
 
     def begin(
-        self, z: Fields, kernels: StepKernels, found: LinearisedEquations, G0: ca.SX, G1: ca.SX
+        self, z: Fields, equations: StageEquations, found: LinearisedEquations, G0: ca.SX, G1: ca.SX
     ) -> dict[str, ca.SX]:
         """The linear system at the start of a major step."""
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         zero = ca.SX.zeros(len(self.model.q_i))
         out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), "G0": G0, "G1": G1, "G2": zero}
         if not self.by_central_difference:
-            out |= self.stored.pack_factors(factors_of(system, kernels.h[1]))
+            out |= self.stored.pack_factors(factors_of(system, equations.h[1]))
         else:
             out["acceleration"] = solve_symmetric(found.M_hat, G0 + ca.mtimes(found.J_v, z["v"]))
         return out
@@ -61,11 +81,11 @@ class LinearSubSteps(OneStep):
         """A sub-step, or the given part of one, of w and u."""
         return self.stage("sub_step" if part == 1.0 else "part_of_sub_step", partial(self._sub_step, part=part))
 
-    def _sub_step(self, z: Fields, kernels: StepKernels, part: float) -> Mapping[str, ca.SX]:
-        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), part * kernels.h[1]
+    def _sub_step(self, z: Fields, equations: StageEquations, part: float) -> Mapping[str, ca.SX]:
+        system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), part * equations.h[1]
         tau = z["tau"] + h
         if not self.by_central_difference:
-            w, u = propagate(system, self.stored.unpack_factors(z), z["w"], z["u"], G, z["tau"], kernels.h[1], part)
+            w, u = propagate(system, self.stored.unpack_factors(z), z["w"], z["u"], G, z["tau"], equations.h[1], part)
             return {"w": w, "u": u, "tau": tau}
         half = z["u"] + h / 2 * z["acceleration"]
         w = z["w"] + h * half

@@ -11,23 +11,20 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields
-from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.scheme import Scheme
-
-START_CLOSURE_ITERATIONS = 4
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.state_fields import StateField, state
 
 
 class OneStep(Scheme):
     """Start, observation and evaluation of one-step schemes. Field v holds q_i_dot."""
 
-    memory: tuple[str, ...] = ("x", "v", "loop")
-
-    def fields(self) -> dict[str, int]:
+    def fields(self) -> dict[str, StateField]:
         """The velocities, and what a scheme adds."""
-        return {"v": len(self.model.q_i), **self.work_fields()}
+        return {"v": state(len(self.model.q_i)), **self.further_fields()}
 
-    def work_fields(self) -> dict[str, int]:
-        """Fields that pass values between stages of one step."""
+    def further_fields(self) -> dict[str, StateField]:
+        """Fields besides x, v and loop."""
         return {}
 
     def rates(self, z: np.ndarray) -> np.ndarray:
@@ -38,19 +35,17 @@ class OneStep(Scheme):
         """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
         return self.start_function(self.started)
 
-    def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
         """Fields of z at the start."""
-        motion = kernels.close(q_i, loop, t0, START_CLOSURE_ITERATIONS)
-        return {"v": q_i_dot, "loop": kernels.loop_part(motion.q_d)}
+        motion = equations.close_well(q_i, loop, t0)
+        return {"v": q_i_dot, "loop": equations.loop_part(motion.q_d)}
 
     def observe(self) -> ca.Function:
         """(z, c) -> OBSERVED between two major steps."""
         return self.observe_function(self._observed)
 
-    def _observed(self, z: Fields, kernels: StepKernels) -> tuple[Motion, ca.SX, ca.SX]:
-        motion = kernels.close(z["x"], z["loop"], self.now(z, kernels), START_CLOSURE_ITERATIONS)
-        return motion, z["v"], kernels.accelerations(motion, z["v"])
-
-    def moved(self, z: Fields, x: ca.SX, v: ca.SX, loop: ca.SX, motion: Motion) -> dict[str, ca.SX]:
-        """The fields that change at the end of a major step."""
-        return {"x": x, "v": v, "loop": loop, "n": z["n"] + 1, **self.closed(z, motion)}
+    def _observed(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, ca.SX]:
+        motion = equations.close_well(z["x"], z["loop"], self.now(z, equations))
+        return motion, z["v"], equations.accelerations(motion, z["v"])

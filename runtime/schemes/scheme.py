@@ -17,27 +17,24 @@ from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import Motion, StepKernels, loop_blocks
-from runtime.schemes.options import Options
-from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
+from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
+from runtime.schemes.state_fields import Lasting, StateField, account, state
+from runtime.schemes.step_limit import StepLimit
 
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
-Body = Callable[[Fields, StepKernels], Mapping[str, ca.SX]]
+Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
 
 class Scheme(ABC):
-    """A scheme on one model and grid. Subclasses name the fields of z that they add to COMMON.
+    """A scheme on one model and grid. Subclasses name the fields of z that they add to the common ones.
 
     Common fields: t0, n (major steps done), x (q_i reached), loop (guess of the loop unknowns), closure_error (largest
     C before the last Newton step), iterations and failures of iterative updates; det_low and det_high, the smallest
     and the largest determinant of each loop block since whoever runs the scheme reset them.
     """
 
-    reach: float | None = None  # the largest stable h w of an undamped mode w on the finest step; None: no limit
-    decay_reach: float | None = None  # the largest stable h d of a pure decay d on the finest step; None: no limit
     order: int = 2
-    memory: tuple[str, ...] = ()  # the fields of z through which one major step acts on the next, bookkeeping aside
-    history: tuple[str, ...] = ()  # of these, what each coordinate of q_i remembers of earlier steps
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
@@ -45,25 +42,26 @@ class Scheme(ABC):
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
         common = {
-            "t0": 1,
-            "n": 1,
-            "x": len(model.q_i),
-            "loop": len(model.loop_unknowns),
-            "closure_error": 1,
-            "iterations": 1,
-            "failures": 1,
-            "det_low": blocks,
-            "det_high": blocks,
+            "t0": account(1),
+            "n": account(1),
+            "x": state(len(model.q_i)),
+            "loop": state(len(model.loop_unknowns)),
+            "closure_error": account(1),
+            "iterations": account(1),
+            "failures": account(1),
+            "det_low": account(blocks),
+            "det_high": account(blocks),
         }
-        self.layout = Layout({**common, **self.fields()})
+        self._fields = {**common, **self.fields()}
+        self.layout = Layout({name: one.size for name, one in self._fields.items()})
         self.c_size = model.c_size + len(grid.h)
         self.step_sizes = np.array([grid.h[self.group_of(k)] for k in range(len(model.q_i))])
 
     # ---- what a scheme says ---------------------------------------------------------------------------------
 
     @abstractmethod
-    def fields(self) -> dict[str, int]:
-        """Sizes of the fields of z beyond the common ones."""
+    def fields(self) -> dict[str, StateField]:
+        """The fields of z beyond the common ones; a common one may be given another meaning."""
 
     @abstractmethod
     def program(self) -> Program:
@@ -87,11 +85,32 @@ class Scheme(ABC):
 
     # ---- what they share ------------------------------------------------------------------------------------
 
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Is the step limited by how fast the mechanism oscillates or decays?"""
+        return False
+
     def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
         """What limits the step of the fastest group for w'' = A_q w + A_v w'; None: nothing. See step_limit.py."""
-        if self.reach is None or self.decay_reach is None:
-            return None
-        return limit_between_the_axes(A_q, A_v, self.reach, self.decay_reach)
+        return None
+
+    @property
+    def iteration_limit(self) -> int | None:
+        """The most iterations of a step; None where nothing is iterated until it converges."""
+        return None
+
+    @property
+    def memory(self) -> list[str]:
+        """The fields of z through which one major step acts on the next, in the order of z."""
+        return self._lasting(Lasting.STATE, Lasting.HISTORY)
+
+    @property
+    def history(self) -> list[str]:
+        """Of these, what each coordinate of q_i remembers of earlier steps."""
+        return self._lasting(Lasting.HISTORY)
+
+    def _lasting(self, *kinds: Lasting) -> list[str]:
+        return [name for name, one in self._fields.items() if one.lasting in kinds]
 
     def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:
         """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
@@ -108,7 +127,7 @@ class Scheme(ABC):
         """observe(), built once."""
         return self.observe()
 
-    def closed(self, z: Fields, *motions: Motion) -> dict[str, ca.SX]:
+    def closed(self, z: Fields, *motions: ClosedConfiguration) -> dict[str, ca.SX]:
         """The fields that keep account of closures."""
         error, low, high = z["closure_error"], z["det_low"], z["det_high"]
         for motion in motions:
@@ -117,44 +136,44 @@ class Scheme(ABC):
                 low, high = ca.fmin(low, motion.det_loop), ca.fmax(high, motion.det_loop)
         return {"closure_error": error, "det_low": low, "det_high": high}
 
-    def kernels(self, c: ca.SX) -> StepKernels:
-        """The model's kernels on a symbolic vector of constants."""
-        return StepKernels(self.model, c)
+    def equations(self, c: ca.SX) -> StageEquations:
+        """The model's equations on a symbolic vector of constants."""
+        return StageEquations(self.model, c)
 
     def stage(self, name: str, body: Body) -> Call:
         """A stage from a function of the fields of z to those it changes."""
-        return make_stage(name, self.layout, self.c_size, lambda z, c: body(z, self.kernels(c)))
+        return make_stage(name, self.layout, self.c_size, lambda z, c: body(z, self.equations(c)))
 
     def group_of(self, k: int) -> int:
         """Group of the independent coordinate k."""
         return next(g for g, group in enumerate(self.grid.groups) if k in group)
 
-    def now(self, z: Fields, kernels: StepKernels) -> ca.SX:
+    def now(self, z: Fields, equations: StageEquations) -> ca.SX:
         """Time at the end of the last major step."""
-        return z["t0"] + z["n"] * kernels.h[0]
+        return z["t0"] + z["n"] * equations.h[0]
 
     def zeros(self) -> dict[str, ca.SX]:
         """All fields of z, zero."""
         return {name: ca.SX.zeros(size) for name, size in self.layout.sizes.items()}
 
     def start_function(self, body: Callable[..., Mapping[str, ca.SX]]) -> ca.Function:
-        """start() from a body (t0, q_i, q_i_dot, loop, kernels) -> fields of z; the others are zero."""
+        """start() from a body (t0, q_i, q_i_dot, loop, equations) -> fields of z; the others are zero."""
         t0, c = ca.SX.sym("t0"), ca.SX.sym("c", self.c_size)
         q_i, q_i_dot = ca.SX.sym("q_i", len(self.model.q_i)), ca.SX.sym("q_i_dot", len(self.model.q_i))
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
-        fields = body(t0, q_i, q_i_dot, loop, self.kernels(c))
+        fields = body(t0, q_i, q_i_dot, loop, self.equations(c))
         z = self.layout.pack({**self.zeros(), "t0": t0, "x": q_i, **fields})
         return ca.Function("start", [t0, q_i, q_i_dot, loop, c], [z])
 
-    def observe_function(self, body: Callable[..., tuple[Motion, ca.SX, ca.SX]]) -> ca.Function:
-        """observe() from a body (fields, kernels) -> (motion, q_i_dot, q_i_ddot)."""
+    def observe_function(self, body: Callable[..., tuple[ClosedConfiguration, ca.SX, ca.SX]]) -> ca.Function:
+        """observe() from a body (fields, equations) -> (motion, q_i_dot, q_i_ddot)."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
-        kernels = self.kernels(c)
-        motion, v, a = body(self.layout.unpack(z), kernels)
-        v_d = kernels.rates(motion, v)
+        equations = self.equations(c)
+        motion, v, a = body(self.layout.unpack(z), equations)
+        v_d = equations.rates(motion, v)
         a_d = ca.SX(0, 1)
         if self.model.q_d:
-            a_d = kernels.call(
+            a_d = equations.call(
                 "accelerations", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=v, q_d_dot=v_d, q_i_ddot=a, t=motion.t
             )["q_d_ddot"]
         outputs = ca.cse([motion.t, motion.q_i, motion.q_d, v, v_d, a, a_d])
@@ -166,6 +185,7 @@ def evaluation_operations(scheme: Scheme) -> int:
     model = scheme.model
     q_i, v, t = ca.SX.sym("q_i", len(model.q_i)), ca.SX.sym("v", len(model.q_i)), ca.SX.sym("t")
     loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", scheme.c_size)
-    kernels = scheme.kernels(c)
-    a = kernels.accelerations(kernels.close(q_i, loop, t, scheme.options.closure_iterations), v)
+    equations = scheme.equations(c)
+    assert isinstance(scheme.options, ClosureOptions)  # who takes sub-steps closes in each of them
+    a = equations.accelerations(equations.close(q_i, loop, t, scheme.options.closure_iterations), v)
     return arithmetic(ca.Function("evaluation", [q_i, v, t, loop, c], ca.cse([a])))

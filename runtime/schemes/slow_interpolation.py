@@ -14,7 +14,7 @@ Interpolation = Callable[..., tuple[ca.SX, ca.SX]]
 
 
 def end_point_sum(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Eqs. (60), (63) as printed: the velocity is summed at the end of each sub-step.
+    """(60)-(61), (63) as printed: the velocity is summed at the end of each sub-step.
 
     At sub-step k this overshoots constant acceleration by k h^2 a / 2. q_L_dot(t + dt_L) is q_L_dot + dt_L q_L_ddot.
     """
@@ -29,13 +29,13 @@ def constant_acceleration(
 
 
 def chord_ahead(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Eq. (13) as printed: linear in time, weighted j/m at time (j - 1) h, so one sub-step ahead."""
+    """(13) as printed: linear in time, weighted j/m at time (j - 1) h, so one sub-step ahead."""
     weight = (s + h) / H
     return (1 - weight) * q + weight * q_next, (q_next - q) / H
 
 
 def chord(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Eq. (13) at the right time: linear between the two known values."""
+    """(13) at the right time: linear between the two known values."""
     weight = s / H
     return (1 - weight) * q + weight * q_next, (q_next - q) / H
 

@@ -6,9 +6,9 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
-from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_propagation import Factors, LinearSystem, poles
 from runtime.schemes.sparse_lu import Cells, Number, filled, pattern
+from runtime.schemes.stage_equations import StageEquations
 
 MATRICES = ("M", "J_q", "J_v")
 
@@ -24,9 +24,9 @@ class StoredSystem:
     ) -> None:
         self.n = len(model.q_i)
         q, v, t = ca.SX.sym("q", self.n), ca.SX.sym("v", self.n), ca.SX.sym("t")
-        kernels = StepKernels(model, ca.SX.sym("c", model.c_size + 1))
-        motion = kernels.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
-        found = kernels.linearised(motion, v)
+        equations = StageEquations(model, ca.SX.sym("c", model.c_size + 1))
+        motion = equations.close(q, ca.SX.sym("loop", len(model.loop_unknowns)), t, 1)
+        found = equations.linearised(motion, v)
         patterns = dict(zip(MATRICES, map(pattern, (found.M_hat, found.J_q, found.J_v)), strict=True))
         self._sparsity = {name: self._of_cells(patterns[name]) for name in matrices}
         self._factors = self._of_cells(filled(set().union(*patterns.values()), self.n))
@@ -37,7 +37,7 @@ class StoredSystem:
         ordered = sorted(cells)
         return ca.Sparsity.triplet(self.n, self.n, [i for i, _ in ordered], [j for _, j in ordered])
 
-    def fields(self) -> dict[str, int]:
+    def sizes(self) -> dict[str, int]:
         """Sizes of the fields of z."""
         sizes = {name: sparsity.nnz() for name, sparsity in self._sparsity.items()}
         for k, is_complex in enumerate(self._complex):

@@ -12,8 +12,8 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.model import Model
-from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.stage_equations import StageEquations
 
 MAX_ITERATIONS = 30
 TOLERANCE = 1e-12  # of the largest correction, times the largest elastic coordinate
@@ -59,15 +59,15 @@ class _Equilibrium:
         rigid = [k for k in range(n) if k not in elastic]
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
-        kernels = StepKernels(model, constants)
-        motion = kernels.close(q, loop, t, CLOSURE_ITERATIONS)
-        M_hat, Q_hat = kernels.condensed(motion, v)
+        equations = StageEquations(model, constants)
+        motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+        M_hat, Q_hat = equations.condensed(motion, v)
         residual = Q_hat[elastic]
         if rigid:
             residual = residual - ca.mtimes(M_hat[elastic, rigid], solve_symmetric(M_hat[rigid, rigid], Q_hat[rigid]))
         inputs = [t, q, v, loop, constants]
         self._residual = ca.Function("residual", inputs, [residual, ca.jacobian(residual, q)[:, elastic]])
-        self._closed = ca.Function("closed", inputs, [motion.q_d, kernels.rates(motion, v)])
+        self._closed = ca.Function("closed", inputs, [motion.q_d, equations.rates(motion, v)])
 
     def solve(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> np.ndarray:
         """q_i with its elastic entries in equilibrium, by Newton."""

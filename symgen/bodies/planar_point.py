@@ -52,7 +52,7 @@ class PointKinematics:
 
 @cache
 def point_kinematics() -> PointKinematics:
-    """Position, velocity, Jacobian columns and bias acceleration of a point of a planar body."""
+    """Position, velocity, Jacobian columns and bias acceleration of a point: q of (15)-(18), u by (19)."""
     position = [R_x + a_x, R_y + a_y]
     velocity = derivative_all(position, TIME_RULES)
     acceleration = [sp.expand(component) for component in derivative_all(velocity, TIME_RULES)]

@@ -40,7 +40,10 @@ class Elimination:
 def structural_pivots(
     system: System, left_out: frozenset[int] = frozenset()
 ) -> tuple[list[tuple[int, int]], list[int]]:
-    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out."""
+    """((row, column) pairs in the order in which they can be evaluated, rows left for loops), without left_out.
+
+    The rows and columns of U in (30) that are triangular by structure.
+    """
     equations, topology = system.equations, system.topology
     column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
     keep = _requested_independent(system)
@@ -119,7 +122,7 @@ def choose_loops(
     jacobian: np.ndarray,
     redundant: list[int],
 ) -> Elimination:
-    """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the initial state.
+    """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the start: U, R of (29)-(30).
 
     loop_rows: independent rows, without the `redundant` ones. Raises DerivationError when the user's q_i cannot be
     independent.

@@ -13,7 +13,7 @@ from symgen.system.requested import RequestedGroup
 
 
 def choose_groups(system: System, independent: list[int]) -> list[Group]:
-    """The requested groups, or by default rigid (L) and elastic (S); positions are those in q_i = `independent`.
+    """The requested groups, or by default rigid (L) and elastic (S), of (39); positions are in q_i = `independent`.
 
     Raises DerivationError if they do not fit q_i or the step ratios m.
     """

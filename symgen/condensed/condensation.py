@@ -48,7 +48,7 @@ class Condensed:
         return self._sweep(independent, [s.c_acceleration for s in self.substitutions])
 
     def tangent(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
-        """S v: the virtual displacement of every coordinate that goes with v of q_i (Eq. 29)."""
+        """S v: the virtual displacement of every coordinate that goes with v of q_i (Eqs. 29-30)."""
         return self._sweep(independent, [ca.SX(0)] * len(self.substitutions))
 
     def _sweep(self, independent: Mapping[int, ca.SX], constants: list[ca.SX]) -> dict[int, ca.SX]:
@@ -63,7 +63,7 @@ class Condensed:
         return values
 
     def M_hat(self) -> ca.SX:
-        """S^T M S (Eq. 38), dense n_i x n_i."""
+        """M_hat = S^T M S of Eq. (38), dense n_i x n_i."""
         M = [dict(row) for row in self.equations.M]
         for substitution in reversed(self.substitutions):
             congruence(M, substitution.column, substitution.e)
@@ -72,7 +72,7 @@ class Condensed:
         return ca.densify(ca.reshape(ca.vertcat(*columns), len(independent), len(independent)))
 
     def generalised_force(self, accelerations: Mapping[int, ca.SX]) -> ca.SX:
-        """S^T (Q* - M x'') for the x'' that `accelerations` of some q_i imply: Q_hat when they are all zero.
+        """S^T (Q* - M x'') for the x'' that `accelerations` of some q_i imply: Q_hat of Eq. (38) when all are zero.
 
         With the slow accelerations given, it is the right-hand side of a sub-step (Eq. 64) without forming
         M_hat_SL.
@@ -116,7 +116,7 @@ def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
 
 
 def condense(equations: Equations, choice: Elimination) -> Condensed:
-    """Substitutions for every dependent coordinate of the choice."""
+    """Substitutions for every dependent coordinate of the choice: (34) solved for it, so that (32)-(33) become (38)."""
     structural = [_structural(equations, row, column) for row, column in choice.structural]
     rows = _reduced_rows(equations, choice, structural)
     entries = {row: reduced.entries for row, reduced in rows.items()}

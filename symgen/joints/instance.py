@@ -51,7 +51,10 @@ class Slot:
 def template_rows(
     name: str, joint: JointType, values: Mapping[sp.Symbol, ca.SX], slots: Sequence[Slot], on_b: Sequence[str]
 ) -> list[ConstraintRow]:
-    """Rows of the joint `name`; on_b names the slots that displace and turn marker b."""
+    """Rows of the joint `name`: C (21), C_q and C_t (24), gamma of (25) and (27); nu = -C_t is (26).
+
+    on_b names the slots that displace and turn marker b.
+    """
     output = joint.template.evaluate(values)
     rows = []
     for k, label in enumerate(joint.labels):

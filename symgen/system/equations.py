@@ -20,7 +20,9 @@ from symgen.joints.instance import ConstraintRow
 
 @dataclass
 class Equations:
-    """Eqs. (20)-(28) of a scene. Columns follow `coordinates`; M is symmetric with both triangles stored.
+    """What stands in M q_ddot + K q + C_q^T lam = Q_F + Q_v, C = 0: (1)-(2), which are (22)-(23), of a whole scene.
+
+    Columns follow `coordinates`; M is symmetric with both triangles stored.
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
     joint_columns: coordinates of joints; gravity: its components [m/s^2]; measure_units: SI unit of each measure.
@@ -59,7 +61,7 @@ class Equations:
 
     @cached_property
     def Q_star(self) -> list[ca.SX]:
-        """Q_v - K q + Q_F, per coordinate."""
+        """Q* = Q_F + Q_v - K q of (28), (32) and (33), per coordinate."""
         springs = matrix_times(self.K, dict(enumerate(self.q)))
         return [
             add(sub(Q_v, springs.get(row, ZERO)), Q_F)

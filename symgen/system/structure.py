@@ -14,7 +14,7 @@ from symgen.system.equations import Equations, blank_equations
 
 
 def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
-    """Equations of the scene's structure."""
+    """(3), and (9) with its blocks in the order of the partition; the damping of (3), dropped there, stays."""
     structure = scene.structure
     assert structure is not None
     eq = blank_equations(scene.coordinate_records())

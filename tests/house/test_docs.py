@@ -1,4 +1,4 @@
-"""The pages: their code and commands run; names of tests, symbols and equation numbers exist."""
+"""The pages: their code and commands run; names of tests and equation numbers exist."""
 
 from __future__ import annotations
 
@@ -14,10 +14,8 @@ import pytest
 
 from runtime.contract.status import StatusName
 from runtime.schemes.catalogue import SCHEMES
-from runtime.schemes.options import Options
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from symgen.cli import main
-from symgen.notation import SYMBOLS, table
 from symgen.scene import Scene
 from symgen.scene.expression_values import ARITY
 
@@ -132,29 +130,6 @@ def test_equation_numbers_of_docstrings() -> None:
         assert all(1 <= number <= LAST_EQUATION for number in equations(read(path))), path
 
 
-def test_symbols_are_names_of_the_code() -> None:
-    """Every name of the table is a word of the sources, stands once, and cites equations that exist."""
-    sources = [
-        path
-        for folder in ("symgen", "runtime", "generated")
-        for path in (ROOT / folder).rglob("*.py")
-        if path.name != "notation.py"
-    ]
-    words = {word for path in sources for word in re.findall(r"[A-Za-z_]\w*", read(path))}
-    names = [symbol.code for symbol in SYMBOLS]
-    assert len(set(names)) == len(names)
-    assert not set(names) - words
-    for symbol in SYMBOLS:
-        cited = [int(number) for number in re.findall(r"\d+", symbol.equation)]
-        assert all(1 <= number <= LAST_EQUATION for number in cited)
-        assert bool(cited) == bool(symbol.paper), symbol.code
-        assert symbol.shape and symbol.unit and symbol.meaning
-
-
-def test_the_page_of_names_holds_the_table() -> None:
-    assert table() in read(THEORY / "names.md")
-
-
 def schema_keys() -> set[str]:
     schema = Scene.json_schema()
     return {key for part in (schema, *schema["$defs"].values()) for key in part.get("properties", {})}
@@ -177,7 +152,9 @@ def test_the_pages_of_scenes_are_complete() -> None:
 
 def test_pages_name_every_scheme_option_reading_and_status() -> None:
     words = set(re.findall(r"\w+", read(THEORY / "schemes.md")))
-    assert not {*SCHEMES, *INTERPOLATIONS, *Options.__dataclass_fields__} - words
+    assert (
+        not {*SCHEMES, *INTERPOLATIONS, *(name for kind in SCHEMES.values() for name in kind.options.names())} - words
+    )
     assert not set(get_args(StatusName)) - set(re.findall(r"\w+", read(GUIDE / "failures.md")))
 
 

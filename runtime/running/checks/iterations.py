@@ -21,6 +21,6 @@ class Iterations(Check):
             return None
         return self.subject.stop(
             "iteration_failed",
-            f"the update of a step did not converge in {scheme.options.max_iterations} iterations",
+            f"the update of a step did not converge in {scheme.iteration_limit} iterations",
             "Use a smaller step, a larger eps, or (printed) common_update = direct.",
         )

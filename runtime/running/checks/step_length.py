@@ -36,7 +36,7 @@ class StepLength(Check):
 def step_limit(subject: Subject) -> StepLimit | None:
     """What limits the step at the last good state. None if nothing does, or if its modes are not known."""
     model, scheme = subject.model, subject.scheme
-    if subject.good is None or scheme.reach is None or not ModeSolver.possible(model):
+    if subject.good is None or not scheme.limited(scheme.options) or not ModeSolver.possible(model):
         return None
     seen = scheme.observer(z=subject.good, c=subject.c)
     loop = [model.q_d.index(name) for name in model.loop_unknowns]

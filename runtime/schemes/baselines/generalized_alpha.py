@@ -14,6 +14,7 @@ all about a joint, C_q^T C = 0 is added to the first line.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -23,14 +24,14 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import StepKernels
-from runtime.schemes.options import Options
+from runtime.schemes.options import Options, share, tolerances, whole_number
+from runtime.schemes.rounding import unseen_acceleration
 from runtime.schemes.scheme import OBSERVED, Scheme
 from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.state_fields import StateField, account, state, work
 
-START_CLOSURE_ITERATIONS = 4
 USUAL_ITERATIONS = 2
-ROUNDING = 4e-16
 SINGULAR = 1e-10  # smallest over largest pivot of M beyond which M counts as singular
 
 
@@ -52,27 +53,69 @@ class Weights:
         return (self.gamma + 0.5) ** 2 / 4
 
 
-class GeneralizedAlpha(Scheme):
-    """Fields: q, v, w = q'', a (algorithmic), lam, all at the end of the last step; w_old during a step."""
+@dataclass(frozen=True)
+class AlphaMethodOptions(Options):
+    """eps: relative correction after which the iteration stops. max_iterations: the most iterations of a step."""
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+    eps: tuple[float, ...] = tolerances(1e-7)
+    max_iterations: int = whole_number(15)
+
+
+@dataclass(frozen=True)
+class GeneralizedAlphaOptions(AlphaMethodOptions):
+    """eps, max_iterations: see AlphaMethodOptions.
+
+    rho_inf: the amplitude that a step leaves of an infinitely fast mode; 1 is without dissipation.
+    """
+
+    rho_inf: float = share(0.9, most=1.0)
+
+
+@dataclass(frozen=True)
+class HilberHughesTaylorOptions(AlphaMethodOptions):
+    """eps, max_iterations: see AlphaMethodOptions. alpha: the dissipation; 0 is the trapezoidal rule."""
+
+    alpha: float = share(0.05, most=1 / 3)
+
+
+class AlphaMethod(Scheme):
+    """Fields: q, q_dot, q_ddot, a_alpha (algorithmic), lam, all at the end of the last step; q_ddot_old during a step.
+
+    In the code below v, w and a are q_dot, q_ddot and a_alpha.
+    """
+
+    options: AlphaMethodOptions
+    closes = False
+
+    def __init__(self, model: Model, grid: Grid, options: AlphaMethodOptions) -> None:
         self.order_of_all = [*model.independent_columns, *model.dependent_columns]
         self.penalised = _singular_mass(model)
         self.rows = [int(row) for row in model.kept_rows]
         super().__init__(model, grid, options)
 
+    @abstractmethod
     def weights(self) -> Weights:
-        """Chung and Hulbert's for the option rho_inf."""
-        rho = self.options.rho_inf
-        return Weights((2 * rho - 1) / (rho + 1), rho / (rho + 1))
+        """What the options say."""
 
-    memory = ("q", "v", "w", "a")
-    closes = False
-
-    def fields(self) -> dict[str, int]:
-        """See above."""
+    def fields(self) -> dict[str, StateField]:
+        """See above; x is kept for whoever runs the scheme."""
         n = len(self.model.coordinates)
-        return {"q": n, "v": n, "w": n, "w_old": n, "a": n, "lam": len(self.rows), "unconverged": 1}
+        return {
+            "x": account(len(self.model.q_i)),
+            "loop": account(len(self.model.loop_unknowns)),
+            "q": state(n),
+            "q_dot": state(n),
+            "q_ddot": state(n),
+            "q_ddot_old": work(n),
+            "a_alpha": state(n),
+            "lam": work(len(self.rows)),
+            "unconverged": work(1),
+        }
+
+    @property
+    def iteration_limit(self) -> int:
+        """The option max_iterations."""
+        return self.options.max_iterations
 
     def program(self) -> Program:
         """Guess the last accelerations and multipliers, iterate, move."""
@@ -92,47 +135,47 @@ class GeneralizedAlpha(Scheme):
 
     def rates(self, z: np.ndarray) -> np.ndarray:
         """The velocities of q_i."""
-        return np.asarray(z[self.layout.slice("v")][self.model.independent_columns])
+        return np.asarray(z[self.layout.slice("q_dot")][self.model.independent_columns])
 
     # ---- a step ---------------------------------------------------------------------------------------------
 
-    def _begin(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        return {"w_old": z["w"], "unconverged": ca.SX(1)}
+    def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        return {"q_ddot_old": z["q_ddot"], "unconverged": ca.SX(1)}
 
     def _moved(self, z: Fields, w: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """(q, v, a) at the end of the step for q'' = w there."""
         k = self.weights()
-        a = ((1 - k.alpha_f) * w + k.alpha_f * z["w_old"] - k.alpha_m * z["a"]) / (1 - k.alpha_m)
-        q = z["q"] + h * (z["v"] + h * ((0.5 - k.beta) * z["a"] + k.beta * a))
-        return q, z["v"] + h * ((1 - k.gamma) * z["a"] + k.gamma * a), a
+        a = ((1 - k.alpha_f) * w + k.alpha_f * z["q_ddot_old"] - k.alpha_m * z["a_alpha"]) / (1 - k.alpha_m)
+        q = z["q"] + h * (z["q_dot"] + h * ((0.5 - k.beta) * z["a_alpha"] + k.beta * a))
+        return q, z["q_dot"] + h * ((1 - k.gamma) * z["a_alpha"] + k.gamma * a), a
 
-    def _iterate(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        h, n, k = kernels.h[0], len(self.model.coordinates), self.weights()
-        moved_q, moved_v, _ = self._moved(z, z["w"], h)
-        t = self.now(z, kernels) + h
+    def _iterate(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, n, k = equations.h[0], len(self.model.coordinates), self.weights()
+        moved_q, moved_v, _ = self._moved(z, z["q_ddot"], h)
+        t = self.now(z, equations) + h
         per_w = k.beta * (1 - k.alpha_f) / (1 - k.alpha_m) * h**2  # dq / dw
         v_per_w = k.gamma * (1 - k.alpha_f) / (1 - k.alpha_m) * h
         q, v = ca.SX.sym("q_end", n), ca.SX.sym("v_end", n)
-        M, C_q, residual, C = self._equations(kernels, q, v, t, z["w"], z["lam"])
+        M, C_q, residual, C = self._equations(equations, q, v, t, z["q_ddot"], z["lam"])
         S = M + per_w * ca.jacobian(residual, q) + v_per_w * ca.jacobian(residual, v)
         S, C_q, residual, C = ca.substitute([S, C_q, residual, C], [q, v], [moved_q, moved_v])
         delta, lam = self._saddle(M=S, C_q=C_q, force=-residual, gamma=-C / per_w)
-        w = z["w"] + delta
+        w = z["q_ddot"] + delta
         allowed = self.options.eps[0] * ca.norm_inf(w)
-        allowed = allowed + ROUNDING * (ca.norm_inf(z["q"]) / h + ca.norm_inf(z["v"])) / h
+        allowed = allowed + unseen_acceleration(z["q"], z["q_dot"], h)
         return {
-            "w": w,
+            "q_ddot": w,
             "lam": z["lam"] + lam,
             "unconverged": ca.norm_inf(delta) - allowed,
             "iterations": z["iterations"] + 1,
         }
 
-    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        q, v, a = self._moved(z, z["w"], kernels.h[0])
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        q, v, a = self._moved(z, z["q_ddot"], equations.h[0])
         return {
             "q": q,
-            "v": v,
-            "a": a,
+            "q_dot": v,
+            "a_alpha": a,
             "x": q[self._independent],
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),
@@ -145,14 +188,14 @@ class GeneralizedAlpha(Scheme):
     # ---- the equations --------------------------------------------------------------------------------------
 
     def _equations(
-        self, kernels: StepKernels, q: ca.SX, v: ca.SX, t: ca.SX, w: ca.SX, lam: ca.SX
+        self, equations: StageEquations, q: ca.SX, v: ca.SX, t: ca.SX, w: ca.SX, lam: ca.SX
     ) -> tuple[ca.SX, ca.SX, ca.SX, ca.SX]:
         """(M, C_q, M w + C_q^T lam - Q*, C)."""
-        found = kernels.call("augmented", q=q, q_dot=v, t=t)
+        found = equations.call("augmented", q=q, q_dot=v, t=t)
         residual = ca.mtimes(found["M"], w) - found["Q_star"]
         if not self.model.constraints:
             return found["M"], ca.SX(0, q.numel()), residual, ca.SX(0, 1)
-        C_q, C = found["C_q"][self.rows, :], kernels.call("constraints", q=q, q_dot=v, t=t)["C"][self.rows]
+        C_q, C = found["C_q"][self.rows, :], equations.call("constraints", q=q, q_dot=v, t=t)["C"][self.rows]
         return found["M"], C_q, residual + ca.mtimes(C_q.T, lam), C
 
     def _saddle(self, M: ca.SX, C_q: ca.SX, force: ca.SX, gamma: ca.SX) -> tuple[ca.SX, ca.SX]:
@@ -172,17 +215,19 @@ class GeneralizedAlpha(Scheme):
         """(t0, q_i, q_i_dot, loop unknowns, c) -> z."""
         return self.start_function(self._started)
 
-    def _started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> dict[str, ca.SX]:
-        motion = kernels.close(q_i, loop, t0, START_CLOSURE_ITERATIONS)
+    def _started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> dict[str, ca.SX]:
+        motion = equations.close_well(q_i, loop, t0)
         q = self._all(q_i, motion.q_d)
-        v = self._all(q_i_dot, kernels.rates(motion, q_i_dot))
-        found = kernels.call("augmented", q=q, q_dot=v, t=t0)
+        v = self._all(q_i_dot, equations.rates(motion, q_i_dot))
+        found = equations.call("augmented", q=q, q_dot=v, t=t0)
         C_q, gamma = ca.SX(0, q.numel()), ca.SX(0, 1)
         if self.model.constraints:
             C_q = found["C_q"][self.rows, :]
-            gamma = kernels.call("constraints", q=q, q_dot=v, t=t0)["gamma"][self.rows]
+            gamma = equations.call("constraints", q=q, q_dot=v, t=t0)["gamma"][self.rows]
         w, lam = self._saddle(M=found["M"], C_q=C_q, force=found["Q_star"], gamma=gamma)
-        return {"q": q, "v": v, "w": w, "a": w, "lam": lam}
+        return {"q": q, "q_dot": v, "q_ddot": w, "a_alpha": w, "lam": lam}
 
     def _all(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
         """A vector in the order of the model's coordinates."""
@@ -195,14 +240,29 @@ class GeneralizedAlpha(Scheme):
     def observe(self) -> ca.Function:
         """(z, c) -> OBSERVED between two major steps, as the state holds it: q' satisfies C_q q' + C_t = 0 to h^2."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
-        fields, kernels = self.layout.unpack(z), self.kernels(c)
+        fields, equations = self.layout.unpack(z), self.equations(c)
         dependent = [int(column) for column in self.model.dependent_columns]
-        parts = [fields[name][columns] for name in ("q", "v", "w") for columns in (self._independent, dependent)]
-        return ca.Function("observe", [z, c], [self.now(fields, kernels), *parts], ["z", "c"], list(OBSERVED))
+        parts = [
+            fields[name][columns] for name in ("q", "q_dot", "q_ddot") for columns in (self._independent, dependent)
+        ]
+        return ca.Function("observe", [z, c], [self.now(fields, equations), *parts], ["z", "c"], list(OBSERVED))
 
 
-class HilberHughesTaylor(GeneralizedAlpha):
+class GeneralizedAlpha(AlphaMethod):
+    """Chung and Hulbert's weights for the option rho_inf."""
+
+    options: GeneralizedAlphaOptions
+
+    def weights(self) -> Weights:
+        """For the option rho_inf."""
+        rho = self.options.rho_inf
+        return Weights((2 * rho - 1) / (rho + 1), rho / (rho + 1))
+
+
+class HilberHughesTaylor(AlphaMethod):
     """The case alpha_m = 0, alpha_f = alpha."""
+
+    options: HilberHughesTaylorOptions
 
     def weights(self) -> Weights:
         """For the option alpha."""

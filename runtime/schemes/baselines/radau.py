@@ -19,6 +19,7 @@ after the first correction of a step, eta is that of the step before to the powe
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
@@ -26,10 +27,12 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.grid import Grid
-from runtime.schemes.kernels import StepKernels
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, solve_shifted
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import Options
+from runtime.schemes.options import SingleClosureOptions, tolerances, whole_number
+from runtime.schemes.rounding import ROUNDING, unseen_acceleration
+from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.state_fields import StateField, work
 from runtime.schemes.stored_system import StoredSystem
 
 S = np.sqrt(6.0)
@@ -43,7 +46,6 @@ A = np.array(
 )
 STAGES = 3
 USUAL_ITERATIONS = 3
-ROUNDING = 4e-16
 SLOWEST = 0.99  # theta at most
 TINY = 1e-300
 
@@ -75,28 +77,47 @@ AHEAD = lagrange(NODES, 1 + NODES)  # from the stages of a step to those of the 
 LOOP_AHEAD = lagrange(np.array([0.0, *NODES]), 1 + NODES)  # loop unknowns: also from the start of the step
 
 
+@dataclass(frozen=True)
+class RadauOptions(SingleClosureOptions):
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+
+    eps: relative error of the stage accelerations at which the iteration stops. max_iterations: the most in a step.
+    """
+
+    eps: tuple[float, ...] = tolerances(1e-10)
+    max_iterations: int = whole_number(15)
+
+
 class Radau(OneStep):
-    """Field K: the three stage accelerations; loops: the stages' loop unknowns; loop_last: those at the last start."""
+    """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
 
     order = 5
 
-    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+    options: RadauOptions
+
+    def __init__(self, model: Model, grid: Grid, options: RadauOptions) -> None:
         self.stored = StoredSystem(model, SHIFTS, ("M",))
         super().__init__(model, grid, options)
 
-    def work_fields(self) -> dict[str, int]:
-        """See above, and the factors."""
+    def further_fields(self) -> dict[str, StateField]:
+        """See above, and the factors. What the iteration starts from does not act on the step it converges to."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        return {
+        sizes = {
             "K": STAGES * n,
-            "loops": STAGES * loops,
+            "loop_stages": STAGES * loops,
             "loop_last": loops,
             "unconverged": 1,
             "stage_error": 1,
             "eta": 1,
             "correction": 1,
-            **self.stored.fields(),
+            **self.stored.sizes(),
         }
+        return {name: work(size) for name, size in sizes.items()}
+
+    @property
+    def iteration_limit(self) -> int:
+        """The option max_iterations."""
+        return self.options.max_iterations
 
     def program(self) -> Program:
         """Linearise and extrapolate, iterate, finish."""
@@ -113,31 +134,33 @@ class Radau(OneStep):
         """Of the usual number of iterations; a run counts its own."""
         return 1 + STAGES * USUAL_ITERATIONS, 0
 
-    def started(self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, kernels: StepKernels) -> Mapping[str, ca.SX]:
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
         """As if the last step had had constant acceleration."""
-        fields = dict(super().started(t0, q_i, q_i_dot, loop, kernels))
-        motion = kernels.close(q_i, fields["loop"], t0, 1)
-        a, rate = kernels.accelerations(motion, q_i_dot), kernels.loop_part(kernels.rates(motion, q_i_dot))
-        at = [fields["loop"] + (float(node) - 1) * kernels.h[0] * rate for node in NODES]
+        fields = dict(super().started(t0, q_i, q_i_dot, loop, equations))
+        motion = equations.close(q_i, fields["loop"], t0, 1)
+        a, rate = equations.accelerations(motion, q_i_dot), equations.loop_part(equations.rates(motion, q_i_dot))
+        at = [fields["loop"] + (float(node) - 1) * equations.h[0] * rate for node in NODES]
         return {
             **fields,
             "eta": ca.SX(1),
             "K": ca.repmat(a, STAGES, 1),
-            "loops": ca.vertcat(*at),
-            "loop_last": fields["loop"] - kernels.h[0] * rate,
+            "loop_stages": ca.vertcat(*at),
+            "loop_last": fields["loop"] - equations.h[0] * rate,
         }
 
-    def _begin(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        h, K, loops = kernels.h[0], self._columns(z["K"]), self._columns(z["loops"])
-        motion = kernels.close(z["x"], z["loop"], self.now(z, kernels), 1)
-        found = kernels.linearised(motion, z["v"])
+    def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, K, loops = equations.h[0], self._columns(z["K"]), self._columns(z["loop_stages"])
+        motion = equations.close(z["x"], z["loop"], self.now(z, equations), 1)
+        found = equations.linearised(motion, z["v"])
         system = LinearSystem(found.M_hat, found.J_q, found.J_v)
         return {
             **self.stored.pack(system),
             **self.stored.pack_factors(factors_of(system, h, SHIFTS)),
             "K": _stacked(AHEAD, K),
-            "loops": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
-            "loop_last": kernels.loop_part(motion.q_d),
+            "loop_stages": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
+            "loop_last": equations.loop_part(motion.q_d),
             "unconverged": ca.SX(1),
             "correction": ca.SX(0),
             "iterations": z["iterations"] + 1,
@@ -146,25 +169,25 @@ class Radau(OneStep):
     def _columns(self, stacked: ca.SX) -> list[ca.SX]:
         return ca.vertsplit(stacked, stacked.numel() // STAGES) if stacked.numel() else [stacked] * STAGES
 
-    def _iterate(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        h, t = kernels.h[0], self.now(z, kernels)
-        K, loops = self._columns(z["K"]), self._columns(z["loops"])
+    def _iterate(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, t = equations.h[0], self.now(z, equations)
+        K, loops = self._columns(z["K"]), self._columns(z["loop_stages"])
         M = self.stored.unpack_matrices(z)["M"]
         residuals, motions = [], []
         for k, (q, v) in enumerate(zip(self._positions(z, K, h), self._velocities(z, K, h), strict=True)):
-            motion = kernels.close(q, loops[k], t + float(NODES[k]) * h, self.options.closure_iterations)
-            residuals.append(ca.mtimes(M, kernels.accelerations(motion, v) - K[k]))
+            motion = equations.close(q, loops[k], t + float(NODES[k]) * h, self.options.closure_iterations)
+            residuals.append(ca.mtimes(M, equations.accelerations(motion, v) - K[k]))
             motions.append(motion)
         change = self._solved(self.stored.unpack_factors(z), residuals)
         new = [old + delta for old, delta in zip(K, change, strict=True)]
-        loops = [kernels.loop_part(motion.q_d) for motion in motions]
+        loops = [equations.loop_part(motion.q_d) for motion in motions]
         account = self.closed(z, *motions)  # the error counts when the iteration has converged
         stage_error = ca.fmax(ca.fmax(motions[0].C_loop, motions[1].C_loop), motions[2].C_loop)
         return {
             **account,
             "closure_error": z["closure_error"],
             "K": ca.vertcat(*new),
-            "loops": ca.vertcat(*loops),
+            "loop_stages": ca.vertcat(*loops),
             "stage_error": stage_error,
             **self._progress(z, new, change, h),
             "iterations": z["iterations"] + STAGES,
@@ -194,15 +217,15 @@ class Radau(OneStep):
         theta = ca.fmin(size / ca.fmax(z["correction"], TINY), SLOWEST)
         eta = ca.if_else(z["correction"] > 0, theta / (1 - theta), z["eta"] ** 0.8)
         allowed = self.options.eps[0] * ca.norm_inf(ca.vertcat(*new))
-        allowed = allowed + ROUNDING * (ca.norm_inf(z["x"]) / h + ca.norm_inf(z["v"])) / h
+        allowed = allowed + unseen_acceleration(z["x"], z["v"], h)
         return {"unconverged": eta * size - allowed, "eta": ca.fmax(eta, ROUNDING), "correction": size}
 
-    def _finish(self, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
-        K, h = self._columns(z["K"]), kernels.h[0]
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        K, h = self._columns(z["K"]), equations.h[0]
         return {
             "x": self._positions(z, K, h)[-1],
             "v": self._velocities(z, K, h)[-1],
-            "loop": self._columns(z["loops"])[-1],
+            "loop": self._columns(z["loop_stages"])[-1],
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),
             "closure_error": ca.fmax(z["closure_error"], z["stage_error"]),

@@ -10,16 +10,30 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from runtime.engine.program import Fields, Program
-from runtime.schemes.kernels import Motion, StepKernels
 from runtime.schemes.one_step import OneStep
+from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.step_limit import StepLimit, limit_between_the_axes
 
 
 class ExplicitRungeKutta(OneStep):
     """A fixed step of the tableau (A, b, nodes) of a subclass."""
 
+    options: ClosureOptions
     A: np.ndarray
     b: np.ndarray
     nodes: np.ndarray
+    reach: float  # the largest stable h w of an undamped mode w
+    decay_reach: float  # the largest stable h d of a pure decay d
+
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Yes: explicit."""
+        return True
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Of the tableau's stability region."""
+        return limit_between_the_axes(A_q, A_v, self.reach, self.decay_reach)
 
     def program(self) -> Program:
         """One stage, all slopes inside."""
@@ -29,18 +43,18 @@ class ExplicitRungeKutta(OneStep):
         """One for each slope."""
         return len(self.b), 0
 
-    def _step(self, z: Fields, kernels: StepKernels) -> dict[str, ca.SX]:
-        h, t, n = kernels.h[0], self.now(z, kernels), len(self.model.q_i)
+    def _step(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
+        h, t, n = equations.h[0], self.now(z, equations), len(self.model.q_i)
         y = ca.vertcat(z["x"], z["v"], z["loop"])
         slopes: list[ca.SX] = []
-        motions: list[Motion] = []
+        motions: list[ClosedConfiguration] = []
         for k, row in enumerate(self.A):
             at = y + h * _combined(row[:k], slopes)
-            motion = kernels.close(at[:n], at[2 * n :], t + float(self.nodes[k]) * h, self.options.closure_iterations)
+            motion = equations.close(at[:n], at[2 * n :], t + float(self.nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
-                y = ca.vertcat(y[: 2 * n], kernels.loop_part(motion.q_d))
-            a, v = kernels.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
-            slopes.append(ca.vertcat(v, a, kernels.loop_part(kernels.rates(motion, v))))
+                y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
+            a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
+            slopes.append(ca.vertcat(v, a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
         y = y + h * _combined(self.b, slopes)
         return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **self.closed(z, *motions)}

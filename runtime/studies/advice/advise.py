@@ -153,7 +153,9 @@ def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> 
     for one in done:
         assert one.best is not None
         spec = one.spec
-        if SCHEMES[spec.scheme].make.reach is None or not states or len(problem.model.q_i) > STUDIED:
+        kind = SCHEMES[spec.scheme]
+        limited = kind.make.limited(kind.chosen(spec.scheme, spec.options))
+        if not limited or not states or len(problem.model.q_i) > STUDIED:
             return one, None
         if problem.t_end < FEW_STEPS * one.best.setting:
             return one, None

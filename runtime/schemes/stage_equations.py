@@ -1,4 +1,4 @@
-"""The model's kernels inside a stage: called on SX by name, with the closure and the velocities around them."""
+"""The model's equations inside a stage: its emitted functions called on SX, the closure and velocities around them."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ import casadi as ca
 from runtime.contract.model import Model
 from runtime.schemes.linear_solve import solve_symmetric
 
+START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
+
 
 @dataclass(frozen=True)
-class Motion:
+class ClosedConfiguration:
     """A configuration with consistent q_d; C_loop is the largest error before the last Newton step, det_loop the
     determinants of the loop blocks there.
     """
@@ -34,7 +36,7 @@ class LinearisedEquations:
     J_v: ca.SX
 
 
-class StepKernels:
+class StageEquations:
     """SX evaluations of a model's kernels for the stages of a scheme; h holds the steps of the groups [s]."""
 
     def __init__(self, model: Model, c: ca.SX) -> None:
@@ -45,10 +47,10 @@ class StepKernels:
         """Kernel outputs by name; arguments that the kernel does not take are ignored."""
         return self.model.evaluate(name, **arguments, c=self.c)
 
-    def close(self, q_i: ca.SX, loop: ca.SX, t: ca.SX, iterations: int) -> Motion:
+    def close(self, q_i: ca.SX, loop: ca.SX, t: ca.SX, iterations: int) -> ClosedConfiguration:
         """q_d = f(q_i, t) from a guess of the loop unknowns, by a fixed number of Newton steps."""
         if not self.model.q_d:
-            return Motion(q_i, ca.SX(0, 1), t, ca.SX(0), ca.SX(0, 1))
+            return ClosedConfiguration(q_i, ca.SX(0, 1), t, ca.SX(0), ca.SX(0, 1))
         q_d = ca.SX.zeros(len(self.model.q_d))
         for position, k in enumerate(self.loops):
             q_d[k] = loop[position]
@@ -58,15 +60,19 @@ class StepKernels:
             q_d = result["q_d_next"]
             if self.loops:
                 error, determinants = _largest(result["C_loop"]), result["det_loop"]
-        return Motion(q_i, q_d, t, error, determinants)
+        return ClosedConfiguration(q_i, q_d, t, error, determinants)
 
-    def rates(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+    def close_well(self, q_i: ca.SX, loop: ca.SX, t: ca.SX) -> ClosedConfiguration:
+        """The closure to rounding from a rough guess, for starts and observations."""
+        return self.close(q_i, loop, t, START_CLOSURE_ITERATIONS)
+
+    def rates(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_d_dot (Eq. 36)."""
         if not self.model.q_d:
             return ca.SX(0, 1)
         return self.call("velocities", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=q_i_dot, t=motion.t)["q_d_dot"]
 
-    def _arguments(self, motion: Motion, q_i_dot: ca.SX) -> dict[str, ca.SX]:
+    def _arguments(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
         return {
             "q_i": motion.q_i,
             "q_d": motion.q_d,
@@ -75,12 +81,12 @@ class StepKernels:
             "t": motion.t,
         }
 
-    def condensed(self, motion: Motion, q_i_dot: ca.SX) -> tuple[ca.SX, ca.SX]:
+    def condensed(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> tuple[ca.SX, ca.SX]:
         """(M_hat, Q_hat) of Eq. (38)."""
         result = self.call("condensed", **self._arguments(motion, q_i_dot))
         return result["M_hat"], result["Q_hat"]
 
-    def accelerations(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+    def accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot by the shorter of two routes: O(N) elimination along a tree, or a factorisation of M_hat."""
         n, counts = len(self.model.q_i), self.model.operations
         if self.model.has("forward_dynamics") and (
@@ -89,11 +95,11 @@ class StepKernels:
             return self.tree_accelerations(motion, q_i_dot)
         return solve_symmetric(*self.condensed(motion, q_i_dot))
 
-    def tree_accelerations(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+    def tree_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
 
-    def linearised(self, motion: Motion, q_i_dot: ca.SX) -> LinearisedEquations:
+    def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
         M_hat, Q_hat = self.condensed(motion, q_i_dot)
         a = solve_symmetric(M_hat, Q_hat)
@@ -101,7 +107,7 @@ class StepKernels:
         J_q = self.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - self.call("dMa_dq_i", **arguments)["dMa_dq_i"]
         return LinearisedEquations(M_hat, Q_hat, a, J_q, self.damping(motion, q_i_dot))
 
-    def force_rate(self, motion: Motion, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
+    def force_rate(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
         """d(Q_hat - M_hat q_i_ddot)/dt at fixed q_i and q_i_dot, q_d = f(q_i, t) included."""
         names = ("condensed", "closure", "velocities")
         if not any(self.model.has(name) and "t" in self.model.kernel(name).name_in() for name in names):
@@ -111,13 +117,16 @@ class StepKernels:
         rate = ca.jacobian(Q_hat - ca.mtimes(M_hat, q_i_ddot), t)
         return ca.densify(ca.substitute(rate, t, motion.t))
 
-    def substep(self, level: int, motion: Motion, q_i_dot: ca.SX, q_L_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """(M_hat_SS, right-hand side) of the groups from `level` on (0 = slowest), slower ones given (Eq. 64)."""
+    def substep(self, level: int, motion: ClosedConfiguration, q_i_dot: ca.SX, q_L_ddot: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """(M_hat_SS, right-hand side) of the groups from `level` on (0 = slowest), slower ones given (64).
+
+        M_hat_SS, M_hat_SL and Q_hat_S are taken where (65)-(67) say: at the time of the motion, with its q_d.
+        """
         arguments = self._arguments(motion, q_i_dot)
         result = self.call(f"substep_{level + 1}", **arguments, q_L_ddot=q_L_ddot)
         return result["M_hat_SS"], result["rhs_S"]
 
-    def damping(self, motion: Motion, q_i_dot: ca.SX) -> ca.SX:
+    def damping(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """dQ_hat/dq_i_dot, total; all zero where no force depends on velocity."""
         if not velocity_dependent(self.model):
             return ca.SX.zeros(len(self.model.q_i), len(self.model.q_i))

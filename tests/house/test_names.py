@@ -1,0 +1,100 @@
+"""The tables of names: what the code has is in them, and what is in them the code has."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from runtime.contract.model import Model
+from runtime.schemes.catalogue import SCHEMES
+from runtime.schemes.stage_equations import LinearisedEquations
+from symgen.bodies import planar_template, spatial_template
+from symgen.notation import FIELDS, SYMBOLS, Notation, table
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "theory" / "names.md"
+LAST_EQUATION = 72
+
+Load = Callable[[str], Model]
+# with loops, groups, bodies in space, and none of them
+MODELS = ("flexible_slider_crank", "flyball_governor", "two_oscillators", "chain")
+
+
+def codes(entries: tuple[Notation, ...]) -> set[str]:
+    return {entry.code for entry in entries}
+
+
+def words_of_the_code() -> set[str]:
+    sources = [
+        path
+        for folder in ("symgen", "runtime", "generated")
+        for path in (ROOT / folder).rglob("*.py")
+        if path.name != "notation.py"
+    ]
+    return {word for path in sources for word in re.findall(r"[A-Za-z_]\w*", path.read_text(encoding="utf-8"))}
+
+
+def emitted_names(model: Model) -> set[str]:
+    """Inputs and outputs of every emitted function."""
+    kernels = [model.kernel(name) for name in model.builders]
+    return {name for kernel in kernels for name in (*kernel.name_in(), *kernel.name_out())}
+
+
+def fields_of_z(model: Model) -> set[str]:
+    """Fields of every scheme that the model can be stepped with, for every word of every option."""
+    found: set[str] = set()
+    for name, kind in SCHEMES.items():
+        choices = [{}]
+        if "propagation" in kind.options.names():
+            choices.append({"propagation": "central_difference"})
+        for options in choices:
+            found |= set(kind.build(name, model, 1.0, None, options).layout.sizes)
+    return found
+
+
+def test_entries_stand_once_and_cite_equations_that_exist() -> None:
+    for entries in (SYMBOLS, FIELDS):
+        assert len(codes(entries)) == len(entries)
+        for entry in entries:
+            cited = [int(number) for number in re.findall(r"\d+", entry.equation)]
+            assert all(1 <= number <= LAST_EQUATION for number in cited), entry.code
+            assert bool(cited) == bool(entry.paper), entry.code
+            assert entry.shape and entry.unit and entry.meaning
+
+
+def test_symbols_are_names_of_the_code() -> None:
+    """Vectors of a template stand there by components: M_Rtheta is M_Rtheta_x and M_Rtheta_y."""
+    words = words_of_the_code()
+    assert not {code for code in codes(SYMBOLS) if not {code, f"{code}_x"} & words}
+
+
+def test_emitted_names_are_symbols(built_in: Load) -> None:
+    """Every input and output of every function of planar and spatial scenes is in the table."""
+    for scene in (*MODELS, "bricard", "n_four_bar", "spin_up_beam", "heavy_top"):
+        assert not emitted_names(built_in(scene)) - codes(SYMBOLS), scene
+
+
+def test_blocks_of_the_mass_matrix_are_symbols() -> None:
+    """Outputs of the body templates, without their indices, and of the linearised equations. A rotation of a body in
+    space is by its angular velocity: its blocks say `turn` where the paper's say theta.
+    """
+    found = {field.name for field in dataclasses.fields(LinearisedEquations)} - {"a"}
+    for template in (planar_template.body_template(), spatial_template.body_template()):
+        found |= {
+            re.sub(r"_[xyz0-9]+$", "", name).replace("turn", "theta") for name in template.outputs if name[0] == "M"
+        }
+    assert not found - codes(SYMBOLS), found - codes(SYMBOLS)
+
+
+def test_fields_of_z_are_the_table(built_in: Load) -> None:
+    """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
+    found = set().union(*(fields_of_z(built_in(name)) for name in MODELS))
+    assert found == codes(FIELDS)
+
+
+def test_the_page_of_names_holds_the_tables() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    assert table(SYMBOLS) in text
+    assert table(FIELDS) in text
