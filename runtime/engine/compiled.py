@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.cache import cache_folder
 from runtime.contract.errors import SymgenError
 from runtime.engine.c_source import program_source
 from runtime.engine.program import Program
@@ -36,14 +37,6 @@ def find_compiler() -> str | None:
     if chosen:
         return chosen if shutil.which(shlex.split(chosen)[0]) else None
     return next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
-
-
-def cache_folder() -> Path:
-    """Where compiled programs are kept: $SYMGEN_CACHE, else the user's cache folder."""
-    chosen = os.environ.get("SYMGEN_CACHE")
-    if chosen:
-        return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "symgen"
 
 
 @cache

@@ -90,14 +90,13 @@ def _functions(text: str | None) -> frozenset[str] | None:
 def _write(source: Source, functions: frozenset[str] | None) -> dict[str, str]:
     from symgen.generate import generate
 
-    return {"scene": source.scene.name, "folder": str(generate(source.scene, source.folder, functions))}
+    return {"scene": source.scene.name, "folder": str(generate(source.scene, source.folder, functions, source.builtin))}
 
 
 def _check(source: Source, functions: frozenset[str] | None) -> dict[str, str]:
-    from symgen.emission.write import compare_model, emit
-    from symgen.pipeline import derive
+    from symgen.generate import check
 
-    diff = compare_model(emit(derive(source.scene, functions)), source.folder)
+    diff = check(source.scene, source.folder, functions, source.builtin)
     return {"scene": source.scene.name, "folder": str(source.folder), "diff": diff}
 
 

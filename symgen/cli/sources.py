@@ -23,11 +23,13 @@ class Source:
     """A scene and the folder its generated code belongs in.
 
     named: the folder was named by the user or is ours; the code in any other folder is not run.
+    builtin: the folder is the repository's own, without the code of large models.
     """
 
     scene: Scene
     folder: Path
     named: bool = False
+    builtin: bool = False
 
 
 def builtin_scenes() -> Mapping[str, Callable[..., Scene]]:
@@ -50,13 +52,13 @@ def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Sourc
     """
     from symgen.scene import Scene, SceneError
     from symgen.scene.errors import did_you_mean
-    from symgen.scenes import generated_folder
+    from symgen.scenes import kept_folder
 
     scenes, path = builtin_scenes(), Path(word)
     name = builtin_name(word)
     if name is not None:
         scene = _made(name, scenes[name], made_with)
-        return Source(scene, Path(scene.name)) if made_with else Source(scene, generated_folder(name), named=True)
+        return Source(scene, Path(scene.name)) if made_with else Source(scene, kept_folder(name), True, True)
     if made_with:
         raise SceneError("--with", f"'{word}' is not a built-in scene", "change the scene file, or use --set")
     if path.suffix == ".toml":
@@ -102,13 +104,14 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     keep: folder that gets the model's files. Raises ModelError or SceneError.
     """
     from runtime.contract.loading import load_model
+    from symgen.generate import completed
 
     folder = Path(word)
     if not folder.is_dir() or builtin_name(word) is not None or made_with:
         source = find_source(word, made_with)
         if not (source.named and is_current(source)):
             return _generated(source.scene, keep)
-        folder = source.folder
+        folder = completed(source.scene, source.folder) if source.builtin else source.folder
     model = load_model(folder)
     if keep is not None and keep.resolve() != folder.resolve():
         _copy(folder, keep)

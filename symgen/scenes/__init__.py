@@ -66,6 +66,16 @@ SCENES: dict[str, Callable[..., Scene]] = {
 }
 
 
-def generated_folder(name: str) -> Path:
-    """Folder of the emitted code of a built-in scene, beside this package."""
+def kept_folder(name: str) -> Path:
+    """What the repository keeps of a built-in scene, beside this package: without its code where that is large."""
     return Path(__file__).resolve().parents[2] / "generated" / name
+
+
+def generated_folder(name: str) -> Path:
+    """Folder of the emitted code of a built-in scene; a large one is generated into the cache on first use."""
+    folder = kept_folder(name)
+    if (folder / "model.py").is_file():
+        return folder
+    from symgen.generate import completed  # brings in SymPy
+
+    return completed(SCENES[name](), folder)

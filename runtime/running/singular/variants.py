@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.cache import cache_folder
 from runtime.contract.errors import SymgenError
 from runtime.contract.loading import load_model
 from runtime.contract.model import Model, ModelError
-from runtime.engine.compiled import cache_folder
 
 ENTRY_POINTS = "symgen.variants"
 Generate = Callable[..., Path]
