@@ -20,6 +20,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from runtime import moved
+from runtime.results import showing
 
 if TYPE_CHECKING:
     from runtime.baselines.augmented import augmented_solution
@@ -81,6 +82,13 @@ _HOMES = {
 }
 
 moved.redirect()
+
+
+def _page(*arguments: Any) -> Any:
+    return import_module("runtime.views.viewer").show(*arguments)
+
+
+showing.SHOWS["page"] = _page
 
 
 def __getattr__(name: str) -> Any:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from runtime.contract.model import Model
 from runtime.results import export
 from runtime.results.samples import Samples
+from runtime.results.showing import SHOWS
 
 if TYPE_CHECKING:
     import xarray
@@ -31,6 +33,14 @@ class Solution(Samples):
         """
 
         return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
+
+    def view(self, path: str | Path | None = None, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> Any:
+        """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
+
+        surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface.
+        Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
+        """
+        return SHOWS["page"](self, path, surfaces)
 
     def to_csv(self, path: str | Path) -> None:
         """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 from importlib.metadata import PackageNotFoundError, version
 
-from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability
+from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability, view
 from symgen.cli.arguments import Parser
 
-COMMANDS = (new, listing, show, generate, simulate, resume, animate, stability, advise, reporting, demo)
+COMMANDS = (new, listing, show, generate, simulate, resume, view, animate, stability, advise, reporting, demo)
 
 
 def parser() -> argparse.ArgumentParser:

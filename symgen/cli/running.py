@@ -50,6 +50,25 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
 
+def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]:
+    """The results of a folder with that folder, or those of a scene simulated now. Raises UsageError."""
+    from runtime.contract.loading import load_model
+    from runtime.results.solution import Solution
+    from symgen.cli.sources import builtin_name, opened_model
+
+    folder = Path(arguments.scene)
+    if (folder / SOLUTION_FILE).is_file() and builtin_name(arguments.scene) is None:
+        settings = ("t_end", "dt", "m", "scheme", "set", "initial", "option", "save_every")
+        given = [name for name in settings if getattr(arguments, name)]
+        if given:
+            raise UsageError(
+                f"{arguments.scene} holds results that are there already; --{given[0].replace('_', '-')} "
+                "needs a SCENE to simulate"
+            )
+        return Solution.load(folder / SOLUTION_FILE, load_model(folder / MODEL_FOLDER)), folder
+    return run_model(opened_model(arguments.scene, arguments.made_with), arguments), None
+
+
 def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
     """solution.npz, solution.csv, report.json and report.md in `folder`; {what: path}. Raises OutputError."""
     from runtime.views.report import run_report, write_report

@@ -1,0 +1,77 @@
+"""Surfaces that move with a body's modes: prisms along beams, and given triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.views.mechanism.points import Body, Points
+
+MOST_TRIANGLES = 200_000
+KEYS = ("vertices", "triangles", "shapes")
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceMesh:
+    """points: the vertices; triangles (m, 3): three vertices each; H of every `per` vertices in turn is the same."""
+
+    points: Points
+    triangles: np.ndarray
+    per: int = 1
+
+
+def beam_mesh(body: Body) -> SurfaceMesh:
+    """A prism with the beam's own section: four vertices a station, turned with it by the deformation."""
+    assert body.section is not None
+    stations, (height, width) = body.stations, body.section
+    n, nf = len(stations.names), stations.shapes.shape[2]
+    corners = np.array([[0, -height, -width], [0, height, -width], [0, height, width], [0, -height, width]]) / 2.0
+    position = (stations.position[:, None] + corners[None]).reshape(-1, 3)
+    arm = np.broadcast_to(corners[None, :, :, None], (n, 4, 3, nf))
+    turned = np.cross(np.broadcast_to(stations.turns[:, None], (n, 4, 3, nf)), arm, axis=2)
+    shapes = (stations.shapes[:, None] + turned).reshape(-1, 3, nf)
+    sides = [
+        (4 * k + i, 4 * k + j, 4 * k + 4 + i, 4 * k + 4 + j)
+        for k in range(n - 1)
+        for i, j in ((0, 1), (1, 2), (2, 3), (3, 0))
+    ]
+    triangles = [part for a, b, c, d in sides for part in ((a, b, d), (a, d, c))]
+    last = 4 * (n - 1)
+    triangles += [(0, 2, 1), (0, 3, 2), (last, last + 1, last + 2), (last, last + 2, last + 3)]
+    return SurfaceMesh(_points(position, shapes, stations.H), np.array(triangles), per=4)
+
+
+def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
+    """Given triangles: vertices (n, 3) [m] in the body's axes, triangles (m, 3), shapes (n, 3, nf).
+
+    Raises ModelError for other sizes, for numbers that are not finite, and for vertices that are not there.
+    """
+    missing = [key for key in KEYS if key not in surface]
+    if missing:
+        raise ModelError(f"the surface of {body.name} has no {missing[0]}; it needs {', '.join(KEYS)}")
+    position, shapes = (np.asarray(surface[key], dtype=float) for key in ("vertices", "shapes"))
+    triangles = np.asarray(surface["triangles"])
+    n, nf = len(position), len(body.elastic)
+    if position.shape != (n, 3) or shapes.shape != (n, 3, nf) or triangles.ndim != 2 or triangles.shape[1:] != (3,):
+        raise ModelError(
+            f"the surface of {body.name} must have vertices (n, 3), triangles (m, 3) and shapes (n, 3, {nf}), not "
+            f"{position.shape}, {triangles.shape} and {shapes.shape}"
+        )
+    if not (np.all(np.isfinite(position)) and np.all(np.isfinite(shapes))):
+        raise ModelError(f"the surface of {body.name} holds numbers that are not finite")
+    if triangles.dtype.kind not in "iu" or (triangles.size and not 0 <= triangles.min() <= triangles.max() < n):
+        raise ModelError(f"the triangles of {body.name} must be whole numbers from 0 to {n - 1}: places of vertices")
+    if len(triangles) > MOST_TRIANGLES:
+        raise ModelError(
+            f"the surface of {body.name} has {len(triangles)} triangles; at most {MOST_TRIANGLES} are shown"
+        )
+    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles)
+
+
+def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:
+    n, nf = len(position), shapes.shape[2]
+    return Points([""] * n, position, np.zeros((0, 3, 3)), shapes, np.zeros((0, 3, nf)), H)

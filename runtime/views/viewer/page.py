@@ -1,0 +1,94 @@
+"""One HTML file from the page's parts, the libraries and the run's numbers."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import sys
+import tempfile
+import webbrowser
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from runtime.contract.files import OutputError, write_text
+from runtime.views.viewer.record import view_record
+
+if TYPE_CHECKING:
+    from runtime.results.solution import Solution
+
+SCRIPTS = ("data", "motion", "stage", "bodies", "symbols", "curves", "controls")
+HEIGHT = 560  # pixels of the frame in a notebook
+
+
+@dataclass(frozen=True, repr=False)
+class View:
+    """A page of a run; a notebook shows it in a frame that may run scripts and nothing else."""
+
+    title: str
+    text: str
+
+    def __repr__(self) -> str:
+        return f"<View of {self.title}, {len(self.text) / 1e6:.2f} MB>"
+
+    def _repr_html_(self) -> str:
+        return (
+            f'<iframe sandbox="allow-scripts allow-downloads" width="100%" height="{HEIGHT}" frameborder="0" '
+            f'srcdoc="{html.escape(self.text)}"></iframe>'
+        )
+
+    def save(self, path: str | Path) -> None:
+        """Write the page. Raises OutputError (place not writable, a name that does not end in .html)."""
+        if Path(path).suffix.lower() not in (".html", ".htm"):
+            raise OutputError(f"{path}: the name of a page must end in .html")
+        write_text(path, self.text)
+
+    def open(self) -> None:
+        """Show the page in the browser, from a temporary file."""
+        with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
+            file.write(self.text)
+        webbrowser.open(Path(file.name).as_uri())
+
+
+def view(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
+    """The page of a run. surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}.
+
+    Raises ModelError if the model has nothing to draw or a surface does not fit its body.
+    """
+    record = view_record(solution, surfaces or {})
+    parts = {
+        "title": html.escape(str(record["title"])),
+        "styles": _text("bundles/uplot.min.css") + _text("page.css"),
+        "three": _text("bundles/three.min.js"),
+        "uplot": _text("bundles/uplot.min.js"),
+        "data": json.dumps(record, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
+        "script": "\n".join(_text(f"script/{name}.js") for name in SCRIPTS),
+    }
+    pieces = re.split("@@([a-z]+)@@", _text("page.html"))
+    return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
+
+
+def show(solution: Solution, path: str | Path | None, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
+    """Write the page where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
+    made = view(solution, surfaces)
+    if path is not None:
+        made.save(path)
+    elif "ipykernel" not in sys.modules:
+        made.open()
+    return made
+
+
+def write_view(solution: Solution, path: str | Path, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
+    """Write the page of a run, and return it. Raises ModelError and OutputError."""
+    made = view(solution, surfaces)
+    made.save(path)
+    return made
+
+
+@cache
+def _text(name: str) -> str:
+    return files("runtime.views.viewer").joinpath(name).read_text(encoding="utf-8")

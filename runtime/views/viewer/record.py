@@ -1,0 +1,236 @@
+"""What the page is given: everything that it draws, as plain lists, texts and base64 of float32."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.views.mechanism.points import GROUND, Body, Points
+from runtime.views.mechanism.scenery import Scenery, scenery
+from runtime.views.mechanism.tree import shortest_tree
+from runtime.views.projection import is_spatial, up_axis
+from runtime.views.style import COLOURS
+from runtime.views.viewer.curves import curves, joint_force_vectors
+from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, surface_mesh
+
+if TYPE_CHECKING:
+    from runtime.results.solution import Solution
+
+MOST_FRAMES, MOST_SAMPLES = 500, 800
+SLIDING = ("prismatic", "cylindrical", "screw", "point_on_line")
+UNNAMED = ("prescribed_angle", "prescribed_displacement")
+
+
+def view_record(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """Poses and modes at up to 500 times, joints, loads, curves. Raises ModelError (nothing to draw, bad surface)."""
+    few = np.linspace(solution.t[0], solution.t[-1], min(MOST_FRAMES, max(200, len(solution.t))))
+    shown = scenery(solution, few if len(solution.t) > 1 else solution.t)
+    unknown = [name for name in surfaces if name not in [body.name for body in shown.bodies]]
+    if unknown:
+        raise ModelError(f"there is no body {unknown[0]!r}; there are {', '.join(body.name for body in shown.bodies)}")
+    meshes = {body.name: _mesh(body, surfaces) for body in shown.bodies}
+    points = _everything(shown, meshes)
+    low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+    size = max(float((high - low).max()), 1e-9)
+    deformation = _deformation(shown, meshes)
+    model, status, up = solution.model, solution.status, up_axis(solution.model)
+    kept = np.unique(np.linspace(0, len(solution.t) - 1, min(len(solution.t), MOST_SAMPLES)).round().astype(int))
+    return {
+        "name": model.name,
+        "title": model.title or model.name,
+        "about": f"{solution.scheme}, dt {solution.dt:g} s · {status if status.ok else f'STOPPED: {status}'} · "
+        f"{len(shown.bodies) - 1} bodies, {len(shown.joints)} joints",
+        "ok": status.ok,
+        "planar": not is_spatial(model),
+        "up": up,
+        "size": size,
+        "centre": ((low + high) / 2).tolist(),
+        "box": [low.tolist(), high.tolist()],
+        "lowest": float(low[up]),
+        "factor": _factor(size, deformation),
+        "deformation": max(deformation, 1e-300),
+        "colours": COLOURS,
+        "t": packed(shown.t, "<f8"),
+        "bodies": _bodies(shown, meshes),
+        **_parts(solution, shown),
+        "curve_t": packed(solution.t[kept], "<f8"),
+        "curves": [
+            {
+                "title": group.title,
+                "unit": group.unit,
+                "names": group.names,
+                "values": [packed(values[kept]) for values in group.values],
+            }
+            for group in curves(solution)
+        ],
+    }
+
+
+def packed(values: np.ndarray, kind: str = "<f4") -> str:
+    """Base64 of the numbers in little-endian order."""
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
+
+
+def _mesh(body: Body, surfaces: Mapping[str, Mapping[str, Any]]) -> SurfaceMesh | None:
+    if body.name in surfaces:
+        return surface_mesh(body, surfaces[body.name])
+    return beam_mesh(body) if body.section else None
+
+
+def _everything(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> np.ndarray:
+    """(frames, n, 3) every marker, and every vertex undeformed at some frames."""
+    still = shown.everything(0.0)
+    extra = [still]
+    for body in shown.bodies:
+        mesh = meshes[body.name]
+        if mesh is not None and body.pose is not None:
+            corners = np.array([mesh.points.position.min(axis=0), mesh.points.position.max(axis=0)])
+            box = np.array(
+                [[corners[i, 0], corners[j, 1], corners[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+            )
+            turned = np.einsum("fij,nj->fni", shown.turn[:, body.pose], box)
+            extra.append(shown.origin[:, body.pose, None] + turned)
+    return np.concatenate(extra, axis=1)
+
+
+def _deformation(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> float:
+    """The largest displacement that exaggeration multiplies, at the vertices too [m]."""
+    found = shown.deformation()
+    for body, follow in zip(shown.bodies, shown.follow, strict=True):
+        mesh = meshes[body.name]
+        if mesh is None or not body.elastic:
+            continue
+        few = slice(None, None, max(1, len(mesh.points.position) // 500))
+        part = Points(
+            [], mesh.points.position[few], mesh.points.axes, mesh.points.shapes[few], mesh.points.turns, mesh.points.H
+        )
+        q_f = shown.q_f(body)
+        own = part.linear(q_f) - follow.displacement(part.position, q_f)
+        found = max(found, float(np.linalg.norm(own, axis=2).max()))
+    return found
+
+
+def _factor(size: float, deformation: float) -> float:
+    """The exaggeration that shows the largest deformation as 5 % of the size, with two digits; at least 1."""
+    if deformation <= 1e-12 * size:
+        return 1.0
+    factor = max(1.0, 0.05 * size / deformation)
+    digits = 10.0 ** (np.floor(np.log10(factor)) - 1)
+    return float(max(1.0, np.floor(factor / digits) * digits))
+
+
+def _bodies(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> list[dict[str, Any]]:
+    found, colour = [], 0
+    for body, follow in zip(shown.bodies, shown.follow, strict=True):
+        mesh, ground = meshes[body.name], body.name == GROUND
+        edges = [] if mesh is not None or ground else shortest_tree(body.markers.position)
+        found.append(
+            {
+                "name": body.name,
+                "ground": ground,
+                "colour": "#9aa1ad" if ground else COLOURS[colour % len(COLOURS)],
+                "nf": len(body.elastic),
+                "pose": None if body.pose is None else packed(_seven(shown, body.pose)),
+                "q": packed(shown.q_f(body)),
+                "follow_rigid": follow.rigid.ravel().tolist(),
+                "follow_at": follow.at.ravel().tolist(),
+                "follow_rest": follow.rest.ravel().tolist(),
+                "points": {"names": body.markers.names, **_set(body.markers)},
+                "mesh": None if mesh is None else {**_set(mesh.points), "triangles": packed(mesh.triangles, "<u4")},
+                "rods": edges,
+                "faces": _faces(edges),
+                "shapes": [],
+            }
+        )
+        colour += not ground
+    return found
+
+
+def _set(points: Points) -> dict[str, str]:
+    """Positions, modes and foreshortening of points; without any of the last nothing is sent for it."""
+    H = points.H if np.any(points.H) else points.H[:0]
+    return {"x": packed(points.position), "phi": packed(points.shapes), "H": packed(H)}
+
+
+def _faces(edges: list[tuple[int, int]]) -> list[tuple[int, int, int]]:
+    """Pale triangles between two rods that meet."""
+    found = []
+    for k in sorted({node for edge in edges for node in edge}):
+        others = [b if a == k else a for a, b in edges if k in (a, b)]
+        found += [(k, one, two) for one, two in zip(others, others[1:], strict=False)]
+    return found
+
+
+def _seven(shown: Scenery, pose: int) -> np.ndarray:
+    """(frames, 7) origin [m] and unit quaternion, scalar first, of one hemisphere over time."""
+    A = shown.turn[:, pose]
+    trace = np.trace(A, axis1=1, axis2=2)
+    squares = np.stack([1 + trace, *(1 - trace + 2 * A[:, k, k] for k in range(3))], axis=1) / 4
+    rows = np.empty((len(A), 4, 4))
+    d = [A[:, 2, 1] - A[:, 1, 2], A[:, 0, 2] - A[:, 2, 0], A[:, 1, 0] - A[:, 0, 1]]
+    e = {(0, 1): A[:, 1, 0] + A[:, 0, 1], (0, 2): A[:, 0, 2] + A[:, 2, 0], (1, 2): A[:, 2, 1] + A[:, 1, 2]}
+    for k in range(4):
+        rows[:, k, k] = 4 * squares[:, k]
+    for k in range(3):
+        rows[:, 0, k + 1] = rows[:, k + 1, 0] = d[k]
+    for (i, j), value in e.items():
+        rows[:, i + 1, j + 1] = rows[:, j + 1, i + 1] = value
+    best = np.argmax(squares, axis=1)
+    q = rows[np.arange(len(A)), best]
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    flips = np.cumprod(np.where(np.einsum("fi,fi->f", q[1:], q[:-1]) < 0, -1.0, 1.0))
+    q[1:] *= flips[:, None]
+    return np.concatenate([shown.origin[:, pose], q], axis=1)
+
+
+def _parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
+    """Joints and loads at their markers; forces of the joints on their body b."""
+    place = {body.name: k for k, body in enumerate(shown.bodies)}
+
+    def at(reference: str) -> list[int]:
+        body, k = shown.marker(reference)
+        return [place[body.name], k]
+
+    def axes(reference: str) -> list[float]:
+        body, k = shown.marker(reference)
+        return list(map(float, body.markers.axes[k].ravel()))
+
+    forces = joint_force_vectors(solution) if solution.joint_forces.size else None
+    largest = 0.0 if forces is None else float(np.linalg.norm(forces, axis=2).max())
+    joints = []
+    for joint in shown.joints:
+        force = None
+        if forces is not None and joint["name"] in solution.model.joints and largest > 0.0:
+            column = forces[:, solution.model.joints.index(joint["name"])]
+            force = packed(np.stack([np.interp(shown.t, solution.t, part) for part in column.T], axis=1))
+        joints.append(
+            {
+                "name": joint["name"],
+                "type": joint["type"],
+                "a": at(joint["marker_a"]),
+                "b": at(joint["marker_b"]),
+                "axes": axes(joint["marker_a"]),
+                "rail": _rail(shown, joint) if joint["type"] in SLIDING else None,
+                "force": force,
+                "shown": joint["type"] not in UNNAMED,
+            }
+        )
+    loads = []
+    for load in shown.loads:
+        first = load.get("marker_a") or load["marker"]
+        part = {"name": load["name"], "type": load["type"], "a": at(first), "axes": axes(first), "vector": None}
+        loads.append({**part, "b": at(load["marker_b"])} if load.get("marker_b") else part)
+    return {"joints": joints, "loads": loads, "largest_force": largest, "largest_load": 0.0}
+
+
+def _rail(shown: Scenery, joint: Mapping[str, Any]) -> list[float]:
+    """Where the rail of a slide begins and ends along marker a's axis [m]: the travel, and a little more."""
+    axis = shown.axes(joint["marker_a"])[:, :, 2 if is_spatial(shown.model) else 0]
+    way = shown.place(joint["marker_b"], 1.0) - shown.place(joint["marker_a"], 1.0)
+    travel = np.einsum("fi,fi->f", way, axis)
+    more = 0.08 * shown.size()
+    return [float(travel.min()) - more, float(travel.max()) + more]

@@ -1,0 +1,63 @@
+// Curves beside the picture; the line at t and the values in the legend follow the slider.
+const colours = run.colours, charts = [], chosen = document.querySelector("#curves select");
+for (const name of ["all curves", ...run.curves.map((group) => group.title)]) chosen.add(new Option(name));
+
+function chart(group) {
+  const holder = document.createElement("div"), heading = document.createElement("h2");
+  heading.textContent = `${group.title} [${group.unit}]`;
+  document.getElementById("charts").append(heading, holder);
+  const digits = (value) => (value === null || value === undefined ? "" : Number(value.toPrecision(4)).toString());
+  const plot = new uPlot({
+    width: 372, height: 150, cursor: { y: false, drag: { x: false, y: false } },
+    legend: { live: true },
+    scales: { x: { time: false } },
+    axes: [
+      { size: 26, grid: { stroke: "#eceef2" }, ticks: { size: 4 } },
+      { size: 62, grid: { stroke: "#eceef2" }, ticks: { size: 4 }, values: (_, ticks) => ticks.map(digits) },
+    ],
+    series: [
+      { label: "t [s]", value: (_, value) => digits(value) },
+      ...group.names.map((name, k) => ({ label: name, stroke: colours[k % colours.length], width: 1.5, dash: k < colours.length ? [] : [6, 3], value: (_, value) => digits(value) })),
+    ],
+    hooks: {
+      draw: [(self) => {
+        const x = self.valToPos(state.t, "x", true), { top, height } = self.bbox;
+        self.ctx.save();
+        self.ctx.strokeStyle = "#dc2626";
+        self.ctx.lineWidth = 1.5;
+        self.ctx.beginPath();
+        self.ctx.moveTo(x, top);
+        self.ctx.lineTo(x, top + height);
+        self.ctx.stroke();
+        self.ctx.restore();
+      }],
+    },
+  }, [curveTimes, ...group.values], holder);
+  plot.over.addEventListener("mouseleave", () => setTimeout(moveCurves));
+  plot.over.addEventListener("click", (event) => show(plot.posToVal(event.offsetX, "x")));
+  charts.push({ plot, heading, holder, title: group.title });
+}
+
+if (run.curves.length) run.curves.forEach(chart);
+else document.getElementById("curves").hidden = true;
+chosen.addEventListener("change", () => {
+  for (const one of charts) one.heading.hidden = one.holder.hidden = chosen.selectedIndex > 0 && one.title !== chosen.value;
+});
+
+function nearest(t) {
+  let low = 0, high = curveTimes.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (curveTimes[middle] <= t) low = middle; else high = middle;
+  }
+  return t - curveTimes[low] < curveTimes[high] - t ? low : high;
+}
+
+function moveCurves() {
+  const idx = nearest(state.t);
+  for (const { plot, holder } of charts) {
+    if (holder.hidden) continue;
+    plot.redraw(false, false);
+    plot.setLegend({ idx });
+  }
+}

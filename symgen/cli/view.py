@@ -1,0 +1,43 @@
+"""`symgen view`: one page that shows a run, or a scene simulated for it, moving in three dimensions."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from symgen.cli.arguments import add_command, add_run_options, add_scene
+from symgen.cli.outcome import Outcome
+
+
+def add(subparsers: Any) -> None:
+    """Declare the subcommand."""
+    command = add_command(
+        subparsers,
+        "view",
+        run,
+        "Write a page that shows the moving mechanism in three dimensions.",
+        "One HTML file that works from a double click, without network: turn, zoom, play, exaggerate, curves. "
+        "RESULTS is a folder left by `simulate --out` or `demo`; a SCENE is simulated first.",
+    )
+    add_scene(command, metavar="RESULTS|SCENE", help="results folder, built-in name, .toml file, or generated folder")
+    command.add_argument("--out", metavar="FILE", help="the .html to write (default: RESULTS/view.html or SCENE.html)")
+    command.add_argument("--open", action="store_true", help="open it in the browser")
+    add_run_options(command)
+
+
+def run(arguments: argparse.Namespace) -> Outcome:
+    """Load or simulate, then write the page."""
+    from runtime.views.viewer import write_view
+    from symgen.cli.running import exit_code, loaded_or_run
+
+    solution, folder = loaded_or_run(arguments)
+    default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")
+    path = Path(arguments.out) if arguments.out else default
+    page = write_view(solution, path)
+    if arguments.open:
+        page.open()
+    size = len(page.text.encode()) / 1e6
+    lines = [f"{path}: {size:.2f} MB; open it in a browser"]
+    data = {"file": str(path), "megabytes": size, "status": str(solution.status)}
+    return Outcome(data, lines if solution.status.ok else [*lines, str(solution.status)], exit_code(solution))

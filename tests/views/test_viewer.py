@@ -1,0 +1,127 @@
+"""The page of a run in a real browser: no error, bodies where Python says, the slider moves them, small, no network."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import generated
+import runtime.views.viewer as viewer
+from runtime import Solution, load_model, simulate
+from runtime.contract.files import OutputError
+from runtime.contract.model import ModelError
+from runtime.views.mechanism.scenery import scenery
+from runtime.views.viewer import view
+from runtime.views.viewer.record import view_record
+from tests.support.browser import screenshot, used
+
+MODELS = Path(str(generated.__file__)).parent
+BUNDLES = Path(str(viewer.__file__)).parent / "bundles"
+FACTOR = 7.0
+PROBE = """
+const slider = document.getElementById("time"), seen = [];
+for (const t of TIMES) {
+  slider.value = t;
+  slider.dispatchEvent(new Event("input"));
+  const places = (body, b) => body.points.names.map((_, k) => symgenView.place([b, k]).toArray());
+  seen.push(symgenView.run.bodies.flatMap(places));
+}
+document.documentElement.dataset.probe = JSON.stringify(seen);
+"""
+
+
+@cache
+def solution(name: str) -> Solution:
+    return simulate(load_model(MODELS / name), t_end=0.05)
+
+
+@pytest.mark.parametrize("name", ["flexible_slider_crank", "spatial_slider_crank", "hub_beam"])
+def test_the_slider_moves_the_bodies_to_where_they_are(name: str, tmp_path: Path) -> None:
+    """Positions of every marker in the page, deformation exaggerated, against those computed here."""
+    run = solution(name)
+    record = view_record(run, {})
+    times = np.frombuffer(base64.b64decode(record["t"]))[[0, 70, -1]].tolist()  # between frames the page goes straight
+    found = used(view(run).text, tmp_path, PROBE.replace("TIMES", str(times)), f"x={FACTOR}")
+    assert "error" not in found and found["ready"] == "1"
+    shown = scenery(run, np.array(times))
+    expected = np.concatenate([shown.world(body, body.markers, FACTOR) for body in shown.bodies], axis=1)
+    assert np.abs(np.array(found["probe"]) - expected).max() < 2e-6 * shown.size()
+    assert np.ptp(expected, axis=0).max() > 1e-4 * shown.size()
+
+
+def test_the_page_shows_something_and_a_moment_of_its_own(tmp_path: Path) -> None:
+    page = view(solution("flexible_slider_crank")).text
+    pictures = [np.asarray(screenshot(page, tmp_path, f"t={t}&hide=names"), dtype=int) for t in (0.0, 0.03)]
+    stage = [picture[40:720, :960] for picture in pictures]
+    assert all(len(np.unique(part.reshape(-1, 3), axis=0)) > 100 for part in stage)
+    assert (np.abs(stage[0] - stage[1]).max(axis=2) > 60).sum() > 2000
+
+
+def test_a_notebook_gets_a_frame_that_may_run_scripts_only() -> None:
+    text = view(solution("flexible_slider_crank"))._repr_html_()
+    assert re.match(r'<iframe sandbox="allow-scripts allow-downloads" ', text)
+    assert "<script" not in text
+
+
+def test_pages_are_small_and_ask_nothing_of_the_network() -> None:
+    page = view(solution("flexible_slider_crank")).text
+    assert len(page.encode()) < 1.0e6
+    assert not re.search(r'(src|href)="http|import\(|fetch\("http|@import', page.replace(three(), ""))
+
+
+def three() -> str:
+    return (BUNDLES / "three.min.js").read_text(encoding="utf-8")
+
+
+def test_twenty_thousand_vertices_with_eight_modes_stay_below_five_megabytes() -> None:
+    """A surface on the finite-element rod, with as many modes as it has; two more would add 0.64 MB."""
+    run = solution("spatial_slider_crank")
+    n, nf = 20_000, 6
+    around = np.linspace(0.0, 200.0 * np.pi, n)
+    surface = {
+        "vertices": np.stack([np.linspace(0.0, 0.3, n), 0.01 * np.cos(around), 0.01 * np.sin(around)], axis=1),
+        "triangles": np.stack([np.arange(n - 2), np.arange(1, n - 1), np.arange(2, n)], axis=1),
+        "shapes": np.ones((n, 3, nf)),
+    }
+    size = len(view(run, {"rod": surface}).text.encode())
+    assert size + 2 * 16 * n < 5.0e6
+
+
+def test_scene_names_cannot_break_out_of_the_page(tmp_path: Path) -> None:
+    run = solution("hub_beam")
+    title = "</script><script>document.title='gone'</script> @@data@@"
+    wild = replace(run, model=replace(run.model, description=replace(run.model.description, title=title)))
+    found = used(view(wild).text, tmp_path, "document.documentElement.dataset.probe = JSON.stringify(document.title)")
+    assert found["ready"] == "1" and "error" not in found and found["probe"] != "gone"
+
+
+def test_what_does_not_fit_is_refused(tmp_path: Path) -> None:
+    run = solution("spatial_slider_crank")
+    good = {"vertices": np.zeros((3, 3)), "triangles": np.array([[0, 1, 2]]), "shapes": np.zeros((3, 3, 6))}
+    with pytest.raises(ModelError, match="no body 'arm'"):
+        view(run, {"arm": good})
+    with pytest.raises(ModelError, match="has no shapes"):
+        view(run, {"rod": {key: good[key] for key in ("vertices", "triangles")}})
+    with pytest.raises(ModelError, match="shapes .n, 3, 6."):
+        view(run, {"rod": {**good, "shapes": np.zeros((3, 3, 2))}})
+    with pytest.raises(ModelError, match="from 0 to 2"):
+        view(run, {"rod": {**good, "triangles": np.array([[0, 1, 3]])}})
+    with pytest.raises(OutputError, match="html"):
+        run.view(tmp_path / "page.pdf")
+    run.view(tmp_path / "page.html")
+    assert (tmp_path / "page.html").stat().st_size > 600_000
+
+
+def test_the_bundles_are_those_that_were_made() -> None:
+    listed = json.loads((BUNDLES / "bundles.json").read_text(encoding="utf-8"))
+    assert set(listed) >= {"three.min.js", "uplot.min.js", "uplot.min.css", "three.LICENSE", "uplot.LICENSE"}
+    for name, digest in listed.items():
+        assert hashlib.sha256((BUNDLES / name).read_bytes()).hexdigest() == digest, name
