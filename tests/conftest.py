@@ -12,7 +12,7 @@ from runtime.contract.loading import load_model
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
-from symgen.scenes import generated_folder
+from symgen.scenes import SCENES, generated_folder
 
 # What `pytest -m fast` runs: folders and files whose tests together take less than 40 s on two cores.
 TESTS = Path(__file__).parent
@@ -67,14 +67,22 @@ def compiled_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     os.environ.setdefault("SYMGEN_CACHE", str(tmp_path_factory.getbasetemp() / "compiled"))
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """`--fresh-models`: see `built_in`."""
+    parser.addoption("--fresh-models", action="store_true", help="generate the models of built-in scenes anew")
+
+
 @pytest.fixture(scope="session")
-def built_in() -> Callable[[str], Model]:
-    """Model of a built-in scene, from its emitted code in the repository."""
+def built_in(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Model]:
+    """Model of a built-in scene, from its emitted code in the repository (or generated anew: what the generator does
+    now, not what it did when the code was checked in)."""
     models: dict[str, Model] = {}
+    fresh = bool(request.config.getoption("--fresh-models"))
 
     def load(name: str) -> Model:
         if name not in models:
-            models[name] = load_model(generated_folder(name))
+            folder = generate(SCENES[name](), tmp_path_factory.mktemp(name)) if fresh else generated_folder(name)
+            models[name] = load_model(folder)
         return models[name]
 
     return load
