@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import stat
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from runtime.contract.errors import SymgenError
+
+STALE = 3600.0  # s: a temporary file this old was left by a process that is gone
 
 
 class OutputError(SymgenError, ValueError):
@@ -22,13 +26,7 @@ def replacing(path: str | Path) -> Iterator[Path]:
     Missing folders are made. Raises OutputError if the place cannot be written.
     """
     target = Path(path)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=".writing-", suffix=target.suffix)
-        os.close(handle)
-    except (OSError, ValueError) as error:
-        raise OutputError(_refusal(target, error)) from error
-    temporary = Path(name)
+    temporary = _temporary(target)
     try:
         yield temporary
         os.chmod(temporary, 0o644)
@@ -37,6 +35,42 @@ def replacing(path: str | Path) -> Iterator[Path]:
         raise OutputError(_refusal(target, error)) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def try_writing(path: str | Path) -> None:
+    """See that `replacing` will work, before something long is begun: nothing is changed but missing folders.
+
+    Raises OutputError for a folder, a device, and a place that cannot be written.
+    """
+    target = Path(path)
+    try:
+        if not stat.S_ISREG(os.stat(target).st_mode):
+            raise OutputError(f"{target} is no ordinary file; choose another name")
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError) as error:
+        raise OutputError(_refusal(target, error)) from error
+    _temporary(target).unlink(missing_ok=True)
+
+
+def _temporary(target: Path) -> Path:
+    """An empty file beside the target, on the same file system. Raises OutputError."""
+    prefix = f".writing-{target.stem[:40]}-"
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _remove_stale(target.parent, prefix)
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=prefix, suffix=target.suffix)
+        os.close(handle)
+    except (OSError, ValueError) as error:
+        raise OutputError(_refusal(target, error)) from error
+    return Path(name)
+
+
+def _remove_stale(folder: Path, prefix: str) -> None:
+    """What processes that were killed left of the same file."""
+    for path in folder.iterdir():
+        if path.name.startswith(prefix) and time.time() - path.lstat().st_mtime > STALE:
+            path.unlink(missing_ok=True)
 
 
 def write_text(path: str | Path, text: str) -> None:

@@ -17,8 +17,9 @@ StatusName = Literal[
     "partition_lost",
     "branch_lost",
     "integrator_refused",
+    "output_failed",
 ]
-EventKind = Literal["repartition", "singular_position", "no_variant"]
+EventKind = Literal["repartition", "singular_position", "no_variant", "checkpoint_failed"]
 
 
 @dataclass(frozen=True)

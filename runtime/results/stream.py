@@ -7,11 +7,17 @@ a crash leaves is readable: the rows that are complete, and a header that does n
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 from runtime.contract.files import OutputError, write_text
 from runtime.contract.model import ModelError
@@ -57,12 +63,39 @@ class StreamFile(Table):
         self.folder = Path(folder)
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            self._file = open(self.folder / ROWS, "r+b" if resumed else "w+b")
-        except OSError as error:
+            self._refuse_foreign(resumed)
+            self._file = open(os.open(self.folder / ROWS, os.O_RDWR | (0 if resumed else os.O_CREAT), 0o644), "r+b")
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or error
             raise OutputError(
-                f"{self.folder} cannot take a stream of samples ({error.strerror}); choose another place"
+                f"{self.folder} cannot take a stream of samples ({reason}); choose another place"
             ) from error
+        self._lock()
+        if not resumed:
+            self._file.truncate(0)
         self.rows = (self.folder / ROWS).stat().st_size // self._row_bytes
+
+    def _refuse_foreign(self, resumed: bool) -> None:
+        """Rows that no header of ours belongs to are somebody's file. Raises OutputError."""
+        rows = self.folder / ROWS
+        if resumed or not rows.exists() or rows.stat().st_size == 0:
+            return
+        try:
+            read_header(self.folder)
+        except ModelError as error:
+            raise OutputError(f"{rows} is there and is no stream of samples; choose another folder") from error
+
+    def _lock(self) -> None:
+        """One run writes a stream at a time; the lock goes with the process. Raises OutputError."""
+        if fcntl is None:
+            return
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self._file.close()
+            raise OutputError(f"{self.folder} is being written by another run; choose another folder") from None
+        except OSError:  # a file system without locks
+            return
 
     @property
     def _row_bytes(self) -> int:
@@ -70,9 +103,12 @@ class StreamFile(Table):
 
     def append(self, block: np.ndarray) -> None:
         """Add rows (N, width); they are handed to the system at once."""
-        self._file.seek(self.rows * self._row_bytes)
-        self._file.write(np.ascontiguousarray(block, dtype="<f8").tobytes())
-        self._file.flush()
+        try:
+            self._file.seek(self.rows * self._row_bytes)
+            self._file.write(np.ascontiguousarray(block, dtype="<f8").tobytes())
+            self._file.flush()
+        except OSError as error:
+            raise OutputError(f"{self.folder} takes no more samples ({error.strerror}); make room") from error
         self.rows += len(block)
 
     def keep(self, rows: int) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.files import replacing
+from runtime.contract.files import OutputError, replacing, try_writing
 from runtime.contract.model import ModelError
 from runtime.running.header import FORMAT, CheckpointHeader
 
@@ -56,6 +56,22 @@ class Checkpoint:
                 p=self.p,
                 **{f"record_{name}": values for name, values in self.arrays.items()},
             )
+
+
+def claim(path: str | Path) -> None:
+    """See before a run that its checkpoints can be written. Raises OutputError, also for a file that is none."""
+    try_writing(path)
+    target = Path(path)
+    if target.exists() and target.stat().st_size > 0 and not _looks_like_one(target):
+        raise OutputError(f"{path} is there and is no checkpoint; choose another name")
+
+
+def _looks_like_one(path: Path) -> bool:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            return {"header.npy", "sha256.npy", "z.npy"} <= set(archive.namelist())
+    except (OSError, zipfile.BadZipFile):
+        return False
 
 
 def _digest(text: str, z: np.ndarray, p: np.ndarray, arrays: Mapping[str, np.ndarray]) -> str:

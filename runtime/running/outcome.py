@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from runtime.contract.files import OutputError
+from runtime.contract.status import Status
 from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
 from runtime.results.solution import Solution
@@ -29,7 +31,10 @@ def finished(run: Run, setup: float) -> Solution:
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)
-        table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
+        try:
+            table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
+        except OutputError as error:  # the header that is there says that the run did not come to its end
+            solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
         table.close()
     return solution
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.stream import StreamFile
 from runtime.running.checkpoint import Checkpoint
@@ -62,6 +63,8 @@ class Run:
                 self._loop(interrupts)
             except KeyboardInterrupt:
                 interrupts.asked = True
+            except OutputError as error:
+                self.status = self._output_failed(error)
             interrupted = self.status is None and self.step < self.segment.plan.steps
             if interrupted:
                 self.status = self.segment.monitor.after(self._state, last=True)
@@ -78,8 +81,17 @@ class Run:
         if self.status is not None:  # end with the last good state, which need not be one that was to be saved
             self.record.drop_from(self.step)
             self.record.add(self._segment_number, self.z)
-        self.record.flush()
+        try:
+            self.record.flush()
+        except OutputError as error:
+            self.status = self._output_failed(error)
         return self.status or Status("completed", self.segment.plan.t_end)
+
+    def _output_failed(self, error: OutputError) -> Status:
+        """The place for the samples takes no more: those that wait are lost, the state is not."""
+        self.record.samples = []
+        time_ = self.segment.plan.time(self.step)
+        return Status("output_failed", time_, None, str(error), "Go on from the last checkpoint, or stream elsewhere.")
 
     @property
     def _segment_number(self) -> int:
@@ -187,7 +199,11 @@ class Run:
         arrays = self.record.arrays()
         if self.earlier is not None:
             arrays["earlier"] = self.earlier
-        Checkpoint(self._header(), self.z, self.segment.p, arrays).write(self.rule.path)
+        try:
+            Checkpoint(self._header(), self.z, self.segment.p, arrays).write(self.rule.path)
+        except OutputError as error:  # what is in memory is worth more than its copy on the disk
+            if not any(event.kind == "checkpoint_failed" for event in self.events):
+                self.events.append(Event(self.segment.plan.time(self.step), "checkpoint_failed", str(error)))
         self._written = time.monotonic()
 
     def _header(self) -> CheckpointHeader:

@@ -12,7 +12,7 @@ import numpy as np
 
 from runtime.contract.model import Model, ModelError
 from runtime.results.solution import Solution
-from runtime.running.checkpoint import Checkpoint, read_checkpoint
+from runtime.running.checkpoint import Checkpoint, claim, read_checkpoint
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan, make_plan, whole_number
 from runtime.running.record import record_of
@@ -73,7 +73,7 @@ class Further:
     checkpoint_every: int | None = None
 
     def rule(self) -> CheckpointRule:
-        """When checkpoints are written. Raises SchemeError."""
+        """When checkpoints are written, and that they can be. Raises SchemeError or OutputError."""
         every = None if self.checkpoint_every is None else whole_number(self.checkpoint_every)
         if self.checkpoint_every is not None and (every is None or every < 1):
             raise SchemeError(
@@ -83,6 +83,8 @@ class Further:
             )
         if every is not None and self.checkpoint is None:
             raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
+        if self.checkpoint is not None:
+            claim(self.checkpoint)
         return CheckpointRule(None if self.checkpoint is None else Path(self.checkpoint), every)
 
 

@@ -1,0 +1,107 @@
+"""Places that a run writes to: tried before it starts, and nothing in memory is lost where they fail later."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import resume, simulate
+from runtime.contract.files import STALE, OutputError, replacing, write_text
+from runtime.contract.model import Model
+from runtime.results.stream import ROWS, StreamFile, read_blocks
+from runtime.running.checkpoint import Checkpoint
+from symgen.scenes.pendulum import pendulum
+
+Load = Callable[[str], Model]
+
+
+@pytest.mark.parametrize("place", ["folder", "nul\0name", "/proc/x", "/dev/null", "scene.toml"])
+def test_a_checkpoint_that_cannot_be_written_stops_the_run_before_it_starts(
+    built_in: Load, place: str, tmp_path: Path
+) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "scene.toml").write_text(pendulum().to_toml())
+    path = place if place.startswith("/") else str(tmp_path / place)
+    seen: list[float] = []
+    with pytest.raises(OutputError):
+        simulate(built_in("pendulum"), checkpoint=path, progress=lambda t, end: seen.append(t))
+    assert not seen
+    assert (tmp_path / "scene.toml").read_text() == pendulum().to_toml()
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["folder", "scene.toml"]
+
+
+def test_an_older_checkpoint_may_be_replaced(built_in: Load, tmp_path: Path) -> None:
+    path = tmp_path / "run.npz"
+    for _ in range(2):
+        simulate(built_in("pendulum"), t_end=0.2, dt=1e-3, checkpoint=path, checkpoint_every=50)
+    assert resume(built_in("pendulum"), path).status.ok
+
+
+def test_a_checkpoint_that_fails_on_the_way_costs_nothing(built_in: Load, tmp_path: Path, monkeypatch) -> None:
+    def full(self: Checkpoint, path: str | Path) -> None:
+        raise OutputError(f"{path} cannot be written (No space left on device)")
+
+    monkeypatch.setattr(Checkpoint, "write", full)
+    arguments = {"t_end": 0.2, "dt": 1e-3, "save_every": 10}
+    found = simulate(built_in("pendulum"), **arguments, checkpoint=tmp_path / "run.npz", checkpoint_every=50)
+    monkeypatch.undo()
+    undisturbed = simulate(built_in("pendulum"), **arguments)
+    assert found.status.ok
+    np.testing.assert_array_equal(found.q, undisturbed.q)
+    assert [event.kind for event in found.events] == ["checkpoint_failed"]
+    assert "No space left" in found.events[0].text
+
+
+def test_two_runs_do_not_write_one_stream(built_in: Load, tmp_path: Path) -> None:
+    first = StreamFile(tmp_path / "rows", [("t", ())])
+    with pytest.raises(OutputError, match="another run"):
+        simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path / "rows")
+    first.close()
+    assert simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path / "rows").status.ok
+    assert simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path / "rows").status.ok
+
+
+def test_rows_of_somebody_else_are_not_written_over(built_in: Load, tmp_path: Path) -> None:
+    (tmp_path / ROWS).write_bytes(b"mine")
+    with pytest.raises(OutputError, match="no stream of samples"):
+        simulate(built_in("pendulum"), t_end=0.1, dt=1e-3, stream=tmp_path)
+    assert (tmp_path / ROWS).read_bytes() == b"mine"
+
+
+def test_a_stream_that_takes_no_more_ends_the_run_by_name(built_in: Load, tmp_path: Path, monkeypatch) -> None:
+    """The disk is full after some rows: status with the time, the rows before it stay readable."""
+    append, blocks = StreamFile.append, []
+
+    def until_full(self: StreamFile, block: np.ndarray) -> None:
+        if blocks:
+            raise OutputError(f"{self.folder} takes no more samples (No space left on device); make room")
+        blocks.append(len(block))
+        append(self, block)
+
+    monkeypatch.setattr(StreamFile, "append", until_full)
+    run = simulate(built_in("pendulum"), t_end=5.0, dt=1e-3, save_every=1, stream=tmp_path / "rows")
+    assert run.status.name == "output_failed"
+    assert 0 < run.status.time < 5.0
+    assert "No space left" in run.status.cause
+    assert sum(len(block["t"]) for block in read_blocks(tmp_path / "rows")) == blocks[0]
+
+
+def test_what_killed_processes_left_is_removed(tmp_path: Path) -> None:
+    stale, recent, other = (
+        tmp_path / name for name in (".writing-run-a.npz", ".writing-run-b.npz", ".writing-x-c.npz")
+    )
+    for path in (stale, recent, other):
+        path.write_text("")
+    old = time.time() - STALE - 10
+    os.utime(stale, (old, old))
+    os.utime(other, (old, old))
+    write_text(tmp_path / "run.npz", "new")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([other.name, recent.name, "run.npz"])
+    with pytest.raises(KeyboardInterrupt), replacing(tmp_path / "run.npz"):
+        raise KeyboardInterrupt
+    assert (tmp_path / "run.npz").read_text() == "new"
