@@ -5,9 +5,9 @@ The rooms, from what everything stands on to what stands on everything:
     contract    what both halves share: an emitted model, its names, units and formats
     engine      straight-line programs, interpreted or compiled
     schemes     time stepping schemes as such programs, baselines included
-    modes       frequencies of the condensed equations
-    start       where a motion starts
     results     what is kept of a run and computed from it
+    operating   equilibria, steady motion, and the linear systems about them
+    start       where a motion starts
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
     studies     many runs: stability, work-precision, advice
@@ -32,6 +32,13 @@ if TYPE_CHECKING:
     from runtime.contract.model import Model, ModelError
     from runtime.contract.records import Group
     from runtime.contract.status import Status
+    from runtime.operating.campbell import campbell
+    from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
+    from runtime.operating.linearisation import Linearisation
+    from runtime.operating.linearise import linearise
+    from runtime.operating.mode_motion import mode_motion
+    from runtime.operating.modes import modes
+    from runtime.operating.unbalance import unbalance_response
     from runtime.results.solution import Solution
     from runtime.running.simulate import resume
     from runtime.schemes.catalogue import SCHEMES
@@ -41,10 +48,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "SCHEMES",
+    "Equilibrium",
     "Group",
     "InitialStateError",
+    "Linearisation",
     "Model",
     "ModelError",
+    "NoEquilibrium",
     "Options",
     "OutputError",
     "SchemeError",
@@ -53,11 +63,17 @@ __all__ = [
     "SymgenError",
     "animation",
     "augmented_solution",
+    "campbell",
+    "equilibrium",
+    "linearise",
     "load_model",
+    "mode_motion",
+    "modes",
     "plots",
     "reference_solution",
     "resume",
     "simulate",
+    "unbalance_response",
 ]
 
 _HOMES = {
@@ -71,6 +87,15 @@ _HOMES = {
     "Model": "contract.model",
     "ModelError": "contract.model",
     "Status": "contract.status",
+    "Equilibrium": "operating.equilibrium",
+    "NoEquilibrium": "operating.equilibrium",
+    "equilibrium": "operating.equilibrium",
+    "Linearisation": "operating.linearisation",
+    "linearise": "operating.linearise",
+    "modes": "operating.modes",
+    "campbell": "operating.campbell",
+    "mode_motion": "operating.mode_motion",
+    "unbalance_response": "operating.unbalance",
     "Solution": "results.solution",
     "resume": "running.simulate",
     "SCHEMES": "schemes.catalogue",

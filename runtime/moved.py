@@ -9,6 +9,7 @@ from importlib import import_module
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from types import ModuleType
+from typing import Any
 
 # as documented up to version 0.3
 MOVED = {
@@ -18,6 +19,7 @@ MOVED = {
     "runtime.export": "runtime.results.export",
     "runtime.loading": "runtime.contract.loading",
     "runtime.model": "runtime.contract.model",
+    "runtime.modes.modes": "runtime.operating.mode_solver",
     "runtime.opponents": "runtime.baselines",
     "runtime.plots": "runtime.views.plots",
     "runtime.reference": "runtime.baselines.reference",
@@ -26,7 +28,7 @@ MOVED = {
     "runtime.simulate": "runtime.running.simulate",
     "runtime.solution": "runtime.results.solution",
     "runtime.stability.chart": "runtime.studies.stability.chart",
-    "runtime.stability.modes": "runtime.modes.modes",
+    "runtime.stability.modes": "runtime.operating.mode_solver",
     "runtime.stability.spectrum": "runtime.studies.stability.spectrum",
     "runtime.status": "runtime.contract.status",
     "runtime.stepper": "runtime.schemes.stepper",
@@ -37,6 +39,13 @@ RENAMED = {
     "runtime.status": {"NoResult": ("runtime.contract.errors", "NoResult")},
 }
 PARENTS = frozenset(name.rpartition(".")[0] for name in MOVED if name.count(".") > 1) - {"runtime.running"}
+
+
+class _CallablePackage(ModuleType):
+    """The empty package `runtime.modes`, which must not hide the function of that name once it is imported."""
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        return import_module("runtime.operating.modes").modes(*arguments, **named)
 
 
 class _Redirect(MetaPathFinder, Loader):
@@ -51,7 +60,7 @@ class _Redirect(MetaPathFinder, Loader):
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
         if spec.name in PARENTS:
-            return None
+            return _CallablePackage(spec.name) if spec.name == "runtime.modes" else None
         new = MOVED[spec.name]
         warnings.warn(f"{spec.name} is {new} since 0.4; the old name goes with 0.5", DeprecationWarning, stacklevel=2)
         module = import_module(new)

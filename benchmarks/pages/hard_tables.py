@@ -14,7 +14,7 @@ import numpy as np
 from runtime import load_model
 from runtime.baselines.reference import reference_solution
 from runtime.contract.model import Model
-from runtime.modes.modes import modes_at
+from runtime.operating.mode_solver import modes_at
 from runtime.results.solution import Solution
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
@@ -38,11 +38,11 @@ Written by `python -m benchmarks.pages.hard_tables --publish`; every number is c
 A scheme is judged on the graded coordinates: the rigid and lateral ones of q_i. Axial coordinates are not graded, and
 of the two oscillators only the slow one is.
 
-Frequencies are `Modes.undamped` of `runtime/modes/modes.py`: those of the condensed equations linearised without
-their velocity terms, at the start and the largest of each over the motion. Zero is a direction without stiffness or
-with negative stiffness. Where something dissipates, the rate is the fastest decay at the start, the largest -Re of the
-eigenvalues of the linearised equations: an `rk4` step must stay below 2.785 / rate, while central difference takes the
-damper implicitly, by its Newton step on the velocities.
+Frequencies are `Modes.undamped` of `runtime/operating/mode_solver.py`: those of the condensed equations linearised
+without their velocity terms, at the start and the largest of each over the motion. Zero is a direction without
+stiffness or with negative stiffness. Where something dissipates, the rate is the fastest decay at the start, the
+largest -Re of the eigenvalues of the linearised equations: an `rk4` step must stay below 2.785 / rate, while central
+difference takes the damper implicitly, by its Newton step on the velocities.
 
 The reference is DOP853 on the emitted functions at rtol = {fine:g}; agreement is the largest difference, anywhere in
 the motion, to rtol = {coarse:g}, relative to a coordinate's amplitude (half of largest less smallest). Evaluations are

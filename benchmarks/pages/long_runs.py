@@ -11,7 +11,7 @@ import numpy as np
 
 from runtime import load_model, simulate
 from runtime.contract.model import Model
-from runtime.modes.modes import State
+from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.studies.stability.spectrum import StepSpectrum

@@ -1,5 +1,8 @@
 """Start in quasi-static elastic equilibrium: elastic coordinates follow the loads without vibrating.
 
+The equilibrium is one that small vibrations do not leave, unless others are asked for: a beam beyond its buckling
+load has a straight one too.
+
 At given rigid coordinates and rates the elastic coordinates q_e are those for which q_e_ddot = 0 satisfies the
 equations of motion; their rates are those of this equilibrium along the rigid motion. What vibration is left is of
 the order of (rigid rate / elastic frequency)^2.
@@ -12,22 +15,27 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
 from runtime.contract.model import Model
+from runtime.operating.newton import Balance, balanced
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.stage_equations import StageEquations
 
-MAX_ITERATIONS = 30
-TOLERANCE = 1e-12  # of the largest correction, times the largest elastic coordinate
 CLOSURE_ITERATIONS = 4
 PASSES = 3  # equilibrium and rates depend on each other weakly
+UNSTABLE = 1e-10  # curvature, relative to the largest one, beyond which it is more than rounding
 SMALL_MOTION = 1e-4  # rad or m that rigid coordinates move between the two equilibria whose difference is the rate
 
 
-def quasi_static_state(model: Model, c: np.ndarray, t: float, state: ConsistentState) -> ConsistentState:
-    """The state with elastic coordinates in equilibrium. Raises InitialStateError where there is none in reach."""
+def quasi_static_state(
+    model: Model, c: np.ndarray, t: float, state: ConsistentState, unstable: bool = False
+) -> ConsistentState:
+    """The state with elastic coordinates in equilibrium. Raises InitialStateError where there is none in reach.
+
+    unstable: may the equilibrium be one that the elastic coordinates leave (a buckled body, straight)?
+    """
     elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
     if not elastic:
         return state
-    solver = _Equilibrium(model, elastic, c)
+    solver = _Equilibrium(model, elastic, c, unstable)
     columns = model.independent_columns
     q_i, v = state.q[columns].copy(), state.q_dot[columns].copy()
     loop = state.q[model.loop_columns]
@@ -53,8 +61,8 @@ def quasi_static_state(model: Model, c: np.ndarray, t: float, state: ConsistentS
 
 
 class _Equilibrium:
-    def __init__(self, model: Model, elastic: list[int], c: np.ndarray) -> None:
-        self.model, self.elastic, self.c = model, elastic, c
+    def __init__(self, model: Model, elastic: list[int], c: np.ndarray, unstable: bool) -> None:
+        self.model, self.elastic, self.c, self.unstable = model, elastic, c, unstable
         n = len(model.q_i)
         rigid = [k for k in range(n) if k not in elastic]
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
@@ -62,30 +70,40 @@ class _Equilibrium:
         equations = StageEquations(model, constants)
         motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
         M_hat, Q_hat = equations.condensed(motion, v)
-        residual = Q_hat[elastic]
+        residual, mass = Q_hat[elastic], M_hat[elastic, elastic]
         if rigid:
-            residual = residual - ca.mtimes(M_hat[elastic, rigid], solve_symmetric(M_hat[rigid, rigid], Q_hat[rigid]))
+            sides = ca.horzcat(Q_hat[rigid], M_hat[rigid, elastic])
+            columns = [solve_symmetric(M_hat[rigid, rigid], sides[:, k]) for k in range(sides.size2())]
+            residual = residual - ca.mtimes(M_hat[elastic, rigid], columns[0])
+            mass = mass - ca.mtimes(M_hat[elastic, rigid], ca.horzcat(*columns[1:]))
         inputs = [t, q, v, loop, constants]
-        self._residual = ca.Function("residual", inputs, [residual, ca.jacobian(residual, q)[:, elastic]])
+        outputs = [residual, ca.jacobian(residual, q)[:, elastic], mass]
+        self._residual = ca.Function("residual", inputs, [ca.densify(output) for output in outputs])
         self._closed = ca.Function("closed", inputs, [motion.q_d, equations.rates(motion, v)])
 
     def solve(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> np.ndarray:
-        """q_i with its elastic entries in equilibrium, by Newton."""
+        """q_i with its elastic entries in equilibrium."""
         q = q_i.copy()
-        for _ in range(MAX_ITERATIONS):
-            residual, slope = self._residual(t, q, v, loop, self.c)
-            residual, slope = np.asarray(residual).ravel(), np.asarray(slope)
-            finite = np.isfinite(residual).all() and np.isfinite(slope).all()
-            if not finite or np.linalg.matrix_rank(slope) < len(slope):
-                break
-            step = np.linalg.solve(slope, residual)
-            q[self.elastic] -= step
-            if np.abs(step).max() <= TOLERANCE * max(1e-6, float(np.abs(q[self.elastic]).max())):
-                return q
-        raise InitialStateError(
-            "there is no quasi-static elastic equilibrium in reach of the initial state "
-            "(a soft or buckled body?): start = given, with elastic coordinates of your own"
-        )
+
+        def balance(x: np.ndarray) -> Balance | None:
+            q[self.elastic] = x
+            residual, slope, mass = (np.asarray(value) for value in self._residual(t, q, v, loop, self.c))
+            finite = all(np.isfinite(value).all() for value in (residual, slope, mass))
+            return (residual.ravel(), slope, mass) if finite else None
+
+        found = balanced(balance, q_i[self.elastic])
+        at = balance(found.x) if found.converged else None
+        if at is None or _soft(at):
+            raise InitialStateError(
+                "there is no quasi-static elastic equilibrium in reach of the initial state "
+                "(a soft or buckled body?): start = given, with elastic coordinates of your own"
+            )
+        if not self.unstable and float(_curvatures(at).max()) > UNSTABLE * float(np.abs(_curvatures(at)).max()):
+            raise InitialStateError(
+                "the quasi-static elastic equilibrium is unstable (a body beyond its buckling load or speed?): give an "
+                "elastic coordinate a small value to start from, or ask for it with start = quasi_static_unstable"
+            )
+        return q
 
     def closed(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates."""
@@ -95,3 +113,13 @@ class _Equilibrium:
         q[self.model.dependent_columns] = np.asarray(q_d).ravel()
         q_dot[self.model.dependent_columns] = np.asarray(q_d_dot).ravel()
         return q, q_dot
+
+
+def _curvatures(at: Balance) -> np.ndarray:
+    """Real parts of the squares of the rates at which small deviations grow or, negative, vibrate [1/s^2]."""
+    return np.asarray(np.linalg.eigvals(np.linalg.solve(at[2], at[1])).real)
+
+
+def _soft(at: Balance) -> bool:
+    """Is there an elastic coordinate without stiffness?"""
+    return bool(np.linalg.matrix_rank(at[1]) < len(at[1]))

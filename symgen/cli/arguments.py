@@ -70,8 +70,8 @@ def add_motion_options(command: argparse.ArgumentParser) -> None:
     )
     group.add_argument(
         "--start",
-        choices=("given", "quasi_static"),
-        help="elastic coordinates as given, or in equilibrium with the rigid motion",
+        choices=("given", "quasi_static", "quasi_static_unstable"),
+        help="elastic coordinates as given, or in equilibrium with the rigid motion (stable, or any)",
     )
 
 

@@ -5,10 +5,42 @@ from __future__ import annotations
 import argparse
 from importlib.metadata import PackageNotFoundError, version
 
-from symgen.cli import advise, animate, demo, generate, listing, new, reporting, resume, show, simulate, stability, view
+from symgen.cli import (
+    advise,
+    animate,
+    campbell,
+    demo,
+    equilibrium,
+    generate,
+    listing,
+    modes,
+    new,
+    reporting,
+    resume,
+    show,
+    simulate,
+    stability,
+    view,
+)
 from symgen.cli.arguments import Parser
 
-COMMANDS = (new, listing, show, generate, simulate, resume, view, animate, stability, advise, reporting, demo)
+COMMANDS = (
+    new,
+    listing,
+    show,
+    generate,
+    simulate,
+    resume,
+    view,
+    animate,
+    equilibrium,
+    modes,
+    campbell,
+    stability,
+    advise,
+    reporting,
+    demo,
+)
 
 
 def parser() -> argparse.ArgumentParser:

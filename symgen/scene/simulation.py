@@ -60,7 +60,8 @@ class Baumgarte(StrictModel):
 class Simulation(StrictModel):
     """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
 
-    start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into equilibrium with it.
+    start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
+    with it, `quasi_static_unstable` into any.
     """
 
     t_end: Number = 1.0
@@ -68,4 +69,4 @@ class Simulation(StrictModel):
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
     scheme: SchemeName = "printed"
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
-    start: Literal["given", "quasi_static"] = "given"
+    start: Literal["given", "quasi_static", "quasi_static_unstable"] = "given"

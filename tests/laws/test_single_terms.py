@@ -12,7 +12,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.modes.modes import State
+from runtime.operating.mode_solver import State
 from runtime.results.stream import StreamFile
 from runtime.running.singular.exchange import best_exchange
 from runtime.schemes.catalogue import scheme_kind

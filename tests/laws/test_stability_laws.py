@@ -12,7 +12,7 @@ import scipy.linalg
 from runtime import simulate
 from runtime.contract.model import Model
 from runtime.engine.compiled import find_compiler
-from runtime.modes.modes import ModeSolver, State
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability import limits

@@ -11,7 +11,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.modes.modes import ModeSolver
+from runtime.operating.mode_solver import ModeSolver
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8, ExplicitRungeKutta
 from runtime.schemes.step_limit import central_difference_limit, limit_between_the_axes
 

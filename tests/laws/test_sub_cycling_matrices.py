@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from runtime.contract.model import Model
-from runtime.modes.modes import State
+from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.limits import SHARE_OF_FREQUENCY, StabilityStudy
 from runtime.studies.stability.spectrum import ExactMotion

@@ -10,7 +10,7 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.modes.modes import Modes, modes_at
+from runtime.operating.mode_solver import Modes, modes_at
 from runtime.results.solution import Solution
 from symgen.scene import Scene
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase

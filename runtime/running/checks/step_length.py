@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.status import Status
-from runtime.modes.modes import ModeSolver, State
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.checks.check import Check, Subject
 from runtime.schemes.step_limit import StepLimit
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.modes.modes import ModeSolver, State
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.options import SchemeError
 from runtime.studies.advice.frequencies import Groups, ModeRange, mode_ranges, propose_groups

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.modes.modes import Modes, ModeSolver, State
+from runtime.operating.mode_solver import Modes, ModeSolver, State
 
 TAKES_PART = 0.2  # share of a mode's kinetic energy from which a coordinate counts as moving in it
 WIDE_GAP = 4.0  # ratio of neighbouring frequencies from which two step sizes are worth a thought

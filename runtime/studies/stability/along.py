@@ -8,7 +8,7 @@ import numpy as np
 
 from runtime.baselines.reference import reference_solution
 from runtime.contract.model import Model
-from runtime.modes.modes import State, state_at
+from runtime.operating.mode_solver import State, state_at
 
 RTOL, ATOL = 1e-7, 1e-10
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.files import write_text
 from runtime.contract.model import Model, ModelError
-from runtime.modes.modes import State
+from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityCurve, StabilityStudy, usual_steps

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.modes.modes import State
+from runtime.operating.mode_solver import State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.modes.modes import ModeSolver, State
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.scheme import Scheme
 from runtime.studies.stability.tangent import TangentStep

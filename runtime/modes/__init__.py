@@ -1,1 +1,0 @@
-"""Frequencies of the condensed, linearised equations."""

@@ -1,0 +1,1 @@
+"""States at which a model rests or turns steadily, and the linear systems about them."""

@@ -1,0 +1,127 @@
+"""Forces at rest or in steady motion with some coordinates clamped, and the directions that are left free."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.model import Model
+from runtime.operating.functions import PointFunctions, PointValues
+from runtime.operating.mode_solver import State
+from runtime.operating.newton import LARGEST_STEP, Balance, Found, balanced
+
+PLACED = 1e-13  # rad or m: how well clamped dependent coordinates meet their values
+MOST_PLACINGS = 60
+
+
+def clamped_directions(S: np.ndarray) -> np.ndarray:
+    """Orthonormal basis (n_i x k) of the directions of q_i in which the clamped coordinates, rows of S, do not move."""
+    if not len(S):
+        return np.eye(S.shape[1])
+    unit = (np.count_nonzero(S, axis=1) == 1).all()
+    if unit:  # independent coordinates, or ones that follow a single one: the others stay as they are
+        moving = np.flatnonzero(~S.any(axis=0))
+        return np.eye(S.shape[1])[:, moving]
+    _, s, V = np.linalg.svd(S)
+    rank = int(np.sum(s > 1e-12 * s[0]))
+    return np.asarray(V[rank:].T)
+
+
+@dataclass
+class Clamped:
+    """A model with coordinates `rows` of q clamped at `goal`, at time t [s] and rates v (n_i).
+
+    It remembers the loop unknowns of the last state, from which the next closure starts.
+    """
+
+    model: Model
+    functions: PointFunctions
+    t: float
+    v: np.ndarray
+    rows: list[int]
+    goal: np.ndarray
+    loop: np.ndarray
+
+    def state(self, q_i: np.ndarray) -> State:
+        """The state at q_i."""
+        return State(self.t, q_i, self.v, self.loop)
+
+    def values(self, q_i: np.ndarray) -> PointValues | None:
+        """All functions at q_i, or None where they are not finite or the loops do not close."""
+        found = self.functions(self.state(q_i))
+        if not found.usable:
+            return None
+        self.loop = found.loop
+        return found
+
+    def holding(self, at: PointValues) -> np.ndarray:
+        """(k,) forces on the clamped coordinates that keep them, of least norm: S_k^T f = -Q_hat."""
+        if not self.rows:
+            return np.zeros(0)
+        return np.asarray(np.linalg.lstsq(at.S[self.rows].T, -at.Q, rcond=1e-12)[0])
+
+    def slope(self, q_i: np.ndarray, at: PointValues) -> np.ndarray:
+        """dQ_hat/dq_i with the holding forces constant (n_i x n_i)."""
+        dependent = [self.model.coordinates[row] not in self.model.q_i for row in self.rows]
+        if not any(dependent):
+            return at.J_q
+        force = np.zeros(len(self.model.coordinates))
+        force[self.rows] = self.holding(at)
+        return np.asarray(at.J_q + self.functions.pull_slope(replace(self.state(q_i), loop=at.loop), force))
+
+    def free(self, at: PointValues) -> np.ndarray:
+        """Directions in which the clamped coordinates do not move (n_i x k)."""
+        return clamped_directions(at.S[self.rows])
+
+    def balance(self, q_i: np.ndarray) -> Balance | None:
+        """Force, slope and mass in the free directions."""
+        at = self.values(q_i)
+        if at is None:
+            return None
+        Z = self.free(at)
+        return Z.T @ at.Q, Z.T @ self.slope(q_i, at) @ Z, Z.T @ at.M @ Z
+
+    def advance(self, q_i: np.ndarray, step: np.ndarray) -> np.ndarray | None:
+        """q_i after a step in the free directions, with clamped coordinates back on their values."""
+        at = self.values(q_i)
+        return None if at is None else self.placed(q_i + self.free(at) @ step)
+
+    def placed(self, q_i: np.ndarray) -> np.ndarray | None:
+        """The nearest q_i at which the clamped coordinates have their values; None if there is none in reach."""
+        if not self.rows:
+            return q_i
+        for _ in range(MOST_PLACINGS):
+            at = self.values(q_i)
+            if at is None:
+                return None
+            off = at.q[self.rows] - self.goal
+            if np.abs(off).max() <= PLACED * max(1.0, float(np.abs(self.goal).max())):
+                return q_i
+            step = np.linalg.lstsq(at.S[self.rows], off, rcond=1e-12)[0]
+            q_i = q_i - step * min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
+        return None
+
+    def solve(self, q_i: np.ndarray) -> Found:
+        """Equilibrium in the free directions."""
+        placed = self.placed(q_i)
+        if placed is None:
+            return Found(q_i, False, np.zeros(0), 0)
+        return balanced(self.balance, placed, self.advance)
+
+
+def steady_rates(
+    functions: PointFunctions, t: float, q_i: np.ndarray, loop: np.ndarray, rates: dict[str, float]
+) -> np.ndarray:
+    """q_i_dot (n_i) of least size that gives the rates; what is not given rests. Raises InitialStateError."""
+    model, n = functions.model, len(functions.model.q_i)
+    if not rates:
+        return np.zeros(n)
+    at = functions(State(t, q_i, np.zeros(n), loop))
+    rows = [model.coordinates.index(name) for name in rates]
+    wanted = np.array(list(rates.values())) - at.q_dot[rows]
+    v = np.linalg.lstsq(at.S[rows], wanted, rcond=1e-12)[0]
+    if np.abs(at.S[rows] @ v - wanted).max() > 1e-9 * max(1.0, float(np.abs(wanted).max())):
+        raise InitialStateError(f"{', '.join(rates)} cannot have these rates: they depend on each other, or are given")
+    return np.where(np.abs(v) > 1e-14 * np.abs(v).max(initial=0.0), v, 0.0)

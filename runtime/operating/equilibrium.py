@@ -1,0 +1,238 @@
+"""Where a model rests or turns steadily: Q_hat(q_i, q_i_dot) = 0 with constant rates (Eq. 38 with q_i_ddot = 0)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.errors import NoResult
+from runtime.contract.model import Model, ModelError
+from runtime.operating.balance import Clamped, clamped_directions, steady_rates
+from runtime.operating.functions import PointFunctions, PointValues
+from runtime.operating.given_state import given_position
+from runtime.operating.modal import modal_analysis
+from runtime.operating.mode_solver import State
+from runtime.operating.newton import Found
+from runtime.operating.trim import trimmed
+
+ROUNDING = 1e-13  # of the largest stiffness
+UNSTEADY = 1e-9  # change of the forces along the motion, relative to what the stiffness makes of it
+
+
+class NoEquilibrium(NoResult):
+    """No equilibrium in reach: the message tells the largest force that is left, and where; residual: all of them."""
+
+    def __init__(self, message: str, residual: Mapping[str, float]) -> None:
+        super().__init__(message)
+        self.residual = dict(residual)
+
+
+@dataclass(frozen=True, repr=False)
+class Equilibrium:
+    """A state at which nothing but the coordinates with given rates moves.
+
+    t [s]; q, q_dot (n,) in the order of model.coordinates; parameters: the vector p; state: t, q_i, q_i_dot and loop
+    unknowns; held: coordinates that are clamped; turning: those with a given rate; holding: the generalised force
+    [N, N m] that each of them needs to stay so; trimmed: inputs that were solved for; eigenvalues [1/s] and stable: of
+    small motions with the held coordinates clamped; steady: do the forces stay the same as the motion goes on? (If
+    not, this is an instant of a motion that is not steady.)
+    """
+
+    model: Model
+    q: np.ndarray
+    q_dot: np.ndarray
+    parameters: np.ndarray
+    state: State
+    held: tuple[str, ...]
+    turning: tuple[str, ...]
+    holding: dict[str, float]
+    trimmed: dict[str, float]
+    eigenvalues: np.ndarray
+    stable: bool
+    steady: bool
+    iterations: int
+
+    def __getitem__(self, name: str) -> float:
+        """A coordinate or rate (`_dot`) by name. Raises ModelError for an unknown name."""
+        for suffix, values in (("", self.q), ("_dot", self.q_dot)):
+            if name.endswith(suffix) and name.removesuffix(suffix) in self.model.coordinates:
+                return float(values[self.model.coordinates.index(name.removesuffix(suffix))])
+        raise ModelError(f"model {self.model.name} has no coordinate {name!r}; it has {_listed(self.model)}")
+
+    @property
+    def kind(self) -> str:
+        """`equilibrium`, or `steady motion` if something has a rate."""
+        return "steady motion" if self.turning else "equilibrium"
+
+    def __repr__(self) -> str:
+        words = [self.kind, "stable" if self.stable else "unstable"] + ([] if self.steady else ["not steady"])
+        values = ", ".join(f"{name} = {self[name]:.6g}" for name in self.model.q_i[:6])
+        return f"<{', '.join(words)} of {self.model.name}: {values}{', ...' if len(self.model.q_i) > 6 else ''}>"
+
+
+def equilibrium(
+    model: Model,
+    held: Mapping[str, float] | None = None,
+    rates: Mapping[str, float] | None = None,
+    inputs: Mapping[str, float | None] | None = None,
+    *,
+    parameters: Mapping[str, float] | None = None,
+    initial: Mapping[str, float] | None = None,
+    t: float = 0.0,
+) -> Equilibrium:
+    """The equilibrium reached from the model's initial state: Q_hat = 0 at constant rates.
+
+    held: coordinates clamped at a value [m, rad]; rates: coordinates that go on at a constant rate [m/s, rad/s], from
+    their held or initial position; inputs: parameters that loads depend on, set to a value, or None: solved for, so
+    that no held or turning coordinate needs a force (there must be as many); parameters, initial: changes by name;
+    t [s]: the time at which loads and prescribed motions are taken. Newton with exact derivatives, led away from
+    unstable equilibria unless it starts in one. Raises NoEquilibrium, InitialStateError and ModelError.
+    """
+    inputs = inputs or {}
+    held = {named(model, name): float(value) for name, value in (held or {}).items()}
+    rates = {named(model, name): float(value) for name, value in (rates or {}).items()}
+    trim = [name for name, value in inputs.items() if value is None]
+    given = {name: value for name, value in inputs.items() if value is not None}
+    p = model.parameter_vector({**(parameters or {}), **given})
+    fixed = [*held, *(name for name in rates if name not in held)]
+    _check_trim(model, trim, fixed)
+    clamped, q_i = _clamped(model, p, t, held, rates, fixed, initial or {})
+    found = clamped.solve(q_i)
+    if not found.converged:
+        raise _failure(model, clamped, found)
+    q_i, iterations = found.x, found.iterations
+    if trim:
+        trim_found = trimmed(model, clamped, q_i, p, trim)
+        if not trim_found.converged:
+            raise _no_trim(model, trim, fixed)
+        q_i, p, iterations = trim_found.q_i, trim_found.p, iterations + trim_found.iterations
+    values = dict(zip([parameter.name for parameter in model.parameters], p, strict=True))
+    return _told(clamped, q_i, p, tuple(held), tuple(rates), {name: float(values[name]) for name in trim}, iterations)
+
+
+def named(model: Model, name: str) -> str:
+    """The coordinate that a name means: itself, or `hub.omega` for the one angle that hub has. Raises ModelError."""
+    if name in model.coordinates:
+        return name
+    owner, _, last = name.rpartition(".")
+    angles = [entry.name for entry in model.description.coordinates if entry.owner == owner and entry.kind == "angle"]
+    if last == "omega" and len(angles) == 1:
+        return angles[0]
+    raise ModelError(f"model {model.name} has no coordinate {name!r}; it has {_listed(model)}")
+
+
+def force_unit(model: Model, name: str) -> str:
+    """SI unit of the generalised force on a coordinate."""
+    return "N m" if model.coordinate(name).turns else "N"
+
+
+def _listed(model: Model) -> str:
+    return ", ".join(model.coordinates[:20]) + (", ..." if len(model.coordinates) > 20 else "")
+
+
+def _check_trim(model: Model, trim: list[str], fixed: list[str]) -> None:
+    model.parameter_vector({name: 1.0 for name in trim})
+    if trim and len(trim) != len(fixed):
+        raise ModelError(
+            f"inputs to be solved for: {', '.join(trim)}; coordinates held or turning: {', '.join(fixed) or 'none'}. "
+            "There must be as many of both"
+        )
+
+
+def _clamped(
+    model: Model,
+    p: np.ndarray,
+    t: float,
+    held: Mapping[str, float],
+    rates: dict[str, float],
+    fixed: list[str],
+    initial: Mapping[str, float],
+) -> tuple[Clamped, np.ndarray]:
+    """The task with its clamped coordinates, and q_i where it starts."""
+    functions = PointFunctions(model, model.constants(p))
+    own = {name: value for name, value in held.items() if name in model.q_i}
+    rows = [model.coordinates.index(name) for name in fixed]
+    q_i, loop = given_position(model, p, functions.c, t, {**initial, **own})
+    task = Clamped(model, functions, t, np.zeros(len(q_i)), rows, np.zeros(0), loop)
+    at = task.values(q_i)
+    if at is not None:
+        task.goal = np.array([held.get(name, float(at.q[row])) for name, row in zip(fixed, rows, strict=True)])
+    placed = task.placed(q_i) if at is not None else None
+    if placed is None:
+        wanted = ", ".join(f"{name} = {held[name]:g}" for name in held) or "closed loops"
+        raise InitialStateError(
+            f"model {model.name} has no state with {wanted} in reach of its initial one: begin closer with "
+            "`initial`, or hold other coordinates"
+        )
+    task.v = steady_rates(functions, t, placed, task.loop, rates)
+    return task, placed
+
+
+def _told(
+    clamped: Clamped,
+    q_i: np.ndarray,
+    p: np.ndarray,
+    held: tuple[str, ...],
+    turning: tuple[str, ...],
+    trim: dict[str, float],
+    iterations: int,
+) -> Equilibrium:
+    model, at = clamped.model, clamped.values(q_i)
+    assert at is not None
+    Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]])
+    K = -clamped.slope(q_i, at)
+    modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ at.J_v @ Z, Z.T @ K @ Z)
+    forces = clamped.holding(at)
+    names = [model.coordinates[row] for row in clamped.rows]
+    return Equilibrium(
+        model=model,
+        q=at.q,
+        q_dot=at.q_dot,
+        parameters=p,
+        state=clamped.state(q_i),
+        held=held,
+        turning=turning,
+        holding={name: float(force) for name, force in zip(names, forces, strict=True)},
+        trimmed=trim,
+        eigenvalues=modal.every_eigenvalue,
+        stable=modal.stable,
+        steady=is_steady(at, clamped.v),
+        iterations=iterations,
+    )
+
+
+def is_steady(at: PointValues, v: np.ndarray) -> bool:
+    """Does d(Q_hat)/dt along the motion with rates v (n_i) vanish against what the stiffness makes of it?"""
+    change = np.abs(at.J_q @ v + at.Q_t)
+    rows = np.abs(at.J_q).max(axis=1, initial=0.0)
+    allowed = (UNSTEADY * rows + ROUNDING * rows.max(initial=0.0)) * float(np.abs(v).max(initial=0.0))
+    return bool(np.all(change <= allowed))
+
+
+def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
+    at = clamped.values(found.x)
+    if at is None:
+        return NoEquilibrium(
+            f"model {model.name}: the loops do not close, or a force is not finite, where it starts", {}
+        )
+    left = at.Q + at.S[clamped.rows].T @ clamped.holding(at)
+    residual = {name: float(value) for name, value in zip(model.q_i, left, strict=True)}
+    worst = max(residual, key=lambda name: abs(residual[name]))
+    unit = force_unit(model, worst)
+    return NoEquilibrium(
+        f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} {unit} "
+        f"is left at {worst} after {found.iterations} iterations. Hold that coordinate, give it a rate, or begin "
+        "elsewhere with `initial`",
+        residual,
+    )
+
+
+def _no_trim(model: Model, trim: list[str], fixed: list[str]) -> NoEquilibrium:
+    return NoEquilibrium(
+        f"model {model.name}: no value of {', '.join(trim)} in reach of the default keeps {', '.join(fixed)} without "
+        "a holding force. Do these inputs act on them?",
+        {},
+    )

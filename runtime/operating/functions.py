@@ -1,0 +1,113 @@
+"""The condensed equations, their total derivatives and the motion of all coordinates at one state, as one Function."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.operating.mode_solver import State
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
+
+CLOSURE_ITERATIONS = 4
+CLOSED = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
+ALREADY_CLOSED = 2  # Newton steps from a closed state, through which derivatives are exact to second order
+
+
+@dataclass(frozen=True)
+class PointValues:
+    """At a state: M_hat, Q_hat, J_q = d(Q_hat - M_hat a)/dq_i, J_v = dQ_hat/dq_i_dot (n_i x n_i) of Eq. (38), all
+    coordinates q and rates q_dot (n), S = dq/dq_i (n x n_i), the loop unknowns, how far the loops were open, and
+    Q_t = d(Q_hat - M_hat a)/dt at fixed q_i and q_i_dot (n_i).
+    """
+
+    M: np.ndarray
+    Q: np.ndarray
+    J_q: np.ndarray
+    J_v: np.ndarray
+    q: np.ndarray
+    q_dot: np.ndarray
+    S: np.ndarray
+    loop: np.ndarray
+    open_by: float
+    Q_t: np.ndarray
+
+    @property
+    def usable(self) -> bool:
+        """Are all values finite and the loops closed?"""
+        finite = all(np.isfinite(values).all() for values in (self.M, self.Q, self.J_q, self.J_v, self.q, self.S))
+        return finite and self.open_by < CLOSED
+
+
+class PointFunctions:
+    """Evaluates a model with constants c. Raises ModelError if it was generated without its Jacobians."""
+
+    def __init__(self, model: Model, c: np.ndarray) -> None:
+        self.model, self.c = model, c
+        self._function = model.derived("operating_point", lambda: _built(model))
+        self._pull = model.derived("pull_of_holding_forces", lambda: _pull(model)) if model.q_d else None
+
+    def __call__(self, state: State, a: np.ndarray | None = None) -> PointValues:
+        """Everything at a state; a (n_i): the accelerations about which J_q is taken, zero by default."""
+        a = np.zeros(len(self.model.q_i)) if a is None else a
+        found = self._function(state.t, state.q_i, state.q_i_dot, a, state.loop, self.c)
+        M, Q, J_q, J_v, q, q_dot, S, loop, open_by, Q_t = (np.asarray(value) for value in found)
+        vectors = (Q.ravel(), q.ravel(), q_dot.ravel(), loop.ravel(), Q_t.ravel())
+        return PointValues(
+            M, vectors[0], J_q, J_v, vectors[1], vectors[2], S, vectors[3], float(open_by.max()), vectors[4]
+        )
+
+    def pull_slope(self, state: State, force: np.ndarray) -> np.ndarray:
+        """d(S^T force)/dq_i (n_i x n_i) for constant generalised forces on all coordinates (n)."""
+        if self._pull is None:
+            return np.zeros((len(self.model.q_i),) * 2)
+        return np.asarray(self._pull(state.t, state.q_i, state.loop, force, self.c))
+
+
+def all_coordinates(model: Model, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
+    """q in the order of model.coordinates."""
+    where = {name: q_i[k] for k, name in enumerate(model.q_i)} | {name: q_d[k] for k, name in enumerate(model.q_d)}
+    return ca.vertcat(*(where[name] for name in model.coordinates))
+
+
+def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguration) -> ca.SX:
+    """S = dq/dq_i (n x n_i): the rates are affine in q_i_dot."""
+    v = ca.SX.sym("v", len(model.q_i))
+    rates = equations.rates(motion, v)
+    B = ca.jacobian(rates, v) if model.q_d else ca.SX(0, len(model.q_i))
+    rows = {name: B[k, :] for k, name in enumerate(model.q_d)}
+    unit = ca.SX.eye(len(model.q_i))
+    rows |= {name: unit[k, :] for k, name in enumerate(model.q_i)}
+    return ca.densify(ca.vertcat(*(rows[name] for name in model.coordinates)))
+
+
+def _built(model: Model) -> ca.Function:
+    """(t, q_i, q_i_dot, a, loop unknowns, c) -> the entries of PointValues."""
+    n = len(model.q_i)
+    t, q, v, a = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("a", n)
+    loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
+    equations = StageEquations(model, c)
+    motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
+    q_d_dot = equations.rates(motion, v)
+    M, Q = equations.condensed(motion, v)
+    arguments = {"q_i": q, "q_d": motion.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "q_i_ddot": a, "t": t}
+    J_q = (
+        equations.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - equations.call("dMa_dq_i", **arguments)["dMa_dq_i"]
+    )
+    J_v = equations.damping(motion, v) if velocity_dependent(model) else ca.SX.zeros(n, n)
+    outputs = [M, Q, J_q, J_v, all_coordinates(model, q, motion.q_d), all_coordinates(model, v, q_d_dot)]
+    outputs += [tangents(model, equations, motion), equations.loop_part(motion.q_d), motion.C_loop]
+    outputs.append(equations.force_rate(motion, v, a))
+    return ca.Function("operating_point", [t, q, v, a, loop, c], [ca.densify(value) for value in outputs])
+
+
+def _pull(model: Model) -> ca.Function:
+    """(t, q_i, loop unknowns, force, c) -> d(S^T force)/dq_i."""
+    t, q = ca.SX.sym("t"), ca.SX.sym("q", len(model.q_i))
+    loop, c = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
+    force = ca.SX.sym("force", len(model.coordinates))
+    equations = StageEquations(model, c)
+    pull = ca.mtimes(tangents(model, equations, equations.close(q, loop, t, ALREADY_CLOSED)).T, force)
+    return ca.Function("pull", [t, q, loop, force, c], [ca.densify(ca.jacobian(pull, q))])

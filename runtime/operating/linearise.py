@@ -1,0 +1,183 @@
+"""The condensed equations to first order about a state, with inputs and outputs by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import Model, ModelError
+from runtime.operating.balance import clamped_directions
+from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, is_steady, named
+from runtime.operating.functions import PointFunctions
+from runtime.operating.given_state import given_state
+from runtime.operating.linearisation import Linearisation
+from runtime.operating.mode_solver import State, state_at
+from runtime.operating.outputs import output_slopes
+from runtime.operating.trim import force_by_parameters
+from runtime.results.solution import Solution
+
+Place = Equilibrium | State | Mapping[str, float] | tuple[Solution, int] | None
+
+
+def linearise(
+    model: Model,
+    at: Place = None,
+    *,
+    inputs: Sequence[str] | None = None,
+    outputs: Sequence[str] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    locked: Sequence[str] | None = None,
+    t: float = 0.0,
+) -> Linearisation:
+    """M x'' + D x' + K x = B u, y = C (x, x') + D u about a state, from the exact derivatives of Eq. (38).
+
+    at: an `equilibrium(...)`; coordinates and rates by name (`_dot`), taken as they are; (solution, sample); or None:
+    the equilibrium reached from the initial state at the rigid rates that it has. inputs: coordinates (a generalised
+    force [N, N m]) or parameters; all independent coordinates by default. outputs: measures, coordinates, or rates
+    (`_dot`); the scene's measures by default, else the independent coordinates. parameters: changes by name, not with
+    an equilibrium or a solution, which have their own. locked: coordinates that stay as they are; those that the
+    equilibrium holds by default; t [s]: the time, if `at` does not say it. Raises ModelError, InitialStateError and
+    NoEquilibrium.
+    """
+    point = _point(model, at, parameters, t)
+    locked = tuple(named(model, name) for name in (point.held if locked is None else locked))
+    input_names = [_input(model, name) for name in inputs] if inputs is not None else list(model.q_i)
+    output_names = list(outputs if outputs is not None else model.measures or model.q_i)
+    functions = PointFunctions(model, model.constants(point.p))
+    here = functions(point.state)
+    resting = point.at_rest
+    a = np.zeros(len(model.q_i)) if resting else np.linalg.solve(here.M, here.Q)
+    values = here if resting else functions(point.state, a)
+    rows = [model.coordinates.index(name) for name in locked]
+    Z = clamped_directions(values.S[rows])
+    K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
+    B = _inputs(model, point, a, input_names, values.S)
+    C, through = _outputs(model, point, input_names, output_names)
+    n = len(model.q_i)
+    return Linearisation(
+        model=model,
+        parameters=point.p,
+        state=point.state,
+        M=Z.T @ values.M @ Z,
+        D=-Z.T @ values.J_v @ Z,
+        K=Z.T @ K @ Z,
+        B=Z.T @ B,
+        C=np.hstack([C[:, :n] @ Z, C[:, n:] @ Z]),
+        D_state=through,
+        names=_names(model, Z),
+        input_names=input_names,
+        output_names=output_names,
+        units=_units(model, [*model.q_i, *input_names, *output_names], input_names),
+        S=values.S @ Z,
+        q=values.q,
+        q_dot=values.q_dot,
+        residual=np.zeros(Z.shape[1]) if resting else Z.T @ here.Q,
+        steady=is_steady(here, point.state.q_i_dot),
+        locked=locked,
+    )
+
+
+@dataclass(frozen=True)
+class _Point:
+    """State and parameters; held coordinates; holding forces on all coordinates; is it an equilibrium?"""
+
+    state: State
+    p: np.ndarray
+    held: tuple[str, ...] = ()
+    holding: np.ndarray | None = None
+    at_rest: bool = False
+
+
+def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: float) -> _Point:
+    if at is None:
+        at = equilibrium(model, rates=starting_rates(model), parameters=parameters, t=t)
+    elif parameters and not isinstance(at, Mapping | State):
+        raise ModelError("parameters belong to the equilibrium or solution that is linearised about: give them there")
+    if isinstance(at, Equilibrium):
+        force = np.zeros(len(model.coordinates))
+        for name, value in at.holding.items():
+            force[model.coordinates.index(name)] = value
+        return _Point(at.state, at.parameters, at.held, force, True)
+    p = model.parameter_vector(parameters)
+    if isinstance(at, State):
+        return _Point(at, p)
+    if isinstance(at, tuple):
+        return _Point(state_at(*at), at[0].parameters)
+    found = given_state(model, p, model.constants(p), t, at)
+    columns = model.independent_columns
+    return _Point(State(t, found.q[columns], found.q_dot[columns], found.q[model.loop_columns]), p)
+
+
+def starting_rates(model: Model) -> dict[str, float]:
+    """The rates of rigid independent coordinates at the scene's start that are not zero."""
+    rates = {name: float(model.initial_q_dot[model.coordinates.index(name)]) for name in model.q_i}
+    return {name: rate for name, rate in rates.items() if rate != 0 and name not in model.elastic}
+
+
+def _held_slope(model: Model, functions: PointFunctions, point: _Point, S: np.ndarray, Q: np.ndarray) -> np.ndarray:
+    """What constant holding forces on dependent coordinates add to dQ_hat/dq_i."""
+    force = point.holding
+    dependent = [] if force is None else [k for k in np.flatnonzero(force) if model.coordinates[k] in model.q_d]
+    if force is None or not dependent:
+        return np.zeros((len(model.q_i),) * 2)
+    return functions.pull_slope(point.state, force)
+
+
+def _names(model: Model, Z: np.ndarray) -> list[str]:
+    """Names of x: coordinates where each direction is one of them."""
+    single = all(np.count_nonzero(column) == 1 for column in Z.T)
+    return [model.q_i[int(np.abs(column).argmax())] if single else f"free{k + 1}" for k, column in enumerate(Z.T)]
+
+
+def _input(model: Model, name: str) -> str:
+    if name in [parameter.name for parameter in model.parameters]:
+        return name
+    try:
+        return named(model, name)
+    except ModelError:
+        known = [*model.q_i, *(parameter.name for parameter in model.parameters if parameter.kind != "data")]
+        listed = ", ".join(known[:30])
+        raise ModelError(
+            f"model {model.name} has no input {name!r}: an input is a coordinate or a parameter, of {listed}"
+        ) from None
+
+
+def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S: np.ndarray) -> np.ndarray:
+    """(n_i, n_u) generalised forces on q_i of unit inputs."""
+    B = np.zeros((len(model.q_i), len(names)))
+    of_loads = [name for name in names if name not in model.coordinates]
+    if of_loads:
+        state = point.state
+        slope = model.derived(f"forces by {', '.join(of_loads)}", lambda: force_by_parameters(model, of_loads))
+        found = slope(state.t, state.q_i, state.q_i_dot, a, state.loop, point.p)
+        B[:, [names.index(name) for name in of_loads]] = np.asarray(found)
+    for k, name in enumerate(names):
+        if name in model.coordinates:
+            B[:, k] = S[model.coordinates.index(name)]
+    return B
+
+
+def _outputs(model: Model, point: _Point, inputs: Sequence[str], names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+    """(n_y, 2 n_i) and (n_y, n_u): derivatives of the outputs by (q_i, q_i_dot) and by the inputs."""
+    n, state = len(model.q_i), point.state
+    through = np.zeros((len(names), len(inputs)))
+    if not names:
+        return np.zeros((0, 2 * n)), through
+    loads = [k for k, name in enumerate(inputs) if name not in model.coordinates]
+    key = f"outputs {', '.join(names)} by {', '.join(inputs[k] for k in loads)}"
+    function = model.derived(key, lambda: output_slopes(model, names, [inputs[k] for k in loads]))
+    by_state, by_parameters = function(state.t, state.q_i, state.q_i_dot, state.loop, point.p)
+    through[:, loads] = np.asarray(by_parameters).reshape(len(names), len(loads))
+    return np.asarray(by_state).reshape(len(names), 2 * n), through
+
+
+def _units(model: Model, names: Sequence[str], inputs: Sequence[str]) -> dict[str, str]:
+    """SI units of coordinates, rates, measures and parameters; of an input coordinate that of its force."""
+    known = {measure.name: measure.unit for measure in model.description.measures}
+    known |= {parameter.name: parameter.unit for parameter in model.parameters}
+    for entry in model.description.coordinates:
+        known |= {entry.name: entry.unit, f"{entry.name}_dot": entry.unit_of(1)}
+    found = {name: known[name] for name in names if name in known}
+    return found | {f"force on {name}": force_unit(model, name) for name in inputs if name in model.coordinates}

@@ -1,0 +1,114 @@
+"""Newton's method for a balance of forces, kept from running to equilibria that are not stable.
+
+r(x) = 0 with the exact slope H = dr/dx. Where the symmetric part of H (in the metric of the mass matrix) has positive
+eigenvalues, x is on a hill of the potential: the step goes down it, with the eigenvalues' absolute values (the
+saddle-free Newton method, Dauphin et al. 2014), so that it ends in a valley unless it starts on a summit. Near the
+solution the step is Newton's own. Directions without stiffness are left alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+MAX_ITERATIONS = 200
+LARGEST_STEP = 0.5  # rad or m
+TOLERANCE = 1e-12  # of the largest correction, times the largest unknown
+STAGNANT = 1e-9  # a correction that small, but no longer shrinking, is rounding
+LEAST_SCALE = 1e-6  # rad or m
+UNBALANCED = 1e-9  # force in directions without stiffness, relative to the largest one met
+NO_STIFFNESS = 1e-12  # relative singular value below which a direction has none
+OVERSHOT = 0.9  # force along the step, reversed, relative to that at its start
+HALVINGS = 25
+
+Balance = tuple[np.ndarray, np.ndarray, np.ndarray]  # r (k), H (k x k), M (k x k)
+Evaluate = Callable[[np.ndarray], Balance | None]
+Advance = Callable[[np.ndarray, np.ndarray], np.ndarray | None]
+
+
+@dataclass(frozen=True)
+class Found:
+    """x (n); converged; residual: the r that is left (k); iterations."""
+
+    x: np.ndarray
+    converged: bool
+    residual: np.ndarray
+    iterations: int
+
+
+def added(x: np.ndarray, step: np.ndarray) -> np.ndarray:
+    """x + step: what advancing means where all unknowns are free."""
+    return np.asarray(x + step)
+
+
+def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added) -> Found:
+    """Solve r(x) = 0 from x (n,).
+
+    balance(x) gives (r, H, mass matrix) in k free directions, or None where it cannot be evaluated; advance(x, d) is
+    the point that a step d (k,) in them leads to, or None.
+    """
+    at = balance(x)
+    if at is None:
+        return Found(x, False, np.zeros(0), 0)
+    largest, before = 0.0, np.inf
+    for iteration in range(MAX_ITERATIONS):
+        r, H, M = at
+        if not len(r):
+            return Found(x, True, r, iteration)
+        L = np.linalg.cholesky(M)
+        g = np.linalg.solve(L, r)
+        A = np.linalg.solve(L, np.linalg.solve(L, H.T).T)
+        newton, left = _newton(A, g)
+        largest = max(largest, float(np.linalg.norm(g)))
+        step = np.linalg.solve(L.T, newton)
+        size, scale = float(np.abs(step).max()), max(LEAST_SCALE, float(np.abs(x).max()))
+        rounding = 1e-14 * float(np.linalg.norm(A, 2)) * max(1.0, float(np.linalg.norm(L)) * scale)
+        near = size <= STAGNANT * scale and left <= UNBALANCED * largest + rounding
+        if near and (size <= TOLERANCE * scale or size >= 0.5 * before):
+            return Found(x, True, r, iteration)
+        before = size
+        moved = _searched(balance, advance, x, np.linalg.solve(L.T, newton if near else _downhill(A, g)), r)
+        if moved is None:
+            break
+        x, at = moved
+    return Found(x, False, at[0], iteration)
+
+
+def _newton(A: np.ndarray, g: np.ndarray) -> tuple[np.ndarray, float]:
+    """(d of least norm with A d = -g, norm of the part of g that no d balances)."""
+    U, s, V = np.linalg.svd(A)
+    kept = s > NO_STIFFNESS * max(float(s[0]), 1e-300)
+    d = -V[kept].T @ ((U[:, kept].T @ g) / s[kept])
+    return d, float(np.linalg.norm(U[:, ~kept].T @ g))
+
+
+def _downhill(A: np.ndarray, g: np.ndarray) -> np.ndarray:
+    """Newton's step in a valley, else the step with the curvatures' absolute values, whatever is flat going on."""
+    values, vectors = np.linalg.eigh(0.5 * (A + A.T))
+    size = np.abs(values)
+    floor = NO_STIFFNESS * float(size.max())
+    parts = vectors.T @ g
+    flat = (size <= floor) & (np.abs(parts) > UNBALANCED * np.linalg.norm(g))
+    if values.max() <= floor and not flat.any():
+        return _newton(A, g)[0]
+    steps = np.where(size > floor, parts / np.where(size > floor, size, 1.0), 0.0)
+    longest = max(1.0, float(np.abs(steps).max(initial=0.0)))
+    return np.asarray(vectors @ np.where(flat, np.sign(parts) * longest, steps))
+
+
+def _searched(
+    balance: Evaluate, advance: Advance, x: np.ndarray, step: np.ndarray, r: np.ndarray
+) -> tuple[np.ndarray, Balance] | None:
+    """The step, at most LARGEST_STEP, halved while the force along it reverses by more than OVERSHOT of its start."""
+    step = step * min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
+    for _ in range(HALVINGS):
+        there = advance(x, step)
+        found = None if there is None else balance(there)
+        if there is not None and found is not None:
+            push = float(r @ step)
+            if push <= 0 or float(found[0] @ step) >= -OVERSHOT * push:
+                return there, found
+        step = 0.5 * step
+    return None

@@ -1,0 +1,88 @@
+"""Which mode is which after a parameter has changed: by the likeness of shapes, not by order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import linear_sum_assignment
+
+from runtime.operating.linearisation import Linearisation
+
+SURE = 0.7  # modal assurance from which two shapes are the same mode
+MOST_HALVINGS = 6  # of an interval in which shapes change too much to tell
+DISTANCE = 0.1  # weight of the eigenvalues' distance beside the assurance: decides between equal shapes
+
+
+@dataclass(frozen=True)
+class ModeState:
+    """Eigenvalues (n,) [1/s], frequencies (n,) [rad/s], damping ratios, shapes (n, n), and the mass matrix."""
+
+    eigenvalues: np.ndarray
+    frequencies: np.ndarray
+    damping_ratios: np.ndarray
+    shapes: np.ndarray
+    M: np.ndarray
+    names: list[str]
+
+    @staticmethod
+    def of(system: Linearisation) -> ModeState:
+        """The modes of a linear system."""
+        return ModeState(
+            system.eigenvalues,
+            system.frequencies,
+            system.damping_ratios,
+            system.shapes,
+            system.M,
+            system.mode_names,
+        )
+
+    def ordered(self, order: np.ndarray) -> ModeState:
+        """The same modes in another order."""
+        return ModeState(
+            self.eigenvalues[order],
+            self.frequencies[order],
+            self.damping_ratios[order],
+            self.shapes[:, order],
+            self.M,
+            [self.names[k] for k in order],
+        )
+
+
+def modal_assurance(left: np.ndarray, right: np.ndarray, M: np.ndarray) -> np.ndarray:
+    """(n_left, n_right) |a^H M b|^2 / (a^H M a  b^H M b) of complex shapes, columns: 1 for equal, 0 for orthogonal."""
+    cross = np.abs(left.conj().T @ M @ right) ** 2
+    sizes = [np.real(np.einsum("ik,ij,jk->k", shapes.conj(), M, shapes)) for shapes in (left, right)]
+    return np.asarray(cross / np.maximum(np.outer(*sizes), 1e-300))
+
+
+def tracked(
+    before: ModeState,
+    after: ModeState,
+    first: float,
+    last: float,
+    at: Callable[[float], ModeState],
+    left: int = MOST_HALVINGS,
+) -> ModeState:
+    """The modes `after` (at value `last`) in the order of those `before` (at `first`).
+
+    at(value) gives the modes in between, which are asked for where shapes change too much to be told, and where two
+    modes change places: frequencies that veer apart look like a crossing from afar.
+    """
+    order, sure = _matched(before, after)
+    crossed = bool(np.any(np.diff(order[np.argsort(before.frequencies, kind="stable")]) < 0))
+    if not left or (sure and not crossed):
+        return after.ordered(order)
+    middle = 0.5 * (first + last)
+    between = tracked(before, at(middle), first, middle, at, left - 1)
+    return tracked(between, after, middle, last, at, left - 1)
+
+
+def _matched(before: ModeState, after: ModeState) -> tuple[np.ndarray, bool]:
+    """(order of `after`, are all pairs alike?)."""
+    likeness = modal_assurance(before.shapes, after.shapes, 0.5 * (before.M + after.M))
+    apart = np.abs(before.eigenvalues[:, None] - after.eigenvalues[None, :])
+    scale = np.abs(before.eigenvalues)[:, None] + np.abs(after.eigenvalues)[None, :]
+    rows, columns = linear_sum_assignment(-likeness + DISTANCE * apart / np.maximum(scale, 1e-300))
+    return columns, bool(likeness[rows, columns].min(initial=1.0) >= SURE)

@@ -1,0 +1,111 @@
+"""Frequencies along a speed or parameter: crossings, veering, whirl, unbalance, against exact figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import campbell, unbalance_response
+from runtime.contract.model import Model, ModelError
+from symgen.scene import Scene, SceneBuilder
+from tests.support.rotor_scenes import gimbal
+
+Build = Callable[[Scene], Model]
+
+
+def two_sliders(coupling: float) -> Scene:
+    """1 kg on k_1 = stiff and 1 kg on 100 N/m, on two rails, joined by a weak spring."""
+    return (
+        SceneBuilder("two_sliders")
+        .parameter("stiff", 50.0, "N/m", "stiffness of the first")
+        .parameter("joint", coupling, "N/m", "stiffness between them")
+        .rigid("first", mass=1.0, inertia=1.0)
+        .rigid("second", mass=1.0, inertia=1.0)
+        .prismatic("rail1", "ground.origin", "first.origin")
+        .prismatic("rail2", "ground.origin", "second.origin")
+        .measure("a", "x", marker_b="first.origin")
+        .measure("b", "x", marker_b="second.origin")
+        .force("spring1", "first.origin", "-stiff * a - joint * (a - b)", 0.0)
+        .force("spring2", "second.origin", "-100 * b - joint * (b - a)", 0.0)
+        .build()
+    )
+
+
+def test_modes_cross(model_of: Build) -> None:
+    """Exact: without coupling the frequencies are sqrt(stiff) and 10, and cross; each keeps its column."""
+    values = np.linspace(50.0, 150.0, 8)
+    found = campbell(model_of(two_sliders(0.0)), "stiff", values)
+    np.testing.assert_allclose(found.frequencies[:, 0], np.sqrt(values), rtol=1e-12)
+    np.testing.assert_allclose(found.frequencies[:, 1], 10.0, rtol=1e-12)
+    assert found.names == ["first.x", "second.x"]
+
+
+@pytest.mark.parametrize("points", [4, 41])
+def test_modes_veer(model_of: Build, points: int) -> None:
+    """Exact: coupled, w^2 = s/2 -+ sqrt(d^2/4 + g^2) with s, d sum and difference; shapes exchange, columns do not."""
+    values, g = np.linspace(50.0, 150.0, points), 3.0
+    found = campbell(model_of(two_sliders(g)), "stiff", values)
+    total, apart = values + 100.0 + 2 * g, values - 100.0
+    for column, sign in ((0, -1), (1, 1)):
+        exact = np.sqrt(total / 2 + sign * np.sqrt(apart**2 / 4 + g**2))
+        np.testing.assert_allclose(found.frequencies[:, column], exact, rtol=1e-12)
+
+
+def test_whirl_along_the_speed(model_of: Build) -> None:
+    """Exact: backward and forward whirl sqrt(a^2 + k / I_t) -+ a; forward stays above the speed where I_p > I_t."""
+    k, I_t, I_p = 45.0, 0.02, 0.03
+    speeds = np.linspace(0.0, 200.0, 41)
+    found = campbell(model_of(gimbal(k, 30.0)), "spin.omega", speeds)
+    a = I_p * speeds / (2 * I_t)
+    rigid = found.names.index("rigid spin.angle")
+    np.testing.assert_allclose(found.frequencies[:, rigid], 0.0)
+    whirl = np.sort(np.delete(found.frequencies, rigid, axis=1)[1:], axis=1)
+    root = np.sqrt(a**2 + k / I_t)[1:]
+    np.testing.assert_allclose(whirl, np.stack([root - a[1:], root + a[1:]], axis=1), rtol=1e-9)
+    columns = np.delete(found.frequencies, rigid, axis=1)
+    assert sorted(np.sign(np.diff(columns[1:], axis=0)).sum(axis=0)) == [-39, 39]  # one falls, one rises, none swaps
+    critical = [value for mode, value in found.crossings() if mode != rigid]
+    exact = math.sqrt(k / (I_t + I_p))  # w = speed: I_t w^2 + I_p w^2 = k, backward
+    assert len(critical) == 1 and critical[0] == pytest.approx(exact, rel=2e-3)
+
+
+def jeffcott(damping: float) -> Scene:
+    """A disk of 2 kg on a soft isotropic shaft, 800 N/m, turning in its plane."""
+    return (
+        SceneBuilder("jeffcott")
+        .rigid("disk", mass=2.0, inertia=0.05, free=True)
+        .measure("x", "x", marker_b="disk.origin")
+        .measure("y", "y", marker_b="disk.origin")
+        .force("shaft", "disk.origin", f"-800 * x - {damping} * x_dot", f"-800 * y - {damping} * y_dot")
+        .build()
+    )
+
+
+def test_steady_unbalance_response(model_of: Build) -> None:
+    """Exact (Jeffcott): z = U W^2 / (k - m W^2 + i c W) turning with the disk, y a quarter of a turn behind x."""
+    U, c = 2e-4, 8.0
+    speeds = np.array([5.0, 20.0, 60.0])
+    found = unbalance_response(
+        model_of(jeffcott(c)), "disk.omega", speeds, at=("disk.x", "disk.y"), unbalance=U, outputs=["x", "y"]
+    )
+    exact = U * speeds**2 / (800 - 2 * speeds**2 + 1j * c * speeds)
+    np.testing.assert_allclose(found.amplitudes[:, 0], exact, rtol=1e-12)
+    np.testing.assert_allclose(found.amplitudes[:, 1], -1j * exact, rtol=1e-12)
+
+
+def test_files_and_errors(model_of: Build, tmp_path: Path) -> None:
+    model = model_of(two_sliders(0.0))
+    found = campbell(model, "stiff", [50.0, 60.0])
+    found.write_csv(tmp_path / "campbell.csv")
+    lines = (tmp_path / "campbell.csv").read_text().splitlines()
+    assert lines[0].startswith("stiff,w1 [rad/s],w2 [rad/s],zeta1") and float(lines[2].split(",")[0]) == 60.0
+    with pytest.raises(ModelError, match="no coordinate 'stif'"):
+        campbell(model, "stif", [1.0])
+    with pytest.raises(ValueError, match="at least one finite value"):
+        campbell(model, "stiff", [])
+    with pytest.raises(ModelError, match="no coordinate 'disk.z'"):
+        unbalance_response(model, "stiff", [1.0], at=("disk.z", "first.x"), unbalance=1.0)
