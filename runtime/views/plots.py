@@ -1,23 +1,23 @@
-"""Pictures of a solution: coordinates, energy balance, constraint error, phase portraits.
+"""Pictures of a run: motion, deformation, forces, energy, coordinates, constraint error, phase plane, two runs.
 
-Every function takes (solution, path or None) and returns the Figure; with a path it also writes the file, whose
-ending chooses the format (png, svg, pdf). No pyplot, no global state: safe in threads and without a display.
+Every function takes (solution, path or None) and returns the figure; with a path it also writes the file, whose ending
+chooses the format (png, svg, pdf). Units get a prefix and angles degrees in pictures only: data stay in SI. No pyplot,
+no global state: safe in threads and without a display. `ax`: draw into these axes, in their own colours.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib import colormaps
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
-from runtime.contract.files import OutputError, replacing
+from runtime.contract.errors import ArgumentError
+from runtime.views import curves
+from runtime.views.curves import Curves
+from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
 from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:
@@ -26,170 +26,204 @@ if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 MAX_PANELS = 12
-STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
+MOST_FORCES = 6  # joints in a panel, the largest first
 
 
-@dataclass(frozen=True)
-class Panel:
-    """Coordinates that share an axis."""
-
-    title: str
-    label: str
-    names: list[str]
+def motion(solution: Solution, path: str | Path | None = None) -> Figure:
+    """Angles [deg], travels and measures; Euler parameters and dependent copies only by name (`coordinates`)."""
+    groups = curves.motion(solution) or curves.every_coordinate(solution)
+    return _panels(solution, groups, path)
 
 
-def coordinates(solution: Solution, path: str | Path | None = None, names: Sequence[str] | None = None) -> Figure:
-    """Coordinates against time in small multiples: angles, positions, then the elastic ones of each body.
+def deformation(solution: Solution, path: str | Path | None = None) -> Figure:
+    """Modal coordinates of each flexible body (those above 1/1000 of the largest) and the largest deflections.
 
-    names: which coordinates or measures (all that move by default). Raises ModelError for an unknown name.
+    Raises ArgumentError where nothing is flexible.
     """
-    panels = _chosen(solution, names) if names is not None else _panels(solution)
-    panels, left_out = panels[:MAX_PANELS], len(panels) - MAX_PANELS
-    figure, axes = _grid(len(panels), _title(solution, "coordinates"))
-    for ax, panel in zip(axes, panels, strict=True):
-        _lines(ax, solution, panel)
-    if left_out > 0:
-        figure.text(0.99, 0.005, f"{left_out} more bodies not shown", ha="right", fontsize=8, color="0.4")
-    return _finish(figure, path)
+    groups = curves.deformation(solution)
+    if not groups:
+        raise ArgumentError(f"nothing of {solution.model.name} is flexible, or nothing of it moves")
+    return _panels(solution, groups, path)
+
+
+def forces(solution: Solution, path: str | Path | None = None) -> Figure:
+    """Forces |F| and moments of the joints, the six largest each. Raises ArgumentError without joints."""
+    groups = [group.largest(MOST_FORCES) for group in curves.forces(solution)]
+    if not groups:
+        raise ArgumentError(f"{solution.model.name} has no joints")
+    return _panels(solution, groups, path)
+
+
+def coordinates(
+    solution: Solution,
+    path: str | Path | None = None,
+    names: Sequence[str] | None = None,
+    ax: Axes | None = None,
+) -> Figure:
+    """Coordinates against time: all that move, or those named (measures and rates too), a panel for each unit and body.
+
+    Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one unit.
+    """
+    groups = curves.every_coordinate(solution) if names is None else _named(solution, names)
+    if ax is None:
+        return _panels(solution, groups, path)
+    if len({group.unit for group in groups}) > 1:
+        raise ArgumentError("ax takes curves of one unit; give names of one unit")
+    every = Curves("", groups[0].unit, [n for g in groups for n in g.names], np.concatenate([g.values for g in groups]))
+    panel(ax, solution.t, every, own=False)
+    return finish(owner(ax), path)
 
 
 def energy_balance(solution: Solution, path: str | Path | None = None) -> Figure:
-    """Energies [J] against time, and below them what the balance total - initial - work leaves."""
-    figure, (top, bottom) = _grid(2, _title(solution, "energy"), columns=1, ratios=(2, 1))
-    for colour, key in zip(COLOURS, ("kinetic", "elastic", "potential"), strict=False):
-        if np.any(solution.energy[key]):
-            top.plot(solution.t, solution.energy[key], color=colour, lw=1.1, label=key)
-    top.plot(solution.t, solution.total_energy, color="black", lw=1.5, label="total")
+    """Energies against time, the total on top, and below what the balance total - initial - work leaves."""
+    figure, (top, bottom) = grid(2, title(solution), columns=1, ratios=(2, 1))
+    shown = curves.energy(solution)
+    panel(top, solution.t, shown)
+    factor, _ = prefixed(shown.values, "J")
     work = solution.work()
     if np.any(work):
-        top.plot(solution.t, solution.total_energy[:1] + work, color="0.45", lw=1.2, ls="--", label="initial + work")
-    top.set_ylabel("energy [J]")
-    _legend(top)
-    bottom.plot(solution.t, solution.energy_balance(), color=COLOURS[1], lw=1.1)
+        top.plot(
+            solution.t, factor * (solution.total_energy[:1] + work), "0.5", lw=1.0, label="initial + work", zorder=1
+        )
+    legend(top)
+    top.set_xlabel("")
+    balance = solution.energy_balance()
+    part = float(np.abs(balance).max(initial=0.0)) / max(float(np.abs(shown.values).max()), 1e-300)
+    panel(bottom, solution.t, Curves(f"balance error, at most {part:.1e} of the energy", "J", [""], balance[None]))
     bottom.axhline(0.0, color="0.6", lw=0.7)
-    bottom.set_ylabel("balance error [J]")
-    bottom.set_xlabel("time [s]")
-    return _finish(figure, path)
+    return finish(figure, path)
 
 
-def constraint_error(solution: Solution, path: str | Path | None = None) -> Figure:
+def constraint_error(solution: Solution, path: str | Path | None = None, ax: Axes | None = None) -> Figure:
     """Largest constraint violation max |C| [m, rad] against time, logarithmic."""
-    figure, (ax,) = _grid(1, _title(solution, "constraint error"))
-    floor = np.finfo(float).tiny
-    positive = solution.constraint_error[solution.constraint_error > floor]
+    figure: Figure
+    if ax is None:
+        figure, (ax,) = grid(1, title(solution))
+    else:
+        figure = owner(ax)
+    positive = solution.constraint_error[solution.constraint_error > np.finfo(float).tiny]
     if positive.size:
         lowest = max(float(positive.min()), 1e-18)
-        ax.semilogy(solution.t, np.maximum(solution.constraint_error, lowest), color=COLOURS[0], lw=1.0)
+        ax.semilogy(solution.t, np.maximum(solution.constraint_error, lowest), color=COLOURS[0], lw=1.2)
     else:
-        ax.plot(solution.t, np.zeros_like(solution.t), color=COLOURS[0], lw=1.0)
-    ax.set_ylabel("max |C| [m, rad]")
-    ax.set_xlabel("time [s]")
-    return _finish(figure, path)
+        ax.plot(solution.t, np.zeros_like(solution.t), color=COLOURS[0], lw=1.2)
+    ax.set_title("constraint error", fontsize=9.5, loc="left", fontweight="bold")
+    ax.set_ylabel("max |C| [m, rad]", fontsize=9)
+    ax.set_xlabel("time [s]", fontsize=9)
+    return finish(figure, path)
 
 
-def phase(solution: Solution, path: str | Path | None = None, names: Sequence[str] | None = None) -> Figure:
+def phase(
+    solution: Solution,
+    path: str | Path | None = None,
+    names: Sequence[str] | None = None,
+    ax: Axes | None = None,
+) -> Figure:
     """Rate against coordinate, one panel each (the independent ones by default, at most twelve).
 
-    Raises ModelError for an unknown name.
+    Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one name.
     """
     chosen = list(names) if names is not None else solution.model.q_i
-    figure, axes = _grid(min(len(chosen), MAX_PANELS), _title(solution, "phase"))
-    for ax, name in zip(axes, chosen, strict=False):
-        x, v = solution[name], solution.rate(name)
-        ax.plot(x, v, color=COLOURS[0], lw=0.9)
-        ax.plot(x[:1], v[:1], "o", color=COLOURS[2], ms=5, label="start")
-        ax.plot(x[-1:], v[-1:], "s", color=COLOURS[1], ms=5, label="end")
-        coordinate = solution.model.coordinate(name)
-        ax.set_xlabel(f"{name} [{coordinate.unit}]")
-        ax.set_ylabel(f"rate [{coordinate.unit_of(1)}]")
+    if ax is not None and len(chosen) != 1:
+        raise ArgumentError("ax takes one phase plane; give one name")
+    figure: Figure
+    if ax is None:
+        figure, axes = grid(min(len(chosen), MAX_PANELS), title(solution, "phase planes"), shared=False)
+    else:
+        figure, axes = owner(ax), [ax]
+    for own, name in zip(axes, chosen, strict=False):
+        x, v, coordinate = solution[name], solution.rate(name), solution.model.coordinate(name)
+        (factor, unit), (fast, _) = prefixed(x, coordinate.unit), prefixed(v, coordinate.unit)
+        rate_unit = prefixed(v, coordinate.unit)[1] + "/s"
+        own.plot(factor * x, fast * v, color=COLOURS[0], lw=0.9)
+        own.plot(factor * x[:1], fast * v[:1], "o", color=COLOURS[2], ms=5, label="start")
+        own.plot(factor * x[-1:], fast * v[-1:], "s", color=COLOURS[1], ms=5, label="end")
+        own.set_title(name, fontsize=9.5, loc="left", fontweight="bold")
+        own.set_xlabel(f"{name} [{unit}]", fontsize=9)
+        own.set_ylabel(f"rate [{rate_unit}]", fontsize=9)
     if axes:
-        _legend(axes[0])
-    return _finish(figure, path)
+        legend(axes[0])
+    return finish(figure, path)
 
 
-def _panels(solution: Solution) -> list[Panel]:
-    """Rigid angles, rigid positions, elastic coordinates body by body; what does not move is left out."""
-    model = solution.model
-    records = model.description.coordinates
-    moving = [entry for k, entry in enumerate(records) if _moves(solution.q[:, k])] or records
-    panels = [
-        Panel("angles", "angle [rad]", [entry.name for entry in moving if entry.kind == "angle"]),
-        Panel("positions", "position [m]", [entry.name for entry in moving if entry.kind == "position"]),
-        Panel("Euler parameters", "[1]", [entry.name for entry in moving if entry.kind == "euler_parameter"]),
-    ]
-    for body in dict.fromkeys(entry.owner for entry in moving if entry.elastic):
-        own = [entry.name for entry in moving if entry.elastic and entry.owner == body]
-        panels.append(Panel(f"{body}: deformation", "modal coordinate [m]", own))
-    return [panel for panel in panels if panel.names]
+def difference(
+    first: Solution, second: Solution, path: str | Path | None = None, names: Sequence[str] | None = None
+) -> Figure:
+    """Two runs over each other, and below each pair their difference (second - first), at the first run's times.
 
-
-def _moves(values: np.ndarray) -> bool:
-    return bool(np.ptp(values) > STILL * max(1e-3, float(np.abs(values).max())))
-
-
-def _chosen(solution: Solution, names: Sequence[str]) -> list[Panel]:
-    described = solution.model.description
-    units = {entry.name: entry.unit for entry in described.coordinates}
-    units |= {entry.name: entry.unit for entry in described.measures}
-    return [Panel(name, f"[{units[name]}]" if name in units else "", [name]) for name in names]
-
-
-def _lines(ax: Axes, solution: Solution, panel: Panel) -> None:
-    """One line a coordinate; many lines share a colour map and only the first, middle and last are named."""
-    many = len(panel.names) > len(COLOURS)
-    spectrum = colormaps["viridis"](np.linspace(0.0, 0.92, len(panel.names))) if many else COLOURS
-    named = {0, len(panel.names) // 2, len(panel.names) - 1} if many else set(range(len(panel.names)))
-    for k, name in enumerate(panel.names):
-        ax.plot(solution.t, solution[name], color=spectrum[k], lw=1.1, label=name if k in named else None)
-    ax.set_title(panel.title, fontsize=10, loc="left")
-    ax.set_ylabel(panel.label)
-    ax.set_xlabel("time [s]")
-    _legend(ax)
-
-
-def _grid(count: int, title: str, columns: int = 2, ratios: Sequence[float] | None = None) -> tuple[Figure, list[Any]]:
-    columns = 1 if count <= 3 else columns
-    rows = -(-count // columns) or 1
-    figure = Figure(figsize=(9.6 if columns > 1 else 7.2, max(2.2 * rows, 3.6) + 0.6), dpi=120, layout="constrained")
-    FigureCanvasAgg(figure)
-    grid = figure.subplots(rows, columns, squeeze=False, height_ratios=ratios, sharex=ratios is not None)
-    axes = list(grid.ravel())
-    for ax in axes[count:]:
-        ax.remove()
-    for ax in axes[:count]:
-        ax.grid(True, color="0.9", lw=0.7)
-        ax.spines[["top", "right"]].set_visible(False)
-        ax.ticklabel_format(scilimits=(-3, 4), useMathText=True)
-        ax.xaxis.set_major_locator(MaxNLocator(7))
-        ax.tick_params(labelsize=9)
-    figure.suptitle(title, fontsize=12)
-    return figure, axes[:count]
-
-
-def _legend(ax: Axes) -> None:
-    """Above the axes on the right, where it hides no curve."""
-    ax.legend(
-        fontsize=8,
-        frameon=False,
-        ncols=5,
-        loc="lower right",
-        bbox_to_anchor=(1.0, 0.98),
-        borderaxespad=0.0,
-        handlelength=1.4,
-        columnspacing=1.2,
+    names: coordinates or measures that both have; by default the independent coordinates that they share, at most
+    six. Raises ModelError for an unknown name, ArgumentError where the runs share no name or no time.
+    """
+    chosen = (
+        list(names) if names is not None else [name for name in first.model.q_i if name in second.model.coordinates]
     )
+    t = first.t[(first.t >= second.t[0]) & (first.t <= second.t[-1])]
+    if not chosen or not len(t):
+        raise ArgumentError("the two runs share no " + ("time" if chosen else "independent coordinate; give names"))
+    chosen = chosen[:MOST_FORCES]
+    about = f"{title(first)}   and   {second.scheme}, dt {second.dt:g} s"
+    figure, axes = grid(2 * len(chosen), about)
+    for k, name in enumerate(chosen):
+        a, b = (np.asarray(run.interpolate(t, name)) for run in (first, second))
+        unit = _unit(first, name)
+        labels = [f"{run.scheme} {run.dt:g}" for run in (first, second)]
+        panel(axes[2 * k], t, Curves(name, unit, labels, np.array([a, b])))
+        axes[2 * k].lines[1].set_linestyle((0, (4, 2)))
+        panel(
+            axes[2 * k + 1],
+            t,
+            Curves(f"difference, at most {_written(np.abs(b - a).max(), unit)}", unit, [""], (b - a)[None]),
+        )
+    for ax in axes[:-2]:
+        ax.set_xlabel("")
+    return finish(figure, path)
 
 
-def _title(solution: Solution, what: str) -> str:
-    ending = "" if solution.status.ok else f" ({solution.status.name} at {solution.status.time:.4g} s)"
-    return f"{solution.model.title or solution.model.name}: {what}{ending}"
+def usual(solution: Solution, folder: Path) -> list[Path]:
+    """Write what is looked at first as PNG: motion, deformation, forces, energy, those there are (OutputError)."""
+    drawn: list[tuple[str, Callable[[Solution, Path], Figure]]] = [("motion", motion)]
+    drawn += [("deformation", deformation)] if curves.deformation(solution) else []
+    drawn += [("forces", forces)] if curves.forces(solution) else []
+    drawn.append(("energy", energy_balance))
+    paths = [folder / f"{name}.png" for name, _ in drawn]
+    for path, (_, draw) in zip(paths, drawn, strict=True):
+        draw(solution, path)
+    return paths
 
 
-def _finish(figure: Figure, path: str | Path | None) -> Figure:
-    if path is not None:
-        ending = Path(path).suffix[1:].lower()
-        if ending not in figure.canvas.get_supported_filetypes():
-            raise OutputError(f"{path}: a picture's name must end in .png, .svg or .pdf")
-        with replacing(path) as temporary:
-            figure.savefig(temporary, format=ending)
-    return figure
+def _panels(solution: Solution, groups: list[Curves], path: str | Path | None) -> Figure:
+    shown, left_out = groups[:MAX_PANELS], len(groups) - MAX_PANELS
+    figure, axes = grid(len(shown), title(solution))
+    for k, (ax, group) in enumerate(zip(axes, shown, strict=True)):
+        panel(ax, solution.t, group)
+        if k < len(shown) - 2:
+            ax.set_xlabel("")
+    if left_out > 0:
+        figure.text(0.99, 0.005, f"{left_out} more groups not shown", ha="right", fontsize=8, color="0.4")
+    return finish(figure, path)
+
+
+def _named(solution: Solution, names: Sequence[str]) -> list[Curves]:
+    """A panel for each unit, and for each body's modes."""
+    found: dict[tuple[str, str], list[str]] = {}
+    elastic = {entry.name: entry.owner for entry in solution.model.description.coordinates if entry.elastic}
+    for name in names:
+        solution[name]  # raises for a name that is not there
+        found.setdefault((elastic.get(name, ""), _unit(solution, name)), []).append(name)
+    return [
+        Curves(body and f"{body}: modal coordinates", unit, own, np.array([solution[name] for name in own]))
+        for (body, unit), own in found.items()
+    ]
+
+
+def _unit(solution: Solution, name: str) -> str:
+    described = solution.model.description
+    units = {entry.name: entry.unit for entry in described.measures}
+    for derivative, suffix in enumerate(("", "_dot", "_ddot")):
+        units |= {entry.name + suffix: entry.unit_of(derivative) for entry in described.coordinates}
+    return units.get(name, "")
+
+
+def _written(value: float, unit: str) -> str:
+    factor, shown = prefixed(np.array([value]), unit)
+    return f"{factor * value:.3g} {shown}"

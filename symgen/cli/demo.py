@@ -25,7 +25,8 @@ def add(subparsers: Any) -> None:
         "demo",
         run,
         "Generate a built-in scene, simulate it, and show the results.",
-        "Leaves model/, report.json, report.md, motion.gif, coordinates.png, energy.png, solution.npz and .csv, and a "
+        "Leaves model/, report.json, report.md, motion.gif, view.html, motion.png, deformation.png, forces.png, "
+        "energy.png, solution.npz and .csv, and a "
         "comparison of methods: comparison.html, .md, .csv, .json, error_time.png, error_evaluations.png.",
     )
     add_scene(

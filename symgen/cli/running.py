@@ -81,12 +81,13 @@ def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
 
 
 def leave_pictures(solution: Solution, folder: Path) -> dict[str, str]:
-    """coordinates.png and energy.png in `folder`; {what: path}. Raises OutputError."""
+    """motion.png, energy.png and, where there are any, deformation.png and forces.png; {what: path}.
+
+    Raises OutputError.
+    """
     from runtime.views import plots
 
-    plots.coordinates(solution, folder / "coordinates.png")
-    plots.energy_balance(solution, folder / "energy.png")
-    return {name: str(folder / name) for name in ("coordinates.png", "energy.png")}
+    return {path.name: str(path) for path in plots.usual(solution, folder)}
 
 
 def exit_code(solution: Solution) -> int:

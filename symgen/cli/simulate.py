@@ -21,7 +21,11 @@ def add(subparsers: Any) -> None:
     )
     add_scene(command)
     command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
-    command.add_argument("--plots", action="store_true", help="also leave coordinates.png and energy.png (needs --out)")
+    command.add_argument(
+        "--plots",
+        action="store_true",
+        help="also leave motion.png, deformation.png, forces.png and energy.png (needs --out)",
+    )
     add_run_options(command)
     command.add_argument("--checkpoint", metavar="FILE", help="file that `symgen resume` goes on from")
     add_checkpoint_options(command)

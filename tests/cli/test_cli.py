@@ -14,7 +14,7 @@ from runtime.results.solution import Solution
 from symgen.cli import main
 from symgen.cli.progress import Progress
 
-DEMO_FILES = ("report.json", "report.md", "motion.gif", "coordinates.png", "energy.png")
+DEMO_FILES = ("report.json", "report.md", "motion.gif", "motion.png", "forces.png", "energy.png")
 
 
 @pytest.fixture(scope="module")

@@ -4,25 +4,23 @@ from __future__ import annotations
 
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-import generated
 from runtime import Solution, load_model, simulate
 from runtime.views.mechanism.exaggeration import exaggerated, following
 from runtime.views.mechanism.points import Points, bodies
 from runtime.views.mechanism.scenery import scenery
 from runtime.views.mechanism.tree import shortest_tree
+from symgen.scenes import generated_folder
 
-MODELS = Path(str(generated.__file__)).parent
 MEETING = ("revolute", "spherical", "universal", "weld")  # joints that hold two points together
 
 
 @cache
 def solution(name: str) -> Solution:
-    return simulate(load_model(MODELS / name), t_end=0.02)
+    return simulate(load_model(generated_folder(name)), t_end=0.02)
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.0, 100.0])
@@ -39,7 +37,7 @@ def test_exaggeration_opens_no_gap_at_a_joint(name: str, factor: float) -> None:
 
 def test_a_factor_of_one_is_the_true_motion() -> None:
     """The beam's tip, foreshortening included, is where the emitted measures say; its last station is its end."""
-    run = simulate(load_model(MODELS / "hub_beam"), t_end=0.3)
+    run = simulate(load_model(generated_folder("hub_beam")), t_end=0.3)
     shown = scenery(run, run.t)
     tip = shown.place("beam.end", 1.0)
     assert np.abs(tip[:, 0] - run["tip_x"]).max() < 1e-12 and np.abs(tip[:, 1] - run["tip_y"]).max() < 1e-12
@@ -50,7 +48,7 @@ def test_a_factor_of_one_is_the_true_motion() -> None:
 
 
 def test_sections_have_the_area_and_the_second_moment_of_the_beam() -> None:
-    model = load_model(MODELS / "hub_beam")
+    model = load_model(generated_folder("hub_beam"))
     beam = next(body for body in bodies(model, model.parameter_vector()) if body.section)
     height, width = beam.section
     assert height * width == pytest.approx(7.2968e-05, rel=1e-12)

@@ -8,8 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 
+from runtime.contract.errors import ArgumentError
 from runtime.contract.files import OutputError
 from runtime.contract.model import ModelError
 from runtime.contract.records import Coordinate
@@ -39,7 +41,7 @@ def test_no_pyplot_state_is_touched(tmp_path) -> None:
 
 def test_panels_separate_rigid_from_elastic_and_leave_out_what_rests() -> None:
     figure = plots.coordinates(rod_solution())
-    assert [ax.get_title(loc="left") for ax in figure.axes] == ["angles", "rod: deformation"]
+    assert [ax.get_title(loc="left") for ax in figure.axes] == ["angles: rod.theta", "rod: deformation: rod.q1"]
     chosen = plots.coordinates(rod_solution(), names=["rod.q1", "tip"])
     assert len(chosen.axes) == 2
     with pytest.raises(ModelError):
@@ -61,8 +63,63 @@ def test_many_coordinates_and_bodies_stay_readable() -> None:
     many = replace(small, model=model, q=q, q_dot=q, q_ddot=q, q_i=q)
     figure = plots.coordinates(many)
     assert len(figure.axes) == plots.MAX_PANELS
-    assert all(len(ax.get_legend().get_texts()) <= 8 for ax in figure.axes)
+    legends = [ax.get_legend() for ax in figure.axes]
+    assert len(legends[0].get_texts()) == 40  # complete, and a single curve is named in the title
+    assert legends[1] is None and "link0.q1" in figure.axes[1].get_title(loc="left")
     assert len(plots.phase(many).axes) == plots.MAX_PANELS
+
+
+@pytest.mark.parametrize("draw", [plots.motion, plots.deformation, plots.forces, plots.energy_balance])
+def test_what_is_looked_at_first_has_units_with_prefixes(draw) -> None:
+    figure = draw(rod_solution())
+    assert figure._repr_png_().startswith(b"\x89PNG")
+    labels = [ax.get_ylabel() for ax in figure.axes]
+    assert all(label.startswith("[") and label.endswith("]") for label in labels)
+
+
+def test_values_in_pictures_are_one_to_a_thousand_of_their_unit() -> None:
+    """theta = sin t [rad], q1 = 0.01 cos 3t [m]."""
+    figure = plots.coordinates(rod_solution(), names=["rod.theta", "rod.q1"])
+    angle, mode = figure.axes
+    assert angle.get_ylabel() == "[°]" and mode.get_ylabel() == "[mm]"
+    assert angle.lines[0].get_ydata().max() == pytest.approx(np.degrees(np.sin(np.linspace(0, 2, 41)).max()))
+    assert mode.lines[0].get_ydata()[0] == pytest.approx(10.0)
+
+
+def test_euler_parameters_never_share_an_axis_with_metres() -> None:
+    run = rod_solution()
+    free = [Coordinate(f"box.{n}", "box", "euler_parameter", "1") for n in ("e0", "e1")]
+    free += [Coordinate(f"box.{n}", "box", "position", "m") for n in ("x", "y")]
+    described = replace(run.model.description, coordinates=free, q_i=[entry.name for entry in free], q_d=[])
+    q = np.stack([np.cos(run.t), np.sin(run.t), run.t, run.t**2], axis=1)
+    moved = replace(run, model=replace(run.model, description=described), q=q, q_dot=q, q_ddot=q, q_i=q)
+    shown = {ax.get_title(loc="left"): len(ax.lines) for ax in plots.coordinates(moved).axes}
+    assert shown == {"positions": 2, "Euler parameters": 2}
+    assert all("Euler" not in ax.get_title(loc="left") for ax in plots.motion(moved).axes)
+
+
+def test_own_axes_are_drawn_into_in_their_own_colours() -> None:
+    ax = Figure().add_subplot()
+    ax.set_prop_cycle(color=["magenta"])
+    returned = plots.coordinates(rod_solution(), names=["rod.q1"], ax=ax)
+    assert returned is ax.figure and ax.lines[0].get_color() == "magenta"
+    with pytest.raises(ArgumentError, match="one unit"):
+        plots.coordinates(rod_solution(), names=["rod.q1", "rod.theta"], ax=ax)
+    plots.constraint_error(rod_solution(), ax=Figure().add_subplot())
+    with pytest.raises(ArgumentError, match="one name"):
+        plots.phase(rod_solution(), ax=ax)
+
+
+def test_two_runs_are_drawn_with_their_difference(tmp_path) -> None:
+    """The second run's q1 is larger by 1 mm at all times; theta is the same."""
+    first, second = rod_solution(), rod_solution(81)
+    second.q[:, 3] += 1e-3
+    figure = plots.difference(first, second, tmp_path / "two.png")
+    gaps = {ax.get_title(loc="left"): ax.lines[0].get_ydata() for ax in figure.axes[1::2]}
+    q1 = next(values for name, values in gaps.items() if name == "difference, at most 1 mm")
+    assert np.allclose(q1, 1.0, atol=2e-3)
+    with pytest.raises(ArgumentError, match="no time"):
+        plots.difference(first, replace(second, t=second.t + 10.0))
 
 
 def test_a_run_that_failed_says_so_in_the_title() -> None:

@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import generated
 import runtime.views.viewer as viewer
 from runtime import Solution, load_model, simulate
 from runtime.contract.files import OutputError
@@ -21,9 +20,9 @@ from runtime.contract.model import ModelError
 from runtime.views.mechanism.scenery import scenery
 from runtime.views.viewer import view
 from runtime.views.viewer.record import view_record
+from symgen.scenes import generated_folder
 from tests.support.browser import screenshot, used
 
-MODELS = Path(str(generated.__file__)).parent
 BUNDLES = Path(str(viewer.__file__)).parent / "bundles"
 FACTOR = 7.0
 PROBE = """
@@ -40,7 +39,7 @@ document.documentElement.dataset.probe = JSON.stringify(seen);
 
 @cache
 def solution(name: str) -> Solution:
-    return simulate(load_model(MODELS / name), t_end=0.05)
+    return simulate(load_model(generated_folder(name)), t_end=0.05)
 
 
 @pytest.mark.parametrize("name", ["flexible_slider_crank", "spatial_slider_crank", "hub_beam"])

@@ -9,18 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.model import ModelError
+from runtime.views import curves
+from runtime.views.curves import Curves, joint_force_vectors
 from runtime.views.mechanism.points import GROUND, Body, Points
 from runtime.views.mechanism.scenery import Scenery, scenery
 from runtime.views.mechanism.tree import shortest_tree
 from runtime.views.projection import is_spatial, up_axis
 from runtime.views.style import COLOURS
-from runtime.views.viewer.curves import curves, joint_force_vectors
 from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, surface_mesh
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-MOST_FRAMES, MOST_SAMPLES = 500, 800
+MOST_FRAMES, MOST_SAMPLES, MOST_CURVES = 500, 800, 8
 SLIDING = ("prismatic", "cylindrical", "screw", "point_on_line")
 UNNAMED = ("prescribed_angle", "prescribed_displacement")
 
@@ -60,14 +61,27 @@ def view_record(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]]) -
         "curve_t": packed(solution.t[kept], "<f8"),
         "curves": [
             {
-                "title": group.title,
-                "unit": group.unit,
+                "title": group.heading,
+                "unit": "deg" if group.unit == "rad" else group.unit,
                 "names": group.names,
-                "values": [packed(values[kept]) for values in group.values],
+                "values": [
+                    packed(values[kept] * (180 / np.pi if group.unit == "rad" else 1.0)) for values in group.values
+                ],
             }
-            for group in curves(solution)
+            for group in _curves(solution)
         ],
     }
+
+
+def _curves(solution: Solution) -> list[Curves]:
+    """What is shown beside the picture, at most eight curves in a group."""
+    groups = [
+        curves.energy(solution),
+        *curves.motion(solution),
+        *curves.deformation(solution),
+        *curves.forces(solution),
+    ]
+    return [group.largest(MOST_CURVES) for group in groups]
 
 
 def packed(values: np.ndarray, kind: str = "<f4") -> str:

@@ -1,0 +1,152 @@
+"""The curves of a run in groups that share an axis: by unit and body, in the order in which one looks at them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from runtime.contract.records import Coordinate
+from runtime.views.mechanism.scenery import scenery
+
+if TYPE_CHECKING:
+    from runtime.results.solution import Solution
+
+STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
+SMALL = 1e-3  # of the largest modal coordinate of a body: what stays below is left out
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Curves that share an axis: names, values (curves, samples) in the SI unit; of: how many there would be."""
+
+    title: str
+    unit: str
+    names: list[str]
+    values: np.ndarray
+    of: int = 0
+
+    def largest(self, most: int) -> Curves:
+        """At most so many curves: those that reach farthest, in their own order."""
+        if len(self.names) <= most:
+            return self
+        order = np.sort(np.argsort(-np.abs(self.values).max(axis=1, initial=0.0), kind="stable")[:most])
+        return replace(self, names=[self.names[k] for k in order], values=self.values[order], of=len(self.names))
+
+    @property
+    def heading(self) -> str:
+        """The title, with how many of how many are shown."""
+        return f"{self.title} ({len(self.names)} of {self.of})" if self.of > len(self.names) else self.title
+
+
+def energy(solution: Solution) -> Curves:
+    """Kinetic, elastic and potential energy that are there, and the total."""
+    parts = {name: solution.energy[name] for name in ("kinetic", "elastic", "potential")}
+    parts = {name: values for name, values in parts.items() if np.any(values)} | {"total": solution.total_energy}
+    return Curves("energy", "J", list(parts), np.array(list(parts.values())))
+
+
+def motion(solution: Solution) -> list[Curves]:
+    """Angles, travels and measures. Euler parameters and coordinates that follow from others are left out.
+
+    In a plane all angles of bodies are shown, in space those of joints and of bodies that have angles.
+    """
+    model = solution.model
+    owners = {joint.name for joint in model.description.joints}
+    records = [entry for entry in model.description.coordinates if not entry.elastic and moves(solution[entry.name])]
+    angles = [entry for entry in records if entry.kind == "angle"]
+    travels = [entry for entry in records if entry.kind == "position"]
+    travels = [entry for entry in travels if entry.owner in owners or entry.name in model.q_i]
+    groups = [_group(solution, "angles", angles), _group(solution, "travels", travels)]
+    measures = [entry for entry in model.description.measures if not entry.unit.endswith("/s")]
+    for unit in dict.fromkeys(entry.unit for entry in measures):
+        names = [entry.name for entry in measures if entry.unit == unit]
+        groups.append(Curves("measures", unit, names, np.array([solution[name] for name in names])))
+    return [group for group in groups if group.names]
+
+
+def every_coordinate(solution: Solution) -> list[Curves]:
+    """All coordinates that move: angles, positions, Euler parameters, then the modes of each body."""
+    records = [entry for entry in solution.model.description.coordinates if moves(solution[entry.name])]
+    records = records or list(solution.model.description.coordinates)
+    groups = [
+        _group(solution, title, [entry for entry in records if entry.kind == kind])
+        for title, kind in (("angles", "angle"), ("positions", "position"), ("Euler parameters", "euler_parameter"))
+    ]
+    return [group for group in groups if group.names] + _modes(solution, records, "deformation")
+
+
+def deformation(solution: Solution) -> list[Curves]:
+    """Modal coordinates of each body, small ones left out, and the largest deflection of its drawn points."""
+    groups = []
+    for group in _modes(solution, solution.model.description.coordinates, "modal coordinates"):
+        size = np.abs(group.values).max(axis=1, initial=0.0)
+        kept = np.flatnonzero(size > SMALL * size.max(initial=0.0))
+        names = [group.names[k].rpartition(".")[2] for k in kept]
+        groups.append(replace(group, names=names, values=group.values[kept], of=len(group.names)))
+    deflections = _deflections(solution) if groups else {}
+    if deflections:
+        values = np.array(list(deflections.values()))
+        groups.append(Curves("largest deflection of drawn points", "m", list(deflections), values))
+    return [group for group in groups if group.names]
+
+
+def forces(solution: Solution) -> list[Curves]:
+    """Size of each joint's force; of its moment in space, or the moment itself about z in a plane."""
+    if not solution.joint_forces.size:
+        return []
+    names, every = list(solution.model.joints), solution.joint_forces
+    sizes = np.linalg.norm(joint_force_vectors(solution), axis=2).T
+    moments = every[:, :, 2].T if every.shape[2] == 3 else np.linalg.norm(every[:, :, 3:], axis=2).T
+    title = "joint moments about z" if every.shape[2] == 3 else "joint moments |M|"
+    turning = np.abs(moments).max(axis=1, initial=0.0) > 1e-9 * max(float(np.abs(moments).max()), 1e-300)
+    pulling = np.abs(sizes).max(axis=1, initial=0.0) > 1e-9 * max(float(np.abs(sizes).max()), 1e-300)
+    pulled = [name for name, pulls in zip(names, pulling, strict=True) if pulls]
+    groups = [Curves("joint forces |F|", "N", pulled, sizes[pulling])] if pulled else []
+    acting = [name for name, turns in zip(names, turning, strict=True) if turns]
+    return groups + ([Curves(title, "N m", acting, moments[turning])] if acting else [])
+
+
+def joint_force_vectors(solution: Solution) -> np.ndarray:
+    """(N, joints, 3) world force of each joint on its body b [N]; the moment of a planar joint is left out."""
+    found = np.array(solution.joint_forces[:, :, :3], dtype=float)
+    if solution.joint_forces.shape[2] == 3:
+        found[:, :, 2] = 0.0
+    return found
+
+
+def moves(values: np.ndarray) -> bool:
+    """Does a coordinate change by more than rounding?"""
+    return bool(np.ptp(values) > STILL * max(1e-3, float(np.abs(values).max())))
+
+
+def _group(solution: Solution, title: str, entries: list[Coordinate]) -> Curves:
+    names = [entry.name for entry in entries]
+    unit = entries[0].unit if entries else ""
+    return Curves(title, unit, names, np.array([solution[name] for name in names]))
+
+
+def _modes(solution: Solution, records: list[Coordinate], what: str) -> list[Curves]:
+    elastic = [entry for entry in records if entry.elastic]
+    return [
+        _group(solution, f"{body}: {what}", [entry for entry in elastic if entry.owner == body])
+        for body in dict.fromkeys(entry.owner for entry in elastic)
+    ]
+
+
+def _deflections(solution: Solution) -> dict[str, np.ndarray]:
+    """(N,) of each flexible body: the largest displacement of its points that its joints do not make [m]."""
+    if not solution.model.has("geometry"):
+        return {}
+    shown = scenery(solution, solution.t)
+    found = {}
+    for body, follow in zip(shown.bodies, shown.follow, strict=True):
+        points = body.stations if body.stations.names else body.markers
+        if not body.elastic or not points.names:
+            continue
+        q_f = shown.q_f(body)
+        own = np.linalg.norm(points.linear(q_f) - follow.displacement(points.position, q_f), axis=2).max(axis=1)
+        if own.max() > STILL * shown.size():
+            found[body.name] = own
+    return found
