@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.cases import (
@@ -18,7 +19,8 @@ from benchmarks.cases import (
 )
 from benchmarks.harness.machine import describe_machine
 from benchmarks.harness.page import as_json, as_markdown, with_sections
-from benchmarks.harness.result import Benchmark, Skipped
+from benchmarks.harness.result import Benchmark, Result, Skipped
+from benchmarks.pages import hard_tables, long_runs
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
@@ -29,15 +31,27 @@ BENCHMARKS: dict[str, Benchmark] = {
     "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }
+PAGES: dict[str, Callable[[list[str]], int]] = {"hard_tables": hard_tables.main, "long_runs": long_runs.main}
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run, print, and write results.json and results.md; --publish also writes the page or its sections."""
     options = _parser().parse_args(arguments)
-    chosen = options.only or list(BENCHMARKS)
-    machine, results, skipped = describe_machine(), [], []
-    for name in chosen:
+    chosen = options.only or [*BENCHMARKS, *PAGES]
+    for name in filter(PAGES.__contains__, chosen):
+        print(f"computing the page {name} ...", file=sys.stderr, flush=True)
+        PAGES[name](["--publish"] if options.publish else [])
+    measured = [name for name in chosen if name in BENCHMARKS]
+    if measured:
+        _measure(measured, options)
+    return 0
+
+
+def _measure(names: list[str], options: argparse.Namespace) -> None:
+    machine, skipped = describe_machine(), []
+    results: list[Result] = []
+    for name in names:
         print(f"running {name} ...", file=sys.stderr, flush=True)
         try:
             results.append(BENCHMARKS[name]())
@@ -54,7 +68,6 @@ def main(arguments: list[str] | None = None) -> int:
         whole = with_sections(PAGE.read_text(encoding="utf-8"), machine, results) if options.only else page
         PAGE.write_text(whole, encoding="utf-8")
     print(page)
-    return 0
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -62,9 +75,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--only",
         action="append",
-        choices=list(BENCHMARKS),
+        choices=[*BENCHMARKS, *PAGES],
         metavar="NAME",
-        help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)})",
+        help=f"run only this one; may be repeated ({', '.join(BENCHMARKS)}; pages: {', '.join(PAGES)})",
     )
     parser.add_argument(
         "--out",

@@ -172,12 +172,12 @@ def _markdown(rows: list[list[str]]) -> str:
     return "\n".join(f"| {' | '.join(row)} |" for row in lines)
 
 
-def main() -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Print the page, or write it."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.long_runs", description=__doc__)
     parser.add_argument("--publish", action="store_true", help="write docs/evidence/long-runs.md")
     text = page()
-    if parser.parse_args().publish:
+    if parser.parse_args(arguments).publish:
         PAGE.write_text(text, encoding="utf-8")
     print(text)
     return 0
