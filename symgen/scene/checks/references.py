@@ -41,13 +41,13 @@ def _unknown(path: str, entry: Any, known: dict[str, list[str]]) -> Iterator[Sce
 
 
 def _pair(section: str, path: str, entry: Any) -> Iterator[SceneError]:
-    if entry.type == "coordinate":
+    """What is wrong with the one or two ends that an entry has, whatever its type."""
+    ends = [reference for key in _REFERENCES if (reference := getattr(entry, key, None)) is not None]
+    if len(ends) == 1 and section == "loads" and _body(ends[0]) == "ground":
+        yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
+    if len(ends) != 2:
         return
-    if entry.type == "force" or (entry.type == "torque" and entry.reaction is None):
-        if _body(entry.marker) == "ground":
-            yield SceneError(f"{path}.marker", "a load on the ground has no effect", "name a marker of a moving body")
-        return
-    first, second = (entry.marker, entry.reaction) if entry.type == "torque" else (entry.marker_a, entry.marker_b)
+    first, second = ends
     if first == second:
         yield SceneError(path, f"both ends are the marker '{first}'", "name two different markers")
     elif _body(first) == _body(second) == "ground":
