@@ -209,27 +209,27 @@ class Model:
 
     @cached_property
     def independent_columns(self) -> np.ndarray:
-        """Columns of q_i in q."""
+        """Columns of q_i in q, (n_i,)."""
         return np.array([self.coordinates.index(name) for name in self.q_i], dtype=int)
 
     @cached_property
     def loop_columns(self) -> np.ndarray:
-        """Columns of the loop unknowns in q."""
+        """Columns of the loop unknowns in q, (n_l,)."""
         return np.array([self.coordinates.index(name) for name in self.loop_unknowns], dtype=int)
 
     @cached_property
     def dependent_columns(self) -> np.ndarray:
-        """Columns of q_d in q."""
+        """Columns of q_d in q, (n_d,)."""
         return np.array([self.coordinates.index(name) for name in self.q_d], dtype=int)
 
     @cached_property
     def redundant_rows(self) -> np.ndarray:
-        """Positions of the redundant rows in the constraints."""
+        """Positions of the redundant rows in the constraints, (n_R,)."""
         return np.array([self.constraints.index(label) for label in self.redundant], dtype=int)
 
     @cached_property
     def kept_rows(self) -> np.ndarray:
-        """Positions of the constraint rows that are not redundant."""
+        """Positions of the constraint rows that are not redundant, (n_c - n_R,)."""
         return np.setdiff1d(np.arange(len(self.constraints)), self.redundant_rows)
 
     def parameter_vector(self, changes: Mapping[str, float] | None = None) -> np.ndarray:
@@ -256,7 +256,7 @@ class Model:
                 )
 
     def constants(self, p: np.ndarray) -> np.ndarray:
-        """c for a parameter vector p. Raises ModelError if a parameter makes one of them infinite or NaN."""
+        """c (c_size,) for a parameter vector p (n_p,). Raises ModelError if one of them is infinite or NaN."""
         c = np.asarray(self.kernel("constants")(p)).ravel()
         if not np.all(np.isfinite(c)):
             raise ModelError(f"model {self.name}: a parameter makes the constants infinite (division by zero?)")

@@ -117,7 +117,7 @@ def joint_force_vectors(solution: Solution) -> np.ndarray:
 
 
 def moves(values: np.ndarray) -> bool:
-    """Does a coordinate change by more than rounding?"""
+    """Does a coordinate, values (N,), change by more than rounding?"""
     return bool(np.ptp(values) > STILL * max(1e-3, float(np.abs(values).max())))
 
 

@@ -70,7 +70,7 @@ def plain(ax: Axes) -> None:
 
 
 def panel(ax: Axes, t: np.ndarray, curves: Curves, *, own: bool = True) -> None:
-    """Curves over time with title, unit and a complete legend outside on the right.
+    """Curves (N,) over time (N,) with title, unit and a complete legend outside on the right.
 
     own: with this project's colours; otherwise with those of the axes.
     """

@@ -54,7 +54,7 @@ class Film:
 
     @property
     def limits(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lower and upper corner of everything drawn, ghosts included [m]."""
+        """Lower and upper corner, each (2,), of everything drawn, ghosts included [m]."""
         points = np.concatenate([line.xy for line in self.lines], axis=2)
         return np.nanmin(points, axis=(0, 2)), np.nanmax(points, axis=(0, 2))
 

@@ -66,7 +66,7 @@ class StabilityStudy:
         return max(one.radius for one in found), max(worst, 0.0), bool((growth <= self._allowed).all())
 
     def curve(self, dts: np.ndarray, progress: Progress | None = None) -> StabilityCurve:
-        """Radius and growth over steps in ascending order, with limit and windows found by bisection."""
+        """Radius and growth over major steps dts (N,) [s], ascending, with limit and windows found by bisection."""
         rows = []
         for k, dt in enumerate(dts):
             rows.append(self.at(float(dt)))
@@ -96,7 +96,7 @@ class StabilityStudy:
 def usual_steps(
     model: Model, states: list[State], exact: ExactMotion, t_end: float, sub_steps: int, count: int
 ) -> np.ndarray:
-    """Major steps to look at: around what the fastest mode allows an explicit sub-step, and no more than t_end / 4."""
+    """Major steps (count,) [s] to look at: around what the fastest mode allows a sub-step, at most t_end / 4."""
     fastest = max(float(exact.modes(state).frequencies[-1]) for state in states)
     edge = 2.0 / fastest if fastest > 0 else t_end / 100
     high = min(4.0 * edge * sub_steps, t_end / 4)

@@ -40,7 +40,7 @@ class StepSpectrum:
         self.exact = exact or ExactMotion(model, c)
 
     def matrix(self, state: State, dt: float) -> np.ndarray:
-        """Amplification matrix of a major step dt started at a state."""
+        """Amplification matrix (2 n_i, 2 n_i) of (q_i, q_i_dot) over a major step dt [s] started at a state."""
         return self._step(state, dt, 1)
 
     def __call__(self, state: State, dt: float) -> Spectrum:

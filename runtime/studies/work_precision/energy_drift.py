@@ -35,7 +35,7 @@ def energy_drift(prepared: PreparedMethod, steps: int) -> EnergyDrift | None:
 
 
 def energies(prepared: PreparedMethod, steps: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Times, kinetic plus elastic energy, and total energy [J] at samples of a run."""
+    """Times (N,) [s], kinetic plus elastic energy (N,), and total energy (N,) [J] at samples of a run."""
     model = prepared.problem.model
     observed, c = prepared.observed(steps)
     q = join(model, observed["q_i"], observed["q_d"])

@@ -103,7 +103,7 @@ class PreparedMethod:
         return Trial(self.spec.label, dt, steps, seconds, evaluations, float(rms.max()), float(end.max()), rms)
 
     def observed(self, steps: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
-        """(what a run in so many steps shows at its samples, the model's constants)."""
+        """(what a run in so many steps shows at N samples: each (N, size); the model's constants (c_size,))."""
         dt = self.problem.t_end / steps
         states, _ = self._sampled(*self._started(dt), steps)
         return self._seen(states, dt), self.problem.c

@@ -103,17 +103,17 @@ class Problem:
         return self.setting.graded
 
     def solved(self, solver: Callable[..., Any], times: np.ndarray, tolerance: float) -> Any:
-        """What an adaptive solver makes of the problem: its absolute tolerance fits the smallest graded amplitude."""
+        """What an adaptive solver makes of it at times (N,) [s]; its atol fits the smallest graded amplitude."""
         atol = tolerance * min(1.0, float(self.amplitudes.min()))
         return solver(self.model, t_end=self.t_end, times=times, rtol=tolerance, atol=atol, **self.setting.arguments)
 
     @cached_property
     def amplitudes(self) -> np.ndarray:
-        """RMS of each graded coordinate about its mean, over the motion."""
+        """RMS (n_graded,) of each graded coordinate about its mean, over the motion [m or rad]."""
         return _amplitudes(self.path(np.linspace(0.0, self.t_end, 401))[:, self.graded])
 
     def errors(self, times: np.ndarray, q_i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(RMS over the motion, at the end) of each graded coordinate, over its amplitude."""
+        """(RMS over the motion, at the end), both (n_graded,), over the amplitude; times (N,) [s], q_i (N, n_i)."""
         with np.errstate(over="ignore", invalid="ignore"):
             off = (q_i - self.path(times))[:, self.graded] / self.amplitudes
             return np.sqrt(np.mean(off**2, axis=0)), np.abs(off[-1])

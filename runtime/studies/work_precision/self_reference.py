@@ -57,7 +57,9 @@ class OneStepPath:
 def self_reference(
     model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float, seconds: float
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """A path that does not change by more than tolerance / MARGIN when its step is halved.
+    """A path, times (N,) [s] -> q_i (N, n_i), that halving its step changes by tolerance / MARGIN at most.
+
+    c: the model's constants (c_size,).
 
     Raises TooLong if that takes longer than `seconds`, NoReference if no method gets there.
     """

@@ -52,7 +52,7 @@ class Body:
 
 
 def bodies(model: Model, p: np.ndarray) -> list[Body]:
-    """All bodies that have points, the ground among them, for the parameters p.
+    """All bodies that have points, the ground among them, for the parameters p (n_p,).
 
     Raises ModelError if the model has nothing to draw.
     """

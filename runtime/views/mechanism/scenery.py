@@ -110,7 +110,7 @@ class Scenery:
 
 
 def scenery(solution: Solution, t: np.ndarray) -> Scenery:
-    """The mechanism of a solution at the times t. Raises ModelError if the model has nothing to draw."""
+    """The mechanism of a solution at the times t (N,) [s]. Raises ModelError if the model has nothing to draw."""
     model = solution.model
     found = bodies(model, solution.parameters)
     q = np.asarray(solution.interpolate(t, "q"))

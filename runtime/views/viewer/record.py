@@ -85,7 +85,7 @@ def _curves(solution: Solution) -> list[Curves]:
 
 
 def packed(values: np.ndarray, kind: str = "<f4") -> str:
-    """Base64 of the numbers in little-endian order."""
+    """Base64 of the numbers in little-endian order, whatever the shape of the array."""
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
 
 
