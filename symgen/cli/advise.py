@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from symgen.cli.arguments import add_accuracy_options, add_command, add_motion_options, add_scene
+from symgen.cli.arguments import add_accuracy_options, add_command, add_motion_options, add_scene, motion_words
 from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
@@ -46,4 +46,4 @@ def run(arguments: argparse.Namespace) -> Outcome:
             start=arguments.start,
             note=progress.note,
         )
-    return Outcome({"advice": advice_data(advice)}, advice_lines(advice))
+    return Outcome({"advice": advice_data(advice)}, advice_lines(advice, motion_words(arguments)))

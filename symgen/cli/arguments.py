@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import shlex
 from collections.abc import Callable
 from typing import Any, NoReturn
 
@@ -73,6 +74,16 @@ def add_motion_options(command: argparse.ArgumentParser) -> None:
         choices=("given", "quasi_static", "quasi_static_unstable"),
         help="elastic coordinates as given, or in equilibrium with the rigid motion (stable, or any)",
     )
+
+
+def motion_words(arguments: argparse.Namespace, scene: str = "") -> str:
+    """The scene and its motion in the words that they were given in, for a command that is to be run again."""
+    words = [shlex.quote(scene or arguments.scene)]
+    for option, given in (("--with", arguments.made_with), ("--set", arguments.set), ("--initial", arguments.initial)):
+        words += [f"{option} {shlex.quote(f'{name}={value:.12g}')}" for name, value in given]
+    words += [f"--t-end {arguments.t_end:.12g}"] if arguments.t_end is not None else []
+    words += [f"--start {arguments.start}"] if arguments.start is not None else []
+    return " ".join(words)
 
 
 def add_accuracy_options(command: argparse.ArgumentParser) -> None:

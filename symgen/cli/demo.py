@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from symgen.cli.arguments import add_command, add_run_options, add_scene
+from symgen.cli.arguments import add_command, add_run_options, add_scene, motion_words
 from symgen.cli.outcome import Outcome
 from symgen.cli.progress import Progress
 
@@ -83,4 +83,4 @@ def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progres
     )
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
     comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
-    return write_comparison(comparison, folder)
+    return write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))

@@ -13,6 +13,7 @@ from symgen.cli.arguments import (
     add_command,
     add_motion_options,
     add_scene,
+    motion_words,
     names,
     number,
 )
@@ -83,7 +84,7 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
     )
     comparison = _compared(model, setting, arguments)
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
-    files = write_comparison(comparison, folder)
+    files = write_comparison(comparison, folder, motion_words(arguments))
     return Outcome({"comparison": comparison_data(comparison), "files": files}, [*table(comparison), f"in {folder}"])
 
 

@@ -49,8 +49,8 @@ def advice_data(advice: Advice) -> dict[str, Any]:
     }
 
 
-def advice_lines(advice: Advice) -> list[str]:
-    """For a person: frequencies, groups, candidates, advice, the command."""
+def advice_lines(advice: Advice, scene: str = "") -> list[str]:
+    """For a person: frequencies, groups, candidates, advice, the command; scene: the words that it was given by."""
     lines = [f"{advice.model.name}: coupled frequencies over {advice.tried:g} s [rad/s]"]
     for mode in advice.modes:
         damped = f", damping {mode.least_damping:.2g}" if mode.least_damping > 1e-3 else ""
@@ -69,13 +69,13 @@ def advice_lines(advice: Advice) -> list[str]:
                 f"  {one.label:34} dt = {one.best.setting:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
                 f"error {one.best.error:.2g}"
             )
-    return [*lines, advice.reason, f"run it with: {command(advice)}"]
+    return [*lines, advice.reason, f"run it with: {command(advice, scene)}"]
 
 
-def command(advice: Advice) -> str:
-    """The words for `symgen simulate`."""
+def command(advice: Advice, scene: str = "") -> str:
+    """The words for `symgen simulate`; scene: what it calls the scene (the model's name by default)."""
     spec = advice.spec
-    words = [f"symgen simulate {advice.model.name} --scheme {spec.scheme} --dt {advice.dt:.6g}"]
+    words = [f"symgen simulate {scene or advice.model.name} --scheme {spec.scheme} --dt {advice.dt:.6g}"]
     if spec.m:
         words.append(f"--m {','.join(map(str, spec.m))}")
     for name, value in spec.options.items():

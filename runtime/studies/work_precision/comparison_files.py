@@ -1,10 +1,8 @@
-"""A comparison as plain values, CSV, Markdown, and one HTML page that needs no network."""
+"""A comparison as plain values, CSV and Markdown, and the folder that holds these with the page and the pictures."""
 
 from __future__ import annotations
 
-import base64
 import csv
-import html
 import io
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,6 +13,7 @@ import numpy as np
 from runtime.contract.files import write_text
 from runtime.results.as_json import as_json
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve
+from runtime.studies.work_precision.comparison_page import comparison_page
 from runtime.studies.work_precision.comparison_pictures import picture_evaluations, picture_times
 
 STYLE = (
@@ -82,16 +81,18 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def write_comparison(comparison: Comparison, folder: str | Path) -> dict[str, str]:
-    """comparison.json, .csv, .md, .html and the pictures in `folder`; {what: path}. Raises OutputError."""
+def write_comparison(comparison: Comparison, folder: str | Path, scene: str = "") -> dict[str, str]:
+    """comparison.json, .csv, .md, .html and the pictures in `folder`; {what: path}. Raises OutputError.
+
+    scene: what a command calls the scene (the model's name by default).
+    """
     place, data = Path(folder), comparison_data(comparison)
     picture_times(comparison, place / "error_time.png")
     picture_evaluations(comparison, place / "error_evaluations.png")
     write_text(place / "comparison.json", as_json(data))
     write_text(place / "comparison.csv", _csv(comparison))
     write_text(place / "comparison.md", markdown(data))
-    pictures = [place / "error_time.png", place / "error_evaluations.png"]
-    write_text(place / "comparison.html", page(data, pictures))
+    write_text(place / "comparison.html", comparison_page(comparison, data, scene))
     names = (
         "comparison.json",
         "comparison.csv",
@@ -177,23 +178,3 @@ def markdown(data: Mapping[str, Any]) -> str:
     table = [HEADER, ["---"] * len(HEADER), *summary_rows(data)]
     lines.append("\n".join(f"| {' | '.join(cell.replace('|', '/') for cell in row)} |" for row in table))
     return "\n\n".join(lines) + "\n"
-
-
-def page(data: Mapping[str, Any], pictures: list[Path]) -> str:
-    """One HTML page with everything in it."""
-    title = html.escape(f"{data['title'] or data['model']}: error against time")
-    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in HEADER)
-    rows = "".join(
-        f"<tr{' class=failed' if row[-1] else ''}>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>"
-        for row in summary_rows(data)
-    )
-    images = "".join(
-        f'<p><img alt="{html.escape(path.stem)}" src="data:image/png;base64,'
-        f'{base64.b64encode(path.read_bytes()).decode()}"></p>'
-        for path in pictures
-    )
-    text = "".join(f"<p>{html.escape(line)}</p>" for line in _introduction(data))
-    return (
-        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style>'
-        f"</head><body><h1>{title}</h1>{text}{images}<table><tr>{head}</tr>{rows}</table></body></html>\n"
-    )
