@@ -108,12 +108,6 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
     numbers = ConstraintNumbers(equations, table)
     initial = assembled(system, numbers) if at is None else _state_at(at, equations)
     choice = _choice(system, numbers, initial.q, at)
-    if not choice.independent:
-        raise DerivationError(
-            "joints",
-            "the mechanism has no degree of freedom left: every coordinate is determined",
-            "remove a joint or a prescribed motion, or give a body modes",
-        )
     condensed = condense(equations, choice)
     groups = choose_groups(system, choice.independent)
     try:

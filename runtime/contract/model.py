@@ -146,9 +146,10 @@ class Model:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
         if name not in self._kernels:
             if name not in self.builders:
+                driven = "Every coordinate is driven: there are no equations of motion"
                 raise ModelError(
                     f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
-                    "Regenerate the scene with that function"
+                    + ("Regenerate the scene with that function" if self.q_i else driven)
                 )
             self._kernels[name] = self.builders[name]()
         return self._kernels[name]

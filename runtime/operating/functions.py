@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from runtime.contract.model import Model
+from runtime.contract.model import Model, ModelError
 from runtime.operating.mode_solver import State
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
 
@@ -42,9 +42,13 @@ class PointValues:
 
 
 class PointFunctions:
-    """Evaluates a model with constants c. Raises ModelError if it was generated without its Jacobians."""
+    """Evaluates a model with constants c. Raises ModelError without Jacobians or freedoms."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:
+        if not model.q_i:
+            raise ModelError(
+                f"every coordinate of model {model.name} is driven: it has no equilibrium and no modes of its own"
+            )
         self.model, self.c = model, c
         self._function = model.derived("operating_point", lambda: _built(model))
         self._pull = model.derived("pull_of_holding_forces", lambda: _pull(model)) if model.q_d else None

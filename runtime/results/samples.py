@@ -83,6 +83,20 @@ class Samples:
         """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
         return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
 
+    def motor(self, name: str) -> np.ndarray:
+        """(N,) torque [N m] or force [N] of a prescribed motion: what its drive puts on body b along the motion.
+
+        -lam of its row (Eq. 22), so that motor times prescribed rate is the power of the drive. Raises ModelError for a
+        joint that is not a prescribed motion.
+        """
+        drives = [joint.name for joint in self.model.description.joints if joint.type.startswith("prescribed")]
+        if name not in drives:
+            raise ModelError(
+                f"model {self.model.name} has no prescribed motion {name!r}; it has {', '.join(drives) or 'none'}"
+            )
+        rows = [k for k, row in enumerate(self.model.description.constraints) if row.joint == name]
+        return -self.lam[:, rows[0]]
+
     def _column(self, name: str, names: Sequence[str], kind: str) -> int:
         if name not in names:
             known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)

@@ -11,8 +11,10 @@ from typing import Any, TypedDict, Unpack
 import numpy as np
 
 from runtime.contract.model import Model, ModelError
+from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.checkpoint import Checkpoint, claim, read_checkpoint
+from runtime.running.driven import driven_solution
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan, make_plan, whole_number
 from runtime.running.record import record_of
@@ -104,7 +106,8 @@ def simulate(
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
 
-    The steps are all dt long, so the run ends at t_end or less than one step after it.
+    The steps are all dt long, so the run ends at t_end or less than one step after it. Where every coordinate is driven
+    there is nothing to step: see runtime.running.driven.
 
     scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name.
     parameters and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
@@ -114,6 +117,8 @@ def simulate(
     OutputError or CompilerError for arguments that cannot be used.
     """
     more = Further(**further)
+    if not model.q_i:
+        return _driven(model, t_end, dt, parameters, initial, t0, more)
     bounded = more.outputs is not None or more.stream is not None
     plan = make_plan(model, t_end, dt, m, scheme, more.save_every, options, t0, bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
@@ -130,6 +135,31 @@ def simulate(
     run.status = segment.monitor.first(segment.stepper.state(z))
     record.add(0, z)
     return finished(run, set_up)
+
+
+def _driven(
+    model: Model,
+    t_end: float | None,
+    dt: float | None,
+    parameters: Mapping[str, float] | None,
+    initial: Mapping[str, float] | None,
+    t0: float,
+    more: Further,
+) -> Solution:
+    """The motion of a model in which every coordinate is driven: nothing is stepped, whatever the scheme."""
+    if more.outputs is not None or more.stream is not None or more.checkpoint is not None:
+        raise SchemeError(
+            "outputs, stream, checkpoint",
+            f"belong to runs that step, and every coordinate of model {model.name} is driven",
+            "leave them out",
+        )
+    settings = model.simulation
+    end, step = float(settings["t_end"] if t_end is None else t_end), float(settings["dt"] if dt is None else dt)
+    every = int(settings["save_every"] if more.save_every is None else more.save_every)
+    if not (np.isfinite([end, step]).all() and step > 0 and end > t0 and every >= 1):
+        raise SchemeError("t_end, dt, save_every", "do not make a motion", "take t_end > t0, dt > 0, save_every >= 1")
+    p = model.parameter_vector(parameters)
+    return driven_solution(model, p, given_state(model, p, model.constants(p), t0, initial), t0, end, step, every)
 
 
 def resume(

@@ -31,9 +31,11 @@ def choose_groups(system: System, independent: list[int]) -> list[Group]:
 
 
 def _by_kind(equations: Equations, independent: list[int]) -> list[Group]:
-    """L = rigid coordinates, S = elastic ones; one group if either is empty."""
+    """L = rigid coordinates, S = elastic ones; one group if either is empty, none of nothing."""
     rigid = [k for k, column in enumerate(independent) if column not in equations.elastic_columns]
     elastic = [k for k, column in enumerate(independent) if column in equations.elastic_columns]
+    if not independent:
+        return []
     if not rigid or not elastic:
         return [Group("all", list(range(len(independent))))]
     return [Group("L", rigid), Group("S", elastic)]

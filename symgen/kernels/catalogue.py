@@ -26,6 +26,7 @@ from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
 
 TREES_ONLY = {"forward_dynamics", "blocks"}  # may be asked for of any scene, and be left out
+FULLY_DRIVEN = ("closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses")
 
 
 def build_kernels(
@@ -57,6 +58,8 @@ def build_kernels(
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):
         builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
+    if not system.choice.independent:  # every coordinate is driven: there are no equations of motion to emit
+        builders = {name: build for name, build in builders.items() if name in FULLY_DRIVEN}
     unknown = sorted((wanted or frozenset()) - builders.keys() - TREES_ONLY)
     if unknown:
         raise DerivationError("functions", f"the scene has no {', '.join(unknown)}", f"it has {', '.join(builders)}")

@@ -35,7 +35,7 @@ def simulate(
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
     """
-    if (scheme or model.simulation.get("scheme")) != AUTO:
+    if (scheme or model.simulation.get("scheme")) != AUTO or not model.q_i:
         if tolerance is not None or graded is not None:
             raise SchemeError("tolerance and graded belong to scheme = auto; other schemes take the step dt")
         return run(model, scheme=scheme, **settings)

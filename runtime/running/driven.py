@@ -1,0 +1,113 @@
+"""Mechanisms in which every coordinate is driven: positions, rates, accelerations and forces without integration.
+
+q = f(t) (Eq. 31), q' and q'' follow (Eqs. 36, 35), and the multipliers from the rows of the dependent coordinates
+(Eq. 37), motors among them. Loops are followed from instant to instant, so that their branch is kept.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.model import Model
+from runtime.contract.status import Status
+from runtime.results.observe import assemble_solution
+from runtime.results.sampling import evaluate
+from runtime.results.solution import Solution
+
+SCHEME = "driven"
+CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
+STAGNANT = 1e-11  # a correction that small, but no longer shrinking, is rounding
+MOST_CLOSURES = 25
+NEAR = 0.2  # rad or m: a correction above this may have left the branch
+MOST_HALVINGS = 12  # of the time from one instant to the next
+
+
+def driven_solution(
+    model: Model, p: np.ndarray, state: ConsistentState, t0: float, t_end: float, dt: float, save_every: int
+) -> Solution:
+    """The motion of a model without independent coordinates, from its state at t0 until t_end [s].
+
+    Samples are dt save_every apart. Where the loops cannot be followed the run ends, with status `constraints_lost`.
+    """
+    started = time.perf_counter()
+    step = dt * save_every
+    times = t0 + step * np.arange(int(np.ceil((t_end - t0) / step * (1 - 1e-12))) + 1)
+    c = model.constants(p)
+    follower = _Follower(model, c)
+    q_d = follower.along(times, state.q[model.dependent_columns])
+    lost = len(q_d) < len(times)
+    times = times[: len(q_d)]
+    values = {"q_d": q_d, "t": times[:, None], "q_i": np.zeros((len(times), 0)), "q_i_dot": np.zeros((len(times), 0))}
+    values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
+    values["q_i_ddot"] = np.zeros((len(times), 0))
+    q_d_ddot = evaluate(model.kernel("accelerations"), values, c)["q_d_ddot"]
+    columns, shape = model.dependent_columns, (len(times), len(model.coordinates))
+    q, q_dot, q_ddot = np.zeros(shape), np.zeros(shape), np.zeros(shape)
+    q[:, columns], q_dot[:, columns], q_ddot[:, columns] = q_d, values["q_d_dot"], q_d_ddot
+    status = Status("completed", float(times[-1])) if not lost else _lost(float(times[-1]))
+    stats: dict[str, float | int | str] = {"seconds": time.perf_counter() - started, "closures": follower.closures}
+    return assemble_solution(model, times, q, q_dot, q_ddot, p, c, SCHEME, dt, [], stats, status)
+
+
+def _lost(t: float) -> Status:
+    return Status(
+        "constraints_lost",
+        t,
+        cause="the loops cannot be closed further along the driven motion",
+        advice="The drive asks for a position that the mechanism cannot reach, or passes a dead centre: another motion",
+    )
+
+
+@dataclass
+class _Follower:
+    model: Model
+    c: np.ndarray
+    closures: int = field(default=0)
+
+    def along(self, times: np.ndarray, q_d: np.ndarray) -> np.ndarray:
+        """(N, n_d) positions at the times, as far as the loops can be followed; at least at the first."""
+        if not self.model.loop_unknowns:
+            values = {"q_d": np.tile(q_d, (len(times), 1)), "t": times[:, None], "q_i": np.zeros((len(times), 0))}
+            return evaluate(self.model.kernel("closure"), values, self.c)["q_d_next"]
+        found = [self._closed(q_d, float(times[0]))]
+        if found[0] is None:
+            found = [q_d]
+        for before, t in zip(times, times[1:], strict=False):
+            following = self._next(np.asarray(found[-1]), float(before), float(t), MOST_HALVINGS)
+            if following is None:
+                break
+            found.append(following)
+        return np.array(found)
+
+    def _next(self, q_d: np.ndarray, before: float, t: float, halvings: int) -> np.ndarray | None:
+        """Positions at t from those before, through instants in between where the loops do not close at once."""
+        values = {"q_d": q_d, "t": before, "q_i": np.zeros(0), "q_i_dot": np.zeros(0), "c": self.c}
+        rate = np.asarray(self.model.evaluate("velocities", **values)["q_d_dot"]).ravel()
+        guess = q_d + (t - before) * rate
+        found = self._closed(guess, t) if np.isfinite(guess).all() else None
+        if found is not None and np.abs(found - guess).max() <= NEAR:
+            return found
+        if not halvings:
+            return None
+        middle = self._next(q_d, before, 0.5 * (before + t), halvings - 1)
+        return None if middle is None else self._next(middle, 0.5 * (before + t), t, halvings - 1)
+
+    def _closed(self, q_d: np.ndarray, t: float) -> np.ndarray | None:
+        """Newton on the loop unknowns until the correction is rounding; None if it does not get there."""
+        before = np.inf
+        for _ in range(MOST_CLOSURES):
+            self.closures += 1
+            found = self.model.evaluate("closure", q_d=q_d, t=t, q_i=np.zeros(0), c=self.c)
+            following = np.asarray(found["q_d_next"]).ravel()
+            if not np.isfinite(following).all():
+                return None
+            moved, scale = float(np.abs(following - q_d).max()), max(1.0, float(np.abs(following).max()))
+            q_d = following
+            if moved <= CLOSED * scale or (moved <= STAGNANT * scale and moved >= 0.5 * before):
+                return q_d
+            before = moved
+        return None
