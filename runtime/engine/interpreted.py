@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import casadi as ca
 import numpy as np
 
@@ -65,9 +67,9 @@ class InterpretedProgram:
         self.note = ""
         self._composer = _Composer(z_size, c_size)
         self._step = self._composer.function(program)
-        self._batches: dict[int, tuple] = {}
+        self._batches: dict[int, tuple[Any, ...]] = {}
 
-    def _batch(self, n: int) -> tuple:
+    def _batch(self, n: int) -> tuple[Any, ...]:
         if n not in self._batches:
             function = self._composer.power(self._step, n)
             buffer, evaluate = function.buffer()

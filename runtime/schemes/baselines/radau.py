@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -199,7 +200,7 @@ class Radau(OneStep):
     def _velocities(self, z: Fields, K: list[ca.SX], h: ca.SX) -> list[ca.SX]:
         return [z["v"] + h * _combined(row, K) for row in A]
 
-    def _solved(self, factors: tuple, residuals: list[ca.SX]) -> list[ca.SX]:
+    def _solved(self, factors: tuple[Any, ...], residuals: list[ca.SX]) -> list[ca.SX]:
         """T k with (r^2 M - r h J_v - h^2 J_q) k = r^2 T^-1 R."""
         change = [ca.SX(0)] * STAGES
         for k, r in enumerate(SHIFTS):
