@@ -54,7 +54,7 @@ def scipy_solution(
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()
     result = solve_ivp(
-        _counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol, atol=atol, **more
+        counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol, atol=atol, **more
     )
     wall = time.perf_counter() - started
     status = (
@@ -79,7 +79,7 @@ def scipy_solution(
     return observed_solution(model, given, result.t, result.y.T, method, stats, status)
 
 
-def _counted(slope: Slope, method: str) -> Slope:
+def counted(slope: Slope, method: str) -> Slope:
     """The slope as a fresh array, up to MOST_EVALUATIONS times. Raises NoResult."""
     done = 0
 

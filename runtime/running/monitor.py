@@ -28,8 +28,11 @@ class Monitor:
     def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False) -> None:
         self.subject = Subject(model, scheme, c)
         self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
-        further = (Growth, Closure, Iterations, Constraints, Mass, Energy)
-        self.checks: list[Check] = [self._finite, *(kind(self.subject) for kind in further), self._step]
+        self._mass = Mass(self.subject)
+        cheap = (Growth(self.subject), Closure(self.subject), Iterations(self.subject))
+        costly = (Constraints(self.subject), self._mass, Energy(self.subject), self._step)
+        self.checks: list[Check] = [self._finite, *cheap, *costly]
+        self._latest: np.ndarray | None = None  # the last state that passed the cheap checks
         self._calls = 0
 
     @property
@@ -54,6 +57,10 @@ class Monitor:
         full = last or self._calls <= FULL_CHECKS or self._calls % FULL_CHECKS == 0
         due = (check for check in self.checks if full or not check.costly)
         status = next((found for check in due if (found := check.after(z)) is not None), None)
+        if status is None:
+            self._latest = z.copy()
+        elif self._latest is not None and status.name != "mass_not_positive":
+            status = self._mass.explains(self._latest) or status
         if status is not None and self.subject.good is not None:
             z[:] = self.subject.good
         elif full:

@@ -59,6 +59,7 @@ class Run:
         """Step until the end, trouble, or Ctrl-C. The record ends with the last good state."""
         self._written = time.monotonic()
         with heard_interrupts() as interrupts:
+            self._interrupts = interrupts
             try:
                 self._loop(interrupts)
             except KeyboardInterrupt:
@@ -130,6 +131,7 @@ class Run:
 
     def _pass(self, before: np.ndarray, n: int) -> None:
         """The determinant of a loop block is small on the way from `before`: decide there how to go on."""
+        self.z = before.copy()  # what Ctrl-C during the search leaves
         z, previous, alarm = locate(self.segment, self.guard, self.earlier, before, n)
         if not alarm:
             self.z, self.earlier = z, before
@@ -137,7 +139,7 @@ class Run:
         if self.guard.threshold < FLOOR:
             self._step_unguarded(z)
             return
-        passage = Passage(self.segment, self.guard, self.record.segments, self.engine)
+        passage = Passage(self.segment, self.guard, self.record.segments, self.engine, lambda: self._interrupts.asked)
         found = passage.go_on(z if previous is None else previous)
         if found.event is not None and (
             found.event.kind != "no_variant" or not any(event.text == found.event.text for event in self.events)

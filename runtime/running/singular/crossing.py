@@ -76,10 +76,10 @@ def cross(integrator: TightIntegrator, t: float, y: np.ndarray, block: int, larg
     """Over the singular position that lies ahead of (t, y). Raises BranchLost."""
     reason = "it could not be approached"
     for closest in CLOSEST:
-        near = approach(integrator, t, y, block, closest * largest)
-        if near is None:
-            continue
         try:
+            near = approach(integrator, t, y, block, closest * largest)
+            if near is None:
+                continue
             return _step_over(integrator, *near, block)
         except BranchLost as error:
             reason = str(error)

@@ -56,6 +56,10 @@ class Guard:
         """Look again when the determinant is smaller still."""
         self.threshold *= LOWERED
 
+    def give_up(self) -> None:
+        """Looking again is of no use: the next step in alarm is taken unguarded."""
+        self.threshold = LOWERED * FLOOR
+
     def passed(self) -> None:
         """A singular position lies behind: signs may have changed."""
         self.sign, self.threshold = np.zeros(len(self.largest)), NEAR

@@ -6,7 +6,9 @@ All of it depends on states only, never on how many steps a native call made, so
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
@@ -76,15 +78,21 @@ def locate(
 
 
 class Passage:
-    """Looks at a place where the alarm was raised, and decides."""
+    """Looks at a place where the alarm was raised, and decides. asked: was Ctrl-C pressed?"""
 
-    def __init__(self, segment: Segment, guard: Guard, segments: list[Segment], engine: str) -> None:
+    def __init__(
+        self, segment: Segment, guard: Guard, segments: list[Segment], engine: str, asked: Callable[[], bool]
+    ) -> None:
         self.segment, self.guard, self.segments, self.engine = segment, guard, segments, engine
+        self.asked = asked
         self.loops = LoopDeterminants(segment.model, segment.c)
         self.length = mechanism_length(segment.model, self.loops.jacobian(0.0, segments[0].model.initial_q))
 
     def go_on(self, z: np.ndarray) -> Continuation:
-        """From z, the last state whose determinants were good."""
+        """From z, the last state whose determinants were good, if it passes the other checks."""
+        status = self.segment.monitor.after(self.segment.stepper.state(z), last=True)
+        if status is not None:
+            return Continuation(self.segment, z, [], None, None, status)
         seen = self.segment.observed([self.segment.stepper.state(z)])
         t, q, v = float(seen.t[0]), seen.q[0], seen.q_dot[0]
         values, _ = self.loops.determinants(t, q, v)
@@ -98,10 +106,14 @@ class Passage:
 
     def _ahead(self, z: np.ndarray, seen: Solution, block: int, height: float) -> Continuation:
         """Follow the motion with tight tolerances to see whether it leads to a singular position."""
-        integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c)
+        integrator = TightIntegrator(self.segment.model, self.segment.p, self.segment.c, self.asked)
         t, y = float(seen.t[0]), integrator.pack(seen.q[0], seen.q_dot[0])
         largest = float(self.guard.largest[block]) or height
-        near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
+        try:
+            near = approach(integrator, t, y, block, min(FOLLOWED * largest, 0.3 * height))
+        except BranchLost:  # whatever stops the motion, it is not the closure: other checks name it
+            self.guard.give_up()
+            return Continuation(self.segment, z, [])
         if near is None:
             return self._look_later(z)
         there = integrator.seen(np.array([near[0]]), near[1][None, :])
@@ -165,22 +177,18 @@ class Passage:
     ) -> Continuation:
         """Samples up to the first step whose determinant is good again, where the scheme starts anew."""
         plan, first = self.segment.plan, self.segment.step_of(z)
-        samples: list[np.ndarray] = []
-        t, y = before
-        over = crossing.ends(integrator)
-        for step in range(first + 1, min(plan.steps, first + LONGEST_LEAVE) + 1):
-            target = plan.time(step)
-            if over.t[0] < target < over.t[1]:
-                samples.append(self._state(z, *between(over, target), step))
-                continue
-            if t < over.t[1] <= target:
-                t, y = crossing.t, crossing.y
-            t, y = integrator.run(t, y, target)
-            seen = integrator.seen(np.array([t]), y[None, :])
-            samples.append(self._state(z, seen.q[0], seen.q_dot[0], step))
-            height = abs(float(self.loops.determinants(t, seen.q[0], seen.q_dot[0])[0][block]))
-            if t > crossing.t_s and height > 1.2 * NEAR * largest:
-                break
+        last = self._last_step(integrator, crossing, block, 1.2 * NEAR * largest, first)
+        steps = [k for k in range(first + 1, last + 1) if k == last or k % plan.save_every == 0]
+        times, over = np.array([plan.time(step) for step in steps]), crossing.ends(integrator)
+        ahead, behind = times <= over.t[0], times >= over.t[1]
+        q, q_dot = np.zeros((len(times), over.q.shape[1])), np.zeros((len(times), over.q.shape[1]))
+        for part, start in ((ahead, before), (behind, (crossing.t, crossing.y))):
+            if part.any():
+                found = integrator.states(times[part], integrator.path(*start, times[part]))
+                q[part], q_dot[part] = found["q"], found["q_dot"]
+        for k in np.flatnonzero(~ahead & ~behind):
+            q[k], q_dot[k] = between(over, float(times[k]))
+        samples = [self._state(z, *state) for state in zip(q, q_dot, steps, strict=True)]
         event = Event(
             crossing.t_s,
             "singular_position",
@@ -189,6 +197,20 @@ class Passage:
         )
         self.guard.passed()
         return Continuation(self.segment, samples[-1].copy(), samples, first + 1, event)
+
+    def _last_step(self, integrator: TightIntegrator, crossing: Crossing, block: int, height: float, first: int) -> int:
+        """The first step behind the position whose determinant is good again; the last one allowed if there is none."""
+        plan = self.segment.plan
+        allowed = min(plan.steps, first + LONGEST_LEAVE)
+        if plan.time(allowed) <= crossing.t:
+            return allowed
+        t, y = crossing.t, crossing.y
+        if abs(float(integrator.determinants(t, y)[0][block])) <= height:
+            found = integrator.rise(t, y, plan.time(allowed), block, height)
+            if found is None:
+                return allowed
+            t = found[0]
+        return min(allowed, max(first + 1, ceil((t - plan.t0) / plan.grid.dt_L)))
 
     def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int) -> np.ndarray:
         result = self.segment.start(q, q_dot, step)
