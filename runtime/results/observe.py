@@ -39,7 +39,10 @@ def observe_samples(
     q_ddot = join(model, observed["q_i_ddot"], observed["q_d_ddot"])
     t = observed["t"][:, 0]
     stats = {**stats, "closure_error": float(samples[-1][scheme.layout.slice("closure_error")][0])}
-    return assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
+    found = assemble_solution(model, t, q, q_dot, q_ddot, p, c, name, scheme.grid.dt_L, scheme.grid.m, stats, status)
+    if "work" in scheme.layout.sizes:
+        found.energy["work"] = samples[:, scheme.layout.slice("work")][:, 0].copy()
+    return found
 
 
 def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray) -> None:

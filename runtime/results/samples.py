@@ -21,7 +21,8 @@ class Samples:
 
     t (N,) [s]; q, q_dot, q_ddot (N, n) in the order of model.coordinates; q_i (N, n_i) in the order of model.q_i;
     lam (N, n_constraints), the multipliers of Eq. (37); energy: kinetic, elastic, potential (N,) [J] and
-    power_dissipated (>= 0), power_applied, power_driven (N,) [W]; constraint_error (N,) = max |C| and
+    power_dissipated (>= 0), power_applied, power_driven (N,) [W], work (N,) [J] done on the system since the start of a
+    run that something feeds or damps; constraint_error (N,) = max |C| and
     constraint_rate_error (N,) = max |C_q q_dot + C_t|;
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
     [N m] of each joint on its body b, at marker b; parameters: the vector p that was used; m: ratio of each next
@@ -112,9 +113,12 @@ class Samples:
     def work(self) -> np.ndarray:
         """(N,) work done on the system since the first sample [J].
 
-        Integral of power_applied + power_driven - power_dissipated over the saved samples, by the trapezoidal rule
-        with end correction (fourth order for smooth power, any spacing).
+        Integral of power_applied + power_driven - power_dissipated: by the run's own steps (`energy["work"]`), or,
+        where an integrator keeps no account of it, over the saved samples by the trapezoidal rule with end correction
+        (fourth order for smooth power, any spacing).
         """
+        if "work" in self.energy:
+            return np.asarray(self.energy["work"] - self.energy["work"][:1])
         power = self.energy["power_applied"] + self.energy["power_driven"] - self.energy["power_dissipated"]
         if len(self.t) < 2:
             return np.zeros_like(self.t)

@@ -14,6 +14,7 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.work import account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
@@ -34,15 +35,20 @@ class Segment:
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
         c = model.constants(p)
+        account_for_work(plan.scheme)
         stepper = Stepper(plan.scheme, engine, plan.steps)
         monitor = Monitor(model, plan.scheme, c, force=plan.force)
         return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), monitor)
 
-    def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0) -> np.ndarray:
-        """The whole z at a consistent state of all coordinates after so many steps of the run (Eqs. 68-71)."""
+    def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0) -> np.ndarray:
+        """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
+
+        work [J]: what was done on the mechanism until then.
+        """
         z = self.stepper.start(self.plan.time(step), q, q_dot, self.c, self.plan.grid.dt_L)
         z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
         self.forget_determinants(z)
+        begin_account(self.plan.scheme, z, self.plan.scheme.constants(self.c), work)
         return z
 
     def step_of(self, z: np.ndarray) -> int:

@@ -37,6 +37,8 @@ class Scheme(ABC):
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
+    power_function: ca.Function | None = None  # of work.py, once it was asked for
+
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model, self.grid = model, grid
         self.options = options.checked(len(grid.groups))

@@ -111,9 +111,8 @@ def summary(solution: Solution) -> list[str]:
     scale = float(solution.energy["kinetic"].max() + solution.energy["elastic"].max())
     if balance > BALANCE_REMARK * scale:
         lines.append(
-            f"the energy balance is off by {balance / scale:.2g} of the energy in motion: save more often "
-            "(work is integrated over the saved samples), or compare with --scheme single_rate and a smaller "
-            "step"
+            f"the energy balance is off by {balance / scale:.2g} of the energy in motion: the step is too long for "
+            "the scheme; take a smaller one, or compare with --scheme single_rate"
         )
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":

@@ -1,4 +1,4 @@
-"""Energy of a mechanism that no load and no prescribed motion feeds can only stay or fall."""
+"""The energy of a mechanism grows by no more than the work that was done on it."""
 
 from __future__ import annotations
 
@@ -10,20 +10,24 @@ import numpy as np
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject, observed
 from runtime.running.checks.step_length import step_advice
+from runtime.schemes.work import work_of
 
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
 class Energy(Check):
-    """`diverged` by spurious energy. at_start [J]: total energy; largest [J]: kinetic plus elastic energy seen."""
+    """`diverged` by spurious energy.
+
+    at_start [J]: total energy; largest [J]: kinetic plus elastic energy seen, less what is spurious; largest_work [J]:
+    magnitude of the work.
+    """
 
     def __init__(self, subject: Subject) -> None:
         super().__init__(subject)
+        self._known = "work" in subject.scheme.layout.sizes or subject.model.conservative
         parts = ("kinetic", "elastic", "potential")
-        self._energies = (
-            observed(subject.model, subject.scheme, "energy", parts) if subject.model.conservative else None
-        )
-        self.at_start, self.largest = math.nan, 0.0
+        self._energies = observed(subject.model, subject.scheme, "energy", parts) if self._known else None
+        self.at_start, self.largest, self.largest_work = math.nan, 0.0, 0.0
 
     def start(self, z: np.ndarray) -> Status | None:
         """Remember the energy."""
@@ -37,11 +41,14 @@ class Energy(Check):
         if self._energies is None:
             return None
         moving, total = self._measured(z)
-        self.largest = max(self.largest, moving)
-        if total - self.at_start <= ENERGY_LIMIT * self.largest:  # false for NaN
+        work = work_of(self.subject.scheme, z)
+        spurious = total - self.at_start - work
+        self.largest_work = max(self.largest_work, abs(work))
+        self.largest = max(self.largest, moving - max(spurious, 0.0))  # what grew by itself is no measure
+        if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work):  # false for NaN
             return None
         fastest = int(np.abs(self.subject.scheme.rates(z)).argmax())
-        cause = "energy grows although nothing feeds the mechanism"
+        cause = "energy grows by more than the work done on the mechanism"
         return self.subject.stop("diverged", cause, step_advice(self.subject), fastest)
 
     def _measured(self, z: np.ndarray) -> tuple[float, float]:
@@ -51,9 +58,9 @@ class Energy(Check):
         return kinetic + elastic, kinetic + elastic + potential
 
     def memory(self) -> list[float]:
-        """[at_start, largest]."""
-        return [self.at_start, self.largest]
+        """[at_start, largest, largest_work]."""
+        return [self.at_start, self.largest, self.largest_work]
 
     def resume(self, memory: Sequence[float]) -> None:
         """From `memory`."""
-        self.at_start, self.largest = memory
+        self.at_start, self.largest, self.largest_work = memory

@@ -14,6 +14,7 @@ import numpy as np
 
 from runtime.contract.status import Event, Status, StatusName
 from runtime.contract.units import mechanism_length
+from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
 from runtime.running.segment import Segment
 from runtime.running.singular.carry import COUNTERS, carried
@@ -24,6 +25,7 @@ from runtime.running.singular.loop_determinants import LoopDeterminants
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 from runtime.running.singular.variants import NoVariant, variant_of
 from runtime.schemes.options import SchemeError
+from runtime.schemes.work import work_of
 
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
@@ -188,7 +190,8 @@ class Passage:
                 q[part], q_dot[part] = found["q"], found["q_dot"]
         for k in np.flatnonzero(~ahead & ~behind):
             q[k], q_dot[k] = between(over, float(times[k]))
-        samples = [self._state(z, *state) for state in zip(q, q_dot, steps, strict=True)]
+        works = self._works(z, q, q_dot, times)
+        samples = [self._state(z, *state) for state in zip(q, q_dot, steps, works, strict=True)]
         event = Event(
             crossing.t_s,
             "singular_position",
@@ -212,8 +215,17 @@ class Passage:
             t = found[0]
         return min(allowed, max(first + 1, ceil((t - plan.t0) / plan.grid.dt_L)))
 
-    def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int) -> np.ndarray:
-        result = self.segment.start(q, q_dot, step)
+    def _works(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """(N,) work done until samples (N, n) behind z [J]: on so short a way it is what the energy changed by."""
+        seen = self.segment.observed([self.segment.stepper.state(z)])
+        motion = {"q": np.vstack([seen.q, q]), "q_dot": np.vstack([seen.q_dot, q_dot])}
+        at = {**motion, "t": np.concatenate([seen.t, times])[:, None]}
+        energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
+        total = np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])
+        return work_of(self.segment.plan.scheme, z) + total[1:] - total[0]
+
+    def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int, work: float) -> np.ndarray:
+        result = self.segment.start(q, q_dot, step, work)
         layout = self.segment.plan.scheme.layout
         for name in COUNTERS:
             result[layout.slice(name)] = z[layout.slice(name)]

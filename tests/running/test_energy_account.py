@@ -1,0 +1,99 @@
+"""The work of loads, dampers and drives is integrated by the steps, and the energy of every run is judged by it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import Model, resume, simulate
+from symgen.scene import Scene, SceneBuilder
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+
+
+def flywheel(torque: str, damping: float = 0.0) -> Scene:
+    """J = 2 kg m2 about a fixed axis, at 3 rad/s; theta'' = (torque - damping theta') / 2."""
+    builder = SceneBuilder("flywheel").rigid("wheel", mass=1.0, inertia=2.0)
+    builder.revolute("axle", "ground.origin", "wheel.origin", damping=damping)
+    builder.torque("motor", "wheel.origin", torque).rates({"wheel.theta": 3.0})
+    return builder.simulation(t_end=2.0, dt=1e-2, scheme="rk4").build()
+
+
+def masses(force: str | None) -> Scene:
+    """Two coupled oscillators, whose sub-steps of `coupled` resonate with the step of the slow one at dt = 0.1 s."""
+    builder = SceneBuilder("masses")
+    load = {} if force is None else {"force": [force, 0.0]}
+    builder.structure(
+        coordinates=["x", "y"], mass=[[1.0, 0.5], [0.5, 1.0]], stiffness=[[1.0, 0.0], [0.0, 400.0]], **load
+    )
+    builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.1})
+    return builder.simulation(t_end=100.0, dt=0.1, m=[8], scheme="coupled").build()
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "dop853", "single_rate"])
+def test_work_of_a_constant_torque_is_torque_times_angle(model_of: Build, scheme: str) -> None:
+    """Power grows linearly, which the quadrature takes exactly."""
+    run = simulate(model_of(flywheel("4.0")), scheme=scheme, save_every=7)
+    assert run.work() == pytest.approx(4.0 * (run["wheel.theta"] - run["wheel.theta"][0]), abs=1e-10)
+    assert np.abs(run.energy_balance()).max() < 1e-10
+
+
+def test_work_of_torque_and_damper_converges_with_order_four(model_of: Build) -> None:
+    """theta' = v: v' = -v/4 + 2 sin 5t; W is the change of v^2, known in closed form."""
+    model = model_of(flywheel("4 * sin(5 * t)", damping=0.5))
+    a, amplitude = 0.25, 2.0
+    k = amplitude / (a**2 + 25)
+
+    def v(t: np.ndarray) -> np.ndarray:
+        return (3.0 + 5 * k) * np.exp(-a * t) + k * (a * np.sin(5 * t) - 5 * np.cos(5 * t))
+
+    errors = []
+    for dt in (4e-2, 2e-2, 1e-2):
+        run = simulate(model, dt=dt, save_every=1)
+        errors.append(np.abs(run.work()[3:] - (v(run.t) ** 2 - 9.0)[3:]).max())
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert rates == pytest.approx(4.0, abs=0.4), errors
+
+
+@pytest.mark.parametrize("scheme", ["printed", "coupled", "linearised", "exponential", "radau", "hht"])
+def test_work_does_not_depend_on_what_is_saved(built_in: Load, scheme: str) -> None:
+    model = built_in("flexible_slider_crank")
+    often, seldom = (simulate(model, scheme=scheme, t_end=0.02, dt=4e-5, save_every=n) for n in (1, 100))
+    assert np.array_equal(often.work()[::100], seldom.work())
+    assert np.abs(seldom.energy_balance()).max() < 2e-3 * seldom.total_energy.max()
+
+
+def test_nothing_is_added_where_nothing_works(built_in: Load) -> None:
+    """The program of a conservative mechanism has no account; its energy is judged all the same."""
+    run = simulate(built_in("pendulum"), t_end=0.1)
+    assert "work" not in run.energy and not run.work().any()
+
+
+@pytest.mark.parametrize("force", [None, "1e-9 * sin(t)"])
+def test_a_load_does_not_hide_spurious_energy(model_of: Build, force: str | None) -> None:
+    """The sub-cycling feeds the slow mass; driven by a billionth of its forces or not, the run ends by name."""
+    run = simulate(model_of(masses(force)))
+    assert run.status.name == "diverged" and 15.0 < run.status.time < 40.0
+    assert "work done" in run.status.cause
+
+
+def test_a_prescribed_motion_does_not_hide_spurious_energy(built_in: Load) -> None:
+    """51.5 J are right; without the account this run completed at 5,145 J."""
+    run = simulate(built_in("flexible_slider_crank"), scheme="coupled", m=[4], dt=1e-4)
+    assert run.status.name == "diverged" and run.status.time < 0.1
+
+
+def test_the_account_is_kept_by_checkpoints(built_in: Load, tmp_path: Path) -> None:
+    model, settings = built_in("flexible_slider_crank"), {"scheme": "single_rate", "dt": 2e-5, "t_end": 0.01}
+
+    def stop(t: float, t_end: float) -> None:
+        if t > 0.005:
+            raise KeyboardInterrupt
+
+    whole = simulate(model, **settings)
+    simulate(model, **settings, checkpoint=tmp_path / "run.npz", progress=stop)
+    assert np.array_equal(resume(model, tmp_path / "run.npz").work(), whole.work())
