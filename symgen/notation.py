@@ -136,6 +136,10 @@ FIELDS: tuple[Notation, ...] = (
     Notation("closure_error", "", "", "1", "m, rad", "largest C_loop so far"),
     Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
     Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),
+    Notation("work", "", "", "1", "J", "W, work of loads, dampers and drives since the start of the run"),
+    Notation("work_base", "", "", "1", "J", "W where its powers were counted from"),
+    Notation("power", "", "", "3", "W", "powers after the last steps, newest first"),
+    Notation("powers", "", "", "1", "1", "steps whose powers were counted, 4 at most"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
     Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
     # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled

@@ -111,6 +111,11 @@ class Scheme(ABC):
         """Of these, what each coordinate of q_i remembers of earlier steps."""
         return self._lasting(Lasting.HISTORY)
 
+    def keep_account(self, sizes: Mapping[str, int]) -> None:
+        """Further fields of z that no step reads. Before anything of the scheme is built."""
+        self._fields |= {name: account(size) for name, size in sizes.items()}
+        self.layout = Layout({name: one.size for name, one in self._fields.items()})
+
     def _lasting(self, *kinds: Lasting) -> list[str]:
         return [name for name, one in self._fields.items() if one.lasting in kinds]
 

@@ -13,9 +13,9 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.engine.program import Fields, Layout, Program, Sequence
-from runtime.schemes.kernels import StepKernels
+from runtime.engine.program import Fields, Program, Sequence
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.stage_equations import StageEquations
 
 # work [J]; where it stood when the powers were counted from; the last three powers [W], newest first; how many steps
 FIELDS = {"work": 1, "work_base": 1, "power": 3, "powers": 1}
@@ -33,14 +33,14 @@ def works(model: Model) -> bool:
 def account_for_work(scheme: Scheme) -> None:
     """Give z the fields of the work, where there is any. Before anything of the scheme is built."""
     if works(scheme.model) and "work" not in scheme.layout.sizes:
-        scheme.layout = Layout({**scheme.layout.sizes, **FIELDS})
+        scheme.keep_account(FIELDS)
 
 
 def program_with_work(scheme: Scheme) -> Program:
     """A major step, and the account of its work where z has its fields."""
     if "work" not in scheme.layout.sizes:
         return scheme.program()
-    return Sequence((scheme.program(), scheme.stage("work", lambda z, kernels: _accounted(scheme, z, kernels))))
+    return Sequence((scheme.program(), scheme.stage("work", lambda z, equations: _accounted(scheme, z, equations))))
 
 
 def begin_account(scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float = 0.0) -> None:
@@ -64,12 +64,12 @@ def _power_function(scheme: Scheme) -> ca.Function:
     """(z, c) -> P, built once for a scheme."""
     if scheme.power_function is None:
         z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        power = _power(scheme, scheme.layout.unpack(z), scheme.kernels(c), c)
+        power = _power(scheme, scheme.layout.unpack(z), scheme.equations(c), c)
         scheme.power_function = ca.Function("power", [z, c], [power])
     return scheme.power_function
 
 
-def _power(scheme: Scheme, z: Fields, kernels: StepKernels, c: ca.SX) -> ca.SX:
+def _power(scheme: Scheme, z: Fields, equations: StageEquations, c: ca.SX) -> ca.SX:
     """P at the state that z shows [W]."""
     model = scheme.model
     seen = scheme.observer(z=scheme.layout.pack(z), c=c)
@@ -80,18 +80,18 @@ def _power(scheme: Scheme, z: Fields, kernels: StepKernels, c: ca.SX) -> ca.SX:
             for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot")):
                 full[name][int(column)] = seen[f"q_{kind}{end}"][position]
     at = {**full, "t": seen["t"]}
-    energy = kernels.call("energy", **at)
+    energy = equations.call("energy", **at)
     power = energy["power_applied"] - energy["power_dissipated"]
     if model.constraints and not model.structurally_zero("constraints", "C_t"):
-        lam = kernels.call("reactions", **at, lam_R=ca.SX.zeros(len(model.redundant)))["lam"]
-        power = power + ca.dot(lam, kernels.call("constraints", **at)["C_t"])
+        lam = equations.call("reactions", **at, lam_R=ca.SX.zeros(len(model.redundant)))["lam"]
+        power = power + ca.dot(lam, equations.call("constraints", **at)["C_t"])
     return power
 
 
-def _accounted(scheme: Scheme, z: Fields, kernels: StepKernels) -> Mapping[str, ca.SX]:
+def _accounted(scheme: Scheme, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
     """W after one more major step."""
-    h, past, count = kernels.h[0], z["power"], z["powers"] + 1
-    P = _power(scheme, z, kernels, ca.vertcat(kernels.c, kernels.h))
+    h, past, count = equations.h[0], z["power"], z["powers"] + 1
+    P = _power(scheme, z, equations, ca.vertcat(equations.c, equations.h))
     trapezoid = z["work_base"] + h / 2 * (P + past[0])
     simpson = z["work_base"] + h / 3 * (P + 4 * past[0] + past[1])
     three_eighths = z["work_base"] + 3 * h / 8 * (P + 3 * past[0] + 3 * past[1] + past[2])

@@ -10,6 +10,7 @@ from pathlib import Path
 from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
+from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation import FIELDS, SYMBOLS, Notation, table
 
@@ -50,7 +51,9 @@ def fields_of_z(model: Model) -> set[str]:
         if "propagation" in kind.options.names():
             choices.append({"propagation": "central_difference"})
         for options in choices:
-            found |= set(kind.build(name, model, 1.0, None, options).layout.sizes)
+            scheme = kind.build(name, model, 1.0, None, options)
+            account_for_work(scheme)
+            found |= set(scheme.layout.sizes)
     return found
 
 
