@@ -137,6 +137,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
     Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),
     Notation("work", "", "", "1", "J", "W, work of loads, dampers and drives since the start of the run"),
+    Notation("work_doubt", "", "", "1", "J", "by how much W may be wrong where the power changes within a step"),
     Notation("work_base", "", "", "1", "J", "W where its powers were counted from"),
     Notation("power", "", "", "3", "W", "powers after the last steps, newest first"),
     Notation("powers", "", "", "1", "1", "steps whose powers were counted, 4 at most"),

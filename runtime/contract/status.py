@@ -19,7 +19,7 @@ StatusName = Literal[
     "integrator_refused",
     "output_failed",
 ]
-EventKind = Literal["repartition", "singular_position", "no_variant", "checkpoint_failed"]
+EventKind = Literal["repartition", "singular_position", "no_variant", "checkpoint_failed", "load_missed"]
 
 
 @dataclass(frozen=True)

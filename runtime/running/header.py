@@ -22,7 +22,8 @@ class CheckpointHeader:
     """The run: model (digest of its manifest, its scene), plan. How far: steps done, rows streamed, what was kept.
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
-    coordinates there, which tell a generator of variants where it is. monitor, guard: what checks compare with.
+    coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy: what checks
+    compare with, and errors so far.
     """
 
     model: str
@@ -48,6 +49,7 @@ class CheckpointHeader:
     position: list[float]
     monitor: dict[str, list[float]]
     guard: list[list[float]]
+    accuracy: dict[str, list[float]]
 
     def to_json(self) -> str:
         """One JSON object with its format."""

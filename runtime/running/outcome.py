@@ -26,7 +26,9 @@ def finished(run: Run, setup: float) -> Solution:
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
-    stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **_circumstances(run)}
+    run.accuracy.watch({name: solution[name] for name in run.accuracy.errors})
+    circumstances = {**_circumstances(run), **run.accuracy.stats()}
+    stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
     table = run.record.table
     if isinstance(table, StreamFile):

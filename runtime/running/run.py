@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.files import OutputError
 from runtime.contract.status import Event, Status
 from runtime.results.stream import StreamFile
+from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint
 from runtime.running.header import CheckpointHeader
 from runtime.running.interrupts import Interrupts, heard_interrupts
@@ -48,6 +49,7 @@ class Run:
     status: Status | None = None
     engine: str = "auto"
     guard: Guard = field(default_factory=Guard)
+    accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
     @property
@@ -105,6 +107,7 @@ class Run:
     def _loop(self, interrupts: Interrupts) -> None:
         per_call = 1
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
+            self.accuracy.look(self.segment, self.z, self.guard)
             n = self._batch(per_call)
             began = time.perf_counter()
             self._advance(n)
@@ -178,6 +181,7 @@ class Run:
     def _batch(self, per_call: int) -> int:
         plan, done = self.segment.plan, self.step
         n = min(plan.save_every - done % plan.save_every, plan.steps - done, per_call)
+        n = min(n, self.accuracy.until_next(done) or n)
         return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
 
     def _keep(self, z: np.ndarray | None = None) -> None:
@@ -235,6 +239,7 @@ class Run:
             position=self.segment.observed([self._state]).q[0].tolist(),
             monitor=self.segment.monitor.memory(),
             guard=self.guard.memory(),
+            accuracy=self.accuracy.memory(),
         )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from runtime.contract.model import Model, ModelError
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
+from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint, claim, read_checkpoint
 from runtime.running.driven import driven_solution
 from runtime.running.outcome import finished
@@ -22,6 +23,7 @@ from runtime.running.run import CheckpointRule, Progress, Run
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
 from runtime.running.singular.variants import variant_of
+from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
@@ -125,13 +127,25 @@ def simulate(
     rule = more.rule()
     p = model.parameter_vector(parameters)
     state = start_state(model, p, model.constants(p), t0, initial, start)
+    events = check_time_functions(model, model.constants(p), plan, state)
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine)
     z = segment.start(state.q, state.q_dot)
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {given:.9g} -> {used:.9g}" for key, (given, used) in state.changed.items())
     record = record_of(segment, z, more.stream, keep_rows=bounded)
-    run = Run(segment, z, record, rule, changes or "none", more.progress, engine=more.engine, guard=segment.new_guard())
+    run = Run(
+        segment,
+        z,
+        record,
+        rule,
+        changes or "none",
+        more.progress,
+        engine=more.engine,
+        guard=segment.new_guard(),
+        accuracy=Accuracy(plan.steps),
+    )
+    run.events += events
     run.status = segment.monitor.first(segment.stepper.state(z))
     record.add(0, z)
     return finished(run, set_up)
@@ -196,6 +210,8 @@ def resume(
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
     record.segments[:] = segments
     record.restore(kept.arrays, header.rows, header.last_step)
+    accuracy = Accuracy(header.steps)
+    accuracy.resume(header.accuracy)
     run = Run(
         segment,
         z,
@@ -206,6 +222,7 @@ def resume(
         list(header.events),
         engine=engine,
         guard=Guard.remembered(header.guard),
+        accuracy=accuracy,
         earlier=kept.arrays.get("earlier"),
     )
     return finished(run, set_up)

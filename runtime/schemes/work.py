@@ -17,8 +17,9 @@ from runtime.engine.program import Fields, Program, Sequence
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 
-# work [J]; where it stood when the powers were counted from; the last three powers [W], newest first; how many steps
-FIELDS = {"work": 1, "work_base": 1, "power": 3, "powers": 1}
+# work [J], and by how much it may be wrong; where it stood when the powers were counted from; the last three powers
+# [W], newest first; how many steps were counted
+FIELDS = {"work": 1, "work_doubt": 1, "work_base": 1, "power": 3, "powers": 1}
 
 
 def works(model: Model) -> bool:
@@ -60,6 +61,11 @@ def work_of(scheme: Scheme, z: np.ndarray) -> float:
     return float(z[scheme.layout.slice("work")][0]) if "work" in scheme.layout.sizes else 0.0
 
 
+def doubt_of(scheme: Scheme, z: np.ndarray) -> float:
+    """By how much W may be wrong where the power changes within a step [J]: a stiff damper, a pulse."""
+    return float(z[scheme.layout.slice("work_doubt")][0]) if "work" in scheme.layout.sizes else 0.0
+
+
 def _power_function(scheme: Scheme) -> ca.Function:
     """(z, c) -> P, built once for a scheme."""
     if scheme.power_function is None:
@@ -98,4 +104,6 @@ def _accounted(scheme: Scheme, z: Fields, equations: StageEquations) -> Mapping[
     further = z["work"] + h / 24 * (9 * P + 19 * past[0] - 5 * past[1] + past[2])
     early = ca.if_else(count < 2, trapezoid, ca.if_else(count < 3, simpson, three_eighths))
     work = ca.if_else(count < 4, early, further)
-    return {"work": work, "power": ca.vertcat(P, past[:2]), "powers": ca.fmin(count, 4)}
+    doubt = z["work_doubt"] + ca.fabs(work - z["work"] - h / 2 * (P + past[0]))
+    doubt = doubt + ca.if_else(count < 2, h / 2 * ca.fabs(P - past[0]), 0)
+    return {"work": work, "work_doubt": doubt, "power": ca.vertcat(P, past[:2]), "powers": ca.fmin(count, 4)}

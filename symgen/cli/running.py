@@ -114,6 +114,14 @@ def summary(solution: Solution) -> list[str]:
             f"the energy balance is off by {balance / scale:.2g} of the energy in motion: the step is too long for "
             "the scheme; take a smaller one, or compare with --scheme single_rate"
         )
+    if "estimated_error" in stats:
+        name = str(stats["estimated_error_of"])
+        lines.append(
+            f"estimated error: {float(stats['estimated_error']):.2g} of the amplitude of {name} "
+            f"(worst near t = {float(stats[f'worst_time.{name}']):.4g} s)"
+        )
+    if "remark" in stats:
+        lines.append(str(stats["remark"]))
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":
         lines.append(f"the initial state was corrected: {stats['initial_changes']}")

@@ -10,7 +10,7 @@ import numpy as np
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject, observed
 from runtime.running.checks.step_length import step_advice
-from runtime.schemes.work import work_of
+from runtime.schemes.work import doubt_of, work_of
 
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
@@ -42,7 +42,7 @@ class Energy(Check):
             return None
         moving, total = self._measured(z)
         work = work_of(self.subject.scheme, z)
-        spurious = total - self.at_start - work
+        spurious = total - self.at_start - work - doubt_of(self.subject.scheme, z)
         self.largest_work = max(self.largest_work, abs(work))
         self.largest = max(self.largest, moving - max(spurious, 0.0))  # what grew by itself is no measure
         if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work):  # false for NaN

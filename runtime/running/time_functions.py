@@ -1,0 +1,101 @@
+"""Loads and prescribed motions as functions of time alone: do the steps of a run see what they do?
+
+Everything but t is held as it is at the start. Each of the shortest steps is looked into at a few points: a load whose
+impulse the ends of the steps do not show is named, and so is a prescribed motion whose velocity jumps, which would need
+an impulse that no step of finite forces gives.
+"""
+
+from __future__ import annotations
+
+from math import prod
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.model import Model, ModelError
+from runtime.contract.status import Event
+from runtime.running.plan import Plan
+
+INSIDE = 8  # points a step, where there are not too many steps
+MOST_POINTS = 200_000
+MISSED = 0.02  # of the whole impulse of a load
+JUMP = 1e-6  # of the largest velocity of the prescribed motions
+CANDIDATES, HALVINGS = 8, 60
+
+
+def check_time_functions(model: Model, c: np.ndarray, plan: Plan, state: ConsistentState) -> list[Event]:
+    """What steps of the plan miss, in events. Raises ModelError for a prescribed motion whose velocity jumps."""
+    steps = plan.steps * prod(plan.grid.m)
+    points = min(INSIDE, MOST_POINTS // steps)
+    if points < 2:
+        return []
+    times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
+    _refuse_jumps(model, c, state, times)
+    return _missed_loads(model, c, state, times, points)
+
+
+def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> ca.Function | None:
+    """t -> an output of a kernel at the state; None if it does not depend on t."""
+    if not model.has(name) or "t" not in model.kernel(name).name_in():
+        return None
+    i, d, t = model.independent_columns, model.dependent_columns, ca.SX.sym("t")
+    values = {
+        "q": state.q,
+        "q_dot": state.q_dot,
+        "q_i": state.q[i],
+        "q_d": state.q[d],
+        "q_i_dot": state.q_dot[i],
+        "q_d_dot": state.q_dot[d],
+        "c": c,
+    }
+    found = ca.densify(model.evaluate(name, **{key: ca.SX(ca.DM(one)) for key, one in values.items()}, t=t)[output])
+    return ca.Function("of_time", [t], [found]) if ca.depends_on(found, t) else None
+
+
+def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray) -> None:
+    function = _of_time(model, c, state, "constraints", "C_t") if model.constraints else None
+    if function is None:
+        return
+    velocities = np.asarray(function(times[None, :])).reshape(-1, len(times))
+    for row, values in enumerate(velocities):
+        allowed = JUMP * max(float(np.abs(values).max()), 1e-300)
+        for k in np.argsort(-np.abs(np.diff(values)))[:CANDIDATES]:
+            low, high = float(times[k]), float(times[k + 1])
+            for _ in range(HALVINGS):
+                middle = (low + high) / 2
+                if not low < middle < high:
+                    break
+                at = [float(np.asarray(function(t)).ravel()[row]) for t in (low, middle, high)]
+                low, high = (low, middle) if abs(at[1] - at[0]) > abs(at[2] - at[1]) else (middle, high)
+            ends = [float(np.asarray(function(t)).ravel()[row]) for t in (low, high)]
+            if abs(ends[1] - ends[0]) > allowed:
+                raise ModelError(
+                    f"prescribed motion of {model.constraints[row]}",
+                    f"its velocity jumps by {-(ends[1] - ends[0]):.4g} at t = {high:.6g} s, which takes an impulse",
+                    "let the velocity change in a finite time, or start a new run there",
+                )
+
+
+def _missed_loads(model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int) -> list[Event]:
+    function = _of_time(model, c, state, "condensed", "Q_hat")
+    if function is None:
+        return []
+    forces = np.asarray(function(times[None, :])).reshape(-1, len(times))
+    varying = forces - np.median(forces, axis=1)[:, None]
+    h = (times[-1] - times[0]) / (len(times) - 1)
+    fine = h * (varying[:, 1:] + varying[:, :-1]) / 2
+    impulse = fine.reshape(len(forces), -1, points).sum(axis=2)
+    ends = varying[:, ::points]
+    shown = points * h * (ends[:, 1:] + ends[:, :-1]) / 2
+    missed = np.abs(impulse - shown)
+    share = missed.max(axis=1) / np.maximum(np.abs(fine).sum(axis=1), 1e-300)
+    worst = int(share.argmax())
+    if not share[worst] > MISSED:
+        return []
+    time = float(times[points * int(missed[worst].argmax())])
+    text = (
+        f"the load on {model.q_i[worst]} acts between the steps: after t = {time:.6g} s the ends of a step miss "
+        f"{share[worst]:.2g} of its impulse; take a smaller step, or let it act longer"
+    )
+    return [Event(time, "load_missed", text)]
