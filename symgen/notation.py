@@ -152,6 +152,7 @@ FIELDS: tuple[Notation, ...] = (
     Notation("q_L_ddot", "q_L''", "59", "n_i", "mixed", "their accelerations there"),
     Notation("t_L", "", "", "groups", "s", "start of each group's running step, since that of the major step"),
     Notation("unconverged", "", "", "1", "1", "positive until the iteration of a step has converged"),
+    Notation("change", "", "", "groups", "mixed", "largest change of q_ddot of each group by the last sweep"),
     Notation("loop_old", "", "", "loops", "mixed", "loop unknowns one finest step ago"),
     Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
     # one-step schemes

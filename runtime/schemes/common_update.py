@@ -15,6 +15,8 @@ import casadi as ca
 from runtime.schemes.linear_solve import solve_general, solve_symmetric
 from runtime.schemes.rounding import ROUNDING
 
+STALLED = 16  # a sweep wanders about by so many roundings of its terms
+
 
 def starting_guess(reading: str, d: ca.SX, q_ddot: ca.SX, h: ca.SX) -> ca.SX:
     """What the sweep starts from, as an acceleration.
@@ -41,18 +43,29 @@ def sweep(M_hat: ca.SX, Q_hat: ca.SX, q_ddot: ca.SX, groups: list[list[int]]) ->
     return new
 
 
-def excess(new: ca.SX, old: ca.SX, d: ca.SX, h: ca.SX, eps: float, stopping: str) -> ca.SX:
-    """By how much q_ddot of a group changed more than the test (56) or (57) allows; h^2 times it is that of q(t + h).
+def allowed_change(new: ca.SX, d: ca.SX, h: ca.SX, eps: float, stopping: str) -> ca.SX:
+    """The change of q_ddot of a group by a sweep below which (56) or (57) stops; h^2 times it is that of q(t + h).
 
-    new, old, d: the group's accelerations and last increments; h: its step [s]. stopping: `absolute` compares
+    new, d: the group's accelerations and last increments; h: its step [s]. stopping: `absolute` compares
     |q(t + h)_new - q(t + h)_old| with eps [m or rad] as printed, `relative` with eps h^2 |q_ddot|.
     """
     if stopping == "relative":
         # rounding of the increment d is below what a position can show
-        allowed = eps * ca.norm_inf(new) + ROUNDING / h**2 * ca.norm_inf(d)
-    else:
-        allowed = ca.SX(eps / h**2)
-    return ca.norm_inf(new - old) - allowed
+        return eps * ca.norm_inf(new) + ROUNDING / h**2 * ca.norm_inf(d)
+    return ca.SX(eps / h**2)
+
+
+def rounding_of_sweep(M_hat: ca.SX, q_ddot: ca.SX, q: ca.SX, h: ca.SX, group: list[int]) -> ca.SX:
+    """What rounding of the coupling in (46)-(47), and of the positions, can leave of q_ddot of a group.
+
+    A group whose accelerations pass through zero while the others' do not never meets a test relative to its own; once
+    its change no longer falls and is below this, the sweep has arrived. q: n_i; h: the group's step [s].
+    """
+    others = [k for k in range(q_ddot.numel()) if k not in group]
+    seen = ca.norm_inf(q[group]) / h**2
+    if others:
+        seen = seen + ca.norm_inf(ca.mtimes(M_hat[group, others], q_ddot[others]) / ca.diag(M_hat[group, group]))
+    return STALLED * ROUNDING * seen
 
 
 def solved_at_once(M_hat: ca.SX, force: ca.SX) -> ca.SX:

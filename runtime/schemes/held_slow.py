@@ -37,17 +37,17 @@ class HeldSlow(OneStep):
     options: ClosureOptions
 
     def further_fields(self) -> dict[str, StateField]:
-        """Held positions, ends of the secants, and s: time since the start of the major step."""
+        """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.
+
+        What no step would ever write again must not be called state: it would be a mode of the step that neither grows
+        nor decays.
+        """
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        return {
-            "s": work(1),
-            "a": history(n),
-            "hold_q": work(n),
-            "x_last": history(n),
-            "v_last": history(n),
-            "loop_old": state(loops),
-            "loop_dot": state(loops),
-        }
+        found = {"s": work(1), "a": history(n)}
+        if len(self.grid.groups) > 1:
+            found |= {"hold_q": work(n), "x_last": history(n), "v_last": history(n)}
+            found |= {"loop_old": state(loops), "loop_dot": state(loops)}
+        return found
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -92,6 +92,8 @@ class HeldSlow(OneStep):
         fields = super().started(t0, q_i, q_i_dot, loop, equations)
         motion = equations.close(q_i, fields["loop"], t0, 1)
         a, H = equations.accelerations(motion, q_i_dot), self._own_steps(equations)
+        if len(self.grid.groups) == 1:
+            return {**fields, "a": a}
         loop_dot = equations.loop_part(equations.rates(motion, q_i_dot))
         return {
             **fields,
@@ -127,7 +129,7 @@ class HeldSlow(OneStep):
             self.now(z, equations) + ahead,
             self.options.closure_iterations,
         )
-        held = {**out, "s": ca.SX(0), **self.renewed(equations, motion, v_ahead)}
+        held = {**out, **self.renewed(equations, motion, v_ahead)}
         if equations.loops:
             held |= {
                 "loop_old": z["loop"],
@@ -160,4 +162,4 @@ class HeldSlow(OneStep):
         """q_i_ddot at the seen motion and the rates of the sub-step."""
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return {"n": z["n"] + 1}
+        return {"n": z["n"] + 1, "s": ca.SX(0)}

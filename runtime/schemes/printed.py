@@ -8,7 +8,8 @@
 
 Fields of z besides those of central_difference.py: s, time since the start of the running major step; q_L, q_L_dot,
 q_L_ddot and t_L, state of each slow coordinate and time since the start of the major step when its group's running
-step began; x is then the value at the end of that step. unconverged: 1 until the sweep has converged.
+step began; x is then the value at the end of that step. unconverged: 1 until the sweep has converged; change: the
+largest change of q_ddot of each group by the last sweep.
 """
 
 from __future__ import annotations
@@ -20,12 +21,19 @@ import casadi as ca
 
 from runtime.engine.program import Fields, Program, Repeat, Sequence, Until
 from runtime.schemes.central_difference import CentralDifference, CentralDifferenceOptions
-from runtime.schemes.common_update import excess, newton_step, solved_at_once, starting_guess, sweep
+from runtime.schemes.common_update import (
+    allowed_change,
+    newton_step,
+    rounding_of_sweep,
+    solved_at_once,
+    starting_guess,
+    sweep,
+)
 from runtime.schemes.differences import replaced, velocity
 from runtime.schemes.options import one_of, tolerances, whole_number
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
-from runtime.schemes.state_fields import StateField, work
+from runtime.schemes.state_fields import StateField, control, work
 from runtime.schemes.sub_step import Known, at_sub_step, rows
 
 LARGEST = 1e300
@@ -64,16 +72,10 @@ class Printed(CentralDifference):
 
     def fields(self) -> dict[str, StateField]:
         """See the module's text."""
-        n = len(self.model.q_i)
-        return {
-            **super().fields(),
-            "s": work(1),
-            "q_L": work(n),
-            "q_L_dot": work(n),
-            "q_L_ddot": work(n),
-            "t_L": work(len(self.grid.groups)),
-            "unconverged": work(1),
-        }
+        n, groups = len(self.model.q_i), len(self.grid.groups)
+        own = {"s": work(1), "q_L": work(n), "q_L_dot": work(n), "q_L_ddot": work(n), "t_L": work(groups)}
+        swept = {"unconverged": control(1), "change": control(groups)} if self.sweeps else {}
+        return {**super().fields(), **own, **swept}
 
     @property
     def sweeps(self) -> bool:
@@ -129,18 +131,27 @@ class Printed(CentralDifference):
 
     def _guess(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         guess = starting_guess(self.options.guess, z["d"], z["a"], self.steps(equations))
-        return {"a": guess, "unconverged": ca.SX(1)}
+        changes = LARGEST * ca.SX.ones(len(self.grid.groups))
+        return {"a": guess, "unconverged": ca.SX(1), "change": changes}
 
     def _sweep(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         motion, v = self._now_swept(z, equations)
-        new = sweep(*equations.condensed(motion, v), z["a"], self.grid.groups)
-        settled = ca.SX(1)
+        M_hat, Q_hat = equations.condensed(motion, v)
+        new, settled, changes = sweep(M_hat, Q_hat, z["a"], self.grid.groups), ca.SX(1), []
         for g, group in enumerate(self.grid.groups):
-            eps, h = self.options.eps[g], equations.h[g]
-            over = excess(new[group], z["a"][group], z["d"][group], h, eps, self.options.stopping)
-            settled = settled * (over <= 0)
+            h, change = equations.h[g], ca.norm_inf(new[group] - z["a"][group])
+            allowed = allowed_change(new[group], z["d"][group], h, self.options.eps[g], self.options.stopping)
+            rounding = rounding_of_sweep(M_hat, z["a"], z["x"], h, group)
+            arrived = ca.logic_and(change >= z["change"][g], change <= rounding)
+            settled = settled * ca.logic_or(change <= allowed, arrived)
+            changes.append(change)
         settled = settled * (ca.sum1(ca.fabs(new)) < LARGEST)  # false for NaN, which a largest value hides
-        return {"a": new, "unconverged": 1 - settled, "iterations": z["iterations"] + 1}
+        return {
+            "a": new,
+            "unconverged": 1 - settled,
+            "change": ca.vertcat(*changes),
+            "iterations": z["iterations"] + 1,
+        }
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         motion, v = self._now_swept(z, equations)

@@ -116,6 +116,11 @@ class Scheme(ABC):
         self._fields |= {name: account(size) for name, size in sizes.items()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
 
+    @property
+    def bookkeeping(self) -> list[str]:
+        """The fields of z that do not act on any value of the motion."""
+        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT)
+
     def _lasting(self, *kinds: Lasting) -> list[str]:
         return [name for name, one in self._fields.items() if one.lasting in kinds]
 

@@ -12,6 +12,7 @@ class Lasting(Enum):
     STEP = "within a major step"
     STATE = "one major step acts on the next through it"
     HISTORY = "state, too: what each coordinate of q_i remembers of earlier steps"
+    CONTROL = "steers an iteration; what it converges to does not depend on it"
     ACCOUNT = "for whoever runs the scheme; no step reads it"
 
 
@@ -41,3 +42,8 @@ def work(size: int) -> StateField:
 def account(size: int) -> StateField:
     """A field for whoever runs the scheme."""
     return StateField(size, Lasting.ACCOUNT)
+
+
+def control(size: int) -> StateField:
+    """A field that steers an iteration."""
+    return StateField(size, Lasting.CONTROL)

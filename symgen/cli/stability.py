@@ -93,6 +93,13 @@ def _lines(chart: StabilityChart, files: dict[str, str]) -> list[str]:
         else:
             above = ">" if row["no_limit_found"] else ""
             limit, fine = f"{above}{row['dt_limit']:.5g} s", f"{above}{row['dt_S_limit']:.5g} s"
+        growth = row["largest_growth_below_limit"]
+        below = f"{'-':>13}" if growth is None else f"{growth:>9.3g} 1/s"
         windows = ", ".join(f"{low:.4g}-{high:.4g} s" for low, high in row["windows"]) or "-"
-        lines.append(f"{m:>8}  {limit:>12}  {fine:>12}  {row['largest_growth_below_limit']:>9.3g} 1/s  {windows}")
+        lines.append(f"{m:>8}  {limit:>12}  {fine:>12}  {below}  {windows}")
+        if row["dt_limit"] is None:
+            smallest, fastest = row["smallest_dt"], row["growth_at_smallest_dt"]
+            lines.append(
+                f"{'':>8}  already dt = {smallest:.3g} s grows by {fastest:.3g} 1/s more than the motion itself"
+            )
     return lines + [f"left {path}" for path in files.values()]

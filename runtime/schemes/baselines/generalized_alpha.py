@@ -29,7 +29,7 @@ from runtime.schemes.rounding import unseen_acceleration
 from runtime.schemes.scheme import OBSERVED, Scheme
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.state_fields import StateField, account, state, work
+from runtime.schemes.state_fields import StateField, account, control, state, work
 
 USUAL_ITERATIONS = 2
 SINGULAR = 1e-10  # smallest over largest pivot of M beyond which M counts as singular
@@ -109,7 +109,7 @@ class AlphaMethod(Scheme):
             "q_ddot_old": work(n),
             "a_alpha": state(n),
             "lam": work(len(self.rows)),
-            "unconverged": work(1),
+            "unconverged": control(1),
         }
 
     @property

@@ -33,7 +33,7 @@ from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import SingleClosureOptions, tolerances, whole_number
 from runtime.schemes.rounding import ROUNDING, unseen_acceleration
 from runtime.schemes.stage_equations import StageEquations
-from runtime.schemes.state_fields import StateField, work
+from runtime.schemes.state_fields import StateField, control, work
 from runtime.schemes.stored_system import StoredSystem
 
 S = np.sqrt(6.0)
@@ -103,17 +103,9 @@ class Radau(OneStep):
     def further_fields(self) -> dict[str, StateField]:
         """See above, and the factors. What the iteration starts from does not act on the step it converges to."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        sizes = {
-            "K": STAGES * n,
-            "loop_stages": STAGES * loops,
-            "loop_last": loops,
-            "unconverged": 1,
-            "stage_error": 1,
-            "eta": 1,
-            "correction": 1,
-            **self.stored.sizes(),
-        }
-        return {name: work(size) for name, size in sizes.items()}
+        values = {"K": STAGES * n, "loop_stages": STAGES * loops, "loop_last": loops, **self.stored.sizes()}
+        steering = ("unconverged", "stage_error", "eta", "correction")
+        return {name: work(size) for name, size in values.items()} | {name: control(1) for name in steering}
 
     @property
     def iteration_limit(self) -> int:

@@ -45,6 +45,8 @@ class StabilityChart:
                 "no_limit_found": curve.beyond,
                 "windows": curve.windows,
                 "largest_growth_below_limit": _growth_below(curve),
+                "smallest_dt": float(curve.dt[0]),
+                "growth_at_smallest_dt": float(curve.growth[0]),
             }
             for curve in self.curves
         ]
@@ -69,8 +71,11 @@ class StabilityChart:
         write_text(path, text.getvalue())
 
 
-def _growth_below(curve: StabilityCurve) -> float:
-    below = curve.growth[curve.dt <= (curve.limit or 0.0)]
+def _growth_below(curve: StabilityCurve) -> float | None:
+    """The largest growth [1/s] among steps up to the limit; None where even the smallest step is unstable."""
+    if curve.limit is None:
+        return None
+    below = curve.growth[curve.dt <= curve.limit]
     return float(below.max()) if len(below) else 0.0
 
 

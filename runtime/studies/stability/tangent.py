@@ -1,7 +1,10 @@
 """The exact Jacobian of a major step, stage by stage: the amplification matrix of the scheme at a state.
 
 Every stage is a CasADi Function, so its Jacobian comes from automatic differentiation; a step is their product along
-the states that the step passes.
+the states that the step passes. An iteration y <- F(y, z) is differentiated at its fixed point by the implicit-function
+theorem, dy = (1 - F_y)^-1 F_z dz: the sweeps that reach it are as many as the value needs (one, at rest), and their
+product need not be the derivative of what they reach. Where F is no contraction the iteration fails in a run, and the
+matrix is not finite.
 """
 
 from __future__ import annotations
@@ -25,7 +28,9 @@ class TangentStep:
         self.scheme, self.program = scheme, scheme.program()
         slices = [scheme.layout.slice(name) for name in scheme.memory]
         self.columns = np.concatenate([np.arange(part.start, part.stop) for part in slices]).astype(int)
-        self._step = self.program.fold(_tangent_of_stage, _in_sequence, _repeated)
+        kept = [scheme.layout.slice(name) for name in scheme.bookkeeping]
+        self._bookkeeping = np.concatenate([np.arange(part.start, part.stop) for part in kept]).astype(int)
+        self._step = self.program.fold(_tangent_of_stage, _in_sequence, self._again)
 
     def __call__(self, z: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(z after a major step, amplification matrix on `columns`)."""
@@ -33,6 +38,31 @@ class TangentStep:
         tangent[self.columns, np.arange(len(self.columns))] = 1.0
         z, tangent = self._step(z, tangent, c)
         return z, tangent[self.columns]
+
+    def _again(self, body: Advance, node: Repeat | Until) -> Advance:
+        if isinstance(node, Repeat):
+            return _in_sequence([body] * node.count)
+
+        def advance(z: np.ndarray, tangent: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            for _ in range(node.limit):
+                if z[node.flag] <= 0:
+                    break
+                z, _ = body(z, np.zeros((len(z), 0)), c)
+            return z, self._at_fixed_point(body(z, np.eye(len(z)), c)[1], tangent)
+
+        return advance
+
+    def _at_fixed_point(self, jacobian: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+        """dz after an iteration with this Jacobian of one pass; rows that a pass leaves alone are not iterated."""
+        iterated = np.any(jacobian != np.eye(len(jacobian)), axis=1)
+        iterated[self._bookkeeping] = False
+        F_y, F_z = jacobian[np.ix_(iterated, iterated)], jacobian[np.ix_(iterated, ~iterated)]
+        after = tangent.copy()
+        if not np.isfinite(jacobian[iterated]).all() or np.abs(np.linalg.eigvals(F_y)).max(initial=0.0) >= 1:
+            after[iterated] = np.inf
+        else:
+            after[iterated] = np.linalg.solve(np.eye(len(F_y)) - F_y, F_z @ tangent[~iterated])
+        return after
 
 
 def _tangent_of_stage(stage: ca.Function) -> Advance:
@@ -51,17 +81,6 @@ def _in_sequence(parts: list[Advance]) -> Advance:
     def advance(z: np.ndarray, tangent: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         for part in parts:
             z, tangent = part(z, tangent, c)
-        return z, tangent
-
-    return advance
-
-
-def _repeated(body: Advance, node: Repeat | Until) -> Advance:
-    def advance(z: np.ndarray, tangent: np.ndarray, c: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        for _ in range(node.count if isinstance(node, Repeat) else node.limit):
-            if isinstance(node, Until) and z[node.flag] <= 0:
-                break
-            z, tangent = body(z, tangent, c)
         return z, tangent
 
     return advance
