@@ -20,6 +20,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from runtime import moved
+from runtime.contract import doors
 from runtime.results import showing
 
 if TYPE_CHECKING:
@@ -113,7 +114,12 @@ def _page(*arguments: Any) -> Any:
     return import_module("runtime.views.viewer").show(*arguments)
 
 
+def _stepper(*arguments: Any, **settings: Any) -> Any:
+    return import_module("runtime.running.stepping").ModelStepper(*arguments, **settings)
+
+
 showing.SHOWS["page"] = _page
+doors.OPENS["stepper"] = _stepper
 
 
 def __getattr__(name: str) -> Any:

@@ -10,6 +10,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.doors import OPENS
 from runtime.contract.errors import SymgenError
 from runtime.contract.records import Bound, Coordinate, Description, Group, Parameter
 
@@ -202,6 +203,13 @@ class Model:
         arguments = [ca.SX.sym(argument, *kernel.size_in(argument)) for argument in kernel.name_in()]
         values = kernel.call(arguments)
         return bool(ca.SX(values[kernel.name_out().index(output)]).is_zero())
+
+    def stepper(self, **settings: Any) -> Any:
+        """The model stepped from Python: see runtime.running.stepping.ModelStepper for the settings and the result.
+
+        scheme, dt [s], m, options, parameters, engine; what is not given comes from the scene.
+        """
+        return OPENS["stepper"](self, **settings)
 
     @cached_property
     def c_size(self) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 import casadi as ca
@@ -25,6 +26,9 @@ class Engine(Protocol):
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z."""
+
+    def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
+        """`run` with z and c fixed, which stay where they are."""
 
 
 def operations_per_step(program: Program) -> int:

@@ -9,7 +9,8 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -102,6 +103,10 @@ class CompiledProgram:
                 raise CompilerError(f"the compiled program cannot be loaded: {error}") from error
         self._run.argtypes = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_long)
         self._run.restype = None
+
+    def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
+        """`run` with z and c fixed, which must stay where they are: only the number of steps is left to give."""
+        return partial(self._run, z.ctypes.data, c.ctypes.data)
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z, in place."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import casadi as ca
@@ -75,6 +77,10 @@ class InterpretedProgram:
             buffer, evaluate = function.buffer()
             self._batches[n] = (function, buffer, evaluate)
         return self._batches[n]
+
+    def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
+        """`run` with z and c fixed: only the number of steps is left to give."""
+        return partial(self.run, z, c)
 
     def run(self, z: np.ndarray, c: np.ndarray, n: int) -> None:
         """Apply the program n times to z, in place."""

@@ -67,7 +67,8 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added) -> Foun
         rounding = 1e-14 * float(np.linalg.norm(A, 2)) * max(1.0, float(np.linalg.norm(L)) * scale)
         near = size <= STAGNANT * scale and left <= UNBALANCED * largest + rounding
         if near and (size <= TOLERANCE * scale or size >= 0.5 * before):
-            return Found(x, True, r, iteration)
+            polished = advance(x, step) if size <= TOLERANCE * scale else None
+            return Found(x if polished is None else polished, True, r, iteration)
         before = size
         moved = _searched(balance, advance, x, np.linalg.solve(L.T, newton if near else _downhill(A, g)), r)
         if moved is None:

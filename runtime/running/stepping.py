@@ -1,0 +1,220 @@
+"""A model stepped from Python: one call, one or more major steps, nothing set up anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import Model, ModelError
+from runtime.contract.status import Status
+from runtime.operating.equilibrium import Equilibrium
+from runtime.results.observe import observe_samples
+from runtime.results.solution import Solution
+from runtime.running.monitor import Monitor
+from runtime.running.plan import make_plan
+from runtime.schemes.stepper import Stepper
+from runtime.start.start_state import start_state
+
+HORIZON = 1e9  # major steps: no end is meant
+
+
+@dataclass(frozen=True, eq=False)
+class SteppedState:
+    """Everything that the next step depends on: the scheme's z (flat) and the parameters p (n_p,)."""
+
+    z: np.ndarray
+    p: np.ndarray
+
+
+class ModelStepper:
+    """A scheme on a model, compiled once. `step` makes major steps; what they led to is read from it.
+
+    Between calls nothing is checked: `check` says what a run would have found. Singular positions are not passed by
+    changing coordinates, as a run does. time [s]; parameters: the vector p in use.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        *,
+        scheme: str | None = None,
+        dt: float | None = None,
+        m: list[int] | None = None,
+        options: Mapping[str, Any] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        engine: str = "auto",
+    ) -> None:
+        if not model.q_i:
+            raise ModelError(
+                f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step"
+            )
+        length = float(model.simulation["dt"]) if dt is None else dt
+        end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
+        plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
+        self.model, self.scheme, self.name = model, plan.scheme, plan.name
+        self.dt = plan.grid.dt_L
+        self._stepper = Stepper(plan.scheme, engine)
+        self.parameters = model.parameter_vector(parameters)
+        self._c = model.constants(self.parameters)
+        self._ready = self._stepper.ready(self._c, self.dt).copy()
+        self._constants = self.scheme.constants(self._c, self.dt).copy()
+        self._sample: Solution | None = None
+        state = start_state(model, self.parameters, self._c, 0.0, None)
+        # these arrays stay where they are: compiled code and readers know their addresses
+        self._z = self._stepper.start(0.0, state.q, state.q_dot, self._c, self.dt).copy()
+        self._advance = self._stepper.engine.bound(self._z, self._ready)
+
+    # ---- stepping -------------------------------------------------------------------------------------------
+
+    def reset(
+        self,
+        state: Mapping[str, float] | Equilibrium | None = None,
+        *,
+        t: float = 0.0,
+        start: str | None = None,
+    ) -> None:
+        """Go to a state: coordinates and rates (`_dot`) by name, an equilibrium, or None for the model's own start.
+
+        An equilibrium brings its time; its parameters are taken over. Raises InitialStateError and ModelError.
+        """
+        if isinstance(state, Equilibrium):
+            self._take(state.parameters)
+            q, q_dot, t = state.q, state.q_dot, state.state.t
+        else:
+            found = start_state(self.model, self.parameters, self._c, t, state, start)
+            q, q_dot = found.q, found.q_dot
+        self._z[:] = self._stepper.start(t, q, q_dot, self._c, self.dt)
+        self._sample = None
+
+    def step(self, n: int = 1) -> None:
+        """Make n major steps. Bit for bit the same in one call or in many."""
+        self._advance(n)
+        self._sample = None
+
+    def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:
+        """Make n major steps, call(self) before each block of `every`. Raises ArgumentError for counts below 1."""
+        if n < 1 or every < 1:
+            raise ArgumentError(f"n and every must be at least 1, not {n} and {every}")
+        for first in range(0, n, every):
+            call(self)
+            self.step(min(every, n - first))
+
+    def change(self, parameters: Mapping[str, float]) -> None:
+        """Change parameters by name from the next step on; the others stay as they are. Raises ModelError."""
+        p, index = self.parameters.copy(), self._index
+        checked = self.model.parameter_vector(parameters)
+        for name in parameters:
+            p[index[name]] = checked[index[name]]
+        self._take(p)
+
+    def save(self) -> SteppedState:
+        """What `restore` goes back to."""
+        return SteppedState(self._z.copy(), self.parameters.copy())
+
+    def restore(self, kept: SteppedState) -> None:
+        """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
+        if len(kept.z) != len(self._z) or len(kept.p) != len(self.parameters):
+            raise ArgumentError(
+                "the saved state", "is of a stepper of another model or scheme", "save it from this one"
+            )
+        self._take(kept.p)
+        self._z[:] = kept.z
+        self._sample = None
+
+    # ---- reading --------------------------------------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        """Time after the last step [s]."""
+        return float(self._z[0]) + float(self._z[1]) * self.dt
+
+    @property
+    def sample(self) -> Solution:
+        """The present state as a solution of one sample: coordinates, rates, accelerations, forces, energies."""
+        if self._sample is None:
+            z = self._stepper.state(self._z)[None, :].copy()
+            status = Status("completed", self.time)
+            self._sample = observe_samples(self.model, self.scheme, z, self.parameters, self._c, self.name, {}, status)
+        return self._sample
+
+    @property
+    def state(self) -> dict[str, float]:
+        """Coordinates and rates (`_dot`) by name; `reset` takes those of q_i."""
+        sample, names = self.sample, self.model.coordinates
+        rates = {f"{name}_dot": float(sample.q_dot[0, k]) for k, name in enumerate(names)}
+        return {name: float(sample.q[0, k]) for k, name in enumerate(names)} | rates
+
+    @property
+    def measures(self) -> dict[str, float]:
+        """Measures and their rates by name."""
+        return {name: float(self.sample.measures[0, k]) for k, name in enumerate(self.model.measures)}
+
+    @property
+    def reactions(self) -> dict[str, np.ndarray]:
+        """(3,) or in space (6,) world force [N] and moment [N m] of each joint on its body b, by name."""
+        return {name: self.sample.joint_forces[0, k] for k, name in enumerate(self.model.joints)}
+
+    def reader(self, names: Sequence[str]) -> Callable[[], np.ndarray]:
+        """A function that gives these coordinates, rates and measures (k,) at once, fast: for controllers.
+
+        The array is the same at each call. Raises ModelError for an unknown name.
+        """
+        function = _reading(self, names)
+        evaluation: tuple[Any, Any] = function.buffer()
+        buffer, evaluate = evaluation
+        values = np.zeros(len(names))
+        buffer.set_arg(0, self._z.data)
+        buffer.set_arg(1, self._constants.data)
+        buffer.set_res(0, values.data)
+
+        def read() -> np.ndarray:
+            evaluate()
+            return values
+
+        read.kept = (function, buffer)  # type: ignore[attr-defined]
+        return read
+
+    def check(self) -> Status | None:
+        """What a run's checks find at this state, None if nothing is wrong. Costly checks included."""
+        state = self._stepper.state(self._z).copy()
+        return Monitor(self.model, self.scheme, self._c, force=True).first(state)
+
+    # ---- inside ---------------------------------------------------------------------------------------------
+
+    @property
+    def _index(self) -> dict[str, int]:
+        return {parameter.name: k for k, parameter in enumerate(self.model.parameters)}
+
+    def _take(self, p: np.ndarray) -> None:
+        """Other parameters: what the program reads is written in place."""
+        self.parameters = p.copy()
+        self._c = self.model.constants(p)
+        self._ready[:] = self._stepper.ready(self._c, self.dt)
+        self._constants[:] = self.scheme.constants(self._c, self.dt)
+        self._sample = None
+
+
+def _reading(stepper: ModelStepper, names: Sequence[str]) -> ca.Function:
+    """(z, c) -> the named values."""
+    model, scheme = stepper.model, stepper.scheme
+    z, c = ca.SX.sym("z", len(stepper._z)), ca.SX.sym("c", scheme.c_size)
+    seen = scheme.observer(z=z[: scheme.layout.size], c=c)
+    where = {name: (kind, k) for kind, names in (("i", model.q_i), ("d", model.q_d)) for k, name in enumerate(names)}
+    q, q_dot = (
+        ca.vertcat(*(seen[f"q_{where[name][0]}{suffix}"][where[name][1]] for name in model.coordinates))
+        for suffix in ("", "_dot")
+    )
+    known = {name: q[k] for k, name in enumerate(model.coordinates)}
+    known |= {f"{name}_dot": q_dot[k] for k, name in enumerate(model.coordinates)}
+    if model.measures:
+        measured = model.evaluate("measures", q=q, q_dot=q_dot, t=seen["t"], c=c[: model.c_size])["measures"]
+        known |= {name: measured[k] for k, name in enumerate(model.measures)}
+    for name in names:
+        if name not in known:
+            raise ModelError(f"model {model.name} has no coordinate, rate or measure {name!r}")
+    return ca.Function("reading", [z, c], [ca.densify(ca.vertcat(*(known[name] for name in names)))])

@@ -1,0 +1,146 @@
+"""The stepper: one call or many give the same bits; resets, saved states, controllers in the loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from runtime import SchemeError, equilibrium, simulate
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import Model, ModelError
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+Load = Callable[[str], Model]
+
+
+@pytest.mark.parametrize(
+    "name, scheme", [("pendulum", "single_rate"), ("four_bar", "coupled"), ("hub_beam", "single_rate")]
+)
+def test_many_calls_are_one_run_bit_for_bit(built_in: Load, name: str, scheme: str) -> None:
+    """10,000 calls of one step, one call of 10,000, and `simulate`."""
+    model = built_in(name)
+    one, many = (model.stepper(scheme=scheme, dt=1e-4) for _ in range(2))
+    for _ in range(10_000):
+        one.step()
+    many.step(10_000)
+    run = simulate(model, scheme=scheme, dt=1e-4, t_end=1.0, save_every=10_000)
+    np.testing.assert_array_equal(one.save().z, many.save().z)
+    np.testing.assert_array_equal(one.sample.q[0], run.q[-1])
+    np.testing.assert_array_equal(one.sample.q_dot[0], run.q_dot[-1])
+    np.testing.assert_array_equal(one.sample.joint_forces[0], run.joint_forces[-1])
+    assert one.time == run.t[-1]
+
+
+@pytest.mark.parametrize("engine", ["interpreted", "auto"])
+def test_restored_states_go_on_as_before(built_in: Load, engine: str) -> None:
+    model = built_in("double_pendulum")
+    stepper = model.stepper(scheme="rk4", dt=1e-3, engine=engine)
+    stepper.step(100)
+    kept = stepper.save()
+    stepper.step(50)
+    first = stepper.state
+    stepper.restore(kept)
+    assert stepper.time == pytest.approx(0.1)
+    stepper.step(50)
+    assert stepper.state == first
+    stepper.reset()
+    stepper.step(150)
+    assert stepper.state == first
+
+
+def test_reset_takes_states_by_name_and_equilibria(built_in: Load) -> None:
+    model = built_in("pendulum")
+    stepper = model.stepper(scheme="rk4", dt=1e-3)
+    stepper.reset({"rod.theta": 0.3, "rod.theta_dot": 2.0}, t=1.5)
+    assert stepper.state["rod.theta"] == 0.3 and stepper.state["rod.theta_dot"] == 2.0 and stepper.time == 1.5
+    hanging = equilibrium(model)
+    stepper.reset(hanging)
+    stepper.step(1000)
+    assert stepper.state["rod.theta"] == pytest.approx(hanging["rod.theta"], abs=1e-14)
+
+
+def test_what_is_read(built_in: Load) -> None:
+    """The fast reader gives what the sample has."""
+    stepper = built_in("four_bar").stepper(scheme="coupled", dt=1e-3)
+    names = ["rocker.theta", "crank.theta_dot", "rocker.theta_dot"]
+    read = stepper.reader(names)
+    for _ in range(3):
+        stepper.step(7)
+        np.testing.assert_allclose(read(), [stepper.state[name] for name in names], rtol=0, atol=1e-9)
+    assert set(stepper.reactions) == set(stepper.model.joints)
+    tip = built_in("pendulum").stepper(scheme="rk4")
+    tip.step(10)
+    assert tip.reader(["tip_x"])()[0] == pytest.approx(tip.measures["tip_x"], abs=1e-15)
+
+
+def cart() -> Scene:
+    """1 kg on a rail under a force u."""
+    return (
+        SceneBuilder("cart")
+        .parameter("u", 0.0, "N", "force")
+        .rigid("cart", mass=1.0, inertia=1.0)
+        .prismatic("rail", "ground.origin", "cart.origin")
+        .force("drive", "cart.origin", "u", 0.0)
+        .initial({"cart.x": 1.0})
+        .simulation(t_end=1.0, dt=1e-3, scheme="rk4")
+        .build()
+    )
+
+
+def test_a_sampled_controller_in_the_loop(model_of: Build) -> None:
+    """Exact: u held for 20 ms at a time, u = -6 x - 4 x' - 2 s with s the sum of x; zero-order hold by expm."""
+    stepper = model_of(cart()).stepper()
+    read, total = stepper.reader(["cart.x", "cart.x_dot"]), [0.0]
+
+    def control(at: object) -> None:
+        x, v = read()
+        total[0] += 0.02 * float(x)
+        stepper.change({"u": -6.0 * float(x) - 4.0 * float(v) - 2.0 * total[0]})
+
+    stepper.run(3000, control, every=20)
+    hold = expm(np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]) * 0.02)
+    z, s = np.array([1.0, 0.0]), 0.0
+    for _ in range(150):
+        s += 0.02 * z[0]
+        z = (hold @ np.array([*z, -6.0 * z[0] - 4.0 * z[1] - 2.0 * s]))[:2]
+    np.testing.assert_allclose(read(), z, rtol=0, atol=1e-12)
+    assert stepper.time == pytest.approx(3.0)
+
+
+def test_changed_parameters_are_those_of_a_run(model_of: Build) -> None:
+    model = model_of(cart())
+    stepper = model.stepper(parameters={"u": 2.0})
+    stepper.step(1000)
+    np.testing.assert_array_equal(stepper.sample.q[0], simulate(model, parameters={"u": 2.0}).q[-1])
+    stepper.change({"cart.mass": 4.0})
+    assert stepper.sample.parameters[[p.name for p in model.parameters].index("u")] == 2.0
+
+
+def test_checks_on_demand(built_in: Load) -> None:
+    """A step far beyond its limit: the stepper goes on, and `check` says what a run would have said."""
+    stepper = built_in("two_oscillators").stepper(scheme="single_rate", dt=1.0)
+    assert stepper.check() is None
+    stepper.step(2000)
+    found = stepper.check()
+    assert found is not None and not found.ok
+
+
+def test_wrong_requests(built_in: Load, model_of: Build) -> None:
+    model = built_in("pendulum")
+    stepper = model.stepper()
+    with pytest.raises(ModelError, match="no parameter 'rod.m'"):
+        stepper.change({"rod.m": 1.0})
+    with pytest.raises(ModelError, match="no coordinate, rate or measure 'tip'"):
+        stepper.reader(["tip"])
+    with pytest.raises(ArgumentError, match="at least 1"):
+        stepper.run(10, print, every=0)
+    with pytest.raises(ArgumentError, match="another model"):
+        stepper.restore(model_of(cart()).stepper().save())
+    with pytest.raises(SchemeError):
+        model.stepper(dt=-1.0)
+    with pytest.raises(SchemeError):
+        model.stepper(scheme="none")
