@@ -141,6 +141,8 @@ FIELDS: tuple[Notation, ...] = (
     Notation("work_base", "", "", "1", "J", "W where its powers were counted from"),
     Notation("power", "", "", "3", "W", "powers after the last steps, newest first"),
     Notation("powers", "", "", "1", "1", "steps whose powers were counted, 4 at most"),
+    Notation("turn", "", "", "1", "rad", "largest turn of Euler angles in a step near their singular orientation"),
+    Notation("angles_before", "", "", "2 a body", "rad", "first and third Euler angle after the last step"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
     Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
     # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled

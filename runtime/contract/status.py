@@ -16,6 +16,8 @@ StatusName = Literal[
     "iteration_failed",
     "partition_lost",
     "branch_lost",
+    "deflection_too_large",
+    "angles_too_fast",
     "integrator_refused",
     "output_failed",
 ]

@@ -8,9 +8,11 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.contract.status import Status
+from runtime.running.checks.angles import Angles
 from runtime.running.checks.check import Check, Subject
 from runtime.running.checks.closure import Closure
 from runtime.running.checks.constraints import Constraints
+from runtime.running.checks.deflection import Deflection
 from runtime.running.checks.energy import Energy
 from runtime.running.checks.finite import Finite
 from runtime.running.checks.growth import Growth
@@ -19,18 +21,25 @@ from runtime.running.checks.mass import Mass
 from runtime.running.checks.step_length import StepLength
 from runtime.schemes.scheme import Scheme
 
+BREAKDOWNS = ("not_finite", "diverged", "constraints_lost", "iteration_failed")  # that M_hat may be the cause of
 FULL_CHECKS = 16  # calls; constraints, mass and energy cost more than a short call
 
 
 class Monitor:
-    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on."""
+    """Looks at z after each native call; `after` returns a Status to stop with, or None to go on.
 
-    def __init__(self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False) -> None:
+    c (c_size,), p (n_p,): constants and parameters of the run (p: those of the model where None).
+    """
+
+    def __init__(
+        self, model: Model, scheme: Scheme, c: np.ndarray, force: bool = False, p: np.ndarray | None = None
+    ) -> None:
         self.subject = Subject(model, scheme, c)
         self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
         self._mass = Mass(self.subject)
-        cheap = (Growth(self.subject), Closure(self.subject), Iterations(self.subject))
-        costly = (Constraints(self.subject), self._mass, Energy(self.subject), self._step)
+        cheap = (Growth(self.subject), Closure(self.subject), Iterations(self.subject), Angles(self.subject))
+        deflection = Deflection(self.subject, model.parameter_vector() if p is None else p)
+        costly = (Constraints(self.subject), self._mass, deflection, Energy(self.subject), self._step)
         self.checks: list[Check] = [self._finite, *cheap, *costly]
         self._latest: np.ndarray | None = None  # the last state that passed the cheap checks
         self._calls = 0
@@ -59,7 +68,7 @@ class Monitor:
         status = next((found for check in due if (found := check.after(z)) is not None), None)
         if status is None:
             self._latest = z.copy()
-        elif self._latest is not None and status.name != "mass_not_positive":
+        elif self._latest is not None and status.name in BREAKDOWNS:
             status = self._mass.explains(self._latest) or status
         if status is not None and self.subject.good is not None:
             z[:] = self.subject.good

@@ -14,6 +14,7 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
@@ -36,8 +37,9 @@ class Segment:
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
         c = model.constants(p)
         account_for_work(plan.scheme)
+        watch_turns(plan.scheme)
         stepper = Stepper(plan.scheme, engine, plan.steps)
-        monitor = Monitor(model, plan.scheme, c, force=plan.force)
+        monitor = Monitor(model, plan.scheme, c, force=plan.force, p=p)
         return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), monitor)
 
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0) -> np.ndarray:
@@ -48,6 +50,7 @@ class Segment:
         z = self.stepper.start(self.plan.time(step), q, q_dot, self.c, self.plan.grid.dt_L)
         z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
         self.forget_determinants(z)
+        begin_turns(self.plan.scheme, z)
         begin_account(self.plan.scheme, z, self.plan.scheme.constants(self.c), work)
         return z
 

@@ -7,6 +7,7 @@ import numpy as np
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.turns import with_turns
 from runtime.schemes.work import program_with_work
 
 MANY = 10**9  # steps: more than enough for compiling to pay
@@ -29,7 +30,7 @@ class Stepper:
 
     def __init__(self, scheme: Scheme, engine: str = "auto", steps: int = MANY) -> None:
         self.scheme = scheme
-        self._prepared = prepare(program_with_work(scheme), scheme.layout.size, scheme.c_size)
+        self._prepared = prepare(with_turns(scheme, program_with_work(scheme)), scheme.layout.size, scheme.c_size)
         self.program = self._prepared.program
         self.engine = choose_engine(
             engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), steps

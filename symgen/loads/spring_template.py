@@ -11,6 +11,7 @@ import sympy as sp
 
 from symgen.algebra.template import Template, derivative
 
+SMALLEST = 1e-24  # m2: points nearer than that have met
 k, c, l_0, length = sp.symbols("k c l_0 length")
 
 
@@ -55,6 +56,8 @@ def evaluate(
     d: Sequence[ca.SX], d_dot: Sequence[ca.SX], stiffness: ca.SX, damping: ca.SX, free_length: ca.SX
 ) -> SpringForce:
     """The spring between points a distance vector d apart (2 or 3 components)."""
+    if free_length.is_zero() and not damping.is_zero():
+        return _through_zero(ca.vertcat(*d), ca.vertcat(*d_dot), stiffness, damping)
     form, (names, rates) = template(len(d)), _vectors(len(d))
     values = {
         **dict(zip(names, d, strict=True)),
@@ -67,3 +70,13 @@ def evaluate(
     forces = [f"force_{axis}" for axis in "xyz"[: len(d)]]
     out = form.evaluate(values, [*forces, "potential", "dissipated"])
     return SpringForce([out[name] for name in forces], out["potential"], out["dissipated"])
+
+
+def _through_zero(d: ca.SX, d_dot: ca.SX, stiffness: ca.SX, damping: ca.SX) -> SpringForce:
+    """Zero free length, with a damper: the points may meet, where no line between them is left for the damper.
+
+    Force on b: -k d - c (d_dot . d) d / |d|^2.
+    """
+    squared, along = ca.fmax(ca.dot(d, d), SMALLEST), ca.dot(d_dot, d)
+    force = -stiffness * d - damping * along / squared * d
+    return SpringForce(ca.vertsplit(force), stiffness * ca.dot(d, d) / 2, damping * along * along / squared)

@@ -1,0 +1,88 @@
+"""Runs that leave what their model can say: buckled struts, Euler angles beside their singular orientation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import Model, simulate
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+E, WIDTH, HEIGHT, LENGTH = 2e11, 0.02, 0.005, 1.0
+
+
+def strut(share: float) -> Scene:
+    """A pinned strut under a share of its buckling load pi^2 E I / L^2."""
+    second_moment = WIDTH * HEIGHT**3 / 12
+    load = share * math.pi**2 * E * second_moment / LENGTH**2
+    builder = SceneBuilder("strut")
+    builder.beam(
+        "rod",
+        length=LENGTH,
+        density=7850.0,
+        area=WIDTH * HEIGHT,
+        second_moment=second_moment,
+        youngs_modulus=E,
+        elements=20,
+        lateral={"ends": "pinned-pinned", "modes": 2},
+        stiffening=True,
+        damping_ratio=0.02,
+    )
+    builder.rigid("end", mass=0.01, inertia=1e-4)
+    builder.revolute("A", "ground.origin", "rod.start").revolute("C", "rod.end", "end.origin")
+    builder.prismatic("slide", "ground.origin", "end.origin").force("push", "end.origin", -load, 0)
+    return builder.initial({"rod.q1": 1e-4}).simulation(t_end=1.0, dt=2e-5, scheme="single_rate").build()
+
+
+def free_body(offset: float) -> Scene:
+    """A free body that turns about its second axis at 3 rad/s and passes theta2 = 90 degrees at about this offset."""
+    builder = SceneBuilder("body", space="spatial")
+    builder.rigid("body", mass=1.0, inertia=[1.0, 2.0, 3.0], orientation="zyx", free=True)
+    builder.rates({"body.theta2": 3.0, "body.theta1": 3.0 * offset})
+    return builder.simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
+
+
+@pytest.mark.parametrize(
+    "share, name", [(0.9, "completed"), (1.1, "deflection_too_large"), (1.5, "deflection_too_large")]
+)
+def test_a_buckled_strut_is_named(model_of: Build, share: float, name: str) -> None:
+    """Beyond the buckling load modal coordinates grow to many lengths, which linear modes cannot mean."""
+    run = simulate(model_of(strut(share)), save_every=100)
+    assert run.status.name == name
+    assert np.abs(run["rod.q1"]).max() < 0.5 * LENGTH
+
+
+@pytest.mark.parametrize("offset, dt, name", [(0.01, 1e-3, "angles_too_fast"), (0.3, 1e-3, "completed")])
+def test_euler_angles_too_fast_for_the_step_are_named(model_of: Build, offset: float, dt: float, name: str) -> None:
+    """0.6 degrees beside the singular orientation two angles turn half a round within a few steps."""
+    run = simulate(model_of(free_body(offset)), dt=dt)
+    assert run.status.name == name
+    if name != "completed":
+        assert "euler_parameters" in run.status.advice and 0.45 < run.status.time < 0.55
+
+
+@pytest.mark.parametrize("scheme", ["single_rate", "rk4", "exponential", "radau"])
+def test_points_of_a_spring_without_free_length_may_meet(model_of: Build, scheme: str) -> None:
+    """x'' = -100 x - 2 x' from x = 0, x' = 1 through zero and back: the force there is regular, with a damper too.
+
+    At the very start the damper knows no line: half a step without it costs h c v / (2 m) = 1e-3 of the velocity.
+    """
+    builder = SceneBuilder("meeting").rigid("a", mass=1.0, inertia=0.1, free=True)
+    builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
+    scene = builder.rates({"a.x": 1.0}).simulation(t_end=1.0, dt=1e-3, scheme="single_rate").build()
+    run = simulate(model_of(scene), scheme=scheme, save_every=10)
+    w = math.sqrt(99.0)
+    assert run.status.ok
+    assert run["a.x"] == pytest.approx(np.exp(-run.t) * np.sin(w * run.t) / w, abs=2e-4)
+    assert np.abs(run["a.y"]).max() == 0.0
+
+
+def test_points_that_meet_at_rest_stay(model_of: Build) -> None:
+    builder = SceneBuilder("rest").rigid("a", mass=1.0, inertia=0.1, free=True)
+    builder.spring_damper("s", "ground.origin", "a.origin", stiffness=100.0, damping=2.0)
+    run = simulate(model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build()))
+    assert run.status.ok and not run.q.any()
