@@ -12,6 +12,7 @@ import numpy as np
 
 from runtime.contract.doors import OPENS
 from runtime.contract.errors import SymgenError
+from runtime.contract.model_card import model_card
 from runtime.contract.records import Bound, Coordinate, Description, Group, Parameter
 
 WORDS = {"positive": "positive", "not negative": "at least zero"}
@@ -143,6 +144,9 @@ class Model:
             f"{len(self.constraints)} constraints>"
         )
 
+    def _repr_html_(self) -> str:
+        return model_card(self.description)
+
     def kernel(self, name: str) -> ca.Function:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""
         if name not in self._kernels:
@@ -248,7 +252,13 @@ class Model:
         for name, value in (changes or {}).items():
             if name not in index:
                 known = ", ".join(q.name for q in self.parameters if q.kind != "data")
-                raise ModelError(f"model {self.name} has no parameter {name!r}; it has {known}")
+                zero = (
+                    "; a number that is zero in the scene is left out of the code: to keep it, declare it in "
+                    "[parameters] with default 0 and write its name there"
+                    if "." in name
+                    else ""
+                )
+                raise ModelError(f"model {self.name} has no parameter {name!r}; it has {known}{zero}")
             p[index[name]] = _checked_value(self.parameters[index[name]], value)
         if changes and self.description.bounded:
             self._require_bounds(p)

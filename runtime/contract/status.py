@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 from typing import Literal
+
+from runtime.contract.cards import badge
 
 StatusName = Literal[
     "completed",
@@ -50,6 +53,12 @@ class Status:
     def ok(self) -> bool:
         """Did the run reach its end?"""
         return self.name == "completed"
+
+    def _repr_html_(self) -> str:
+        where = f", coordinate {escape(self.coordinate)}" if self.coordinate else ""
+        cause = f"<br>{escape(self.cause)}" if self.cause else ""
+        advice = f"<br>Try: {escape(self.advice)}" if self.advice else ""
+        return f"{badge(self.name, self.ok)} at t = {self.time:.9g} s{where}{cause}{advice}"
 
     def __str__(self) -> str:
         where = f", coordinate {self.coordinate}" if self.coordinate else ""

@@ -16,6 +16,7 @@ from runtime.contract.files import replacing
 from runtime.contract.model import Model, ModelError
 from runtime.contract.records import as_plain, description
 from runtime.contract.status import Event, Status
+from runtime.results.samples import FORCE_PARTS
 from runtime.results.stream import read_blocks, read_header
 
 if TYPE_CHECKING:
@@ -24,10 +25,6 @@ if TYPE_CHECKING:
     from runtime.results.samples import Samples
 
 FORMAT = "symgen solution 3"
-FORCE_PARTS = {
-    3: ("force_x", "force_y", "moment"),
-    6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
-}  # planar, spatial
 ARRAYS = (
     "parameters",
     "t",
@@ -158,16 +155,34 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
     return columns | {f"measure.{name}": solution.measures[:, k] for k, name in enumerate(model.measures)}
 
 
+def column_units(model: Model) -> dict[str, str]:
+    """SI units of the columns of `table`, and of energies and measures by their own names."""
+    described = model.description
+    units = {"t": "s", "constraint_error": "m or rad", "constraint_rate_error": "m/s or rad/s"}
+    for order, suffix in enumerate(("", "_dot", "_ddot")):
+        units |= {f"{entry.name}{suffix}": entry.unit_of(order) for entry in described.coordinates}
+    units |= {f"lam.{row.label}": "N" if row.unit == "m" else "N m" for row in described.constraints}
+    for joint in model.joints:
+        units |= {f"{joint}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}
+        units[f"{joint}.moment"] = "N m"
+    energies = {key: "W" if key in POWERS else "J" for key in ("kinetic", "elastic", "potential", *POWERS)}
+    for prefix in ("", "energy."):
+        units |= {f"{prefix}{key}": unit for key, unit in energies.items()}
+    for prefix in ("", "measure."):
+        units |= {f"{prefix}{entry.name}": entry.unit for entry in described.measures}
+    return units
+
+
 def to_csv(solution: Samples, path: str | Path) -> None:
-    """Comma-separated values that read back exactly (17 digits). Raises OutputError."""
-    columns = solution.outputs or table(solution)
+    """Comma-separated values that read back exactly (17 digits), `name [unit]` above each. Raises OutputError."""
+    columns, units = solution.outputs or table(solution), column_units(solution.model)
     with replacing(path) as temporary:
         np.savetxt(
             temporary,
             np.column_stack(list(columns.values())),
             fmt="%.17g",
             delimiter=",",
-            header=",".join(columns),
+            header=",".join(f"{name} [{units[name]}]" if units.get(name) else name for name in columns),
             comments="",
             encoding="utf-8",
         )

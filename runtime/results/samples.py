@@ -11,6 +11,10 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
 
+FORCE_PARTS = {
+    3: ("force_x", "force_y", "moment"),
+    6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
+}  # planar, spatial
 STORED = ("kinetic", "elastic", "potential")
 SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error", "constraint_rate_error")
 
@@ -58,15 +62,35 @@ class Samples:
         )
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a measure by name.
+        """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or a column of the CSV by name.
 
-        Raises ModelError for an unknown name.
+        Columns of the CSV: `t`, `J1.force_x`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with their unit in brackets
+        or without. Raises ModelError for an unknown name.
         """
+        name = name.partition(" [")[0]
         for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
             names = [f"{coordinate}{suffix}" for coordinate in self.model.coordinates]
             if name in names:
                 return values[:, names.index(name)]
+        found = None if name in self.model.measures else self._column_of_table(name)
+        if found is not None:
+            return found
         return self.measures[:, self._column(name, self.model.measures, "coordinate or measure")]
+
+    def _column_of_table(self, name: str) -> np.ndarray | None:
+        """(N,) a column of the CSV that is neither a coordinate nor a measure by its own name."""
+        if name in ("t", "constraint_error", "constraint_rate_error"):
+            return np.asarray(getattr(self, name))
+        first, _, last = name.partition(".")
+        if first == "energy" and last in self.energy:
+            return self.energy[last]
+        if first == "lam" and last in self.model.constraints:
+            return self.multiplier(last)
+        if first == "measure" and last in self.model.measures:
+            return self.measures[:, self.model.measures.index(last)]
+        joint, _, part = name.rpartition(".")
+        parts = FORCE_PARTS[self.joint_forces.shape[-1]] if self.joint_forces.size else ()
+        return self.joint_force(joint)[:, parts.index(part)] if joint in self.model.joints and part in parts else None
 
     def rate(self, name: str) -> np.ndarray:
         """(N,) velocity of a coordinate [m/s, rad/s]. Raises ModelError for an unknown name."""

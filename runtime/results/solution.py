@@ -11,6 +11,7 @@ from runtime.contract.model import Model
 from runtime.results import export
 from runtime.results.samples import Samples
 from runtime.results.showing import SHOWS
+from runtime.results.solution_card import solution_card
 
 if TYPE_CHECKING:
     import xarray
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 @dataclass(repr=False)
 class Solution(Samples):
     """Samples that can be saved, loaded and exported."""
+
+    def _repr_html_(self) -> str:
+        return solution_card(self)
 
     def save(self, path: str | Path) -> None:
         """Everything in one .npz file of plain arrays (no pickle). Raises OutputError if it cannot be written."""

@@ -35,7 +35,7 @@ class FurtherArguments(TypedDict, total=False):
 
     save_every: int | None
     engine: str
-    progress: Progress | None
+    progress: Progress | bool | None
     force: bool
     outputs: Sequence[str] | None
     stream: str | Path | None
@@ -69,7 +69,7 @@ class Further:
 
     save_every: int | None = None
     engine: str = "auto"
-    progress: Progress | None = None
+    progress: Progress | bool | None = None
     force: bool = False
     outputs: Sequence[str] | None = None
     stream: str | Path | None = None
@@ -132,7 +132,9 @@ def simulate(
     segment = Segment.build(model, plan, p, more.engine)
     z = segment.start(state.q, state.q_dot)
     set_up = time.perf_counter() - started
-    changes = ", ".join(f"{key}: {given:.9g} -> {used:.9g}" for key, (given, used) in state.changed.items())
+    written = {key: (f"{given:.9g}", f"{used:.9g}") for key, (given, used) in state.changed.items()}
+    changes = ", ".join(f"{key}: {given} -> {used}" for key, (given, used) in written.items() if given != used)
+    progress = None if isinstance(more.progress, bool) else more.progress
     record = record_of(segment, z, more.stream, keep_rows=bounded)
     run = Run(
         segment,
@@ -140,7 +142,7 @@ def simulate(
         record,
         rule,
         changes or "none",
-        more.progress,
+        progress,
         engine=more.engine,
         guard=segment.new_guard(),
         accuracy=Accuracy(plan.steps),

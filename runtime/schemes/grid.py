@@ -45,8 +45,15 @@ def make_grid(groups: list[list[int]], dt: Any, m: list[Any], ratios: int, names
     if isinstance(dt, bool) or not isinstance(dt, Real) or not 0 < float(dt) < float("inf"):
         raise SchemeError(f"the step dt must be a positive number of seconds, not {dt!r}")
     if len(m) != ratios:
-        between = f"one between each two of the groups {names}" if len(groups) > 1 else f"{names} has no other groups"
-        raise SchemeError(f"m needs {ratios} ratio(s), {between}; got {len(m)}: {m}")
+        count = "one number" if ratios == 1 else f"{ratios} numbers"
+        if ratios == 0:
+            raise SchemeError(f"m: {names} takes all coordinates in one step, so it has no ratio; leave m out, not {m}")
+        if len(groups) > 1:
+            meaning = f"how many steps each next of the groups {names} takes in one of the group before it"
+        else:
+            meaning = f"how many sub-steps {names} takes in one step dt"
+        given = f"{len(m)} were given: {m}" if m else "none was given"
+        raise SchemeError(f"m must hold {count}, {meaning}, such as {[4] * ratios}; {given}")
     for ratio in m:
         if isinstance(ratio, bool) or not isinstance(ratio, int) or not 1 <= ratio <= MAX_RATIO:
             raise SchemeError(f"m must hold whole numbers from 1 to {MAX_RATIO}, not {ratio!r}")

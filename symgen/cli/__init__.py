@@ -13,7 +13,18 @@ from collections.abc import Sequence
 
 from runtime.contract.errors import NoResult, SymgenError
 from symgen.cli.commands import parser
-from symgen.cli.outcome import FAILED, FAULT, INTERRUPTED, OK, WRONG_INPUT, report, report_error, report_fault
+from symgen.cli.outcome import (
+    FAILED,
+    FAULT,
+    INTERRUPTED,
+    OK,
+    WRONG_INPUT,
+    detailed,
+    report,
+    report_error,
+    report_fault,
+)
+from symgen.cli.progress import Progress
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -27,8 +38,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     command = next((word for word in given if not word.startswith("-")), "")
     try:
         parsed = parser().parse_args(given)
+        Progress.silenced = parsed.quiet
         outcome = parsed.run(parsed)
-        report(outcome, command, as_json)
+        if as_json or not parsed.quiet:
+            report(detailed(outcome) if parsed.verbose else outcome, command, as_json)
         return outcome.code
     except KeyboardInterrupt:
         report_error(command, "interrupted", as_json, INTERRUPTED)

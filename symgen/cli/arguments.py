@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any, NoReturn
 
 from runtime.contract.errors import SymgenError
+from symgen.cli.suggestions import explained, unknown_words
 
 SCENE: dict[str, Any] = {"metavar": "SCENE", "help": "built-in name, .toml file, or generated folder"}
 
@@ -18,11 +19,19 @@ class UsageError(SymgenError):
 
 
 class Parser(argparse.ArgumentParser):
-    """An ArgumentParser that raises UsageError instead of leaving the process."""
+    """An ArgumentParser that raises UsageError, in one line with what was probably meant."""
 
     def error(self, message: str) -> NoReturn:
-        """Raise UsageError with the message and the usage line."""
-        raise UsageError(f"{message}\n{self.format_usage().rstrip()}")
+        """Raise UsageError with the message."""
+        raise UsageError(explained(message, self.prog))
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse all words; those that nothing takes are refused in the name of the command that got them."""
+        parsed, further = self.parse_known_args(args, namespace)
+        if further:
+            commands = next((a.choices for a in self._actions if isinstance(a, argparse._SubParsersAction)), {})
+            raise UsageError(unknown_words(further, commands.get(getattr(parsed, "command", ""), self)))
+        return parsed
 
 
 def add_command(
@@ -31,6 +40,8 @@ def add_command(
     """A subcommand with the option every command has."""
     command: argparse.ArgumentParser = subparsers.add_parser(name, help=summary, description=f"{summary} {details}")
     command.add_argument("--json", action="store_true", help="write one JSON object to standard output, nothing else")
+    command.add_argument("-q", "--quiet", action="store_true", help="write nothing but errors")
+    command.add_argument("-v", "--verbose", action="store_true", help="also write what the run counted and took")
     command.set_defaults(run=run)
     return command
 
@@ -179,7 +190,12 @@ def _word_or_number(text: str) -> str | int | float:
 
 def number(text: str) -> float:
     """A finite float."""
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a number; give it in SI units without the unit, such as 1"
+        ) from None
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
     return value

@@ -10,6 +10,7 @@ from symgen.cli import (
     animate,
     campbell,
     compare,
+    completion,
     demo,
     equilibrium,
     generate,
@@ -44,6 +45,7 @@ COMMANDS = (
     advise,
     reporting,
     demo,
+    completion,
 )
 
 
@@ -59,6 +61,7 @@ def parser() -> argparse.ArgumentParser:
     subparsers = root.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for module in COMMANDS:
         module.add(subparsers)
+    root.set_defaults(root=root)
     return root
 
 

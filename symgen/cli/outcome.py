@@ -7,7 +7,7 @@ import math
 import sys
 import traceback
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from runtime.contract.errors import SymgenError
@@ -27,6 +27,13 @@ class Outcome:
     data: Mapping[str, Any]
     lines: list[str] = field(default_factory=list)
     code: int = OK
+
+
+def detailed(outcome: Outcome) -> Outcome:
+    """The outcome with the statistics of its run as further lines."""
+    found = outcome.data.get("report", {}).get("statistics", {})
+    lines = [f"  {name.replace('_', ' ')}: {value}" for name, value in found.items()]
+    return replace(outcome, lines=[*outcome.lines, *lines])
 
 
 def report(outcome: Outcome, command: str, as_json: bool) -> None:

@@ -54,10 +54,10 @@ def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]
     """The results of a folder with that folder, or those of a scene simulated now. Raises UsageError."""
     from runtime.contract.loading import load_model
     from runtime.results.solution import Solution
-    from symgen.cli.sources import builtin_name, opened_model
+    from symgen.cli.sources import builtin_name, is_folder, opened_model
 
     folder = Path(arguments.scene)
-    if (folder / SOLUTION_FILE).is_file() and builtin_name(arguments.scene) is None:
+    if is_folder(arguments.scene) and (folder / SOLUTION_FILE).is_file() and builtin_name(arguments.scene) is None:
         settings = ("t_end", "dt", "m", "scheme", "set", "initial", "option", "save_every")
         given = [name for name in settings if getattr(arguments, name)]
         if given:

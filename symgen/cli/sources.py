@@ -64,15 +64,24 @@ def find_source(word: str, made_with: Sequence[tuple[str, float]] = ()) -> Sourc
     if path.suffix == ".toml":
         scene = Scene.from_toml(path)
         return Source(scene, Path(scene.name))
-    if (path / "scene.toml").is_file():
+    folder = is_folder(word)
+    if folder and (path / "scene.toml").is_file():
         return Source(Scene.from_toml(path / "scene.toml"), path, named=True)
-    if path.is_dir():
+    if folder:
         raise SceneError(f"folder '{word}'", "contains no scene.toml", "give a folder written by symgen generate")
     raise SceneError(
         f"scene '{word}'",
         "is neither a built-in scene nor a .toml file",
         f"{did_you_mean(word.replace('-', '_'), scenes)} (see: symgen list)",
     )
+
+
+def is_folder(word: str) -> bool:
+    """Is there a folder of that name? A word that cannot be a path names none."""
+    try:
+        return Path(word).is_dir()
+    except (OSError, ValueError):
+        return False
 
 
 def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, float]]) -> Scene:
@@ -107,7 +116,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     from symgen.generate import completed
 
     folder = Path(word)
-    if not folder.is_dir() or builtin_name(word) is not None or made_with:
+    if not is_folder(word) or builtin_name(word) is not None or made_with:
         source = find_source(word, made_with)
         if not (source.named and is_current(source)):
             return _generated(source.scene, keep)

@@ -108,7 +108,13 @@ def _syntax(text: str, item: str) -> ast.expr:
             raise _too_deep(item) from None
         reason = error.msg if isinstance(error, SyntaxError) else str(error)
         problem = f"'{_short(text)}' is not an expression ({reason})"
+        if _WITH_UNIT.fullmatch(text.strip()):
+            remedy = f"write the number alone: all are in SI units (m, kg, s, N, rad), here {text.split()[0]}"
+            raise SceneError(item, f"'{_short(text)}' is a number with a unit", remedy) from None
         raise SceneError(item, problem, "check brackets and operators") from None
+
+
+_WITH_UNIT = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s+[A-Za-z][A-Za-z0-9 /*()-]*")  # such as 3.0 kg, 2 N/m
 
 
 class _Reader:

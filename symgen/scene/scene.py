@@ -11,6 +11,7 @@ from symgen.scene import toml_io
 from symgen.scene.checks import check_scene
 from symgen.scene.errors import SceneError, raise_all, show
 from symgen.scene.parts import SceneParts
+from symgen.scene.scene_card import scene_card
 from symgen.scene.translate import scene_errors
 
 
@@ -48,6 +49,9 @@ class Scene(SceneParts):
     def from_toml_text(cls, text: str) -> Scene:
         """The scene in a TOML text; raises SceneError."""
         return cls.from_dict(toml_io.parse(text, "scene"))
+
+    def _repr_html_(self) -> str:
+        return scene_card(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values in the schema's order, without entries that equal their default."""

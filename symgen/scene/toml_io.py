@@ -15,6 +15,7 @@ from symgen.scene.errors import SceneError
 
 MAX_BYTES = 50_000_000
 MAX_KEY_PARTS = 100
+LONGEST_LINE = 100  # characters of a line that an error shows
 # dotted names longer than that: tomllib takes time with the square of their length
 _LONG_KEY = re.compile(
     r"""(?<![\w"'-])(?:(?:[\w-]{1,200}|"[^"\n]{0,200}"|'[^'\n]{0,200}')[ \t]*\.[ \t]*)""" + f"{{{MAX_KEY_PARTS}}}"
@@ -53,7 +54,16 @@ def parse(text: str, item: str) -> dict[str, Any]:
     except RecursionError:
         raise SceneError(item, "is nested too deeply", "flatten the lists and tables") from None
     except (ValueError, TypeError, AttributeError) as error:
-        raise SceneError(item, f"is not valid TOML ({error})", "correct the text at that place") from None
+        raise SceneError(item, f"is not valid TOML ({error}){_line_of(text, error)}", "correct that line") from None
+
+
+def _line_of(text: str, error: Exception) -> str:
+    """The line that the error names, as it stands in the text."""
+    place = re.search(r"at line (\d+)", str(error))
+    lines = text.splitlines()
+    if place is None or not 1 <= int(place.group(1)) <= len(lines):
+        return ""
+    return f": {lines[int(place.group(1)) - 1].strip()[:LONGEST_LINE]!r}"
 
 
 def plain(model: BaseModel) -> dict[str, Any]:

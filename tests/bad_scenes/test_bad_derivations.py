@@ -199,7 +199,7 @@ def swing(tmp_path_factory: pytest.TempPathFactory) -> Model:
         ({"save_every": 0}, SchemeError, "save_every"),
         ({"save_every": 1.5}, SchemeError, "save_every"),
         ({"scheme": "runge"}, SchemeError, "no scheme 'runge'"),
-        ({"scheme": "printed", "m": [2]}, SchemeError, "m needs 0 ratio"),
+        ({"scheme": "printed", "m": [2]}, SchemeError, "it has no ratio; leave m out"),
         ({"scheme": "single_rate", "m": [2]}, SchemeError, "leave m"),
         ({"engine": "fast"}, ValueError, "engine must be"),
         ({"parameters": {"rod.weight": 1.0}}, ModelError, "no parameter 'rod.weight'"),

@@ -62,7 +62,7 @@ def test_stability_leaves_its_chart(capsys: pytest.CaptureFixture[str], tmp_path
         (["--dt-from", "1", "--dt-to", "0.1"], "below --dt-to"),
         (["--points", "1"], "--points must be"),
         (["--scheme", "nothing"], "no scheme 'nothing'"),
-        (["--scheme", "coupled", "--m", "2,2"], "m needs 1 ratio"),
+        (["--scheme", "coupled", "--m", "2,2"], "m must hold one number"),
         (["--option", "guess=x", "--scheme", "rk4"], "rk4 has no option"),
     ],
 )

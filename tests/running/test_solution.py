@@ -219,10 +219,15 @@ def test_loading_refuses_what_is_not_a_solution(tmp_path) -> None:
 def test_csv_reads_back_exactly(tmp_path) -> None:
     solution = rod_solution()
     solution.to_csv(tmp_path / "run.csv")
-    names = (tmp_path / "run.csv").read_text().partition("\n")[0].split(",")
+    header = (tmp_path / "run.csv").read_text().partition("\n")[0].split(",")
+    assert {"t [s]", "rod.theta_dot [rad/s]", "energy.kinetic [J]", "hinge.force_x [N]", "lam.hinge.x [N]"} <= set(
+        header
+    )
+    names = [name.partition(" [")[0] for name in header]
     values = np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=1)
     for name, column in table(solution).items():
         assert np.array_equal(values[:, names.index(name)], column)
+        assert np.array_equal(solution[name], column) and np.array_equal(solution[header[names.index(name)]], column)
 
 
 def test_xarray_and_netcdf(tmp_path) -> None:

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from html import escape
 
 import numpy as np
 
+from runtime.contract.cards import card, line, table
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
@@ -61,6 +63,17 @@ class Advice:
     def seconds(self) -> float:
         """Expected CPU time of the whole motion [s]."""
         return self.trial.seconds * self.t_end / self.tried
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (one.label, f"{one.best.setting:.4g} s", f"{one.best.seconds * 1e3:.4g} ms", f"{one.best.error:.2g}")
+            if one.best
+            else (one.label, "not reached in useful time")
+            for one in self.searches
+        ]
+        about = f"an error of {self.tolerance:g} in {', '.join(self.graded)}, tried on {self.tried:g} s"
+        wanted = f"{self.spec.label}, dt = {self.dt:.6g} s"
+        return card(wanted, about, line(escape(self.reason)), table(rows, ("method", "step", "time", "error")))
 
 
 class NoAdvice(NoResult):

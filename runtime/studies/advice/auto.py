@@ -8,6 +8,7 @@ from math import ceil
 from typing import Any, Unpack
 
 from runtime.contract.model import Model
+from runtime.results.meter import Meter
 from runtime.results.solution import Solution
 from runtime.running.simulate import RunArguments
 from runtime.running.simulate import simulate as run
@@ -30,11 +31,16 @@ def simulate(
     scheme: a name of runtime.SCHEMES, or `auto`: the fastest one that keeps `tolerance` (1e-3) in the `graded`
     coordinates (all), with the step and m that advice finds. settings: see runtime.running.simulate.simulate, which
     does the run: t_end, dt [s], m, parameters, initial, save_every, engine, options, t0, progress, force, start,
-    outputs, stream, checkpoint, checkpoint_every.
+    outputs, stream, checkpoint, checkpoint_every. progress = True shows how far the run is, on a terminal or in a
+    notebook.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
     """
+    if settings.get("progress") is True:
+        with Meter(model.name) as meter:
+            settings["progress"] = meter
+            return simulate(model, scheme=scheme, tolerance=tolerance, graded=graded, **settings)
     if (scheme or model.simulation.get("scheme")) != AUTO or not model.q_i:
         if tolerance is not None or graded is not None:
             raise SchemeError("tolerance and graded belong to scheme = auto; other schemes take the step dt")

@@ -1,0 +1,42 @@
+"""A solution in a notebook: how it ended, what it cost, how exact it is, and its coordinates as small curves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from runtime.contract.cards import badge, card, line, sparkline, table
+from runtime.results.samples import Samples
+
+MOST = 10
+
+
+def solution_card(solution: Samples) -> str:
+    """HTML of a solution."""
+    model, stats, status = solution.model, solution.stats, solution.status
+    m = ",".join(map(str, solution.m)) or "-"
+    wall = stats.get("wall_seconds")
+    cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
+    balance = f", energy balance {float(np.abs(solution.energy_balance()).max()):.2g} J" if len(solution.t) > 2 else ""
+    about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
+    names = [*model.q_i, *(name for name in model.measures if not name.endswith("_dot"))][:MOST]
+    rows = [
+        (
+            name,
+            sparkline(solution[name]),
+            f"{solution[name].min():.4g} to {solution[name].max():.4g}",
+            f"{solution[name][-1]:.6g}",
+        )
+        for name in names
+    ]
+    return card(
+        model.title or model.name,
+        about,
+        line(status._repr_html_())
+        if not status.ok
+        else line(badge(status.name, True) + f" at t = {status.time:.6g} s"),
+        line(
+            f"{len(solution.t)} samples, {stats.get('steps', '?')} steps{cost}; largest constraint error "
+            f"{float(solution.constraint_error.max(initial=0.0)):.2g}{balance}"
+        ),
+        table(rows, ("", "", "range", "at the end")),
+    )
