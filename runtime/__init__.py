@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from runtime.operating.modes import modes
     from runtime.operating.unbalance import unbalance_response
     from runtime.results.solution import Solution
+    from runtime.running.quasi_static_motion import quasi_static_motion
     from runtime.running.simulate import resume
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
@@ -71,6 +72,7 @@ __all__ = [
     "mode_motion",
     "modes",
     "plots",
+    "quasi_static_motion",
     "reference_solution",
     "resume",
     "simulate",
@@ -98,6 +100,7 @@ _HOMES = {
     "mode_motion": "operating.mode_motion",
     "unbalance_response": "operating.unbalance",
     "Solution": "results.solution",
+    "quasi_static_motion": "running.quasi_static_motion",
     "resume": "running.simulate",
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",

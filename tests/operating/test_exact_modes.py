@@ -65,6 +65,26 @@ def test_a_rotating_cantilever(model_of: Build) -> None:
         assert np.abs(error[:2]).max() < 1e-5 and abs(error[2]) < 1.05e-5, speed
 
 
+def test_a_rotating_cantilever_out_of_plane(build: Callable[[Scene, frozenset[str]], Model]) -> None:
+    """Exact: out of the plane of rotation and in it at once, in space; 10 modes each way on 400 elements."""
+    ends = {"ends": "clamped-free", "modes": 10}
+    scene = (
+        SceneBuilder("flap", space="spatial")
+        .parameter("omega", 6.0, "rad/s", "speed")
+        .beam("beam", length=1.0, density=1.0, area=1.0, second_moment=1.0, second_moment_z=1.0, youngs_modulus=1.0,
+              elements=400, lateral=ends, lateral_z=ends, stiffening=True)
+        .revolute("pivot", "ground.origin", "beam.start")
+        .prescribed_angle("drive", "ground.origin", "beam.start", motion="omega * t")
+        .build()
+    )  # fmt: skip
+    jacobians = {"dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"}
+    model = build(scene, frozenset({"condensed", "closure", "velocities", *jacobians}))
+    for speed in (2.0, 6.0):
+        flap = np.array(ROTATING[speed])
+        exact = np.sort(np.concatenate([flap, np.sqrt(flap**2 - speed**2)]))
+        np.testing.assert_allclose(modes(model, parameters={"omega": speed}).frequencies[:6], exact, rtol=2e-5)
+
+
 def test_convergence_in_modes(model_of: Build) -> None:
     """From above, as Ritz has it: at speed 10 the first frequency in the plane is off by these parts."""
     exact = math.sqrt(ROTATING[10.0][0] ** 2 - 100.0)
