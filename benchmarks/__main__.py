@@ -12,6 +12,7 @@ from benchmarks.cases import (
     exudyn_slider_crank,
     generation,
     iftomm,
+    native_code,
     operations,
     rhs_chain,
     rhs_pinocchio,
@@ -24,6 +25,7 @@ from benchmarks.pages import hard_tables, long_runs
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
+    "native_code": native_code.run,
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
     "rhs_pinocchio": rhs_pinocchio.run,

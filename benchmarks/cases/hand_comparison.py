@@ -1,4 +1,4 @@
-"""Generated against hand-written C, in turn: `python -m benchmarks.cases.hand_comparison` prints JSON."""
+"""Native code against gcc's and hand-written C: `python -m benchmarks.cases.hand_comparison` prints JSON."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from benchmarks.cases.step_case import Case, counts, difference, make_case, work
 from benchmarks.contenders.hand_stepper import HandStepper
 from benchmarks.harness.models import workplace
 from benchmarks.harness.timing import interleave, ratio
+from runtime.engine.choose import Engine
 from runtime.engine.compiled import CompiledProgram
+from runtime.engine.native import NativeProgram
 
 AGREEMENT_STEPS = 300
 ROUNDS = 100
@@ -19,19 +21,20 @@ def main() -> dict:
     """Seconds a major step, their ratio with quartiles, and how far the two states are apart."""
     with workplace() as folder:
         case = make_case(pinned_rod(), folder)
-        compiled, hand = CompiledProgram(case.program), HandStepper(case.scheme.layout, MAJOR_STEP, RATIO)
-        error = _difference(case, compiled, hand)
+        native, by_c = NativeProgram(case.program, wait=True), CompiledProgram(case.program)
+        hand = HandStepper(case.scheme.layout, MAJOR_STEP, RATIO)
+        error = max(_difference(case, engine, hand) for engine in (native, by_c))
         state, start = hand.state(case.start), hand.state(case.start)
 
         def by_hand(n: int) -> None:
             state[:] = start
             hand.run(state, n)
 
-        timings = interleave({"generated": worker(case, compiled), "hand": by_hand}, ROUNDS)
+        timings = interleave({"generated": worker(case, native), "by gcc": worker(case, by_c), "hand": by_hand}, ROUNDS)
         quotient, lower, upper = ratio(timings["generated"], timings["hand"])
         return {
-            "generated": timings["generated"].best,
-            "hand": timings["hand"].best,
+            **{name: timing.best for name, timing in timings.items()},
+            "ratio to gcc": ratio(timings["generated"], timings["by gcc"])[0],
             "ratio": quotient,
             "quartiles": [lower, upper],
             "difference": error,
@@ -39,11 +42,11 @@ def main() -> dict:
         }
 
 
-def _difference(case: Case, compiled: CompiledProgram, hand: HandStepper) -> float:
+def _difference(case: Case, compiled: Engine, hand: HandStepper) -> float:
     z, state = case.start.copy(), hand.state(case.start)
     compiled.run(z, case.ready, AGREEMENT_STEPS)
     hand.run(state, AGREEMENT_STEPS)
-    return difference(state[:9], hand.state(z)[:9], "hand-written and generated C")  # x, d and a
+    return difference(state[:9], hand.state(z)[:9], "hand-written and generated code")  # x, d and a
 
 
 if __name__ == "__main__":

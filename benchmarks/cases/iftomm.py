@@ -162,7 +162,7 @@ class Runs:
 
     def __init__(self, case: Case, model: Model, spec: Spec) -> None:
         self.case, self.model, self.spec = case, model, spec
-        self._stepper = Stepper(self._scheme(1.0), "compiled")
+        self._stepper = Stepper(self._scheme(1.0), "compiled", wait=True)
         self._p = model.parameter_vector()
         self._c = model.constants(self._p)
         self._state = start_state(model, self._p, self._c, 0.0, None, None)

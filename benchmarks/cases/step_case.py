@@ -11,8 +11,7 @@ import numpy as np
 from benchmarks.cases.scenes import MAJOR_STEP, RATIO, slider_crank
 from benchmarks.harness.models import model_of
 from runtime.contract.model import Model
-from runtime.engine.choose import operations_per_step
-from runtime.engine.compiled import CompiledProgram
+from runtime.engine.choose import Engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.engine.program import Program
 from runtime.schemes.catalogue import scheme_kind
@@ -53,7 +52,7 @@ def counts(case: Case) -> dict:
     }
 
 
-def worker(case: Case, runner: CompiledProgram) -> Callable[[int], None]:
+def worker(case: Case, runner: Engine) -> Callable[[int], None]:
     """n major steps from the start."""
     z = case.start.copy()
 

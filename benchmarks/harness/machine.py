@@ -18,7 +18,7 @@ def describe_machine() -> dict[str, str]:
         "compiler": _compiler(),
         "flags": " ".join((*SMALL_FLAGS, *COMMON_FLAGS)),
         "python": platform.python_version(),
-        **{package: version(package) for package in ("casadi", "numpy", "sympy")},
+        **{package: version(package) for package in ("casadi", "llvmlite", "numpy", "sympy")},
     }
 
 

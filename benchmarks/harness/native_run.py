@@ -26,7 +26,7 @@ def native_run(
     scheme = scheme_kind(name).build(name, model, dt, m, options or {})
     p = model.parameter_vector()
     c = model.constants(p)
-    stepper, state = Stepper(scheme, "compiled"), start_state(model, p, c, 0.0, initial, start)
+    stepper, state = Stepper(scheme, "compiled", wait=True), start_state(model, p, c, 0.0, initial, start)
     ready, first = stepper.ready(c, dt), stepper.start(0.0, state.q, state.q_dot, c, dt)
     z = first.copy()
 

@@ -13,7 +13,7 @@ from runtime.baselines.condensed_ode import CondensedOde, observed_solution, sta
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.status import Status
-from runtime.engine.native import buffered, native
+from runtime.engine.functions import evaluator
 from runtime.results.solution import Solution
 
 EXPLICIT = ("RK23", "RK45", "DOP853")
@@ -45,11 +45,10 @@ def scipy_solution(
         raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
     given = start_of(model, parameters, initial, start)
     ode = CondensedOde(model, closure_iterations)
-    ready = native if compiled else (lambda function: function)
-    slope, size = buffered(ready(ode.right_hand_side()), given.c), len(given.y)
+    slope, size = evaluator(ode.right_hand_side(), given.c, compiled), len(given.y)
     more: dict[str, Any] = {}
     if method in IMPLICIT:
-        jacobian = buffered(ready(ode.jacobian()), given.c)
+        jacobian = evaluator(ode.jacobian(), given.c, compiled)
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()

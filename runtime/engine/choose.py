@@ -1,4 +1,4 @@
-"""Which engine runs a program: compiled where a compiler is there and pays, interpreted otherwise."""
+"""Which engine runs a program: compiled by LLVM, interpreted only where LLVM cannot be had."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
-from runtime.engine.compiled import CompiledProgram, CompilerError, find_compiler
+from runtime.engine.compiled import CompiledProgram
 from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.llvm_code import find_llvm
+from runtime.engine.native import NativeProgram
 from runtime.engine.program import Program, Repeat, Until
 
-VM_SECONDS_PER_OPERATION = 5e-9
-COMPILE_SECONDS_PER_OPERATION = 1.5e-4
-COMPILE_SECONDS = 0.1
+# auto: compiled where LLVM is there; compiled-library: with sin, cos and exp of the C library, equal to interpreted bit
+# for bit; c: by the machine's C compiler, a second opinion
+ENGINES = ("auto", "compiled", "interpreted", "compiled-library", "c")
 
 
 class Engine(Protocol):
@@ -60,29 +62,18 @@ def sub_step_operations(program: Program) -> int | None:
     return program.fold(lambda stage: None, last, again)
 
 
-def choose_engine(requested: str, program: Program, z_size: int, c_size: int, steps: int) -> Engine:
-    """`requested` is auto, compiled or interpreted. auto compiles when that is expected to save time.
+def choose_engine(requested: str, program: Program, z_size: int, c_size: int, wait: bool = False) -> Engine:
+    """`requested` is one of ENGINES; auto is compiled, interpreted only where LLVM cannot be had.
 
-    Raises ArgumentError for an unknown one and CompilerError when `compiled` cannot be had.
+    wait: for the best code. Raises ArgumentError for an unknown engine and CompilerError for one that cannot be had.
     """
-    if requested not in ("auto", "compiled", "interpreted"):
-        raise ArgumentError(f"engine must be auto, compiled or interpreted, not {requested!r}")
-    if requested == "auto":
-        interpreted = operations_per_step(program) * steps * VM_SECONDS_PER_OPERATION
-        size = sum(stage.n_instructions() for stage in program.stages())
-        pays = interpreted > COMPILE_SECONDS + size * COMPILE_SECONDS_PER_OPERATION
-        return (
-            _compiled_if_possible(program, z_size, c_size)
-            if pays and find_compiler()
-            else InterpretedProgram(program, z_size, c_size)
-        )
-    return CompiledProgram(program) if requested == "compiled" else InterpretedProgram(program, z_size, c_size)
-
-
-def _compiled_if_possible(program: Program, z_size: int, c_size: int) -> Engine:
-    try:
+    if requested not in ENGINES:
+        raise ArgumentError(f"engine must be one of {', '.join(ENGINES)}, not {requested!r}")
+    if requested == "c":
         return CompiledProgram(program)
-    except CompilerError as error:
+    missing = find_llvm() if requested == "auto" else ""
+    if requested == "interpreted" or missing:
         engine = InterpretedProgram(program, z_size, c_size)
-        engine.note = f"compiling failed, so the run was interpreted: {error}"
+        engine.note = f"the run was interpreted: {missing}" if missing else ""
         return engine
+    return NativeProgram(program, "library" if requested == "compiled-library" else "own", wait)

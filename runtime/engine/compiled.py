@@ -1,4 +1,4 @@
-"""Compile a step program with the machine's C compiler, into a cache keyed by content."""
+"""Compile C with the machine's compiler, into a cache keyed by content: on request, and for tests."""
 
 from __future__ import annotations
 
@@ -82,9 +82,9 @@ def _build(compiler: str, flags: tuple[str, ...], source: str, folder: Path, tar
 
 
 class CompiledProgram:
-    """A program as native code."""
+    """A program as native code by the machine's C compiler."""
 
-    name = "compiled"
+    name = "c"
 
     def __init__(self, program: Program) -> None:
         self.note = ""

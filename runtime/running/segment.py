@@ -38,7 +38,7 @@ class Segment:
         c = model.constants(p)
         account_for_work(plan.scheme)
         watch_turns(plan.scheme)
-        stepper = Stepper(plan.scheme, engine, plan.steps)
+        stepper = Stepper(plan.scheme, engine)
         monitor = Monitor(model, plan.scheme, c, force=plan.force, p=p)
         return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), monitor)
 

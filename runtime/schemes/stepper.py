@@ -10,8 +10,6 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.turns import with_turns
 from runtime.schemes.work import program_with_work
 
-MANY = 10**9  # steps: more than enough for compiling to pay
-
 
 def start_vector(
     scheme: Scheme, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float | None = None
@@ -25,15 +23,16 @@ def start_vector(
 class Stepper:
     """Runs major steps of a scheme on vectors z; c are the model's constants, dt the major step [s].
 
-    z is longer than the scheme's own (`state` shows that part): a program keeps values of its own behind it.
+    z is longer than the scheme's own (`state` shows that part): a program keeps values of its own behind it. wait: for
+    the best code, as who measures time does.
     """
 
-    def __init__(self, scheme: Scheme, engine: str = "auto", steps: int = MANY) -> None:
+    def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme = scheme
         self._prepared = prepare(with_turns(scheme, program_with_work(scheme)), scheme.layout.size, scheme.c_size)
         self.program = self._prepared.program
         self.engine = choose_engine(
-            engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), steps
+            engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), wait
         )
 
     @property

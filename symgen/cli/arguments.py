@@ -144,9 +144,10 @@ def add_engine(group: Any) -> None:
     """What steps a run."""
     group.add_argument(
         "--engine",
-        choices=("auto", "interpreted", "compiled"),
+        choices=("auto", "compiled", "interpreted", "compiled-library", "c"),
         default="auto",
-        help="interpreted by CasADi or compiled C (default: auto)",
+        help="compiled (by LLVM; auto means this where it is there), interpreted (by CasADi), compiled-library "
+        "(equal to it bit for bit), c (by the machine's C compiler)",
     )
 
 

@@ -8,6 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from symgen.cli import (
     advise,
     animate,
+    cache,
     campbell,
     compare,
     completion,
@@ -46,6 +47,7 @@ COMMANDS = (
     reporting,
     demo,
     completion,
+    cache,
 )
 
 

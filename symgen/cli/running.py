@@ -46,7 +46,7 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
                 graded=arguments.graded,
                 **kept,
             )
-    except CompilerError as error:  # asked for --engine compiled where it cannot be had
+    except CompilerError as error:  # asked for a compiled engine where it cannot be had
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
 

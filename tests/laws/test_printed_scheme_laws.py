@@ -11,7 +11,6 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
 from runtime.engine.interpreted import program_function
 from runtime.running.simulate import make_plan
 from symgen.scene import Scene, SceneBuilder
@@ -137,7 +136,7 @@ def test_growth_of_L1_follows_the_law(built_in: Load, c: float, m: int) -> None:
         m=[m],
         scheme="printed",
         save_every=20,
-        engine="compiled" if find_compiler() else "interpreted",
+        engine="compiled",
         parameters={"c": c, "w": w, "k_L": 0.0, "zeta": 0.0},
         initial={"x_L": 0.0, "x_S": 0.1},
     )

@@ -10,7 +10,6 @@ import pytest
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
 from runtime.studies.stability import limits
 from runtime.studies.stability.along import states_along
 from runtime.studies.stability.limits import StabilityStudy
@@ -19,7 +18,7 @@ from symgen.scene import Scene, SceneBuilder
 from tests.support.prepared_runs import PreparedRuns
 
 Build = Callable[[Scene], Model]
-ENGINE = "compiled" if find_compiler() else "interpreted"
+ENGINE = "compiled"
 START = "quasi_static"
 
 

@@ -11,7 +11,6 @@ import scipy.linalg
 
 from runtime import simulate
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import scheme_kind
@@ -22,7 +21,7 @@ from runtime.studies.stability.spectrum import ExactMotion, StepSpectrum
 from tests.support.model_values import Array
 
 Load = Callable[[str], Model]
-ENGINE = "compiled" if find_compiler() else "interpreted"
+ENGINE = "compiled"
 REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
 DIRECT = {"common_update": "direct"}
 # scene -> arguments, t_end, states. Bisected on 16 states, predicted / real limits: 0.998 to 1.002, of rk4 0.981 to

@@ -13,7 +13,6 @@ import pytest
 
 from runtime import ModelError, SchemeError, Solution, load_model, resume, simulate
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
 from runtime.schemes.catalogue import SCHEMES
 from symgen.generate import generate
 from symgen.scenes import SCENES
@@ -78,7 +77,7 @@ def broken_off(model: Model, settings: dict[str, Any], path: Path, **more: Any) 
     return stop
 
 
-ENGINES = ("interpreted", "compiled") if find_compiler() else ("interpreted",)
+ENGINES = ("interpreted", "compiled")
 CASES = [(name, scheme, engine) for name in ("hub_beam", "slider_crank") for scheme in SCHEMES for engine in ENGINES]
 CASES += [("flexible_slider_crank_free", scheme, ENGINES[-1]) for scheme in ("printed", "coupled")]
 

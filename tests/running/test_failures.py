@@ -12,9 +12,10 @@ import pytest
 
 from runtime import load_model, simulate
 from runtime.contract.model import Model
-from runtime.engine import c_source
+from runtime.engine import c_source, llvm_code
 from runtime.engine.compiled import CompiledProgram, CompilerError, compile_source, find_compiler
 from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.llvm_code import NoLlvm
 from runtime.engine.prepare import prepare
 from runtime.running.monitor import Monitor
 from runtime.running.simulate import make_plan
@@ -124,21 +125,26 @@ def test_interrupted_run_keeps_what_it_has(built_in: Load) -> None:
     assert len(solution.t) >= 20
 
 
-def test_auto_interprets_where_compiling_fails(built_in: Load, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "file").write_text("in the way")
-    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path / "file"))
-    settings = {"t_end": 2.0, "dt": 1e-6, "save_every": 10**6}
+def test_auto_interprets_where_there_is_no_llvm(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing() -> None:
+        raise NoLlvm("llvmlite cannot be used: not installed")
+
+    monkeypatch.setattr(llvm_code, "_llvm", missing)
     model = built_in("pendulum")
-    if find_compiler():
-        solution = simulate(model, **settings)  # type: ignore[arg-type]
-        assert solution.stats["engine"] == "interpreted"
-        assert "compiling failed" in str(solution.stats["engine_note"])
-        with pytest.raises(CompilerError):
-            simulate(model, engine="compiled", **settings)  # type: ignore[arg-type]
-    monkeypatch.setenv("CC", "/no/such/compiler")
-    assert simulate(model, t_end=0.1).status.ok
-    with pytest.raises(CompilerError, match="no C compiler"):
+    solution = simulate(model, t_end=0.1)
+    assert solution.stats["engine"] == "interpreted"
+    assert "llvmlite cannot be used" in str(solution.stats["engine_note"])
+    with pytest.raises(CompilerError, match="llvmlite"):
         simulate(model, engine="compiled", t_end=0.1)
+
+
+def test_engines_that_cannot_be_had(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "/no/such/compiler")
+    assert simulate(built_in("pendulum"), t_end=0.1).stats["engine"] == "compiled"
+    with pytest.raises(CompilerError, match="no C compiler"):
+        simulate(built_in("pendulum"), engine="c", t_end=0.1)
+    with pytest.raises(ValueError, match="auto, compiled, interpreted"):
+        simulate(built_in("pendulum"), engine="gpu", t_end=0.1)
 
 
 @needs_compiler

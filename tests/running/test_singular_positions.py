@@ -13,7 +13,6 @@ from scipy.integrate import solve_ivp
 
 from runtime import Solution, load_model, resume, simulate
 from runtime.contract.model import Model
-from runtime.engine.compiled import find_compiler
 from runtime.running.singular import crossing, passage
 from runtime.running.singular.crossing import BranchLost
 from runtime.running.singular.variants import use_generator
@@ -196,7 +195,7 @@ def assert_same(one: Solution, other: Solution) -> None:
 
 
 @pytest.mark.parametrize("scheme", ["single_rate", "coupled", "radau"])
-@pytest.mark.parametrize("engine", ["interpreted", "compiled"] if find_compiler() else ["interpreted"])
+@pytest.mark.parametrize("engine", ["interpreted", "compiled"])
 def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path, scheme: str, engine: str) -> None:
     """Calls of one step (a checkpoint after each), of seven, or as many as are quick: the same run, bit for bit."""
     settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 1.5, "save_every": 5, "engine": engine}

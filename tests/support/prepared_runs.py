@@ -13,8 +13,6 @@ from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 from tests.support.model_values import Array
 
-USUAL_STEPS = 3000
-
 
 class PreparedRuns:
     """Runs of one scheme on one model from one start, without the checks of `simulate`."""
@@ -29,7 +27,7 @@ class PreparedRuns:
         parameters: Mapping[str, float] | None = None,
     ) -> None:
         self.model, self.scheme = model, scheme_kind(scheme).build(scheme, model, 1.0, m, options or {})
-        self.stepper = Stepper(self.scheme, steps=USUAL_STEPS)
+        self.stepper = Stepper(self.scheme)
         p = model.parameter_vector(parameters)
         self.c = model.constants(p)
         self.state = start_state(model, p, self.c, 0.0, None, start)

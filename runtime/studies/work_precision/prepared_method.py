@@ -68,7 +68,7 @@ class PreparedMethod:
         self.spec, self.problem = spec, problem
         kind = scheme_kind(spec.scheme)
         self.scheme = kind.build(spec.scheme, problem.model, 1.0, list(spec.m) if spec.m else None, spec.options)
-        self._stepper = Stepper(self.scheme, engine)
+        self._stepper = Stepper(self.scheme, engine, wait=True)
         self._observe = self.scheme.observe()
 
     @property

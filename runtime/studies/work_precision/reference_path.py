@@ -12,7 +12,7 @@ from runtime.baselines.scipy_methods import counted
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
-from runtime.engine.native import buffered, native
+from runtime.engine.functions import evaluator
 
 
 class NoReference(NoResult):
@@ -26,7 +26,7 @@ def reference_path(
     columns, n = model.independent_columns, len(model.q_i)
     loop = state.q[model.loop_columns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
-    slope = counted(buffered(native(CondensedOde(model, 1).right_hand_side()), c), "the reference")
+    slope = counted(evaluator(CondensedOde(model, 1).right_hand_side(), c), "the reference")
     with np.errstate(all="ignore"):  # a motion that leaves the range of numbers is told by the result
         result = solve_ivp(slope, (0.0, t_end), y0, method="DOP853", dense_output=True, rtol=rtol, atol=atol)
     if not result.success or not np.isfinite(result.y[:, -1]).all():

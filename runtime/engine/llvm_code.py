@@ -1,0 +1,157 @@
+"""Machine code of a step program: printed as LLVM IR, compiled by LLVM, kept in the object cache, loaded."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import casadi as ca
+
+from runtime.contract.tape import read_tape
+from runtime.engine.compiled import CompilerError
+from runtime.engine.llvm_ir import Form, program_ir
+from runtime.engine.object_cache import ObjectCache
+from runtime.engine.program import Program, Repeat, Until
+
+PRINTER = ("llvm_ir", "llvm_stage", "llvm_operations", "mathematics", "llvm_code")  # files of this folder
+
+
+class Effort(NamedTuple):
+    """What the compiler does: passes over the IR or none, and the level of its code generator (0 to 3)."""
+
+    passes: bool
+    level: int
+
+
+class Processor(NamedTuple):
+    """Name and features as LLVM writes them; "" is the plainest of the kind."""
+
+    name: str
+    features: str
+
+
+class Code(NamedTuple):
+    """`run(z, c, w, n)` on addresses; work: entries of w. keep holds what must outlive it."""
+
+    run: Callable[[int, int, int, int], None]
+    work: int
+    keep: Any
+
+
+class NoLlvm(CompilerError):
+    """llvmlite is not there or does not work here."""
+
+
+@cache
+def _llvm() -> Any:
+    """llvmlite's binding, ready for this machine. Raises NoLlvm."""
+    try:
+        import llvmlite.binding as llvm
+
+        llvm.initialize_native_target()
+        llvm.initialize_native_asmprinter()
+        llvm.Target.from_default_triple()
+    except (ImportError, OSError, RuntimeError) as error:
+        raise NoLlvm(f"llvmlite cannot be used: {error}") from error
+    return llvm
+
+
+def find_llvm() -> str:
+    """Why there is no LLVM, "" if there is."""
+    try:
+        _llvm()
+    except NoLlvm as error:
+        return str(error)
+    return ""
+
+
+@cache
+def host() -> Processor:
+    """This machine's processor."""
+    llvm = _llvm()
+    return Processor(llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
+
+
+class Compiler:
+    """Makes code of one program in any form. Raises NoLlvm where LLVM cannot be had."""
+
+    def __init__(self, program: Program) -> None:
+        _llvm()
+        self.program = program
+        self._digest = _digest(program)
+
+    def build(self, form: Form, effort: Effort, processor: Processor | None = None) -> Code:
+        """Code from the cache, or compiled and kept there."""
+        processor, stored = processor or host(), ObjectCache()
+        key = self._key(form, effort, processor)
+        found = stored.read(key)
+        if found is None:
+            found = compiled(self.program, form, effort, processor)
+            stored.write(key, *found)
+        return _loaded(*found, processor)
+
+    def is_kept(self, form: Form, effort: Effort) -> bool:
+        """Is this code in the cache?"""
+        return ObjectCache().has(self._key(form, effort, host()))
+
+    def _key(self, form: Form, effort: Effort, processor: Processor) -> str:
+        """Of the program itself, not of its IR: a program that is in the cache is not printed."""
+        text = "\n".join([repr(form), repr(effort), *processor])
+        return hashlib.sha256(self._digest + _tools() + text.encode()).hexdigest()
+
+
+def compiled(program: Program, form: Form, effort: Effort, processor: Processor) -> tuple[bytes, int]:
+    """(object file, entries of the work array)."""
+    llvm = _llvm()
+    text, work = program_ir(program, {stage.name(): read_tape(stage) for stage in program.stages()}, form)
+    module = llvm.parse_assembly(text, context=llvm.create_context())
+    machine = _machine(processor, effort.level)
+    if effort.passes:
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        builder = llvm.create_pass_builder(machine, options)
+        builder.getModulePassManager().run(module, builder)
+    return machine.emit_object(module), work
+
+
+def _machine(processor: Processor, level: int) -> Any:
+    target = _llvm().Target.from_default_triple()
+    return target.create_target_machine(cpu=processor.name, features=processor.features, opt=level, jit=True)
+
+
+def _loaded(code: bytes, work: int, processor: Processor) -> Code:
+    llvm = _llvm()
+    # in LLVM's own context: one of its own could be collected before the engine that needs it
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(processor, 0))
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    address = engine.get_function_address("run")
+    kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
+    return Code(kind(address), work, engine)
+
+
+@cache
+def _tools() -> bytes:
+    """What besides the program decides about the code: compiler, CasADi and the text of the printer."""
+    llvm = _llvm()
+    parts = [str(llvm.llvm_version_info), llvm.get_default_triple(), ca.CasadiMeta.version()]
+    parts += [Path(__file__).with_name(f"{name}.py").read_text(encoding="utf-8") for name in PRINTER]
+    return hashlib.sha256("\n".join(parts).encode()).digest()
+
+
+def _digest(program: Program) -> bytes:
+    """What is computed: the stages and their order."""
+    numbers = {stage.name(): k for k, stage in enumerate(program.stages())}
+
+    def again(body: str, node: Repeat | Until) -> str:
+        head = f"repeat {node.count}" if isinstance(node, Repeat) else f"until {node.flag} {node.limit}"
+        return f"{head} ({body})"
+
+    control = program.fold(lambda stage: str(numbers[stage.name()]), " ".join, again)
+    digest = hashlib.sha256(control.encode())
+    for stage in program.stages():
+        digest.update(stage.serialize().encode())
+    return digest.digest()

@@ -1,0 +1,115 @@
+"""Each operation of a tape in LLVM IR, for any number of lanes. No fast-math flag: nothing is contracted or reordered.
+
+Every text is a template of {r} (the result), {a} and {b} (operands); {D} is the type of a value, {B} that of its tests.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from runtime.engine.mathematics import LIBRARY_BINARY, LIBRARY_UNARY, PURE, REPLACED, Lanes, own_functions
+
+_ARITHMETIC = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
+_TESTS = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
+_TRUTH = "  {r} = select {B} {r}c, {D} {one}, {D} {zero}"
+_BOTH = "  {r}a = fcmp une {D} {a}, {zero}\n  {r}b = fcmp une {D} {b}, {zero}\n"
+# fmax and fmin as the C printer writes them, a > b || b != b ? a : b; the inner choice is one instruction of x86
+_EXTREME = (
+    "  {{r}}c = fcmp {test} {{D}} {{a}}, {{b}}\n  {{r}}m = select {{B}} {{r}}c, {{D}} {{a}}, {{D}} {{b}}\n"
+    "  {{r}}n = fcmp uno {{D}} {{b}}, {{b}}\n  {{r}} = select {{B}} {{r}}n, {{D}} {{a}}, {{D}} {{r}}m"
+)
+_INTRINSICS = {ca.OP_SQRT: "sqrt", ca.OP_FABS: "fabs", ca.OP_FLOOR: "floor", ca.OP_CEIL: "ceil"}
+_FUNCTIONS = {getattr(ca, f"OP_{name.upper()}"): name for name in (*LIBRARY_UNARY, *LIBRARY_BINARY, *REPLACED)}
+_FUNCTIONS[ca.OP_CONSTPOW] = "pow"
+
+TEMPLATES = {
+    **{op: f"  {{r}} = {name} {{D}} {{a}}, {{b}}" for op, name in _ARITHMETIC.items()},
+    **{op: f"  {{r}}c = fcmp {test} {{D}} {{a}}, {{b}}\n{_TRUTH}" for op, test in _TESTS.items()},
+    ca.OP_AND: f"{_BOTH}  {{r}}c = and {{B}} {{r}}a, {{r}}b\n{_TRUTH}",
+    ca.OP_OR: f"{_BOTH}  {{r}}c = or {{B}} {{r}}a, {{r}}b\n{_TRUTH}",
+    ca.OP_NOT: f"  {{r}}c = fcmp oeq {{D}} {{a}}, {{zero}}\n{_TRUTH}",
+    ca.OP_FMAX: _EXTREME.format(test="ogt"),
+    ca.OP_FMIN: _EXTREME.format(test="olt"),
+    ca.OP_IF_ELSE_ZERO: "  {r}c = fcmp une {D} {a}, {zero}\n  {r} = select {B} {r}c, {D} {b}, {D} {zero}",
+    ca.OP_SIGN: "  {r}p = fcmp ogt {D} {a}, {zero}\n  {r}m = fcmp olt {D} {a}, {zero}\n"
+    "  {r}s = select {B} {r}m, {D} {minus_one}, {D} {a}\n  {r} = select {B} {r}p, {D} {one}, {D} {r}s",
+    ca.OP_NEG: "  {r} = fneg {D} {a}",
+    ca.OP_SQ: "  {r} = fmul {D} {a}, {a}",
+    ca.OP_TWICE: "  {r} = fadd {D} {a}, {a}",
+    ca.OP_INV: "  {r} = fdiv {D} {one}, {a}",
+    ca.OP_COPYSIGN: "  {r} = call {D} @llvm.copysign.{S}({D} {a}, {D} {b})",
+    **{op: f"  {{r}} = call {{D}} @llvm.{name}.{{S}}({{D}} {{a}})" for op, name in _INTRINSICS.items()},
+    **{
+        op: f"  {{r}} = call {{D}} @{{{name}}}({{D}} {{a}}" + (", {D} {b})" if name in LIBRARY_BINARY else ")")
+        for op, name in _FUNCTIONS.items()
+    },
+}
+
+
+class Operations:
+    """Text of operations on values of `width` lanes, with mathematics `own` or `library`."""
+
+    def __init__(self, width: int, mathematics: str, inline: bool) -> None:
+        self.lanes, self.own, self._inline = Lanes(width), mathematics == "own", inline
+        lanes = self.lanes
+        called = {name: self._name(name) for name in _FUNCTIONS.values()}
+        fixed = {
+            "D": lanes.double,
+            "B": lanes.bit,
+            "S": lanes.suffix,
+            "zero": lanes.number(0.0),
+            "one": lanes.number(1.0),
+            "minus_one": lanes.number(-1.0),
+            **called,
+        }
+        operands = {"r": "{r}", "a": "{a}", "b": "{b}"}
+        self._templates = {op: text.format(**fixed, **operands) for op, text in TEMPLATES.items()}
+        self._arithmetic = {op: f"{name} {lanes.double}" for op, name in _ARITHMETIC.items()}
+
+    def _name(self, function: str) -> str:
+        if self.own and function in REPLACED:
+            return f"own_{function}"
+        return function if self.lanes.width == 1 else f"{function}_in_lanes"
+
+    def text(self, op: int, result: str, a: str, b: str) -> str:
+        """Instructions that define `result`. Raises KeyError for an operation that no tape of ours has."""
+        if op in self._arithmetic:  # most of all operations: without the price of a template
+            return f"  {result} = {self._arithmetic[op]} {a}, {b}"
+        return self._templates[op].format(r=result, a=a, b=b)
+
+    def sine_and_cosine(self, sine: str, cosine: str, a: str) -> str:
+        """Both of one angle by one call."""
+        D = self.lanes.double
+        pair = f"{{ {D}, {D} }}"
+        return (
+            f"  {sine}p = call {pair} @own_sincos({D} {a})\n"
+            f"  {sine} = extractvalue {pair} {sine}p, 0\n  {cosine} = extractvalue {pair} {sine}p, 1"
+        )
+
+    def functions(self) -> str:
+        """Declarations and definitions that a module needs."""
+        lanes = self.lanes
+        parts = [f"attributes #0 = {{ {PURE} nobuiltin }}"]  # nobuiltin: LLVM must not replace pow(x, 2) by x x
+        library = (*LIBRARY_UNARY, *LIBRARY_BINARY, *(() if self.own else REPLACED))
+        for name in library:
+            count = 2 if name in LIBRARY_BINARY else 1
+            parts.append(f"declare double @{name}({', '.join(['double'] * count)}) #0")
+            if lanes.width > 1:
+                parts.append(self._lane_by_lane(name, count))
+        for name, count in (("fma", 3), ("copysign", 2), ("sqrt", 1), ("fabs", 1), ("floor", 1), ("ceil", 1)):
+            arguments = ", ".join([lanes.double] * count)
+            parts.append(f"declare {lanes.double} @llvm.{name}.{lanes.suffix}({arguments})")
+        return "\n".join([*parts, own_functions(lanes, self._inline) if self.own else ""])
+
+    def _lane_by_lane(self, name: str, count: int) -> str:
+        """A function of the library for all lanes."""
+        D, letters = self.lanes.double, "xy"[:count]
+        head = f"define internal {D} @{name}_in_lanes({', '.join(f'{D} %{letter}' for letter in letters)}) {PURE} {{"
+        lines, result = [], "poison"
+        for lane in range(self.lanes.width):
+            lines += [f"  %{letter}{lane} = extractelement {D} %{letter}, i64 {lane}" for letter in letters]
+            arguments = ", ".join(f"double %{letter}{lane}" for letter in letters)
+            lines.append(f"  %f{lane} = call double @{name}({arguments}) #0")
+            lines.append(f"  %r{lane} = insertelement {D} {result}, double %f{lane}, i64 {lane}")
+            result = f"%r{lane}"
+        return "\n".join([head, *lines, f"  ret {D} {result}", "}"])

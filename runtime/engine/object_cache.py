@@ -1,0 +1,97 @@
+"""Machine code kept on disk, by key: a private folder, contents verified on reading, size bounded.
+
+A file holds the SHA-256 of what follows, the length of the work array (8 bytes) and the object. The hash catches
+damage, not malice: the folder must belong to the user and be closed to others, else nothing is read or written there.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import stat
+import tempfile
+from pathlib import Path
+
+from runtime.contract.cache import cache_folder
+
+MOST_BYTES = 256 * 2**20
+_HEAD = 32 + 8
+
+
+class ObjectCache:
+    """Objects in a folder, `objects` of the cache folder by default."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or cache_folder() / "objects"
+
+    def refused(self) -> str:
+        """Why the folder is not used, "" if it is; makes it where it is missing."""
+        try:
+            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            found = os.lstat(self.folder)
+        except OSError as error:
+            return f"{self.folder} cannot be used: {error}"
+        if not stat.S_ISDIR(found.st_mode):
+            return f"{self.folder} is no folder of its own"
+        if os.name != "nt" and found.st_uid != os.getuid():
+            return f"{self.folder} belongs to another user"
+        if os.name != "nt" and found.st_mode & 0o077:
+            return f"{self.folder} is open to other users (chmod 700 closes it)"
+        return ""
+
+    def read(self, key: str) -> tuple[bytes, int] | None:
+        """(object, length of the work array), None if there is none; a damaged file is removed."""
+        path = self.folder / f"{key}.o"
+        if not path.exists() or self.refused():
+            return None
+        try:
+            content = path.read_bytes()
+            if len(content) <= _HEAD or hashlib.sha256(content[32:]).digest() != content[:32]:
+                path.unlink(missing_ok=True)
+                return None
+            os.utime(path)  # the least recently used go first
+        except OSError:
+            return None
+        return content[_HEAD:], int.from_bytes(content[32:_HEAD], "little")
+
+    def has(self, key: str) -> bool:
+        """Is there one? Whether it is whole shows when it is read."""
+        return (self.folder / f"{key}.o").exists()
+
+    def write(self, key: str, code: bytes, work: int) -> None:
+        """Keep an object; where that is not possible, nothing is kept."""
+        if self.refused():
+            return
+        payload = work.to_bytes(8, "little") + code
+        try:
+            with tempfile.NamedTemporaryFile(dir=self.folder, delete=False) as file:
+                file.write(hashlib.sha256(payload).digest() + payload)
+            os.replace(file.name, self.folder / f"{key}.o")
+        except OSError:
+            return
+        self._bound()
+
+    def _bound(self) -> None:
+        """Remove the least recently used until MOST_BYTES are left."""
+        total = 0
+        for path, size, _ in sorted(self.entries(), key=lambda entry: -entry[2]):
+            total += size
+            if total > MOST_BYTES:
+                path.unlink(missing_ok=True)
+
+    def entries(self) -> list[tuple[Path, int, float]]:
+        """(file, bytes, time of its last use) of every object."""
+        found = []
+        for path in self.folder.glob("*.o"):
+            with contextlib.suppress(OSError):  # another process may have removed it
+                about = path.stat()
+                found.append((path, about.st_size, about.st_mtime))
+        return found
+
+    def clear(self) -> int:
+        """Remove every object; how many there were."""
+        entries = self.entries()
+        for path, _, _ in entries:
+            path.unlink(missing_ok=True)
+        return len(entries)

@@ -1,0 +1,121 @@
+"""Native code gives the same bits whatever its form: width, effort, chunks, level of the processor, mathematics."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime.contract.model import Model
+from runtime.engine.interpreted import InterpretedProgram
+from runtime.engine.llvm_code import Effort, Processor, host
+from runtime.engine.llvm_ir import Form
+from runtime.engine.native import BEST, FIRST, NativeProgram
+from tests.support.step_programs import StepProgram, step_program
+
+Load = Callable[[str], Model]
+STEPS = 40
+CASES = [
+    ("slider_crank", "single_rate", None),
+    ("flexible_slider_crank_free", "exponential", [2]),
+    ("flexible_slider_crank_free", "printed", [4]),  # an Until
+    ("flexible_slider_crank_torque", "coupled", [3]),  # where() in the load
+    ("slider_crank", "radau", None),
+    ("heavy_top", "single_rate", None),
+]
+SCATTER = 1e-3  # between the lanes: iterations of an Until end at different counts
+
+
+def program(built_in: Load, case: tuple[str, str, list[int] | None]) -> StepProgram:
+    return step_program(built_in(case[0]), *case[1:])
+
+
+def scalar(given: StepProgram, lane: int, form: Form, effort: Effort) -> np.ndarray:
+    moved = StepProgram(given.program, given.ready, given.lane(lane, SCATTER))
+    return moved.run(STEPS, form._replace(width=1), effort)[0]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
+@pytest.mark.parametrize("form, effort", [(Form(), BEST), (Form(chunk=25, inline=False), FIRST)], ids=["best", "first"])
+def test_library_mathematics_equals_the_virtual_machine(built_in: Load, case, form: Form, effort: Effort) -> None:
+    given = program(built_in, case)
+    expected = given.start.copy()
+    InterpretedProgram(given.program, len(given.start), len(given.ready)).run(expected, given.ready, STEPS)
+    found = given.run(STEPS, form._replace(mathematics="library"), effort)[0]
+    np.testing.assert_array_equal(found, expected)
+    assert not np.array_equal(found, given.start)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
+def test_effort_and_chunks_change_no_bit(built_in: Load, case) -> None:
+    given = program(built_in, case)
+    expected = given.run(STEPS, Form(), BEST)
+    for chunk, effort in ((7, FIRST), (100, FIRST), (300, BEST), (300, Effort(passes=False, level=2))):
+        found = given.run(STEPS, Form(chunk=chunk, inline=False), effort)
+        np.testing.assert_array_equal(found, expected, err_msg=f"{chunk} {effort}")
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case[0]}-{case[1]}")
+@pytest.mark.parametrize("width", [2, 4, 8])
+def test_every_lane_is_the_run_of_its_own(built_in: Load, case, width: int) -> None:
+    """Lanes that start apart, in both forms of code: each equals the scalar run bit for bit."""
+    given = program(built_in, case)
+    expected = [scalar(given, lane, Form(), BEST) for lane in range(width)]
+    assert not np.array_equal(expected[0], expected[-1])
+    for form, effort in ((Form(width), BEST), (Form(width, chunk=50, inline=False), FIRST)):
+        np.testing.assert_array_equal(given.run(STEPS, form, effort, scatter=SCATTER), expected, err_msg=f"{form}")
+
+
+def levels() -> list[Processor]:
+    """Levels of x86-64 that this machine has; this machine alone where it is of another kind."""
+    features = set(host().features.split(","))
+    if "+sse2" not in features:
+        return [host()]
+    needed = {"x86-64": "+sse2", "x86-64-v2": "+sse4.2", "x86-64-v3": "+fma", "x86-64-v4": "+avx512vl"}
+    return [Processor(name, "") for name, feature in needed.items() if feature in features]
+
+
+@pytest.mark.parametrize("case", CASES[:3], ids=lambda case: f"{case[0]}-{case[1]}")
+@pytest.mark.parametrize("processor", levels(), ids=lambda processor: processor.name)
+def test_levels_of_the_processor_change_no_bit(built_in: Load, case, processor: Processor) -> None:
+    """Without the instruction, a fused multiply-add is the library's, which is exact too."""
+    given = program(built_in, case)
+    expected = given.run(STEPS, Form(), BEST)
+    for form in (Form(), Form(4)):
+        found = given.run(STEPS, form, BEST, processor)
+        for lane in found:
+            np.testing.assert_array_equal(lane, expected[0])
+
+
+def test_a_run_may_change_over_between_calls(built_in: Load, tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Calls before, while and after better code is made: the same bits as one call of the best code."""
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
+    given = program(built_in, CASES[1])
+    changing = NativeProgram(given.program)
+    assert not changing.final
+    z = given.start.copy()
+    changing.run(z, given.ready, 13)
+    changing.finish()
+    assert changing.final
+    changing.run(z, given.ready, 27)
+    best = NativeProgram(given.program, wait=True)
+    expected = given.start.copy()
+    best.run(expected, given.ready, 40)
+    np.testing.assert_array_equal(z, expected)
+    assert NativeProgram(given.program).final  # it is kept
+
+
+def test_threads_do_not_disturb_each_other(built_in: Load) -> None:
+    given = program(built_in, CASES[1])
+    engine = NativeProgram(given.program)
+    states = [given.start.copy() for _ in range(4)]
+    threads = [threading.Thread(target=engine.run, args=(state, given.ready, 200)) for state in states]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    expected = given.run(200, Form(), BEST)[0]
+    for state in states:
+        np.testing.assert_array_equal(state, expected)
