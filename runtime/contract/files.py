@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import stat
 import tempfile
@@ -68,8 +69,8 @@ def _temporary(target: Path) -> Path:
 
 def _remove_stale(folder: Path, prefix: str) -> None:
     """What processes that were killed left of the same file."""
-    for path in folder.iterdir():
-        if path.name.startswith(prefix) and time.time() - path.lstat().st_mtime > STALE:
+    for path in folder.glob(f"{glob.escape(prefix)}*"):
+        if time.time() - path.lstat().st_mtime > STALE:
             path.unlink(missing_ok=True)
 
 

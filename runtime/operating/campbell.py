@@ -130,7 +130,7 @@ class Sweep:
         self.model, self.held, self.rates, self.parameters = model, held, rates, parameters
         self.locked, self.t, self.inputs, self.outputs = locked, t, inputs, outputs
         self.is_parameter = over in [parameter.name for parameter in model.parameters]
-        self.over = over if self.is_parameter else named(model, over.removesuffix("_dot"))
+        self.over = over if self.is_parameter else _rate_of(model, over)
         self._last: Equilibrium | None = None
 
     def system(self, value: float) -> Linearisation:
@@ -141,3 +141,8 @@ class Sweep:
         initial = {} if last is None else {name: last[name] for name in self.model.q_i if name not in self.held}
         self._last = equilibrium(self.model, self.held, rates, parameters=parameters, initial=initial, t=self.t)
         return linearise(self.model, self._last, inputs=self.inputs, outputs=self.outputs, locked=self.locked)
+
+
+def _rate_of(model: Model, over: str) -> str:
+    """The coordinate whose rate is meant: by the rate's name, the coordinate's, or `hub.omega`. Raises ModelError."""
+    return next((name for name in model.coordinates if over == f"{name}_dot"), None) or named(model, over)

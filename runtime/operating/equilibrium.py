@@ -57,9 +57,9 @@ class Equilibrium:
 
     def __getitem__(self, name: str) -> float:
         """A coordinate or rate (`_dot`) by name. Raises ModelError for an unknown name."""
-        for suffix, values in (("", self.q), ("_dot", self.q_dot)):
-            if name.endswith(suffix) and name.removesuffix(suffix) in self.model.coordinates:
-                return float(values[self.model.coordinates.index(name.removesuffix(suffix))])
+        for k, known in enumerate(self.model.coordinates):
+            if name in (known, f"{known}_dot"):
+                return float((self.q if name == known else self.q_dot)[k])
         raise ModelError(f"model {self.model.name} has no coordinate {name!r}; it has {_listed(self.model)}")
 
     @property
@@ -117,10 +117,10 @@ def named(model: Model, name: str) -> str:
     """The coordinate that a name means: itself, or `hub.omega` for the one angle that hub has. Raises ModelError."""
     if name in model.coordinates:
         return name
-    owner, _, last = name.rpartition(".")
-    angles = [entry.name for entry in model.description.coordinates if entry.owner == owner and entry.kind == "angle"]
-    if last == "omega" and len(angles) == 1:
-        return angles[0]
+    angles = [entry for entry in model.description.coordinates if entry.kind == "angle"]
+    found = [entry.name for entry in angles if name == f"{entry.owner}.omega"]
+    if len(found) == 1:
+        return found[0]
     raise ModelError(f"model {model.name} has no coordinate {name!r}; it has {_listed(model)}")
 
 

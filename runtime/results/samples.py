@@ -16,6 +16,7 @@ FORCE_PARTS = {
     6: ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"),
 }  # planar, spatial
 STORED = ("kinetic", "elastic", "potential")
+PRESCRIBED = ("prescribed_angle", "prescribed_displacement")
 SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error", "constraint_rate_error")
 
 
@@ -114,7 +115,7 @@ class Samples:
         -lam of its row (Eq. 22), so that motor times prescribed rate is the power of the drive. Raises ModelError for a
         joint that is not a prescribed motion.
         """
-        drives = [joint.name for joint in self.model.description.joints if joint.type.startswith("prescribed")]
+        drives = [joint.name for joint in self.model.description.joints if joint.type in PRESCRIBED]
         if name not in drives:
             raise ModelError(
                 f"model {self.model.name} has no prescribed motion {name!r}; it has {', '.join(drives) or 'none'}"

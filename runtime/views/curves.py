@@ -59,7 +59,8 @@ def motion(solution: Solution) -> list[Curves]:
     travels = [entry for entry in records if entry.kind == "position"]
     travels = [entry for entry in travels if entry.owner in owners or entry.name in model.q_i]
     groups = [_group(solution, "angles", angles), _group(solution, "travels", travels)]
-    measures = [entry for entry in model.description.measures if not entry.unit.endswith("/s")]
+    rates = {f"{entry.name}_dot" for entry in model.description.measures}
+    measures = [entry for entry in model.description.measures if entry.name not in rates]
     for unit in dict.fromkeys(entry.unit for entry in measures):
         names = [entry.name for entry in measures if entry.unit == unit]
         groups.append(Curves("measures", unit, names, np.array([solution[name] for name in names])))
@@ -83,7 +84,7 @@ def deformation(solution: Solution) -> list[Curves]:
     for group in _modes(solution, solution.model.description.coordinates, "modal coordinates"):
         size = np.abs(group.values).max(axis=1, initial=0.0)
         kept = np.flatnonzero(size > SMALL * size.max(initial=0.0))
-        names = [group.names[k].rpartition(".")[2] for k in kept]
+        names = [f"q{k + 1}" for k in kept]
         groups.append(replace(group, names=names, values=group.values[kept], of=len(group.names)))
     deflections = _deflections(solution) if groups else {}
     if deflections:
