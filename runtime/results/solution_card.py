@@ -18,7 +18,8 @@ def solution_card(solution: Samples) -> str:
     cost = f", {float(wall):.3g} s" if isinstance(wall, int | float) else ""
     balance = f", energy balance {float(np.abs(solution.energy_balance()).max()):.2g} J" if len(solution.t) > 2 else ""
     about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
-    names = [*model.q_i, *(name for name in model.measures if not name.endswith("_dot"))][:MOST]
+    rates = {f"{name}_dot" for name in model.measures}
+    names = [*model.q_i, *(name for name in model.measures if name not in rates)][:MOST]
     rows = [
         (
             name,
