@@ -114,6 +114,27 @@ def test_pinned_beam_under_an_axial_load(model_of: Build) -> None:
     assert beyond.eigenvalues[0].real > 0 and beyond.damping_ratios[0] == -1 and not beyond.system.modal.stable
 
 
+def test_car_axis_at_rest(model_of: Build) -> None:
+    """Hand: each half mass on its spring, y = 0.5 - (m/2) g / k, and sqrt(k / (m/2)) twice, in any pair of shapes."""
+    y_axis = {"position": (0.0, 0.0), "angle": math.pi / 2}
+    scene = (
+        SceneBuilder("car_axis")
+        .gravity(0.0, -1.0)
+        .ground(markers={"axis": y_axis, "right": {"position": (1.0, 0.0)}})
+        .rigid("axle", mass=1e-3, inertia=2.5e-4, center_of_mass=(0.5, 0.0), markers={"end": {"position": (1.0, 0.0)}})
+        .point_on_line("left_end", "ground.axis", "axle.origin")
+        .spring_damper("left", "ground.origin", "axle.origin", stiffness=1.0, free_length=0.5)
+        .spring_damper("right", "ground.right", "axle.end", stiffness=1.0, free_length=0.5)
+        .initial({"axle.y": 0.45, "axle.theta": 0.05})
+        .build()
+    )
+    model = model_of(scene)
+    rest = equilibrium(model)
+    assert rest.stable and rest["axle.y"] == pytest.approx(0.4995, abs=1e-12)
+    assert rest["axle.theta"] == pytest.approx(0.0, abs=1e-12)
+    np.testing.assert_allclose(modes(model, rest).frequencies, math.sqrt(1.0 / 5e-4), rtol=1e-9)
+
+
 def test_rigid_body_modes_are_named(built_in: Load) -> None:
     """A body in free space at rest: three motions along axes and three turns, all without stiffness."""
     found = modes(built_in("tumbling_body"), {f"body.{name}_dot": 0.0 for name in ("e1", "e2", "e3")})
