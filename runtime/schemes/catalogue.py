@@ -8,12 +8,8 @@ from difflib import get_close_matches
 from typing import Any, Literal
 
 from runtime.contract.model import Model
-from runtime.schemes.baselines.generalized_alpha import (
-    GeneralizedAlpha,
-    GeneralizedAlphaOptions,
-    HilberHughesTaylor,
-    HilberHughesTaylorOptions,
-)
+from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
+from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.baselines.radau import Radau, RadauOptions
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.central_difference import CentralDifferenceOptions
