@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from runtime.contract.model import ModelError
+from runtime.contract.model import Model, ModelError
+from runtime.results.amplitudes import floored
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
 
@@ -34,10 +35,9 @@ class CoordinateError:
     high: float = -np.inf
 
     @property
-    def relative(self) -> float:
-        """To half the range of the coordinate; zero for one that does not move."""
-        amplitude = (self.high - self.low) / 2
-        return self.error / amplitude if amplitude > 0 and self.error > 0 else 0.0
+    def amplitude(self) -> float:
+        """Half the range of the coordinate."""
+        return (self.high - self.low) / 2
 
 
 class Accuracy:
@@ -100,22 +100,24 @@ class Accuracy:
             if name in q_i and len(q_i[name]):
                 one.low, one.high = min(one.low, float(q_i[name].min())), max(one.high, float(q_i[name].max()))
 
-    def worst(self) -> tuple[str, CoordinateError] | None:
-        """The coordinate whose error is largest, relative to its amplitude."""
-        return max(self.errors.items(), key=lambda item: item[1].relative, default=None)
+    def worst(self, model: Model) -> tuple[str, float]:
+        """The coordinate whose error is largest relative to its amplitude, and that error; a still one says nothing."""
+        seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in model.q_i]
+        relative = [one.error for one in seen] / floored(model, np.array([one.amplitude for one in seen]))
+        return model.q_i[int(np.argmax(relative))], float(np.max(relative))
 
-    def stats(self) -> dict[str, float | int | str]:
+    def stats(self, model: Model) -> dict[str, float | int | str]:
         """For Solution.stats: of each coordinate its estimated error and the worst time [s]; the worst of all."""
         found: dict[str, float | int | str] = {}
         for name, one in self.errors.items():
             found |= {f"estimated_error.{name}": one.error, f"worst_time.{name}": one.worst_time}
-        worst = self.worst()
-        if worst is not None:
-            found |= {"estimated_error": worst[1].relative, "estimated_error_of": worst[0]}
-            if worst[1].relative > WORTH_A_WORD:
+        if self.errors:
+            name, relative = self.worst(model)
+            found |= {"estimated_error": relative, "estimated_error_of": name}
+            if relative > WORTH_A_WORD:
                 found["remark"] = (
-                    f"the error of {worst[0]} is estimated at {worst[1].relative:.2g} of its amplitude, worst near "
-                    f"t = {worst[1].worst_time:.4g} s: take a smaller step, or another scheme (symgen advise)"
+                    f"the error of {name} is estimated at {relative:.2g} of its amplitude, worst near "
+                    f"t = {self.errors[name].worst_time:.4g} s: take a smaller step, or another scheme (symgen advise)"
                 )
         return found
 

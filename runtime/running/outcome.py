@@ -27,7 +27,7 @@ def finished(run: Run, setup: float) -> Solution:
     run.record.flush()
     solution = run.record.solution(last)
     run.accuracy.watch({name: solution[name] for name in run.accuracy.errors})
-    circumstances = {**_circumstances(run), **run.accuracy.stats()}
+    circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
     table = run.record.table

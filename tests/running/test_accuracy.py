@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from runtime import Model, ModelError, reference_solution, resume, simulate
+from runtime.results.amplitudes import floored
+from runtime.studies.work_precision.problem import make_setting
 from symgen.scene import Scene, SceneBuilder
 
 Load = Callable[[str], Model]
@@ -126,3 +128,17 @@ def test_a_jump_of_a_prescribed_velocity_is_refused_by_name(model_of: Build) -> 
         simulate(model_of(driven("where(t < 0.5, 0, 2 * (t - 0.5))")))
     for smooth in ("where(t < 0.5, 0, 2 * (t - 0.5) ** 2)", "sin(3 * t)"):
         assert simulate(model_of(driven(smooth))).status.ok
+
+
+def test_what_symmetry_keeps_still_is_measured_by_what_moves(model_of: Build) -> None:
+    """A mode at 1e-15 of another of its kind: relative to its own amplitude rounding would be all of its error."""
+    builder = SceneBuilder("still")
+    builder.structure(coordinates=["x", "y"], mass=[[1.0, 0.0], [0.0, 1.0]], stiffness=[[1.0, 0.0], [0.0, 9.0]])
+    scene = builder.initial({"x": 1.0, "y": 1e-15}).simulation(t_end=6.0, dt=1e-2, scheme="single_rate").build()
+    model = model_of(scene)
+    assert floored(model, np.array([2.0, 1e-15])) == pytest.approx([2.0, 2e-6], rel=1e-12)
+    assert floored(model, np.zeros(2)).tolist() == [1.0, 1.0]
+    problem, _ = make_setting(model).quick(1e-3, 5.0)
+    assert problem.amplitudes[1] == pytest.approx(1e-6 * problem.amplitudes[0], rel=1e-9)
+    run = simulate(model)
+    assert run.stats["estimated_error_of"] == "x" and "remark" not in run.stats

@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model, ModelError
+from runtime.results.amplitudes import floored
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.reference_path import reference_path
 from runtime.studies.work_precision.self_reference import MARGIN, TooLong, self_reference
@@ -44,9 +45,9 @@ class Setting:
         path = reference_path(self.model, self.c, self.state, self.t_end, RTOL, ATOL)
         looser = reference_path(self.model, self.c, self.state, self.t_end, RTOL * LOOSER, ATOL * LOOSER)
         times = np.linspace(0.0, self.t_end, 101)
-        tight = path(times)[:, self.graded]
-        off = np.sqrt(np.mean((looser(times)[:, self.graded] - tight) ** 2, axis=0)) / _amplitudes(tight)
-        return self._problem(self.t_end, path, float(off.max()))
+        tight = path(times)
+        off = np.sqrt(np.mean((looser(times) - tight) ** 2, axis=0)) / _amplitudes(self.model, tight)
+        return self._problem(self.t_end, path, float(off[self.graded].max()))
 
     def quick(self, tolerance: float, seconds: float) -> tuple[Problem, float]:
         """(problem with a reference of its own making, tolerance): shortened where the motion is too long.
@@ -58,7 +59,7 @@ class Setting:
         while True:
             allowed = tolerance * t_end / self.t_end
             try:
-                path = self_reference(self.model, self.c, self.state, t_end, allowed, seconds)
+                path = self_reference(self.model, self.c, self.state, t_end, allowed, seconds, self.graded)
             except TooLong:
                 t_end /= SHORTER
                 if t_end < self.t_end / LONGEST_CUT:
@@ -110,7 +111,7 @@ class Problem:
     @cached_property
     def amplitudes(self) -> np.ndarray:
         """RMS (n_graded,) of each graded coordinate about its mean, over the motion [m or rad]."""
-        return _amplitudes(self.path(np.linspace(0.0, self.t_end, 401))[:, self.graded])
+        return _amplitudes(self.model, self.path(np.linspace(0.0, self.t_end, 401)))[self.graded]
 
     def errors(self, times: np.ndarray, q_i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(RMS over the motion, at the end), both (n_graded,), over the amplitude; times (N,) [s], q_i (N, n_i)."""
@@ -119,9 +120,9 @@ class Problem:
             return np.sqrt(np.mean(off**2, axis=0)), np.abs(off[-1])
 
 
-def _amplitudes(values: np.ndarray) -> np.ndarray:
-    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
-    return np.where(spread > 0, spread, 1.0)
+def _amplitudes(model: Model, q_i: np.ndarray) -> np.ndarray:
+    """(n_i,) RMS of samples of q_i (N, n_i) about their means, floored."""
+    return floored(model, np.sqrt(np.mean((q_i - q_i.mean(axis=0)) ** 2, axis=0)))
 
 
 def make_setting(

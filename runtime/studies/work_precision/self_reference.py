@@ -13,6 +13,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
+from runtime.results.amplitudes import floored
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
 from runtime.studies.work_precision.reference_path import NoReference
@@ -55,7 +56,13 @@ class OneStepPath:
 
 
 def self_reference(
-    model: Model, c: np.ndarray, state: ConsistentState, t_end: float, tolerance: float, seconds: float
+    model: Model,
+    c: np.ndarray,
+    state: ConsistentState,
+    t_end: float,
+    tolerance: float,
+    seconds: float,
+    graded: list[int],
 ) -> Callable[[np.ndarray], np.ndarray]:
     """A path, times (N,) [s] -> q_i (N, n_i), that halving its step changes by tolerance / MARGIN at most.
 
@@ -76,7 +83,7 @@ def self_reference(
                 previous = None
             else:
                 late = True
-                if previous is not None and _distance(values, previous) < tolerance / MARGIN:
+                if previous is not None and _distance(model, values, previous, graded) < tolerance / MARGIN:
                     return path
                 previous = values
             path.step /= 2
@@ -85,7 +92,8 @@ def self_reference(
     raise NoReference(f"no path of {t_end:g} s stays finite, however small its steps: is the motion unstable?")
 
 
-def _distance(values: np.ndarray, previous: np.ndarray) -> float:
-    spread = np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0))
-    off = np.sqrt(np.mean((values - previous) ** 2, axis=0))
-    return float((off / np.where(spread > 0, spread, 1.0)).max())
+def _distance(model: Model, values: np.ndarray, previous: np.ndarray, graded: list[int]) -> float:
+    """The largest RMS difference of a graded coordinate of two paths (N, n_i), over its amplitude."""
+    spread = floored(model, np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0)))
+    off = np.sqrt(np.mean((values - previous) ** 2, axis=0)) / spread
+    return float(off[graded].max())
