@@ -9,6 +9,7 @@ import tempfile
 import time
 from collections.abc import Mapping
 from contextlib import chdir
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -49,7 +50,7 @@ def sundials_solution(
     multistep: str = "bdf",
     compiled: bool = True,
 ) -> Solution:
-    """Integrate from 0 to t_end with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
+    """Integrate from 0 to t_end [s] with `cvodes` or `idas`; for cvodes, multistep is `bdf` or `adams`.
 
     times: where to report (the end only by default). A failed integration gives the start only, with its status.
     The time in stats is that of a second run: it holds no compilation or first call. Raises ArgumentError for an
@@ -62,18 +63,47 @@ def sundials_solution(
         )
     given = start_of(model, parameters, initial, start)
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
-    system, guess = _system(model, method, given)
+    done = _integrated(model, method, given, t, _options(method, multistep, rtol, atol), compiled)
+    name = f"{method} {multistep}" if method == "cvodes" else method
+    stats = {**done.stats, "rtol": rtol, "atol": atol}
+    if done.refused:
+        status = Status("integrator_refused", 0.0, None, f"{method} failed: {done.refused}", "Loosen the tolerances.")
+        return observed_solution(model, given, np.zeros(1), given.y[None, :], name, stats, status)
+    return observed_solution(model, given, t, done.y, name, stats, Status("completed", t_end))
+
+
+def _options(method: str, multistep: str, rtol: float, atol: float) -> dict[str, Any]:
+    """Of CasADi's integrator."""
     options: dict[str, Any] = {"reltol": rtol, "abstol": atol, "max_num_steps": MAX_STEPS}
-    if method == "idas":
-        options["suppress_algebraic"] = True  # accelerations stay out of the error test: as exact, with fewer steps
-    else:
-        options |= {"linear_multistep_method": multistep, "nonlinear_solver_iteration": MULTISTEP[multistep]}
+    if method == "idas":  # accelerations stay out of the error test: as exact, with fewer steps
+        return {**options, "suppress_algebraic": True}
+    return {**options, "linear_multistep_method": multistep, "nonlinear_solver_iteration": MULTISTEP[multistep]}
+
+
+@dataclass(frozen=True)
+class SundialsRun:
+    """y (N, size) at the times asked for, what it took, and why SUNDIALS refused ("" where it did not)."""
+
+    y: np.ndarray
+    stats: dict[str, float | int | str]
+    refused: str = ""
+
+
+def _integrated(
+    model: Model, method: str, given: Start, t: np.ndarray, options: dict[str, Any], compiled: bool
+) -> SundialsRun:
+    """Prepare, run once for the first calls and once for the time. Raises CompilerError."""
+    system, guess = _system(model, method, given)
     began = time.perf_counter()
     integrator = _integrator(method, system, t, options, compiled)
-    prepared = time.perf_counter()
+    native = any(integrator.get_function(part).class_name() == "External" for part in integrator.get_function())
+    stats: dict[str, float | int | str] = {
+        **dict.fromkeys(COUNTERS, 0),
+        "engine": "compiled" if native else "interpreted",
+        "setup_seconds": time.perf_counter() - began,
+        "wall_seconds": 0.0,
+    }
     arguments = {"x0": given.y, "z0": guess, "p": given.c}
-    status, y = Status("completed", t_end), given.y[None, :]
-    wall, counted = 0.0, {}
     try:
         try:
             integrator(**arguments)
@@ -85,28 +115,12 @@ def sundials_solution(
             integrator(**arguments)
         started = time.perf_counter()
         result = integrator(**arguments)
-        wall = time.perf_counter() - started
-        counted, y = integrator.stats(), np.asarray(result["xf"]).T
     except RuntimeError as error:
-        t = np.zeros(1)
-        status = Status(
-            "integrator_refused",
-            0.0,
-            None,
-            f"{method} failed: {str(error).strip().splitlines()[-1]}",
-            "Loosen the tolerances.",
-        )
-    name = f"{method} {multistep}" if method == "cvodes" else method
-    stats: dict[str, float | int | str] = {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
-    native = any(integrator.get_function(part).class_name() == "External" for part in integrator.get_function())
-    stats |= {
-        "engine": "compiled" if native else "interpreted",
-        "setup_seconds": prepared - began,
-        "wall_seconds": wall,
-        "rtol": rtol,
-        "atol": atol,
-    }
-    return observed_solution(model, given, t, y, name, stats, status)
+        return SundialsRun(given.y[None, :], stats, str(error).strip().splitlines()[-1])
+    stats["wall_seconds"] = time.perf_counter() - started
+    counted = integrator.stats()
+    stats |= {key: int(counted.get(counter, 0)) for key, counter in COUNTERS.items()}
+    return SundialsRun(np.asarray(result["xf"]).T, stats)
 
 
 def _system(model: Model, method: str, given: Start) -> tuple[dict[str, ca.SX], np.ndarray]:

@@ -10,6 +10,7 @@ import pytest
 
 from runtime import Model, resume, simulate
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes.spin_up_beam import spin_up_beam
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -97,3 +98,10 @@ def test_the_account_is_kept_by_checkpoints(built_in: Load, tmp_path: Path) -> N
     whole = simulate(model, **settings)
     simulate(model, **settings, checkpoint=tmp_path / "run.npz", progress=stop)
     assert np.array_equal(resume(model, tmp_path / "run.npz").work(), whole.work())
+
+
+def test_a_start_from_rest_is_not_judged_by_its_first_steps(model_of: Build) -> None:
+    """A drive whose speed grows with t^3: the energy of the first steps is as small as their errors."""
+    run = simulate(model_of(spin_up_beam()), t_end=1.0, dt=5e-3)
+    assert run.status.ok
+    assert np.abs(run.energy_balance()).max() < 0.05 * run.energy["kinetic"].max()

@@ -12,6 +12,7 @@ from runtime.running.checks.check import Check, Subject, observed
 from runtime.running.checks.step_length import step_advice
 from runtime.schemes.work import doubt_of, work_of
 
+SETTLED = 50  # steps after which the energy of a run from rest is judged
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
@@ -27,13 +28,13 @@ class Energy(Check):
         self._known = "work" in subject.scheme.layout.sizes or subject.model.conservative
         parts = ("kinetic", "elastic", "potential")
         self._energies = observed(subject.model, subject.scheme, "energy", parts) if self._known else None
-        self.at_start, self.largest, self.largest_work = math.nan, 0.0, 0.0
+        self.at_start, self.largest, self.largest_work, self.moving_at_start = math.nan, 0.0, 0.0, 0.0
 
     def start(self, z: np.ndarray) -> Status | None:
         """Remember the energy."""
         if self._energies is not None:
-            moving, self.at_start = self._measured(z)
-            self.largest = max(self.largest, moving)
+            self.moving_at_start, self.at_start = self._measured(z)
+            self.largest = max(self.largest, self.moving_at_start)
         return None
 
     def after(self, z: np.ndarray) -> Status | None:
@@ -45,11 +46,16 @@ class Energy(Check):
         spurious = total - self.at_start - work - doubt_of(self.subject.scheme, z)
         self.largest_work = max(self.largest_work, abs(work))
         self.largest = max(self.largest, moving - max(spurious, 0.0))  # what grew by itself is no measure
-        if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work):  # false for NaN
+        if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work) or self._too_early(z):  # false for NaN
             return None
         fastest = int(np.abs(self.subject.scheme.rates(z)).argmax())
         cause = "energy grows by more than the work done on the mechanism"
         return self.subject.stop("diverged", cause, step_advice(self.subject), fastest)
+
+    def _too_early(self, z: np.ndarray) -> bool:
+        """From rest, energies of the first steps are as small as their errors."""
+        steps = float(z[self.subject.scheme.layout.slice("n")][0])
+        return steps < SETTLED and self.moving_at_start < ENERGY_LIMIT * self.largest
 
     def _measured(self, z: np.ndarray) -> tuple[float, float]:
         """(kinetic plus elastic energy, total energy) [J]."""
@@ -58,9 +64,9 @@ class Energy(Check):
         return kinetic + elastic, kinetic + elastic + potential
 
     def memory(self) -> list[float]:
-        """[at_start, largest, largest_work]."""
-        return [self.at_start, self.largest, self.largest_work]
+        """[at_start, largest, largest_work, moving_at_start]."""
+        return [self.at_start, self.largest, self.largest_work, self.moving_at_start]
 
     def resume(self, memory: Sequence[float]) -> None:
         """From `memory`."""
-        self.at_start, self.largest, self.largest_work = memory
+        self.at_start, self.largest, self.largest_work, self.moving_at_start = memory
