@@ -37,8 +37,8 @@ class Deflection(Check):
                 return self.subject.stop(
                     "deflection_too_large",
                     f"{name} is bent by {moved:.2g} of its length and {turned:.2g} rad, beyond its linear modes",
-                    "Divide the body, or make it stiffer. Physically so: a strut beyond its buckling load, or a spinning beam "
-                    "without geometric stiffening, has no small answer.",
+                    "Divide the body, or make it stiffer. A strut beyond its buckling load and a spinning beam without "
+                    "geometric stiffening have no small answer.",
                 )
         return None
 
