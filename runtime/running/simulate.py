@@ -27,6 +27,8 @@ from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
+ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
+
 __all__ = ["Plan", "make_plan", "resume", "simulate"]
 
 
@@ -132,8 +134,7 @@ def simulate(
     segment = Segment.build(model, plan, p, more.engine)
     z = segment.start(state.q, state.q_dot)
     set_up = time.perf_counter() - started
-    written = {key: (f"{given:.9g}", f"{used:.9g}") for key, (given, used) in state.changed.items()}
-    changes = ", ".join(f"{key}: {given} -> {used}" for key, (given, used) in written.items() if given != used)
+    changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     progress = None if isinstance(more.progress, bool) else more.progress
     record = record_of(segment, z, more.stream, keep_rows=bounded)
     run = Run(
@@ -176,6 +177,11 @@ def _driven(
         raise SchemeError("t_end, dt, save_every", "do not make a motion", "take t_end > t0, dt > 0, save_every >= 1")
     p = model.parameter_vector(parameters)
     return driven_solution(model, p, given_state(model, p, model.constants(p), t0, initial), t0, end, step, every)
+
+
+def _differ(given: float, used: float) -> bool:
+    """Do two values differ in one of nine digits, and by more than rounding where one of them is zero?"""
+    return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ROUNDING
 
 
 def resume(

@@ -12,10 +12,13 @@ from symgen.cli.progress import Progress
 
 if TYPE_CHECKING:
     from runtime.contract.model import Model
+    from runtime.results.solution import Solution
+    from runtime.studies.work_precision.comparison import Comparison
 
 DEMOS = {"slider-crank": "flexible_slider_crank"}  # what a demo's name means; any other word is the scene itself
 METHODS = ["exponential:1", "linearised:2", "single_rate", "rk4", "radau"]  # and sub-cycling, where there are groups
 LONGEST = 0.02  # s: where a method's curve ends
+SAMPLES = 500  # about so many are kept of the main run
 
 
 def add(subparsers: Any) -> None:
@@ -26,8 +29,9 @@ def add(subparsers: Any) -> None:
         run,
         "Generate a built-in scene, simulate it, and show the results.",
         "Leaves model/, report.json, report.md, motion.gif, view.html, motion.png, deformation.png, forces.png, "
-        "energy.png, solution.npz and .csv, and a "
-        "comparison of methods: comparison.html, .md, .csv, .json, error_time.png, error_evaluations.png.",
+        "energy.png, solution.npz and .csv, and a comparison of methods: comparison.html, .md, .csv, .json, "
+        "error_time.png, error_evaluations.png. What it recommends is the main run; the scene's own scheme is beside "
+        "it in difference.png.",
     )
     add_scene(
         command,
@@ -40,9 +44,9 @@ def add(subparsers: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> Outcome:
-    """The whole path; a scene without bodies to draw gets no animation."""
+    """The whole path: what the comparison recommends is the main run, the scene's own scheme stands beside it."""
     from runtime.contract.loading import load_model
-    from runtime.views.animation import animate
+    from runtime.views import plots
     from runtime.views.report import run_report
     from symgen.cli.running import MODEL_FOLDER, exit_code, leave_pictures, leave_results, run_model, summary
     from symgen.cli.sources import find_source
@@ -53,27 +57,45 @@ def run(arguments: argparse.Namespace) -> Outcome:
     with Progress("symgen") as progress:
         progress.note(f"deriving {source.scene.name} ...")
         model = load_model(generate(source.scene, folder / MODEL_FOLDER))
-    solution = run_model(model, arguments)
+        files, best = _compared(model, arguments, folder, progress)
+    chosen = any(getattr(arguments, name) for name in ("scheme", "dt", "m", "option"))
+    solution = run_model(model, arguments if chosen or best is None else argparse.Namespace(**vars(arguments) | best))
+    lines = summary(solution)
+    if best is not None and not chosen:
+        own = run_model(model, arguments)
+        lines.append(f"{own.scheme} with dt = {own.dt:g} s, as the scene has it, stands beside it in difference.png")
+        plots.difference(own, solution, folder / "difference.png")
+        files["difference.png"] = str(folder / "difference.png")
     with Progress("symgen") as progress:
         progress.note("drawing ...")
-        files = leave_results(solution, folder) | leave_pictures(solution, folder)
-        if model.has("geometry"):
-            animate(solution, folder / "motion.gif")
-            files["motion.gif"] = str(folder / "motion.gif")
-        files |= _compared(model, arguments, folder, progress)
-    lines = [*summary(solution), f"in {folder}: {MODEL_FOLDER}/, {', '.join(files)}"]
+        files |= leave_results(solution, folder) | leave_pictures(solution, folder) | _moving(solution, folder)
+    lines.append(f"in {folder}: {MODEL_FOLDER}/, {', '.join(files)}")
     return Outcome({"report": run_report(solution), "folder": str(folder), "files": files}, lines, exit_code(solution))
 
 
-def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress) -> dict[str, str]:
-    """A short comparison of methods on the same motion."""
+def _moving(solution: Solution, folder: Path) -> dict[str, str]:
+    """A film and a page; nothing for a scene without bodies to draw."""
+    from runtime.views.animation import animate
+    from runtime.views.viewer import write_view
+
+    if not solution.model.has("geometry"):
+        return {}
+    animate(solution, folder / "motion.gif")
+    write_view(solution, folder / "view.html")
+    return {name: str(folder / name) for name in ("motion.gif", "view.html")}
+
+
+def _compared(
+    model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress
+) -> tuple[dict[str, str], dict[str, Any] | None]:
+    """A short comparison of methods on the same motion: its files, and the arguments of a run as it recommends."""
     from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.methods import methods_named
     from runtime.studies.work_precision.problem import make_setting
 
     if not model.has("dQ_hat_dq_i"):
-        return {}
+        return {}, None
     setting = make_setting(
         model,
         t_end=arguments.t_end,
@@ -83,4 +105,22 @@ def _compared(model: Model, arguments: argparse.Namespace, folder: Path, progres
     )
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
     comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
-    return write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))
+    files = write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))
+    return files, _recommended(comparison)
+
+
+def _recommended(comparison: Comparison) -> dict[str, Any] | None:
+    """Scheme, m, options and the coarsest step from which on all runs kept the tolerance; None where none did."""
+    first = comparison.ranked()[0]
+    spec, trials = first.method.spec, first.trials
+    fine = [k for k in range(len(trials)) if all(one.error <= comparison.tolerance for one in trials[k:])]
+    if spec is None or not fine:
+        return None
+    trial = trials[fine[0]]
+    return {
+        "scheme": spec.scheme,
+        "m": list(spec.m) if spec.m else None,
+        "option": list(spec.options.items()),
+        "dt": trial.setting,
+        "save_every": max(1, trial.steps // SAMPLES),
+    }

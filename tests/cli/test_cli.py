@@ -14,7 +14,16 @@ from runtime.results.solution import Solution
 from symgen.cli import main
 from symgen.cli.progress import Progress
 
-DEMO_FILES = ("report.json", "report.md", "motion.gif", "motion.png", "forces.png", "energy.png")
+DEMO_FILES = (
+    "report.json",
+    "report.md",
+    "motion.gif",
+    "motion.png",
+    "forces.png",
+    "view.html",
+    "difference.png",
+    "energy.png",
+)
 
 
 @pytest.fixture(scope="module")
