@@ -9,6 +9,8 @@ import argparse
 import json
 from pathlib import Path
 
+import numpy as np
+
 from symgen.fe.connecting_rod import connecting_rod
 
 
@@ -22,6 +24,9 @@ def main() -> None:
     if path is not None:
         path.write_text(json.dumps(rod.fields(damping_ratio=0.002), indent=1) + "\n", encoding="utf-8")
         print(f"wrote {path}")
+        surface = path.with_name(f"{path.stem}_surface.npz")
+        np.savez_compressed(surface, **rod.surface(max_triangles=2000))
+        print(f"wrote {surface}, which solution.view and symgen view --surface rod={surface.name} show")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from symgen.cli.arguments import add_command, add_run_options, add_scene
+from symgen.cli.arguments import UsageError, add_command, add_run_options, add_scene
 from symgen.cli.outcome import Outcome
 
 
@@ -22,6 +22,13 @@ def add(subparsers: Any) -> None:
     )
     add_scene(command, metavar="RESULTS|SCENE", help="results folder, built-in name, .toml file, or generated folder")
     command.add_argument("--out", metavar="FILE", help="the .html to write (default: RESULTS/view.html or SCENE.html)")
+    command.add_argument(
+        "--surface",
+        action="append",
+        default=[],
+        metavar="BODY=FILE.npz",
+        help="surface of a flexible body (FlexibleBody.surface written with numpy.savez); may be repeated",
+    )
     command.add_argument("--open", action="store_true", help="open it in the browser")
     add_run_options(command)
 
@@ -34,10 +41,33 @@ def run(arguments: argparse.Namespace) -> Outcome:
     solution, folder = loaded_or_run(arguments)
     default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")
     path = Path(arguments.out) if arguments.out else default
-    page = write_view(solution, path)
+    page = write_view(solution, path, _surfaces(arguments.surface, solution.model.name))
     if arguments.open:
         page.open()
     size = len(page.text.encode()) / 1e6
     lines = [f"{path}: {size:.2f} MB; open it in a browser"]
     data = {"file": str(path), "megabytes": size, "status": str(solution.status)}
     return Outcome(data, lines if solution.status.ok else [*lines, str(solution.status)], exit_code(solution))
+
+
+def _surfaces(given: list[str], model: str) -> dict[str, dict[str, Any]]:
+    """Surfaces by body: those of a built-in scene, and those given. Raises UsageError."""
+    import numpy as np
+
+    from symgen.scenes import SURFACES
+
+    found: dict[str, dict[str, Any]] = {}
+    for body, file in [*SURFACES.get(model, {}).items(), *(_named(word) for word in given)]:
+        try:
+            with np.load(file, allow_pickle=False) as arrays:
+                found[body] = {name: arrays[name] for name in arrays.files}
+        except (OSError, ValueError) as error:
+            raise UsageError(f"--surface {body}={file} cannot be read ({error}); write it with numpy.savez") from error
+    return found
+
+
+def _named(word: str) -> tuple[str, Path]:
+    body, equals, file = word.partition("=")
+    if not (body and equals and file):
+        raise UsageError(f"--surface {word!r} is not BODY=FILE.npz")
+    return body, Path(file)

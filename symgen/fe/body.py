@@ -24,6 +24,7 @@ from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
 from symgen.fe.structure import AXES, FEStructure, structure
+from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
 
 MASSES = ("consistent", "lumped")
@@ -177,6 +178,17 @@ class FlexibleBody:
             for name, one in self.markers.items()
         }
         return {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
+
+    def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
+        """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
+
+        triangles: places of three nodes each, where the body was not made from a solid mesh. Write it for the command
+        line with numpy.savez(path, **surface). Raises FiniteElementError.
+        """
+        body, faces = self.structure, self.structure.facets
+        if triangles is not None:
+            faces = np.asarray(triangles, dtype=np.int64).reshape(-1, AXES)
+        return surface_data(body.positions, body.nodal(self.modes.shapes, 0), faces, self.origin, max_triangles)
 
     def losses(self) -> list[FlexibilityLoss]:
         """What the modes lose of the static flexibility at each interface, against the full model.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import scipy.sparse as sp
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
 from symgen.fe.structure import AXES, FEStructure, structure
+from symgen.fe.surface import boundary_triangles
 
 # Quadrature of this degree integrates the mass of each element exactly (per direction for hexahedra).
 DEGREE = {"P1": 2, "P2": 4, "Q1": 3, "Q2": 5}
@@ -31,7 +33,7 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
     order_rows = np.arange(AXES * n).reshape(AXES, n).T.ravel()
     K = sp.csr_matrix(K)[order_rows][:, order_rows]
     M = sp.kron(mass, sp.eye(AXES), format="csr")
-    return structure(
+    body = structure(
         K,
         M,
         np.arange(n),
@@ -39,6 +41,7 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
         np.repeat(np.arange(n), AXES),
         np.tile(np.arange(AXES), n),
     )
+    return replace(body, facets=boundary_triangles(mesh))
 
 
 def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -27,7 +27,8 @@ class FEStructure:
 
     K [N/m], M [kg]: sparse (n_dof, n_dof), symmetric.  ids (n,): names of the nodes.  positions (n, 3) [m].
     node (n_dof,): place of the row's node in `ids`.  component (n_dof,): 0, 1, 2 for the translations and
-    3, 4, 5 for the rotations about x, y, z.  Build it with `structure`, which checks.
+    3, 4, 5 for the rotations about x, y, z.  facets (m, 3): triangles
+    of places of nodes, for pictures.  Build it with `structure`, which checks.
     """
 
     K: sp.csr_matrix
@@ -36,6 +37,7 @@ class FEStructure:
     positions: Array
     node: Integers
     component: Integers
+    facets: Integers = field(default_factory=lambda: np.zeros((0, AXES), dtype=np.int64))
 
     @property
     def n_dof(self) -> int:

@@ -78,7 +78,8 @@ for (const name of Object.keys(shown)) {
 {
   const paint = $("#scale canvas").getContext("2d");
   for (let x = 0; x < 120; x++) { paint.fillStyle = `#${scaleColour(x / 119).getHexString()}`; paint.fillRect(x, 0, 1, 10); }
-  $("#scale span").textContent = `0 ... ${run.deformation.toPrecision(3)} m`;
+  const [size, unit] = run.deformation >= 1 ? [1, "m"] : run.deformation >= 1e-3 ? [1e3, "mm"] : run.deformation >= 1e-6 ? [1e6, "\u00b5m"] : [1e9, "nm"];
+  $("#scale span").textContent = `0 ... ${Number((size * run.deformation).toPrecision(3))} ${unit}`;
 }
 
 function button(text, action, view) {
