@@ -111,8 +111,7 @@ def test_model_without_jacobians_runs_without_a_limit(built_in: Load) -> None:
     assert failed.status.name in ("diverged", "not_finite") and failed.status.advice == "Reduce the step."
 
 
-@pytest.mark.parametrize("dt", [1e-4, 1e-3])
-@pytest.mark.parametrize("m", [1, 2])
+@pytest.mark.parametrize("m, dt", [(1, 1e-4), (1, 1e-3), (2, 1e-3)])
 def test_printed_sweep_fails_on_a_strong_damper_by_name(built_in: Load, dt: float, m: int) -> None:
     """It takes forces at the last iterate's velocity: no fixed point is reached for h d > 2 (d = 2.2e4 1/s here)."""
     model = built_in("overdamped_joint")
@@ -121,3 +120,13 @@ def test_printed_sweep_fails_on_a_strong_damper_by_name(built_in: Load, dt: floa
     assert "common_update = direct" in solution.status.advice
     if m == 1:
         assert simulate(model, scheme="printed", m=[m], dt=dt, t_end=0.3, options={"common_update": "direct"}).status.ok
+
+
+def test_printed_sweep_arrives_where_its_damper_lets_it(built_in: Load) -> None:
+    """With h d = 1.1 the sweep has a fixed point, and the motion is that of the exponential scheme."""
+    model = built_in("overdamped_joint")
+    solution = simulate(model, scheme="printed", m=[2], dt=1e-4, t_end=0.3, force=True)
+    exact = simulate(model, scheme="exponential", dt=1e-4, t_end=0.3)
+    assert solution.status.ok
+    for name in model.q_i:
+        assert abs(solution[name][-1] - exact[name][-1]) < 2e-5
