@@ -16,6 +16,7 @@ from runtime.results.stream import StreamFile
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.schemes.scheme import evaluation_operations
+from runtime.schemes.work import doubt_of
 
 
 def finished(run: Run, setup: float) -> Solution:
@@ -52,6 +53,8 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
         found["engine_note"] = run.segment.stepper.engine.note
     if first.monitor.step_limit is not None:
         found["step_limit_at_start"] = first.monitor.step_limit
+    if doubt_of(plan.scheme, run.segment.stepper.state(run.z)) > 0:
+        found["work_doubt"] = doubt_of(plan.scheme, run.segment.stepper.state(run.z))
     if run.events:
         found["events"] = len(run.events)
     return found

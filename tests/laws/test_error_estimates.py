@@ -1,0 +1,48 @@
+"""On random trees, what a run says of its error is within a factor of 10 of the truth, and no large error is silent."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from runtime import load_model, reference_solution, simulate
+from symgen.generate import generate
+from symgen.scene import Scene
+from tests.laws.test_random_mechanisms import QUICK, fastest_rate
+from tests.support.random_mechanisms import trees
+
+WITHIN, STEPS, RADIANS = 10.0, 200, 0.2  # of the fastest motion a step
+ROUNDING = 1e-11  # m or rad: errors below this are not estimated
+SILENT = 0.1  # of an amplitude
+
+
+@pytest.mark.parametrize("scheme", ["single_rate", "rk4"])
+def test_random_trees_know_their_errors(scheme: str) -> None:
+    compared = 0
+
+    @QUICK
+    @given(trees())
+    def judged(scene: Scene) -> None:
+        nonlocal compared
+        with tempfile.TemporaryDirectory() as folder:
+            model = load_model(generate(scene, Path(folder) / "model"))
+        dt = RADIANS / fastest_rate(model)
+        run = simulate(model, scheme=scheme, dt=dt, t_end=STEPS * dt, save_every=10, engine="interpreted")
+        if not run.status.ok:  # by name, such as a beam that is bent too far
+            return
+        exact = reference_solution(model, t_end=float(run.t[-1]), times=run.t)
+        true = np.abs(run.q_i - exact.q_i).max(axis=0)
+        estimated = np.array([run.stats[f"estimated_error.{name}"] for name in model.q_i])
+        shown = true > ROUNDING
+        assert (estimated[shown] < WITHIN * true[shown]).all(), estimated / true
+        assert (true[shown] < WITHIN * estimated[shown]).all(), estimated / true
+        off = true / np.maximum(np.ptp(exact.q_i, axis=0) / 2, ROUNDING)
+        assert off.max() < SILENT or "remark" in run.stats
+        compared += int(shown.sum())
+
+    judged()
+    assert compared > 10
