@@ -10,6 +10,7 @@ import threading
 import time
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -45,6 +46,18 @@ def _size(program: Program) -> int:
     return sum(stage.n_instructions() for stage in program.stages())
 
 
+class _Bound(NamedTuple):
+    """A call with its addresses filled in, and what must outlive it."""
+
+    call: Callable[[int], None]
+    code: Code
+    work: np.ndarray
+
+    def go(self, n: int) -> None:
+        """Apply the program n times."""
+        self.call(n)
+
+
 class NativeProgram:
     """A program as native code; mathematics: `own` or `library`. wait: only the best code will do."""
 
@@ -66,8 +79,14 @@ class NativeProgram:
         self._advance(z.ctypes.data, c.ctypes.data, n)
 
     def bound(self, z: np.ndarray, c: np.ndarray) -> Callable[[int], None]:
-        """`run` with z (z_size,) and c fixed, which must stay where they are: the number of steps is left to give."""
-        return partial(self._advance, z.ctypes.data, c.ctypes.data)
+        """`run` with z (z_size,) and c fixed, which must stay where they are: the number of steps is left to give.
+
+        With the best code a call is nothing but native code. It has a work array of its own: for one thread at a time.
+        """
+        if not self.final:
+            return partial(self._advance, z.ctypes.data, c.ctypes.data)
+        work = np.zeros(self._code.work + 1)
+        return _Bound(partial(self._code.run, z.ctypes.data, c.ctypes.data, int(work.ctypes.data)), self._code, work).go
 
     def _advance(self, z: int, c: int, n: int) -> None:
         code = self._code  # one code for the whole call, whatever the builder does meanwhile

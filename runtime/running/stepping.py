@@ -58,7 +58,7 @@ class ModelStepper:
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
         self.model, self.scheme, self.name = model, plan.scheme, plan.name
         self.dt = plan.grid.dt_L
-        self._stepper = Stepper(plan.scheme, engine)
+        self._stepper = Stepper(plan.scheme, engine, wait=True)
         self.parameters = model.parameter_vector(parameters)
         self._c = model.constants(self.parameters)
         self._ready = self._stepper.ready(self._c, self.dt).copy()
