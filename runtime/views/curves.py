@@ -43,7 +43,9 @@ class Curves:
 def energy(solution: Solution) -> Curves:
     """Kinetic, elastic and potential energy that are there, and the total."""
     parts = {name: solution.energy[name] for name in ("kinetic", "elastic", "potential")}
-    parts = {name: values for name, values in parts.items() if np.any(values)} | {"total": solution.total_energy}
+    largest = max(float(np.abs(values).max(initial=0.0)) for values in parts.values())
+    parts = {name: values for name, values in parts.items() if np.abs(values).max(initial=0.0) > STILL * largest}
+    parts["total"] = solution.total_energy
     return Curves("energy", "J", list(parts), np.array(list(parts.values())))
 
 

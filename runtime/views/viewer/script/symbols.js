@@ -70,17 +70,28 @@ function aim(object, from, vector) {
   object.children[1].scale.y = head;
 }
 
+// A coil of radius 1 whose length is `slender` of that, so that its wire stays round when the mesh is scaled.
 class Helix extends THREE.Curve {
+  constructor(slender) { super(); this.slender = slender; }
   getPoint(u, target = new THREE.Vector3()) {
-    const turns = 9, inside = Math.min(Math.max((u - 0.1) / 0.8, 0), 1), radius = u < 0.06 || u > 0.94 ? 0 : 1;
-    return target.set(radius * Math.cos(2 * Math.PI * turns * inside), u - 0.5, radius * Math.sin(2 * Math.PI * turns * inside));
+    const turns = Math.max(6, Math.round(0.45 * this.slender)), inside = Math.min(Math.max((u - 0.1) / 0.8, 0), 1), radius = u < 0.06 || u > 0.94 ? 0 : 1;
+    return target.set(radius * Math.cos(2 * Math.PI * turns * inside), (u - 0.5) * this.slender, radius * Math.sin(2 * Math.PI * turns * inside));
   }
 }
-const coil = new THREE.TubeGeometry(new Helix(), 260, 0.14, 6);
+const COIL = 1.25 * s;
+
+function coiled(load, a, b) {
+  if (!load.slender) {
+    load.slender = Math.max(a.distanceTo(b) / COIL, 4);
+    load.object.geometry = new THREE.TubeGeometry(new Helix(load.slender), 320, 0.13, 7);
+  }
+  span(load.object, a, b, COIL);
+  load.object.scale.y /= load.slender;
+}
 
 for (const load of run.loads) {
   if (load.type === "spring_damper" || load.type === "bushing") {
-    load.object = new THREE.Mesh(coil, matter("#39404d"));
+    load.object = new THREE.Mesh(unitRod, matter("#39404d"));
     load.piston = new THREE.Mesh(unitRod, matter(steel));
     layers["springs and loads"].add(load.piston);
   } else if (load.type === "force") {
@@ -116,7 +127,7 @@ function moveSymbols(frame) {
     const a = place(load.a);
     if (load.piston) {
       const b = place(load.b);
-      span(load.object, a, b, 1.25 * s);
+      coiled(load, a, b);
       span(load.piston, a, b, 0.28 * s);
       load.piston.visible = load.object.visible = a.distanceTo(b) > 1e-6 * size;
     } else if (load.type === "force") {
