@@ -10,6 +10,7 @@ from typing import Any, TypedDict, Unpack
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model, ModelError
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
@@ -78,6 +79,11 @@ class Further:
     checkpoint: str | Path | None = None
     checkpoint_every: int | None = None
 
+    @property
+    def bounded(self) -> bool:
+        """Do whole states not stay in memory?"""
+        return self.outputs is not None or self.stream is not None
+
     def rule(self) -> CheckpointRule:
         """When checkpoints are written, and that they can be. Raises SchemeError or OutputError."""
         every = None if self.checkpoint_every is None else whole_number(self.checkpoint_every)
@@ -123,20 +129,28 @@ def simulate(
     more = Further(**further)
     if not model.q_i:
         return _driven(model, t_end, dt, parameters, initial, t0, more)
-    bounded = more.outputs is not None or more.stream is not None
-    plan = make_plan(model, t_end, dt, m, scheme, more.save_every, options, t0, bounded)
+    plan = make_plan(model, t_end, dt, m, scheme, more.save_every, options, t0, more.bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
     rule = more.rule()
     p = model.parameter_vector(parameters)
     state = start_state(model, p, model.constants(p), t0, initial, start)
     events = check_time_functions(model, model.constants(p), plan, state)
+    run, set_up = _begun(model, plan, p, state, more, rule)
+    run.events += events
+    return finished(run, set_up)
+
+
+def _begun(
+    model: Model, plan: Plan, p: np.ndarray, state: ConsistentState, more: Further, rule: CheckpointRule
+) -> tuple[Run, float]:
+    """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine)
     z = segment.start(state.q, state.q_dot)
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
     progress = None if isinstance(more.progress, bool) else more.progress
-    record = record_of(segment, z, more.stream, keep_rows=bounded)
+    record = record_of(segment, z, more.stream, keep_rows=more.bounded)
     run = Run(
         segment,
         z,
@@ -148,10 +162,9 @@ def simulate(
         guard=segment.new_guard(),
         accuracy=Accuracy(plan.steps),
     )
-    run.events += events
     run.status = segment.monitor.first(segment.stepper.state(z))
     record.add(0, z)
-    return finished(run, set_up)
+    return run, set_up
 
 
 def _driven(
