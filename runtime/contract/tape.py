@@ -83,21 +83,22 @@ def read_tape(function: ca.Function) -> Tape:
 def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
     holder: dict[int, int] = {}  # work register -> node that it holds now
     nodes: list[Node] = []
+    operation, inputs, result_of = function.instruction_id, function.instruction_input, function.instruction_output
     for k in range(function.n_instructions()):
-        op = function.instruction_id(k)
-        arguments = function.instruction_input(k)
-        if op == ca.OP_OUTPUT:
-            result, entry = function.instruction_output(k)
-            outputs[result][entry] = holder[arguments[0]]
-            continue
+        op = operation(k)
         if op == ca.OP_CONST:
             node = Node(op, UNUSED, UNUSED, function.instruction_constant(k))
         elif op == ca.OP_INPUT:
-            node = Node(op, arguments[0], arguments[1], 0.0)
+            argument, entry = inputs(k)
+            node = Node(op, argument, entry, 0.0)
+        elif op == ca.OP_OUTPUT:
+            result, entry = result_of(k)
+            outputs[result][entry] = holder[inputs(k)[0]]
+            continue
         else:
-            second = holder[arguments[1]] if op in BINARY else UNUSED
-            node = Node(op, holder[arguments[0]], second, 0.0)
-        holder[function.instruction_output(k)[0]] = len(nodes)
+            arguments = inputs(k)
+            node = Node(op, holder[arguments[0]], holder[arguments[1]] if op in BINARY else UNUSED, 0.0)
+        holder[result_of(k)[0]] = len(nodes)
         nodes.append(node)
     return nodes
 

@@ -109,6 +109,7 @@ def compiled(program: Program, form: Form, effort: Effort, processor: Processor)
     llvm = _llvm()
     text, work = program_ir(program, {stage.name(): read_tape(stage) for stage in program.stages()}, form)
     module = llvm.parse_assembly(text, context=llvm.create_context())
+    del text  # a hundred bytes an operation
     machine = _machine(processor, effort.level)
     if effort.passes:
         options = llvm.create_pipeline_tuning_options(speed_level=3)

@@ -19,7 +19,8 @@ from runtime.engine.llvm_ir import Form
 from runtime.engine.program import Program
 
 INLINED = 10_000  # operations with every call written out: below, stages are inlined and z is local
-WHOLE = 50_000  # below, each stage is one function; above, code is fetched faster in short functions
+WHOLE = 70_000  # below, each stage is one function when it is optimised
+LONG = 50_000  # above, the first code is fetched faster in short functions
 OPTIMISED = 200_000  # above, no passes
 FIRST = Effort(passes=False, level=0)
 BEST = Effort(passes=True, level=2)
@@ -28,7 +29,7 @@ BEST_SECONDS_PER_OPERATION = 6e-5
 
 def first_form(program: Program, mathematics: str) -> tuple[Form, Effort]:
     """How a program is compiled at once."""
-    return Form(1, mathematics, 100 if _size(program) > WHOLE else 200, False), FIRST
+    return Form(1, mathematics, 100 if _size(program) > LONG else 1000, False), FIRST
 
 
 def best_form(program: Program, mathematics: str) -> tuple[Form, Effort]:
