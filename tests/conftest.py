@@ -45,8 +45,7 @@ FAST = (
     "laws/test_sub_cycling_matrices.py",
     "running/test_solution.py",
     "scene/test_scene.py",
-    "scene/test_spatial_use.py",
-    "views",
+    "views/test_plots.py",
 )
 
 
