@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -188,3 +189,33 @@ def test_without_a_generator_the_run_says_what_to_do(
     assert 0.3 < run.status.time < 1.0 and run.t[-1] == run.status.time
     assert np.abs(run.energy_balance()).max() < 1e-3
     assert [event.kind for event in run.events] == ["no_variant"]
+
+
+def test_a_variant_of_another_generator_is_not_taken(
+    model_of: Build, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The same scene and q_i, but one source of the generator differs: it is asked again."""
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
+    model, asked = model_of(slider_crank(0.3, 1.0, "crank.theta")), []
+
+    def counted(*arguments: Any, **further: Any) -> Path:
+        asked.append(arguments[1])
+        return generate_variant(*arguments, **further)
+
+    use_generator(counted)
+    for version in ("one", "one", "two"):
+        monkeypatch.setattr(variants, "made_by", lambda generate, version=version: version)
+        variant_of(model, ["slider.x"], model.initial_q)
+    assert len(asked) == 2
+
+
+def test_the_sources_of_a_generator_are_its_version(tmp_path: Path) -> None:
+    found = []
+    for text in ("def f():\n    return 1\n", "def f():\n    return 1\n", "def f():\n    return 2\n"):
+        (tmp_path / "generator.py").write_text(text)
+        spec = importlib.util.spec_from_file_location("generator", tmp_path / "generator.py")
+        assert spec is not None and spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        found.append(variants.made_by(module.f))
+    assert found[0] == found[1] != found[2]

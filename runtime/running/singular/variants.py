@@ -7,6 +7,7 @@ handed over with `use_generator`. Without one, runs that need a variant end with
 from __future__ import annotations
 
 import hashlib
+import inspect
 import json
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
@@ -43,11 +44,17 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
     Raises NoVariant.
     """
     groups = [(group.name, [q_i[k] for k in group.positions]) for group in model.groups]
-    key = json.dumps([model.digest, list(q_i), groups])
+    generate = _generator()
+    if generate is None or not model.scene_toml:
+        raise NoVariant(
+            f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
+            "or install symgen beside the runtime, and run again"
+        )
+    key = json.dumps([model.digest, list(q_i), groups, made_by(generate)])
     folder = cache_folder() / "variants" / hashlib.sha256(key.encode()).hexdigest()[:32]
     found = _loaded(folder)
     if found is None:
-        _generate(model, q_i, groups, q, folder)
+        _generate(generate, model, q_i, groups, q, folder)
         found = load_model(folder)
     same = ("coordinates", "constraints", "elastic", "measures", "joints")
     if (
@@ -69,15 +76,26 @@ def _loaded(folder: Path) -> Model | None:
         return None
 
 
+def made_by(generate: Generate) -> str:
+    """SHA-256 of the sources beside a generator: what another version made is not taken for its own."""
+    found = hashlib.sha256()
+    try:
+        root = Path(inspect.getfile(generate)).parent
+        for path in sorted(root.rglob("*.py")):
+            found.update(f"{path.relative_to(root)} ".encode() + path.read_bytes())
+    except (OSError, TypeError):  # no sources to be had: by its name alone
+        found.update(repr(getattr(generate, "__qualname__", "")).encode())
+    return found.hexdigest()
+
+
 def _generate(
-    model: Model, q_i: Sequence[str], groups: Sequence[tuple[str, Sequence[str]]], q: np.ndarray, folder: Path
+    generate: Generate,
+    model: Model,
+    q_i: Sequence[str],
+    groups: Sequence[tuple[str, Sequence[str]]],
+    q: np.ndarray,
+    folder: Path,
 ) -> None:
-    generate = _generator()
-    if generate is None or not model.scene_toml:
-        raise NoVariant(
-            f"no generator of variants is installed; set partition.independent = {list(q_i)} in the scene, "
-            "or install symgen beside the runtime, and run again"
-        )
     state: Mapping[str, float] = dict(zip(model.coordinates, map(float, q), strict=True))
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
