@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import zipfile
 from pathlib import Path
 from typing import Any
 
 from symgen.cli.arguments import UsageError, add_command, add_run_options, add_scene
 from symgen.cli.outcome import Outcome
+
+# what numpy.load says of files that are cut, of another kind (an array alone), or not there
+BROKEN = (OSError, ValueError, TypeError, AttributeError, EOFError, zipfile.BadZipFile)
 
 
 def add(subparsers: Any) -> None:
@@ -59,10 +63,12 @@ def _surfaces(given: list[str], model: str) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for body, file in [*SURFACES.get(model, {}).items(), *(_named(word) for word in given)]:
         try:
-            with np.load(file, allow_pickle=False) as arrays:
+            with open(file, "rb") as stream, np.load(stream, allow_pickle=False) as arrays:
                 found[body] = {name: arrays[name] for name in arrays.files}
-        except (OSError, ValueError) as error:
-            raise UsageError(f"--surface {body}={file} cannot be read ({error}); write it with numpy.savez") from error
+        except BROKEN as error:
+            raise UsageError(
+                f"--surface {body}={file} is not a whole .npz file of plain arrays; write it with numpy.savez"
+            ) from error
     return found
 
 

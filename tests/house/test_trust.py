@@ -8,6 +8,7 @@ import sys
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from runtime import load_model
@@ -170,3 +171,19 @@ def test_scenes_may_ask_for_every_scheme() -> None:
 def test_what_was_given_is_not_echoed_at_full_length(capsys) -> None:
     assert main(["simulate", "x" * 1_000_000]) == ERRORS
     assert len(capsys.readouterr().err) < 2 * LONGEST_MESSAGE
+
+
+@pytest.mark.parametrize("content", [b"PK\x03\x04rubbish", b"", b"hello", "array", None], ids=repr)
+def test_a_surface_file_that_is_none_is_the_users_mistake(content: object, tmp_path: Path, capsys) -> None:
+    """Cut, empty, text, an array alone (.npy), or not there: exit code 2 and the file's name, never a fault of ours."""
+    path = tmp_path / "surface.npz"
+    if isinstance(content, bytes):
+        path.write_bytes(content)
+    elif content is not None:
+        with open(path, "wb") as file:
+            np.save(file, np.zeros(3))
+    out = tmp_path / "page.html"
+    arguments = ["view", "pendulum", "--t-end", "0.01", "--surface", f"rod={path}", "--out", str(out)]
+    assert main(arguments) == ERRORS
+    assert "surface.npz" in capsys.readouterr().err
+    assert not out.exists()
