@@ -194,8 +194,9 @@ def assert_same(one: Solution, other: Solution) -> None:
     assert one.events == other.events and one.status == other.status
 
 
-@pytest.mark.parametrize("scheme", ["single_rate", "coupled", "radau"])
-@pytest.mark.parametrize("engine", ["interpreted", "compiled"])
+@pytest.mark.parametrize(
+    ("scheme", "engine"), [("single_rate", "interpreted"), ("coupled", "compiled"), ("radau", "compiled")]
+)
 def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path, scheme: str, engine: str) -> None:
     """Calls of one step (a checkpoint after each), of seven, or as many as are quick: the same run, bit for bit."""
     settings: dict[str, Any] = {"scheme": scheme, "dt": 2e-3, "t_end": 1.5, "save_every": 5, "engine": engine}
@@ -204,7 +205,7 @@ def test_passing_does_not_depend_on_native_calls(built_in: Load, tmp_path: Path,
     assert len(whole.events) == 2
     for every in (1, 7):
         assert_same(simulate(model, **settings, checkpoint=tmp_path / "run.npz", checkpoint_every=every), whole)
-    for broken_off in (0.702, 0.71, 0.8, 1.3):
+    for broken_off in (0.702, 0.71, 1.3):
 
         def stop(t: float, t_end: float, at: float = broken_off) -> None:
             if t >= at:
