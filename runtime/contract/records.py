@@ -158,13 +158,30 @@ class PointRecord:
 
 
 @dataclass(frozen=True)
+class ShapeRecord:
+    """How a rigid body looks, in its axes: a box, cylinder, sphere or mesh at `position` [m] turned by `axes` (3 x 3).
+
+    size [m]: three lengths; radius and length; radius. A mesh has vertices [m] and triangles, places of vertices.
+    """
+
+    body: str
+    type: str
+    position: list[float]
+    axes: list[list[float]]
+    size: list[float] = field(default_factory=list)
+    vertices: list[list[float]] = field(default_factory=list)
+    triangles: list[list[int]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
 class Drawing:
-    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to."""
+    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to; shapes."""
 
     space: str
     poses: list[str]
     points: list[PointRecord]
     sections: list[str]
+    shapes: list[ShapeRecord] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -234,8 +251,11 @@ _TABLES: dict[str, type] = {
 
 
 def as_plain(description: Description) -> dict[str, Any]:
-    """The description as plain values for JSON."""
-    return asdict(description)
+    """The description as plain values for JSON; a model without shapes has no entry for them."""
+    plain = asdict(description)
+    if not plain["drawing"]["shapes"]:
+        del plain["drawing"]["shapes"]
+    return plain
 
 
 def description(plain: Mapping[str, Any]) -> Description:
@@ -250,5 +270,6 @@ def description(plain: Mapping[str, Any]) -> Description:
         for entry in values["functions"]
     ]
     points = [PointRecord(**entry) for entry in plain["drawing"]["points"]]
-    values["drawing"] = Drawing(**{**plain["drawing"], "points": points})
+    shapes = [ShapeRecord(**entry) for entry in plain["drawing"].get("shapes", [])]
+    values["drawing"] = Drawing(**{**plain["drawing"], "points": points, "shapes": shapes})
     return Description(**values)

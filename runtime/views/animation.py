@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 STYLES: dict[str, dict[str, Any]] = {
     "beam": {"lw": 3.0, "solid_capstyle": "round", "zorder": 3},
     "body": {"lw": 4.0, "solid_capstyle": "round", "zorder": 3},
+    "outline": {"lw": 1.4, "solid_capstyle": "round", "color": "0.6", "zorder": 3},
     "ghost": {"lw": 1.2, "ls": (0, (4, 3)), "color": "0.65", "zorder": 2},
     "spring": {"lw": 1.2, "color": "0.25", "zorder": 2.5},
     "rod": {"lw": 1.5, "color": "0.25", "zorder": 2.5},
@@ -131,7 +132,7 @@ def _actors(ax: Axes, shown: Film) -> tuple[Callable[[int], None], list[Any]]:
     pieces: list[tuple[Any, Line]] = []
     for line in shown.lines:
         style = dict(STYLES[line.kind])
-        if line.kind in ("beam", "body"):
+        if line.kind in ("beam", "body", "outline") and line.colour >= 0:
             style["color"] = COLOURS[line.colour % len(COLOURS)]
             if line.xy.shape[2] == 1:
                 style |= {"marker": "s", "ms": 10, "mec": "white", "mew": 0.8}

@@ -16,7 +16,7 @@ from runtime.views.projection import axis_labels, projected
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
-Kind = Literal["beam", "body", "ghost", "spring", "rod", "joint", "slide", "ground"]
+Kind = Literal["beam", "body", "outline", "ghost", "spring", "rod", "joint", "slide", "ground"]
 COILS = 6
 MAX_FRAMES = 2000
 KINDS: dict[str, Kind] = {"prismatic": "slide", "point_on_line": "slide", "distance": "rod"}
@@ -80,7 +80,7 @@ def _bodies(scene: Scenery, factor: float) -> list[Line]:
     for body in scene.bodies:
         if body.name == GROUND:
             continue
-        kind: Kind = "beam" if body.section else "body"
+        kind: Kind = "beam" if body.section else "outline" if body.solid is not None else "body"
         if body.elastic and factor != 0.0:
             found.append(Line("ghost", body.name, colour, _body(scene, body, 0.0)))
         found.append(Line(kind, body.name, colour, _body(scene, body, factor)))
@@ -88,6 +88,8 @@ def _bodies(scene: Scenery, factor: float) -> list[Line]:
     used = {part.get(key) for part in (*scene.joints, *scene.loads) for key in ("marker_a", "marker_b")}
     for body in scene.bodies:
         fixed = [k for k, name in enumerate(body.markers.names) if f"{body.name}.{name}" in used]
+        if body.name == GROUND and body.solid is not None:
+            found.append(Line("outline", GROUND, -1, _outline(scene, body)))
         if body.name == GROUND and fixed:
             found.append(Line("ground", GROUND, -1, _flat(scene, scene.world(body, body.markers, 1.0)[:, fixed])))
     return found
@@ -97,6 +99,8 @@ def _body(scene: Scenery, body: Body, factor: float) -> np.ndarray:
     """A beam's stations, or the rods between a body's markers with the pen lifted between them."""
     if body.section:
         return _flat(scene, scene.world(body, body.stations, factor))
+    if body.solid is not None:
+        return _outline(scene, body)
     points = scene.world(body, body.markers, factor)
     edges = shortest_tree(body.markers.position)
     if not edges:
@@ -104,6 +108,15 @@ def _body(scene: Scenery, body: Body, factor: float) -> np.ndarray:
     lifted = np.full_like(points[:, :1], np.nan)
     strokes = [part for a, b in edges for part in (points[:, a : a + 1], points[:, b : b + 1], lifted)]
     return _flat(scene, np.concatenate(strokes[:-1], axis=1))
+
+
+def _outline(scene: Scenery, body: Body) -> np.ndarray:
+    """The edges of a body's shapes, with the pen lifted after each."""
+    assert body.solid is not None
+    edges = body.solid.edges()
+    lifted = np.full((len(edges), 1, 3), np.nan)
+    strokes = np.concatenate([edges, lifted], axis=1).reshape(-1, 3)
+    return _flat(scene, scene.placed(body, np.repeat(strokes[None], len(scene.t), axis=0)))
 
 
 def _between(scene: Scenery, factor: float) -> list[Line]:

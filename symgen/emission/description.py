@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import casadi as ca
 import numpy as np
 
-from runtime.contract.records import BodyRecord, Description, Drawing, JointRecord, LoadRecord, Measure, PointRecord
+from runtime.contract.records import (
+    BodyRecord,
+    Description,
+    Drawing,
+    JointRecord,
+    LoadRecord,
+    Measure,
+    PointRecord,
+    ShapeRecord,
+)
 from symgen.pipeline import Derived
-from symgen.scene import Scene
+from symgen.scene import GroundBody, RigidBody, Scene
+from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 
 
 def describe(derived: Derived) -> Description:
@@ -74,7 +86,27 @@ def _markers(load: object) -> dict[str, str]:
 def _drawing(derived: Derived) -> Drawing:
     picture = derived.system.equations.picture
     points = [PointRecord(point.body, point.name, len(point.shapes), bool(point.H)) for point in picture.points]
-    return Drawing(derived.scene.space, list(picture.poses), points, list(picture.sections))
+    shapes = [
+        _shape(body.name, shape)
+        for body in (derived.scene.ground, *derived.scene.moving_bodies)
+        if isinstance(body, GroundBody | RigidBody)
+        for shape in body.shape
+    ]
+    return Drawing(derived.scene.space, list(picture.poses), points, list(picture.sections), shapes)
+
+
+def _shape(body: str, shape: BoxShape | CylinderShape | SphereShape | MeshShape) -> ShapeRecord:
+    record = ShapeRecord(body, shape.type, list(shape.position), shape.axes().tolist())
+    match shape:
+        case BoxShape():
+            return replace(record, size=list(shape.size))
+        case CylinderShape():
+            return replace(record, size=[shape.radius, shape.length])
+        case SphereShape():
+            return replace(record, size=[shape.radius])
+        case MeshShape():
+            vertices, triangles = ([list(row) for row in rows] for rows in (shape.vertices, shape.triangles))
+            return replace(record, vertices=vertices, triangles=triangles)
 
 
 def _gravity(derived: Derived) -> list[float]:

@@ -52,6 +52,7 @@ from symgen.scene.parameters import DeclaredParameter
 from symgen.scene.parts import AnyBody, AnyMarker, Body
 from symgen.scene.placing import Placement
 from symgen.scene.scene import Scene
+from symgen.scene.scene_files import read_mesh
 from symgen.scene.simulation import Baumgarte, CoordinateGroup, Initial, InitialValue, Partition, Simulation
 from symgen.scene.structure import Structure
 
@@ -67,7 +68,7 @@ __all__ = [
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
     "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "UniversalJoint", "WeldJoint", "XMeasure",
-    "YMeasure", "ZMeasure", "parse_expression",
+    "YMeasure", "ZMeasure", "parse_expression", "read_mesh",
 ]  # fmt: skip
 
 _RENAMED = {

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, Strict
 
+from symgen.scene.appearance import Shapes
 from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
 
 LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
@@ -43,6 +44,7 @@ class GroundBody(StrictModel):
     type: Literal["ground"] = "ground"
     name: Literal["ground"] = "ground"
     markers: dict[Name, RigidMarker] = Field(default_factory=dict)
+    shape: Shapes = ()
 
     @property
     def nf(self) -> int:
@@ -60,7 +62,7 @@ class RigidBody(StrictModel):
     mass [kg]; inertia [kg m^2] about the centre of mass: one number in a planar scene, the entries xx, yy, zz of the
     inertia tensor in a spatial one, where products are its entries xy, xz, yz; center_of_mass [m] in the body frame.
     orientation (spatial): Euler angles by their sequence of axes, or Euler parameters, which fail at no angle.
-    ``free = true`` says that no joint is intended.
+    ``free = true`` says that no joint is intended. shape: how pictures show it, in place of rods between its markers.
     """
 
     type: Literal["rigid"] = "rigid"
@@ -72,6 +74,7 @@ class RigidBody(StrictModel):
     orientation: Orientation = "euler_parameters"
     free: Flag = False
     markers: dict[Name, RigidMarker] = Field(default_factory=dict)
+    shape: Shapes = ()
 
     @property
     def nf(self) -> int:

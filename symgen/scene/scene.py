@@ -12,6 +12,7 @@ from symgen.scene.checks import check_scene
 from symgen.scene.errors import SceneError, raise_all, show
 from symgen.scene.parts import SceneParts
 from symgen.scene.scene_card import scene_card
+from symgen.scene.scene_files import with_files
 from symgen.scene.translate import scene_errors
 
 
@@ -43,7 +44,7 @@ class Scene(SceneParts):
     @classmethod
     def from_toml(cls, path: str | Path) -> Scene:
         """The scene in a TOML file; raises SceneError, also when the file cannot be read."""
-        return cls.from_dict(toml_io.read(path))
+        return cls.from_dict(with_files(toml_io.read(path), Path(path).parent))
 
     @classmethod
     def from_toml_text(cls, text: str) -> Scene:

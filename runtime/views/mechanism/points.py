@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.model import Model, ModelError
+from runtime.views.mechanism.solids import Solid, solid
 
 GROUND = "ground"
 
@@ -40,7 +41,8 @@ class Points:
 class Body:
     """One body: its column in `poses` (None for the ground), its q_f in q, its points.
 
-    stations: along the axis of a beam, otherwise none; markers: by name; section: (height, width) of a beam [m].
+    stations: along the axis of a beam, otherwise none; markers: by name; section: (height, width) of a beam [m];
+    solid: the shapes that the scene gives it, if any.
     """
 
     name: str
@@ -49,6 +51,7 @@ class Body:
     stations: Points
     markers: Points
     section: tuple[float, float] | None
+    solid: Solid | None = None
 
 
 def bodies(model: Model, p: np.ndarray) -> list[Body]:
@@ -78,7 +81,10 @@ def bodies(model: Model, p: np.ndarray) -> list[Body]:
         pose = record["poses"].index(name) if name in record["poses"] else None
         section = tuple(sections[name]) if name in sections else None
         nf = len(elastic)
-        found.append(Body(name, pose, elastic, _picked(points, stations, nf), _picked(points, markers, nf), section))
+        shapes = [shape for shape in model.description.drawing.shapes if shape.body == name]
+        look = solid(shapes) if shapes else None
+        at, named = _picked(points, stations, nf), _picked(points, markers, nf)
+        found.append(Body(name, pose, elastic, at, named, section, look))
     return found
 
 

@@ -50,7 +50,10 @@ class Scenery:
 
     def world(self, body: Body, points: Points, factor: float) -> np.ndarray:
         """(frames, n, 3) points of a body in the world, its deformation multiplied by `factor` [m]."""
-        local = exaggerated(points, self.follow[self.bodies.index(body)], self.q_f(body), factor)
+        return self.placed(body, exaggerated(points, self.follow[self.bodies.index(body)], self.q_f(body), factor))
+
+    def placed(self, body: Body, local: np.ndarray) -> np.ndarray:
+        """(frames, n, 3) places in the world of points (frames, n, 3) in a body's axes [m]."""
         if body.pose is None:
             return local
         return self.origin[:, body.pose, None, :] + np.einsum("fij,fnj->fni", self.turn[:, body.pose], local)

@@ -10,6 +10,7 @@ import numpy as np
 
 from runtime.contract.model import ModelError
 from runtime.views.mechanism.points import Body, Points
+from runtime.views.mechanism.solids import Solid
 
 MOST_TRIANGLES = 200_000
 KEYS = ("vertices", "triangles", "shapes")
@@ -43,6 +44,13 @@ def beam_mesh(body: Body) -> SurfaceMesh:
     last = 4 * (n - 1)
     triangles += [(0, 2, 1), (0, 3, 2), (last, last + 1, last + 2), (last, last + 2, last + 3)]
     return SurfaceMesh(_points(position, shapes, stations.H), np.array(triangles), per=4)
+
+
+def solid_mesh(solid: Solid) -> SurfaceMesh:
+    """The shapes of a rigid body, which has no modes."""
+    return SurfaceMesh(
+        _points(solid.vertices, np.zeros((len(solid.vertices), 3, 0)), np.zeros((0, 0, 0))), solid.triangles
+    )
 
 
 def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:

@@ -16,7 +16,7 @@ from runtime.views.mechanism.scenery import Scenery, scenery
 from runtime.views.mechanism.tree import shortest_tree
 from runtime.views.projection import is_spatial, up_axis
 from runtime.views.style import COLOURS
-from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, surface_mesh
+from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, solid_mesh, surface_mesh
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
@@ -92,6 +92,8 @@ def packed(values: np.ndarray, kind: str = "<f4") -> str:
 def _mesh(body: Body, surfaces: Mapping[str, Mapping[str, Any]]) -> SurfaceMesh | None:
     if body.name in surfaces:
         return surface_mesh(body, surfaces[body.name])
+    if body.solid is not None:
+        return solid_mesh(body.solid)
     return beam_mesh(body) if body.section else None
 
 
@@ -101,13 +103,12 @@ def _everything(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> np.
     extra = [still]
     for body in shown.bodies:
         mesh = meshes[body.name]
-        if mesh is not None and body.pose is not None:
+        if mesh is not None:
             corners = np.array([mesh.points.position.min(axis=0), mesh.points.position.max(axis=0)])
             box = np.array(
                 [[corners[i, 0], corners[j, 1], corners[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
             )
-            turned = np.einsum("fij,nj->fni", shown.turn[:, body.pose], box)
-            extra.append(shown.origin[:, body.pose, None] + turned)
+            extra.append(shown.placed(body, np.repeat(box[None], len(shown.t), axis=0)))
     return np.concatenate(extra, axis=1)
 
 
@@ -157,7 +158,6 @@ def _bodies(shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]) -> list[di
                 "mesh": None if mesh is None else {**_set(mesh.points), "triangles": packed(mesh.triangles, "<u4")},
                 "rods": edges,
                 "faces": _faces(edges),
-                "shapes": [],
             }
         )
         colour += not ground

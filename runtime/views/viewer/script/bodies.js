@@ -62,17 +62,6 @@ for (const body of run.bodies) {
     body.group.add(mesh);
     return mesh;
   });
-  for (const shape of body.shapes) body.group.add(solid(shape, body.colour));
-}
-
-function solid(shape, colour) {
-  const geometry = shape.type === "box" ? new THREE.BoxGeometry(...shape.size)
-    : shape.type === "sphere" ? new THREE.SphereGeometry(shape.radius, 32, 20)
-    : new THREE.CylinderGeometry(shape.radius, shape.radius, shape.length, 40);
-  const mesh = new THREE.Mesh(geometry, matter(colour));
-  if (shape.axis) mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...shape.axis).normalize());
-  mesh.position.set(...shape.center);
-  return mesh;
 }
 
 const corner = (set, k) => new THREE.Vector3(set.shown[3 * k], set.shown[3 * k + 1], set.shown[3 * k + 2]);

@@ -1,0 +1,61 @@
+"""Files that a scene file names: meshes of shapes. They are read with the scene, which then holds all it needs."""
+
+from __future__ import annotations
+
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+import numpy as np
+
+from symgen.scene.errors import SceneError, show
+
+
+def with_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Plain scene data with ``shape = {type = "mesh", file = ...}`` replaced by what the files in `folder` hold.
+
+    Raises SceneError for a path that leads out of the folder and for a file that cannot be read.
+    """
+    bodies = data.get("bodies")
+    if not isinstance(bodies, list):
+        return data
+    return {**data, "bodies": [_with_shapes(body, folder) if isinstance(body, dict) else body for body in bodies]}
+
+
+def _with_shapes(body: dict[str, Any], folder: Path) -> dict[str, Any]:
+    shapes = body.get("shape")
+    if isinstance(shapes, dict):
+        shapes = [shapes]
+    if not isinstance(shapes, list) or not any(isinstance(shape, dict) and "file" in shape for shape in shapes):
+        return body
+    item = f"bodies '{body.get('name', '?')}'.shape.file"
+    return {**body, "shape": [_read(shape, folder, item) if _names_file(shape) else shape for shape in shapes]}
+
+
+def _names_file(shape: Any) -> bool:
+    return isinstance(shape, dict) and "file" in shape
+
+
+def _read(shape: dict[str, Any], folder: Path, item: str) -> dict[str, Any]:
+    name = shape["file"]
+    if not isinstance(name, str) or PurePosixPath(name).is_absolute() or ".." in PurePosixPath(name).parts:
+        raise SceneError(item, f"{show(name)} is not below the scene's folder", "put the mesh beside the scene file")
+    return {**{key: value for key, value in shape.items() if key != "file"}, **read_mesh(folder / name, item)}
+
+
+def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
+    """{type, vertices [m], triangles} of a surface file (STL, OBJ, PLY, GLB, by trimesh), for a body's ``shape``.
+
+    Raises SceneError if trimesh (the extra ``meshes``) is not there or the file cannot be read.
+    """
+    try:
+        import trimesh  # type: ignore[import-untyped]
+    except ImportError:
+        raise SceneError(item, "mesh files need trimesh", 'install it: pip install "symgen[meshes]"') from None
+    try:
+        mesh = trimesh.load_mesh(path, process=True)  # corners at the same place become one vertex
+        vertices, triangles = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=int)
+    except Exception as error:  # its readers raise whatever they meet in a damaged file
+        raise SceneError(item, f"{path} cannot be read as a surface ({error})", "give a file of triangles") from None
+    if not len(triangles):
+        raise SceneError(item, f"{path} holds no triangles", "give a file of triangles")
+    return {"type": "mesh", "vertices": vertices.tolist(), "triangles": triangles.tolist()}
