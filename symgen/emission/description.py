@@ -105,8 +105,7 @@ def _shape(body: str, shape: BoxShape | CylinderShape | SphereShape | MeshShape)
         case SphereShape():
             return replace(record, size=[shape.radius])
         case MeshShape():
-            vertices, triangles = ([list(row) for row in rows] for rows in (shape.vertices, shape.triangles))
-            return replace(record, vertices=vertices, triangles=triangles)
+            return replace(record, vertices=[*map(list, shape.vertices)], triangles=[*map(list, shape.triangles)])
 
 
 def _gravity(derived: Derived) -> list[float]:

@@ -48,7 +48,7 @@ def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
     Raises SceneError if trimesh (the extra ``meshes``) is not there or the file cannot be read.
     """
     try:
-        import trimesh  # type: ignore[import-untyped]
+        import trimesh
     except ImportError:
         raise SceneError(item, "mesh files need trimesh", 'install it: pip install "symgen[meshes]"') from None
     try:
