@@ -5,4 +5,4 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-SHOWS: dict[str, Callable[..., Any]] = {}  # "page": (solution, path, surfaces) -> a page
+SHOWS: dict[str, Callable[..., Any]] = {}  # "page": (solution, path, surfaces, beside) -> a page

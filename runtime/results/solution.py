@@ -38,13 +38,19 @@ class Solution(Samples):
 
         return cls(**(export.read_stream(path, model) if Path(path).is_dir() else export.read_npz(path, model)))
 
-    def view(self, path: str | Path | None = None, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> Any:
+    def view(
+        self,
+        path: str | Path | None = None,
+        surfaces: Mapping[str, Mapping[str, Any]] | None = None,
+        beside: Solution | None = None,
+    ) -> Any:
         """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
 
         surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface.
+        beside: a second run, shown pale in the same page.
         Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
         """
-        return SHOWS["page"](self, path, surfaces)
+        return SHOWS["page"](self, path, surfaces, beside)
 
     def to_csv(self, path: str | Path) -> None:
         """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from symgen.cli.arguments import UsageError, add_command, names
+from symgen.cli.arguments import add_command, names
 from symgen.cli.outcome import Outcome
 
 
@@ -29,18 +29,10 @@ def run(arguments: argparse.Namespace) -> Outcome:
     """Differences as a table, and the picture."""
     import numpy as np
 
-    from runtime.contract.loading import load_model
-    from runtime.results.solution import Solution
     from runtime.views import plots
-    from symgen.cli.running import MODEL_FOLDER, SOLUTION_FILE
+    from symgen.cli.running import results_of
 
-    runs = []
-    for word in (arguments.first, arguments.second):
-        folder = Path(word)
-        if not (folder / SOLUTION_FILE).is_file():
-            raise UsageError(f"{word} holds no results; make them with: symgen simulate SCENE --out {word}")
-        runs.append(Solution.load(folder / SOLUTION_FILE, load_model(folder / MODEL_FOLDER)))
-    first, second = runs
+    first, second = results_of(arguments.first), results_of(arguments.second)
     path = Path(arguments.out) if arguments.out else Path(arguments.first) / "difference.png"
     plots.difference(first, second, path, arguments.names)
     chosen = arguments.names or [name for name in first.model.q_i if name in second.model.coordinates]

@@ -50,10 +50,19 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
         raise UsageError(f"{error}; use --engine auto or interpreted") from error
 
 
-def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]:
-    """The results of a folder with that folder, or those of a scene simulated now. Raises UsageError."""
+def results_of(folder: str | Path) -> Solution:
+    """What `simulate --out` left in a folder. Raises UsageError."""
     from runtime.contract.loading import load_model
     from runtime.results.solution import Solution
+
+    path = Path(folder)
+    if not (path / SOLUTION_FILE).is_file():
+        raise UsageError(f"{folder} holds no results; make them with: symgen simulate SCENE --out {folder}")
+    return Solution.load(path / SOLUTION_FILE, load_model(path / MODEL_FOLDER))
+
+
+def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]:
+    """The results of a folder with that folder, or those of a scene simulated now. Raises UsageError."""
     from symgen.cli.sources import builtin_name, is_folder, opened_model
 
     folder = Path(arguments.scene)
@@ -65,7 +74,7 @@ def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]
                 f"{arguments.scene} holds results that are there already; --{given[0].replace('_', '-')} "
                 "needs a SCENE to simulate"
             )
-        return Solution.load(folder / SOLUTION_FILE, load_model(folder / MODEL_FOLDER)), folder
+        return results_of(folder), folder
     return run_model(opened_model(arguments.scene, arguments.made_with), arguments), None
 
 

@@ -33,6 +33,7 @@ def add(subparsers: Any) -> None:
         metavar="BODY=FILE.npz",
         help="surface of a flexible body (FlexibleBody.surface written with numpy.savez); may be repeated",
     )
+    command.add_argument("--beside", metavar="RESULTS", help="a second run, shown pale in the same page")
     command.add_argument("--open", action="store_true", help="open it in the browser")
     add_run_options(command)
 
@@ -40,12 +41,13 @@ def add(subparsers: Any) -> None:
 def run(arguments: argparse.Namespace) -> Outcome:
     """Load or simulate, then write the page."""
     from runtime.views.viewer import write_view
-    from symgen.cli.running import exit_code, loaded_or_run
+    from symgen.cli.running import exit_code, loaded_or_run, results_of
 
     solution, folder = loaded_or_run(arguments)
     default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")
     path = Path(arguments.out) if arguments.out else default
-    page = write_view(solution, path, _surfaces(arguments.surface, solution.model.name))
+    second = results_of(arguments.beside) if arguments.beside else None
+    page = write_view(solution, path, _surfaces(arguments.surface, solution.model.name), second)
     if arguments.open:
         page.open()
     size = len(page.text.encode()) / 1e6

@@ -94,6 +94,30 @@ def test_twenty_thousand_vertices_with_eight_modes_stay_below_five_megabytes() -
     assert size + 2 * 16 * n < 5.0e6
 
 
+def test_a_second_run_stands_pale_beside_the_first(tmp_path: Path) -> None:
+    """Its bodies where it is at the same times, its curves up to where it ended; joints are those of the first."""
+    one, other = solution("hub_beam"), simulate(load_model(generated_folder("hub_beam")), t_end=0.03, scheme="rk4")
+    record = view_record(one, {}, other)
+    own, pale = ([body for body in record["bodies"] if body["pale"] is which] for which in (False, True))
+    assert [body["name"] for body in own if not body["ground"]] == [body["name"] for body in pale]
+    assert record["joints"] == view_record(one, {})["joints"]
+    t = np.frombuffer(base64.b64decode(record["t"]))
+    seen = np.frombuffer(base64.b64decode(next(body for body in pale if body["name"] == "beam")["q"]), "<f4").reshape(
+        len(t), -1
+    )
+    expected = other.interpolate(np.minimum(t, other.t[-1]), "q")[
+        :, [one.name.startswith("beam.q") for one in other.model.description.coordinates]
+    ]
+    np.testing.assert_allclose(seen, expected, rtol=1e-6, atol=1e-12)
+    group = record["curves"][0]
+    curve_t = np.frombuffer(base64.b64decode(record["curve_t"]))
+    last = np.frombuffer(base64.b64decode(group["values"][-1]), "<f4")
+    assert len(group["pale"]) == len(group["names"]) / 2
+    assert np.array_equal(np.isnan(last), curve_t > other.t[-1])
+    found = used(view(one, beside=other).text, tmp_path, "document.documentElement.dataset.probe = '1'")
+    assert "error" not in found and found["ready"] == "1"
+
+
 def test_scene_names_cannot_break_out_of_the_page(tmp_path: Path) -> None:
     run = solution("hub_beam")
     title = "</script><script>document.title='gone'</script> @@data@@"

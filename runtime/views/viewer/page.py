@@ -54,12 +54,14 @@ class View:
         webbrowser.open(Path(file.name).as_uri())
 
 
-def view(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
-    """The page of a run. surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}.
+def view(
+    solution: Solution, surfaces: Mapping[str, Mapping[str, Any]] | None = None, beside: Solution | None = None
+) -> View:
+    """The page of a run, with a second one pale. surfaces: {body: {vertices (n, 3) [m], triangles, shapes (n, 3, nf)}}.
 
     Raises ModelError if the model has nothing to draw or a surface does not fit its body.
     """
-    record = view_record(solution, surfaces or {})
+    record = view_record(solution, surfaces or {}, beside)
     parts = {
         "title": html.escape(str(record["title"])),
         "styles": _text("bundles/uplot.min.css") + _text("page.css"),
@@ -72,9 +74,14 @@ def view(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]] | None = 
     return View(str(record["title"]), "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces)))
 
 
-def show(solution: Solution, path: str | Path | None, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
+def show(
+    solution: Solution,
+    path: str | Path | None,
+    surfaces: Mapping[str, Mapping[str, Any]] | None = None,
+    beside: Solution | None = None,
+) -> View:
     """Write the page where a path is given; without one a notebook shows it, and elsewhere the browser opens it."""
-    made = view(solution, surfaces)
+    made = view(solution, surfaces, beside)
     if path is not None:
         made.save(path)
     elif "ipykernel" not in sys.modules:
@@ -82,9 +89,14 @@ def show(solution: Solution, path: str | Path | None, surfaces: Mapping[str, Map
     return made
 
 
-def write_view(solution: Solution, path: str | Path, surfaces: Mapping[str, Mapping[str, Any]] | None = None) -> View:
+def write_view(
+    solution: Solution,
+    path: str | Path,
+    surfaces: Mapping[str, Mapping[str, Any]] | None = None,
+    beside: Solution | None = None,
+) -> View:
     """Write the page of a run, and return it. Raises ModelError and OutputError."""
-    made = view(solution, surfaces)
+    made = view(solution, surfaces, beside)
     made.save(path)
     return made
 

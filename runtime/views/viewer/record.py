@@ -26,15 +26,21 @@ SLIDING = ("prismatic", "cylindrical", "screw", "point_on_line")
 UNNAMED = ("prescribed_angle", "prescribed_displacement")
 
 
-def view_record(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """Poses and modes at up to 500 times, joints, loads, curves. Raises ModelError (nothing to draw, bad surface)."""
+def view_record(
+    solution: Solution, surfaces: Mapping[str, Mapping[str, Any]], beside: Solution | None = None
+) -> dict[str, Any]:
+    """Poses and modes at up to 500 times, joints, loads, curves; the bodies and curves of a second run, pale.
+
+    Raises ModelError (nothing to draw, bad surface).
+    """
     few = np.linspace(solution.t[0], solution.t[-1], min(MOST_FRAMES, max(200, len(solution.t))))
     shown = scenery(solution, few if len(solution.t) > 1 else solution.t)
     unknown = [name for name in surfaces if name not in [body.name for body in shown.bodies]]
     if unknown:
         raise ModelError(f"there is no body {unknown[0]!r}; there are {', '.join(body.name for body in shown.bodies)}")
     meshes = {body.name: _mesh(body, surfaces) for body in shown.bodies}
-    points = _everything(shown, meshes)
+    second = _second(beside, shown, surfaces) if beside is not None else None
+    points = np.concatenate([_everything(*scene) for scene in ((shown, meshes), second) if scene is not None], axis=1)
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
     size = max(float((high - low).max()), 1e-9)
     deformation = _deformation(shown, meshes)
@@ -44,7 +50,8 @@ def view_record(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]]) -
         "name": model.name,
         "title": model.title or model.name,
         "about": f"{solution.scheme}, dt {solution.dt:g} s · {status if status.ok else f'STOPPED: {status}'} · "
-        f"{len(shown.bodies) - 1} bodies, {len(shown.joints)} joints",
+        f"{len(shown.bodies) - 1} bodies, {len(shown.joints)} joints"
+        + (f" · pale: {beside.scheme}, dt {beside.dt:g} s" if beside is not None else ""),
         "ok": status.ok,
         "planar": not is_spatial(model),
         "up": up,
@@ -56,20 +63,46 @@ def view_record(solution: Solution, surfaces: Mapping[str, Mapping[str, Any]]) -
         "deformation": max(deformation, 1e-300),
         "colours": COLOURS,
         "t": packed(shown.t, "<f8"),
-        "bodies": _bodies(shown, meshes),
+        "bodies": [
+            *({**body, "pale": False} for body in _bodies(shown, meshes)),
+            *(
+                {**body, "pale": True}
+                for body in (_bodies(*second) if second is not None else [])
+                if not body["ground"]
+            ),
+        ],
         **_parts(solution, shown),
         "curve_t": packed(solution.t[kept], "<f8"),
-        "curves": [
-            {
-                "title": group.heading,
-                "unit": "deg" if group.unit == "rad" else group.unit,
-                "names": group.names,
-                "values": [
-                    packed(values[kept] * (180 / np.pi if group.unit == "rad" else 1.0)) for values in group.values
-                ],
-            }
-            for group in _curves(solution)
-        ],
+        "curves": [_group(group, solution.t[kept], solution, beside) for group in _curves(solution)],
+    }
+
+
+def _second(
+    beside: Solution, shown: Scenery, surfaces: Mapping[str, Mapping[str, Any]]
+) -> tuple[Scenery, Mapping[str, SurfaceMesh | None]]:
+    """The second run at the first one's times; before its start and after its end it stands still."""
+    scene = scenery(beside, np.clip(shown.t, beside.t[0], beside.t[-1]))
+    return scene, {body.name: _mesh(body, surfaces) for body in scene.bodies}
+
+
+def _group(group: Curves, t: np.ndarray, solution: Solution, beside: Solution | None) -> dict[str, Any]:
+    """One chart at the times t; `pale`: which curve each curve of the second run belongs to."""
+    factor = 180 / np.pi if group.unit == "rad" else 1.0
+    curves_of = [np.interp(t, solution.t, values) for values in group.values]
+    pale: list[int] = []
+    if beside is not None:
+        for other in (one for one in _curves(beside) if (one.heading, one.unit) == (group.heading, group.unit)):
+            for k, name in enumerate(group.names):
+                if name in other.names:
+                    values = other.values[other.names.index(name)]
+                    curves_of.append(np.interp(t, beside.t, values, left=np.nan, right=np.nan))
+                    pale.append(k)
+    return {
+        "title": group.heading,
+        "unit": "deg" if group.unit == "rad" else group.unit,
+        "names": [*group.names, *(f"{group.names[k]} (pale run)" for k in pale)],
+        "pale": pale,
+        "values": [packed(values * factor) for values in curves_of],
     }
 
 

@@ -1,5 +1,6 @@
 // Bodies: meshes with modes, or rods and pale faces between markers.
 const unitRod = new THREE.CylinderGeometry(1, 1, 1, 14);
+const paleness = { transparent: true, opacity: 0.3, depthWrite: false };
 const matter = (colour, more) => new THREE.MeshLambertMaterial({ color: colour, ...more });
 
 function shapedMesh(body, material) {
@@ -18,10 +19,10 @@ for (const body of run.bodies) {
   layers.bodies.add(body.group);
   const thick = 0.011 * size;
   if (body.mesh) {
-    body.material = matter(body.colour, { flatShading: true, side: THREE.DoubleSide });
+    body.material = matter(body.colour, { flatShading: true, side: THREE.DoubleSide, ...(body.pale && paleness) });
     body.surface = shapedMesh(body, body.material);
     body.group.add(body.surface);
-    if (body.nf) {
+    if (body.nf && !body.pale) {
       const ghost = new THREE.BufferGeometry();
       ghost.setAttribute("position", new THREE.BufferAttribute(new Float32Array(body.mesh.x), 3));
       ghost.setIndex(new THREE.BufferAttribute(body.mesh.triangles, 1));
@@ -31,11 +32,11 @@ for (const body of run.bodies) {
     }
   }
   body.rodMeshes = body.rods.map(() => {
-    const rod = new THREE.Mesh(unitRod, matter(body.colour));
+    const rod = new THREE.Mesh(unitRod, matter(body.colour, body.pale && paleness));
     body.group.add(rod);
     return rod;
   });
-  body.ghostRods = body.nf && !body.mesh ? body.rods.map(([i, j]) => {
+  body.ghostRods = body.nf && !body.mesh && !body.pale ? body.rods.map(([i, j]) => {
     const at = (k) => new THREE.Vector3(...body.points.x.slice(3 * k, 3 * k + 3)), rod = new THREE.Mesh(unitRod, matter("#8b93a3", { transparent: true, opacity: 0.35, depthWrite: false }));
     span(rod, at(i), at(j), 0.5 * thick);
     const holder = new THREE.Group();
@@ -45,12 +46,12 @@ for (const body of run.bodies) {
     return holder;
   }) : [];
   body.knobs = body.rods.length || body.ground || body.mesh ? [] : body.points.names.slice(0, 1).map(() => {
-    const knob = new THREE.Mesh(new THREE.SphereGeometry(2.2 * thick, 24, 16), matter(body.colour));
+    const knob = new THREE.Mesh(new THREE.SphereGeometry(2.2 * thick, 24, 16), matter(body.colour, body.pale && paleness));
     body.group.add(knob);
     return knob;
   });
   body.ends = body.mesh ? [] : [...new Set(body.rods.flat())].map((k) => {
-    const end = new THREE.Mesh(new THREE.SphereGeometry(thick, 16, 12), matter(body.colour));
+    const end = new THREE.Mesh(new THREE.SphereGeometry(thick, 16, 12), matter(body.colour, body.pale && paleness));
     body.group.add(end);
     return [end, k];
   });

@@ -17,7 +17,11 @@ function chart(group) {
     ],
     series: [
       { label: "t [s]", value: (_, value) => digits(value) },
-      ...group.names.map((name, k) => ({ label: name, stroke: colours[k % colours.length], width: 1.5, dash: k < colours.length ? [] : [6, 3], value: (_, value) => digits(value) })),
+      ...group.names.map((name, k) => {
+        const own = group.names.length - group.pale.length, which = k < own ? k : group.pale[k - own];
+        const dash = k < own ? (k < colours.length ? [] : [6, 3]) : [2, 3];
+        return { label: name, stroke: colours[which % colours.length], width: 1.5, dash, value: (_, value) => digits(value) };
+      }),
     ],
     hooks: {
       draw: [(self) => {
@@ -25,6 +29,7 @@ function chart(group) {
         self.ctx.save();
         self.ctx.strokeStyle = "#dc2626";
         self.ctx.lineWidth = 1.5;
+        self.ctx.setLineDash([]);
         self.ctx.beginPath();
         self.ctx.moveTo(x, top);
         self.ctx.lineTo(x, top + height);

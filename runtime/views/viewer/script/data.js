@@ -22,7 +22,7 @@ for (const body of run.bodies) {
   }
   if (body.mesh) body.mesh.triangles = decoded(body.mesh.triangles, Uint32Array);
 }
-for (const group of run.curves) group.values = group.values.map((text) => decoded(text, Float32Array));
+for (const group of run.curves) group.values = group.values.map((text) => Array.from(decoded(text, Float32Array), (value) => (Number.isNaN(value) ? null : value)));
 const curveTimes = decoded(run.curve_t, Float64Array);
 
 // Share of each joint marker in what is left of the fit, 1 at the marker itself: inverse squares of the distance.
