@@ -18,7 +18,7 @@ loads       forces, springs, dampers                         Q_F of (20)
 
 Scenes come from elsewhere:
 
-modes       shapes of beams, lumped masses                   (15)-(19)
+modes       shapes of beams, exact or with lumped masses     (15)-(19)
 fe          bodies from finite elements                      (15)-(20)
 scenes      the built-in scenes
 cli         the command line

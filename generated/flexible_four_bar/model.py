@@ -29,61 +29,61 @@ def constants() -> ca.Function:
     coupler_area = p[5]
     coupler_youngs_modulus = p[6]
     coupler_second_moment = p[7]
-    beam20_pinned_pinned2_kappa_lateral_0_0 = p[8]
-    beam20_pinned_pinned2_kappa_lateral_1_1 = p[9]
-    beam20_pinned_pinned2_mass_0_0 = p[10]
-    beam20_pinned_pinned2_mass_1_1 = p[11]
-    beam20_pinned_pinned2_s1_0_0 = p[12]
-    beam20_pinned_pinned2_i0_0_0 = p[13]
-    beam20_pinned_pinned2_phi_y_0_0 = p[14]
-    beam20_pinned_pinned2_xi_phi_y_0_0 = p[15]
-    beam20_pinned_pinned2_xi_phi_y_1_0 = p[16]
-    beam20_pinned_pinned2_H_0_0 = p[17]
-    beam20_pinned_pinned2_H_0_1 = p[18]
-    beam20_pinned_pinned2_H_1_0 = p[19]
-    beam20_pinned_pinned2_H_1_1 = p[20]
-    beam20_pinned_pinned2_xH_0_0 = p[21]
-    beam20_pinned_pinned2_xH_0_1 = p[22]
-    beam20_pinned_pinned2_xH_1_0 = p[23]
-    beam20_pinned_pinned2_xH_1_1 = p[24]
+    beam_pinned_pinned2_kappa_lateral_0_0 = p[8]
+    beam_pinned_pinned2_kappa_lateral_1_1 = p[9]
+    beam_pinned_pinned2_mass_0_0 = p[10]
+    beam_pinned_pinned2_mass_1_1 = p[11]
+    beam_pinned_pinned2_s1_0_0 = p[12]
+    beam_pinned_pinned2_i0_0_0 = p[13]
+    beam_pinned_pinned2_phi_y_0_0 = p[14]
+    beam_pinned_pinned2_xi_phi_y_0_0 = p[15]
+    beam_pinned_pinned2_xi_phi_y_1_0 = p[16]
+    beam_pinned_pinned2_H_0_0 = p[17]
+    beam_pinned_pinned2_H_0_1 = p[18]
+    beam_pinned_pinned2_H_1_0 = p[19]
+    beam_pinned_pinned2_H_1_1 = p[20]
+    beam_pinned_pinned2_xH_0_0 = p[21]
+    beam_pinned_pinned2_xH_0_1 = p[22]
+    beam_pinned_pinned2_xH_1_0 = p[23]
+    beam_pinned_pinned2_xH_1_1 = p[24]
     rocker_length = p[25]
     rocker_density = p[26]
     rocker_area = p[27]
     rocker_youngs_modulus = p[28]
     rocker_second_moment = p[29]
     crank_tip_x = p[30]
-    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
-    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    beam_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
     # intermediate terms (30)
     w0 = coupler_density * coupler_area
     w1 = w0 * coupler_length
-    w2 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
-    w3 = beam20_pinned_pinned2_1_0_H_1_1 / coupler_length
-    w4 = beam20_pinned_pinned2_1_0_H_0_0 / rocker_length
-    w5 = beam20_pinned_pinned2_1_0_H_1_1 / rocker_length
+    w2 = beam_pinned_pinned2_1_0_H_0_0 / coupler_length
+    w3 = beam_pinned_pinned2_1_0_H_1_1 / coupler_length
+    w4 = beam_pinned_pinned2_1_0_H_0_0 / rocker_length
+    w5 = beam_pinned_pinned2_1_0_H_1_1 / rocker_length
     w6 = rocker_density * rocker_area
     w7 = rocker_length * w6
     w8 = rocker_length**2
-    w9 = w7 * beam20_pinned_pinned2_mass_0_0
-    w10 = w7 * beam20_pinned_pinned2_xH_0_0
-    w11 = w7 * beam20_pinned_pinned2_mass_1_1
-    w12 = w7 * beam20_pinned_pinned2_xH_1_1
+    w9 = w7 * beam_pinned_pinned2_mass_0_0
+    w10 = w7 * beam_pinned_pinned2_xH_0_0
+    w11 = w7 * beam_pinned_pinned2_mass_1_1
+    w12 = w7 * beam_pinned_pinned2_xH_1_1
     w13 = coupler_length * w1
-    w14 = w0 * beam20_pinned_pinned2_H_0_0
-    w15 = w0 * beam20_pinned_pinned2_H_0_1
-    w16 = w0 * beam20_pinned_pinned2_H_1_0
-    w17 = w0 * beam20_pinned_pinned2_H_1_1
+    w14 = w0 * beam_pinned_pinned2_H_0_0
+    w15 = w0 * beam_pinned_pinned2_H_0_1
+    w16 = w0 * beam_pinned_pinned2_H_1_0
+    w17 = w0 * beam_pinned_pinned2_H_1_1
     w18 = coupler_length**2
-    w19 = w1 * beam20_pinned_pinned2_mass_0_0
-    w20 = w1 * beam20_pinned_pinned2_xH_0_0
-    w21 = w1 * beam20_pinned_pinned2_mass_1_1
-    w22 = w1 * beam20_pinned_pinned2_xH_1_1
+    w19 = w1 * beam_pinned_pinned2_mass_0_0
+    w20 = w1 * beam_pinned_pinned2_xH_0_0
+    w21 = w1 * beam_pinned_pinned2_mass_1_1
+    w22 = w1 * beam_pinned_pinned2_xH_1_1
     w23 = rocker_length * w7
-    w24 = w6 * beam20_pinned_pinned2_H_0_0
-    w25 = w6 * beam20_pinned_pinned2_H_0_1
-    w26 = w6 * beam20_pinned_pinned2_H_1_0
-    w27 = w6 * beam20_pinned_pinned2_H_1_1
+    w24 = w6 * beam_pinned_pinned2_H_0_0
+    w25 = w6 * beam_pinned_pinned2_H_0_1
+    w26 = w6 * beam_pinned_pinned2_H_1_0
+    w27 = w6 * beam_pinned_pinned2_H_1_1
     w28 = coupler_youngs_modulus * coupler_second_moment / (coupler_length * w18)
     w29 = rocker_youngs_modulus * rocker_second_moment / (rocker_length * w8)
     # outputs
@@ -97,42 +97,42 @@ def constants() -> ca.Function:
         rocker_length,  # rocker_length
         w4,  # c7
         w5,  # c8
-        w7 * w8 * beam20_pinned_pinned2_i0_0_0,  # c9
+        w7 * w8 * beam_pinned_pinned2_i0_0_0,  # c9
         w9,  # c10
         w10,  # c11
-        w7 * beam20_pinned_pinned2_xH_0_1,  # c12
+        w7 * beam_pinned_pinned2_xH_0_1,  # c12
         w11,  # c13
-        w7 * beam20_pinned_pinned2_xH_1_0,  # c14
+        w7 * beam_pinned_pinned2_xH_1_0,  # c14
         w12,  # c15
-        w13 * beam20_pinned_pinned2_s1_0_0,  # c16
+        w13 * beam_pinned_pinned2_s1_0_0,  # c16
         w14,  # c17
         w15,  # c18
         w16,  # c19
         w17,  # c20
-        w1 * beam20_pinned_pinned2_phi_y_0_0,  # c21
-        beam20_pinned_pinned2_i0_0_0 * (w1 * w18),  # c22
+        w1 * beam_pinned_pinned2_phi_y_0_0,  # c21
+        beam_pinned_pinned2_i0_0_0 * (w1 * w18),  # c22
         w19,  # c23
         w20,  # c24
-        w1 * beam20_pinned_pinned2_xH_0_1,  # c25
+        w1 * beam_pinned_pinned2_xH_0_1,  # c25
         w21,  # c26
-        w1 * beam20_pinned_pinned2_xH_1_0,  # c27
+        w1 * beam_pinned_pinned2_xH_1_0,  # c27
         w22,  # c28
-        w13 * beam20_pinned_pinned2_xi_phi_y_0_0,  # c29
-        w13 * beam20_pinned_pinned2_xi_phi_y_1_0,  # c30
-        beam20_pinned_pinned2_xi_phi_y_0_0 * w23,  # c31
-        beam20_pinned_pinned2_xi_phi_y_1_0 * w23,  # c32
+        w13 * beam_pinned_pinned2_xi_phi_y_0_0,  # c29
+        w13 * beam_pinned_pinned2_xi_phi_y_1_0,  # c30
+        beam_pinned_pinned2_xi_phi_y_0_0 * w23,  # c31
+        beam_pinned_pinned2_xi_phi_y_1_0 * w23,  # c32
         gravity_y,  # gravity_y
         w1 * gravity_y,  # c34
-        beam20_pinned_pinned2_s1_0_0 * w23,  # c35
+        beam_pinned_pinned2_s1_0_0 * w23,  # c35
         w24,  # c36
         w25,  # c37
         w26,  # c38
         w27,  # c39
-        w7 * beam20_pinned_pinned2_phi_y_0_0,  # c40
-        w28 * beam20_pinned_pinned2_kappa_lateral_0_0,  # c41
-        w28 * beam20_pinned_pinned2_kappa_lateral_1_1,  # c42
-        beam20_pinned_pinned2_kappa_lateral_0_0 * w29,  # c43
-        beam20_pinned_pinned2_kappa_lateral_1_1 * w29,  # c44
+        w7 * beam_pinned_pinned2_phi_y_0_0,  # c40
+        w28 * beam_pinned_pinned2_kappa_lateral_0_0,  # c41
+        w28 * beam_pinned_pinned2_kappa_lateral_1_1,  # c42
+        beam_pinned_pinned2_kappa_lateral_0_0 * w29,  # c43
+        beam_pinned_pinned2_kappa_lateral_1_1 * w29,  # c44
         ground_right_x,  # ground_right_x
         crank_inertia,  # crank_inertia
         w7,  # c47
@@ -2786,192 +2786,192 @@ def geometry() -> ca.Function:
     rocker_area = p[27]
     rocker_second_moment = p[29]
     crank_tip_x = p[30]
-    beam20_pinned_pinned2_0_0_slope_0_0 = p[31]
-    beam20_pinned_pinned2_0_0_slope_1_0 = p[32]
-    beam20_pinned_pinned2_1_0_slope_0_0 = p[33]
-    beam20_pinned_pinned2_1_0_slope_1_0 = p[34]
-    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
-    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    beam_pinned_pinned2_0_0_slope_0_0 = p[31]
+    beam_pinned_pinned2_0_0_slope_1_0 = p[32]
+    beam_pinned_pinned2_1_0_slope_0_0 = p[33]
+    beam_pinned_pinned2_1_0_slope_1_0 = p[34]
+    beam_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam_pinned_pinned2_1_0_H_1_1 = p[36]
     ground_right_x = p[37]
-    beam20_pinned_pinned2_0_0625_at_0_0 = p[38]
-    beam20_pinned_pinned2_0_0625_shape_1_0 = p[39]
-    beam20_pinned_pinned2_0_0625_shape_1_1 = p[40]
-    beam20_pinned_pinned2_0_0625_slope_0_0 = p[41]
-    beam20_pinned_pinned2_0_0625_slope_1_0 = p[42]
-    beam20_pinned_pinned2_0_0625_H_0_0 = p[43]
-    beam20_pinned_pinned2_0_0625_H_0_1 = p[44]
-    beam20_pinned_pinned2_0_0625_H_1_0 = p[45]
-    beam20_pinned_pinned2_0_0625_H_1_1 = p[46]
-    beam20_pinned_pinned2_0_125_at_0_0 = p[47]
-    beam20_pinned_pinned2_0_125_shape_1_0 = p[48]
-    beam20_pinned_pinned2_0_125_shape_1_1 = p[49]
-    beam20_pinned_pinned2_0_125_slope_0_0 = p[50]
-    beam20_pinned_pinned2_0_125_slope_1_0 = p[51]
-    beam20_pinned_pinned2_0_125_H_0_0 = p[52]
-    beam20_pinned_pinned2_0_125_H_0_1 = p[53]
-    beam20_pinned_pinned2_0_125_H_1_0 = p[54]
-    beam20_pinned_pinned2_0_125_H_1_1 = p[55]
-    beam20_pinned_pinned2_0_1875_at_0_0 = p[56]
-    beam20_pinned_pinned2_0_1875_shape_1_0 = p[57]
-    beam20_pinned_pinned2_0_1875_shape_1_1 = p[58]
-    beam20_pinned_pinned2_0_1875_slope_0_0 = p[59]
-    beam20_pinned_pinned2_0_1875_slope_1_0 = p[60]
-    beam20_pinned_pinned2_0_1875_H_0_0 = p[61]
-    beam20_pinned_pinned2_0_1875_H_0_1 = p[62]
-    beam20_pinned_pinned2_0_1875_H_1_0 = p[63]
-    beam20_pinned_pinned2_0_1875_H_1_1 = p[64]
-    beam20_pinned_pinned2_0_25_at_0_0 = p[65]
-    beam20_pinned_pinned2_0_25_shape_1_0 = p[66]
-    beam20_pinned_pinned2_0_25_shape_1_1 = p[67]
-    beam20_pinned_pinned2_0_25_slope_0_0 = p[68]
-    beam20_pinned_pinned2_0_25_H_0_0 = p[69]
-    beam20_pinned_pinned2_0_25_H_0_1 = p[70]
-    beam20_pinned_pinned2_0_25_H_1_0 = p[71]
-    beam20_pinned_pinned2_0_25_H_1_1 = p[72]
-    beam20_pinned_pinned2_0_3125_at_0_0 = p[73]
-    beam20_pinned_pinned2_0_3125_shape_1_0 = p[74]
-    beam20_pinned_pinned2_0_3125_shape_1_1 = p[75]
-    beam20_pinned_pinned2_0_3125_slope_0_0 = p[76]
-    beam20_pinned_pinned2_0_3125_slope_1_0 = p[77]
-    beam20_pinned_pinned2_0_3125_H_0_0 = p[78]
-    beam20_pinned_pinned2_0_3125_H_0_1 = p[79]
-    beam20_pinned_pinned2_0_3125_H_1_0 = p[80]
-    beam20_pinned_pinned2_0_3125_H_1_1 = p[81]
-    beam20_pinned_pinned2_0_375_at_0_0 = p[82]
-    beam20_pinned_pinned2_0_375_shape_1_0 = p[83]
-    beam20_pinned_pinned2_0_375_shape_1_1 = p[84]
-    beam20_pinned_pinned2_0_375_slope_0_0 = p[85]
-    beam20_pinned_pinned2_0_375_slope_1_0 = p[86]
-    beam20_pinned_pinned2_0_375_H_0_0 = p[87]
-    beam20_pinned_pinned2_0_375_H_0_1 = p[88]
-    beam20_pinned_pinned2_0_375_H_1_0 = p[89]
-    beam20_pinned_pinned2_0_375_H_1_1 = p[90]
-    beam20_pinned_pinned2_0_4375_at_0_0 = p[91]
-    beam20_pinned_pinned2_0_4375_shape_1_0 = p[92]
-    beam20_pinned_pinned2_0_4375_shape_1_1 = p[93]
-    beam20_pinned_pinned2_0_4375_slope_0_0 = p[94]
-    beam20_pinned_pinned2_0_4375_slope_1_0 = p[95]
-    beam20_pinned_pinned2_0_4375_H_0_0 = p[96]
-    beam20_pinned_pinned2_0_4375_H_0_1 = p[97]
-    beam20_pinned_pinned2_0_4375_H_1_0 = p[98]
-    beam20_pinned_pinned2_0_4375_H_1_1 = p[99]
-    beam20_pinned_pinned2_0_5_at_0_0 = p[100]
-    beam20_pinned_pinned2_0_5_shape_1_0 = p[101]
-    beam20_pinned_pinned2_0_5_slope_1_0 = p[102]
-    beam20_pinned_pinned2_0_5_H_0_0 = p[103]
-    beam20_pinned_pinned2_0_5_H_0_1 = p[104]
-    beam20_pinned_pinned2_0_5_H_1_0 = p[105]
-    beam20_pinned_pinned2_0_5_H_1_1 = p[106]
-    beam20_pinned_pinned2_0_5625_at_0_0 = p[107]
-    beam20_pinned_pinned2_0_5625_shape_1_0 = p[108]
-    beam20_pinned_pinned2_0_5625_shape_1_1 = p[109]
-    beam20_pinned_pinned2_0_5625_slope_0_0 = p[110]
-    beam20_pinned_pinned2_0_5625_slope_1_0 = p[111]
-    beam20_pinned_pinned2_0_5625_H_0_0 = p[112]
-    beam20_pinned_pinned2_0_5625_H_0_1 = p[113]
-    beam20_pinned_pinned2_0_5625_H_1_0 = p[114]
-    beam20_pinned_pinned2_0_5625_H_1_1 = p[115]
-    beam20_pinned_pinned2_0_625_at_0_0 = p[116]
-    beam20_pinned_pinned2_0_625_shape_1_0 = p[117]
-    beam20_pinned_pinned2_0_625_shape_1_1 = p[118]
-    beam20_pinned_pinned2_0_625_slope_0_0 = p[119]
-    beam20_pinned_pinned2_0_625_slope_1_0 = p[120]
-    beam20_pinned_pinned2_0_625_H_0_0 = p[121]
-    beam20_pinned_pinned2_0_625_H_0_1 = p[122]
-    beam20_pinned_pinned2_0_625_H_1_0 = p[123]
-    beam20_pinned_pinned2_0_625_H_1_1 = p[124]
-    beam20_pinned_pinned2_0_6875_at_0_0 = p[125]
-    beam20_pinned_pinned2_0_6875_shape_1_0 = p[126]
-    beam20_pinned_pinned2_0_6875_shape_1_1 = p[127]
-    beam20_pinned_pinned2_0_6875_slope_0_0 = p[128]
-    beam20_pinned_pinned2_0_6875_slope_1_0 = p[129]
-    beam20_pinned_pinned2_0_6875_H_0_0 = p[130]
-    beam20_pinned_pinned2_0_6875_H_0_1 = p[131]
-    beam20_pinned_pinned2_0_6875_H_1_0 = p[132]
-    beam20_pinned_pinned2_0_6875_H_1_1 = p[133]
-    beam20_pinned_pinned2_0_75_at_0_0 = p[134]
-    beam20_pinned_pinned2_0_75_shape_1_0 = p[135]
-    beam20_pinned_pinned2_0_75_shape_1_1 = p[136]
-    beam20_pinned_pinned2_0_75_slope_0_0 = p[137]
-    beam20_pinned_pinned2_0_75_H_0_0 = p[138]
-    beam20_pinned_pinned2_0_75_H_0_1 = p[139]
-    beam20_pinned_pinned2_0_75_H_1_0 = p[140]
-    beam20_pinned_pinned2_0_75_H_1_1 = p[141]
-    beam20_pinned_pinned2_0_8125_at_0_0 = p[142]
-    beam20_pinned_pinned2_0_8125_shape_1_0 = p[143]
-    beam20_pinned_pinned2_0_8125_shape_1_1 = p[144]
-    beam20_pinned_pinned2_0_8125_slope_0_0 = p[145]
-    beam20_pinned_pinned2_0_8125_slope_1_0 = p[146]
-    beam20_pinned_pinned2_0_8125_H_0_0 = p[147]
-    beam20_pinned_pinned2_0_8125_H_0_1 = p[148]
-    beam20_pinned_pinned2_0_8125_H_1_0 = p[149]
-    beam20_pinned_pinned2_0_8125_H_1_1 = p[150]
-    beam20_pinned_pinned2_0_875_at_0_0 = p[151]
-    beam20_pinned_pinned2_0_875_shape_1_0 = p[152]
-    beam20_pinned_pinned2_0_875_shape_1_1 = p[153]
-    beam20_pinned_pinned2_0_875_slope_0_0 = p[154]
-    beam20_pinned_pinned2_0_875_slope_1_0 = p[155]
-    beam20_pinned_pinned2_0_875_H_0_0 = p[156]
-    beam20_pinned_pinned2_0_875_H_0_1 = p[157]
-    beam20_pinned_pinned2_0_875_H_1_0 = p[158]
-    beam20_pinned_pinned2_0_875_H_1_1 = p[159]
-    beam20_pinned_pinned2_0_9375_at_0_0 = p[160]
-    beam20_pinned_pinned2_0_9375_shape_1_0 = p[161]
-    beam20_pinned_pinned2_0_9375_shape_1_1 = p[162]
-    beam20_pinned_pinned2_0_9375_slope_0_0 = p[163]
-    beam20_pinned_pinned2_0_9375_slope_1_0 = p[164]
-    beam20_pinned_pinned2_0_9375_H_0_0 = p[165]
-    beam20_pinned_pinned2_0_9375_H_0_1 = p[166]
-    beam20_pinned_pinned2_0_9375_H_1_0 = p[167]
-    beam20_pinned_pinned2_0_9375_H_1_1 = p[168]
+    beam_pinned_pinned2_0_0625_at_0_0 = p[38]
+    beam_pinned_pinned2_0_0625_shape_1_0 = p[39]
+    beam_pinned_pinned2_0_0625_shape_1_1 = p[40]
+    beam_pinned_pinned2_0_0625_slope_0_0 = p[41]
+    beam_pinned_pinned2_0_0625_slope_1_0 = p[42]
+    beam_pinned_pinned2_0_0625_H_0_0 = p[43]
+    beam_pinned_pinned2_0_0625_H_0_1 = p[44]
+    beam_pinned_pinned2_0_0625_H_1_0 = p[45]
+    beam_pinned_pinned2_0_0625_H_1_1 = p[46]
+    beam_pinned_pinned2_0_125_at_0_0 = p[47]
+    beam_pinned_pinned2_0_125_shape_1_0 = p[48]
+    beam_pinned_pinned2_0_125_shape_1_1 = p[49]
+    beam_pinned_pinned2_0_125_slope_0_0 = p[50]
+    beam_pinned_pinned2_0_125_slope_1_0 = p[51]
+    beam_pinned_pinned2_0_125_H_0_0 = p[52]
+    beam_pinned_pinned2_0_125_H_0_1 = p[53]
+    beam_pinned_pinned2_0_125_H_1_0 = p[54]
+    beam_pinned_pinned2_0_125_H_1_1 = p[55]
+    beam_pinned_pinned2_0_1875_at_0_0 = p[56]
+    beam_pinned_pinned2_0_1875_shape_1_0 = p[57]
+    beam_pinned_pinned2_0_1875_shape_1_1 = p[58]
+    beam_pinned_pinned2_0_1875_slope_0_0 = p[59]
+    beam_pinned_pinned2_0_1875_slope_1_0 = p[60]
+    beam_pinned_pinned2_0_1875_H_0_0 = p[61]
+    beam_pinned_pinned2_0_1875_H_0_1 = p[62]
+    beam_pinned_pinned2_0_1875_H_1_0 = p[63]
+    beam_pinned_pinned2_0_1875_H_1_1 = p[64]
+    beam_pinned_pinned2_0_25_at_0_0 = p[65]
+    beam_pinned_pinned2_0_25_shape_1_0 = p[66]
+    beam_pinned_pinned2_0_25_shape_1_1 = p[67]
+    beam_pinned_pinned2_0_25_slope_0_0 = p[68]
+    beam_pinned_pinned2_0_25_H_0_0 = p[69]
+    beam_pinned_pinned2_0_25_H_0_1 = p[70]
+    beam_pinned_pinned2_0_25_H_1_0 = p[71]
+    beam_pinned_pinned2_0_25_H_1_1 = p[72]
+    beam_pinned_pinned2_0_3125_at_0_0 = p[73]
+    beam_pinned_pinned2_0_3125_shape_1_0 = p[74]
+    beam_pinned_pinned2_0_3125_shape_1_1 = p[75]
+    beam_pinned_pinned2_0_3125_slope_0_0 = p[76]
+    beam_pinned_pinned2_0_3125_slope_1_0 = p[77]
+    beam_pinned_pinned2_0_3125_H_0_0 = p[78]
+    beam_pinned_pinned2_0_3125_H_0_1 = p[79]
+    beam_pinned_pinned2_0_3125_H_1_0 = p[80]
+    beam_pinned_pinned2_0_3125_H_1_1 = p[81]
+    beam_pinned_pinned2_0_375_at_0_0 = p[82]
+    beam_pinned_pinned2_0_375_shape_1_0 = p[83]
+    beam_pinned_pinned2_0_375_shape_1_1 = p[84]
+    beam_pinned_pinned2_0_375_slope_0_0 = p[85]
+    beam_pinned_pinned2_0_375_slope_1_0 = p[86]
+    beam_pinned_pinned2_0_375_H_0_0 = p[87]
+    beam_pinned_pinned2_0_375_H_0_1 = p[88]
+    beam_pinned_pinned2_0_375_H_1_0 = p[89]
+    beam_pinned_pinned2_0_375_H_1_1 = p[90]
+    beam_pinned_pinned2_0_4375_at_0_0 = p[91]
+    beam_pinned_pinned2_0_4375_shape_1_0 = p[92]
+    beam_pinned_pinned2_0_4375_shape_1_1 = p[93]
+    beam_pinned_pinned2_0_4375_slope_0_0 = p[94]
+    beam_pinned_pinned2_0_4375_slope_1_0 = p[95]
+    beam_pinned_pinned2_0_4375_H_0_0 = p[96]
+    beam_pinned_pinned2_0_4375_H_0_1 = p[97]
+    beam_pinned_pinned2_0_4375_H_1_0 = p[98]
+    beam_pinned_pinned2_0_4375_H_1_1 = p[99]
+    beam_pinned_pinned2_0_5_at_0_0 = p[100]
+    beam_pinned_pinned2_0_5_shape_1_0 = p[101]
+    beam_pinned_pinned2_0_5_slope_1_0 = p[102]
+    beam_pinned_pinned2_0_5_H_0_0 = p[103]
+    beam_pinned_pinned2_0_5_H_0_1 = p[104]
+    beam_pinned_pinned2_0_5_H_1_0 = p[105]
+    beam_pinned_pinned2_0_5_H_1_1 = p[106]
+    beam_pinned_pinned2_0_5625_at_0_0 = p[107]
+    beam_pinned_pinned2_0_5625_shape_1_0 = p[108]
+    beam_pinned_pinned2_0_5625_shape_1_1 = p[109]
+    beam_pinned_pinned2_0_5625_slope_0_0 = p[110]
+    beam_pinned_pinned2_0_5625_slope_1_0 = p[111]
+    beam_pinned_pinned2_0_5625_H_0_0 = p[112]
+    beam_pinned_pinned2_0_5625_H_0_1 = p[113]
+    beam_pinned_pinned2_0_5625_H_1_0 = p[114]
+    beam_pinned_pinned2_0_5625_H_1_1 = p[115]
+    beam_pinned_pinned2_0_625_at_0_0 = p[116]
+    beam_pinned_pinned2_0_625_shape_1_0 = p[117]
+    beam_pinned_pinned2_0_625_shape_1_1 = p[118]
+    beam_pinned_pinned2_0_625_slope_0_0 = p[119]
+    beam_pinned_pinned2_0_625_slope_1_0 = p[120]
+    beam_pinned_pinned2_0_625_H_0_0 = p[121]
+    beam_pinned_pinned2_0_625_H_0_1 = p[122]
+    beam_pinned_pinned2_0_625_H_1_0 = p[123]
+    beam_pinned_pinned2_0_625_H_1_1 = p[124]
+    beam_pinned_pinned2_0_6875_at_0_0 = p[125]
+    beam_pinned_pinned2_0_6875_shape_1_0 = p[126]
+    beam_pinned_pinned2_0_6875_shape_1_1 = p[127]
+    beam_pinned_pinned2_0_6875_slope_0_0 = p[128]
+    beam_pinned_pinned2_0_6875_slope_1_0 = p[129]
+    beam_pinned_pinned2_0_6875_H_0_0 = p[130]
+    beam_pinned_pinned2_0_6875_H_0_1 = p[131]
+    beam_pinned_pinned2_0_6875_H_1_0 = p[132]
+    beam_pinned_pinned2_0_6875_H_1_1 = p[133]
+    beam_pinned_pinned2_0_75_at_0_0 = p[134]
+    beam_pinned_pinned2_0_75_shape_1_0 = p[135]
+    beam_pinned_pinned2_0_75_shape_1_1 = p[136]
+    beam_pinned_pinned2_0_75_slope_0_0 = p[137]
+    beam_pinned_pinned2_0_75_H_0_0 = p[138]
+    beam_pinned_pinned2_0_75_H_0_1 = p[139]
+    beam_pinned_pinned2_0_75_H_1_0 = p[140]
+    beam_pinned_pinned2_0_75_H_1_1 = p[141]
+    beam_pinned_pinned2_0_8125_at_0_0 = p[142]
+    beam_pinned_pinned2_0_8125_shape_1_0 = p[143]
+    beam_pinned_pinned2_0_8125_shape_1_1 = p[144]
+    beam_pinned_pinned2_0_8125_slope_0_0 = p[145]
+    beam_pinned_pinned2_0_8125_slope_1_0 = p[146]
+    beam_pinned_pinned2_0_8125_H_0_0 = p[147]
+    beam_pinned_pinned2_0_8125_H_0_1 = p[148]
+    beam_pinned_pinned2_0_8125_H_1_0 = p[149]
+    beam_pinned_pinned2_0_8125_H_1_1 = p[150]
+    beam_pinned_pinned2_0_875_at_0_0 = p[151]
+    beam_pinned_pinned2_0_875_shape_1_0 = p[152]
+    beam_pinned_pinned2_0_875_shape_1_1 = p[153]
+    beam_pinned_pinned2_0_875_slope_0_0 = p[154]
+    beam_pinned_pinned2_0_875_slope_1_0 = p[155]
+    beam_pinned_pinned2_0_875_H_0_0 = p[156]
+    beam_pinned_pinned2_0_875_H_0_1 = p[157]
+    beam_pinned_pinned2_0_875_H_1_0 = p[158]
+    beam_pinned_pinned2_0_875_H_1_1 = p[159]
+    beam_pinned_pinned2_0_9375_at_0_0 = p[160]
+    beam_pinned_pinned2_0_9375_shape_1_0 = p[161]
+    beam_pinned_pinned2_0_9375_shape_1_1 = p[162]
+    beam_pinned_pinned2_0_9375_slope_0_0 = p[163]
+    beam_pinned_pinned2_0_9375_slope_1_0 = p[164]
+    beam_pinned_pinned2_0_9375_H_0_0 = p[165]
+    beam_pinned_pinned2_0_9375_H_0_1 = p[166]
+    beam_pinned_pinned2_0_9375_H_1_0 = p[167]
+    beam_pinned_pinned2_0_9375_H_1_1 = p[168]
     # intermediate terms (14)
-    w0 = beam20_pinned_pinned2_0_0_slope_0_0 / coupler_length
-    w1 = beam20_pinned_pinned2_0_0_slope_1_0 / coupler_length
-    w2 = beam20_pinned_pinned2_1_0_slope_0_0 / coupler_length
-    w3 = beam20_pinned_pinned2_1_0_slope_1_0 / coupler_length
-    w4 = beam20_pinned_pinned2_0_0_slope_0_0 / rocker_length
-    w5 = beam20_pinned_pinned2_0_0_slope_1_0 / rocker_length
-    w6 = beam20_pinned_pinned2_1_0_slope_0_0 / rocker_length
-    w7 = beam20_pinned_pinned2_1_0_slope_1_0 / rocker_length
-    w8 = beam20_pinned_pinned2_1_0_H_0_0 / coupler_length
-    w9 = beam20_pinned_pinned2_1_0_H_1_1 / coupler_length
-    w10 = beam20_pinned_pinned2_1_0_H_0_0 / rocker_length
-    w11 = beam20_pinned_pinned2_1_0_H_1_1 / rocker_length
+    w0 = beam_pinned_pinned2_0_0_slope_0_0 / coupler_length
+    w1 = beam_pinned_pinned2_0_0_slope_1_0 / coupler_length
+    w2 = beam_pinned_pinned2_1_0_slope_0_0 / coupler_length
+    w3 = beam_pinned_pinned2_1_0_slope_1_0 / coupler_length
+    w4 = beam_pinned_pinned2_0_0_slope_0_0 / rocker_length
+    w5 = beam_pinned_pinned2_0_0_slope_1_0 / rocker_length
+    w6 = beam_pinned_pinned2_1_0_slope_0_0 / rocker_length
+    w7 = beam_pinned_pinned2_1_0_slope_1_0 / rocker_length
+    w8 = beam_pinned_pinned2_1_0_H_0_0 / coupler_length
+    w9 = beam_pinned_pinned2_1_0_H_1_1 / coupler_length
+    w10 = beam_pinned_pinned2_1_0_H_0_0 / rocker_length
+    w11 = beam_pinned_pinned2_1_0_H_1_1 / rocker_length
     w12 = ca.sqrt(12.0 * coupler_second_moment / coupler_area)
     w13 = ca.sqrt(12.0 * rocker_second_moment / rocker_area)
     # outputs
     positions = ca.SX(3, 42)
-    positions[0, 1] = coupler_length * beam20_pinned_pinned2_0_0625_at_0_0
-    positions[0, 2] = coupler_length * beam20_pinned_pinned2_0_125_at_0_0
-    positions[0, 3] = coupler_length * beam20_pinned_pinned2_0_1875_at_0_0
-    positions[0, 4] = coupler_length * beam20_pinned_pinned2_0_25_at_0_0
-    positions[0, 5] = coupler_length * beam20_pinned_pinned2_0_3125_at_0_0
-    positions[0, 6] = coupler_length * beam20_pinned_pinned2_0_375_at_0_0
-    positions[0, 7] = coupler_length * beam20_pinned_pinned2_0_4375_at_0_0
-    positions[0, 8] = coupler_length * beam20_pinned_pinned2_0_5_at_0_0
-    positions[0, 9] = coupler_length * beam20_pinned_pinned2_0_5625_at_0_0
-    positions[0, 10] = coupler_length * beam20_pinned_pinned2_0_625_at_0_0
-    positions[0, 11] = coupler_length * beam20_pinned_pinned2_0_6875_at_0_0
-    positions[0, 12] = coupler_length * beam20_pinned_pinned2_0_75_at_0_0
-    positions[0, 13] = coupler_length * beam20_pinned_pinned2_0_8125_at_0_0
-    positions[0, 14] = coupler_length * beam20_pinned_pinned2_0_875_at_0_0
-    positions[0, 15] = coupler_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 1] = coupler_length * beam_pinned_pinned2_0_0625_at_0_0
+    positions[0, 2] = coupler_length * beam_pinned_pinned2_0_125_at_0_0
+    positions[0, 3] = coupler_length * beam_pinned_pinned2_0_1875_at_0_0
+    positions[0, 4] = coupler_length * beam_pinned_pinned2_0_25_at_0_0
+    positions[0, 5] = coupler_length * beam_pinned_pinned2_0_3125_at_0_0
+    positions[0, 6] = coupler_length * beam_pinned_pinned2_0_375_at_0_0
+    positions[0, 7] = coupler_length * beam_pinned_pinned2_0_4375_at_0_0
+    positions[0, 8] = coupler_length * beam_pinned_pinned2_0_5_at_0_0
+    positions[0, 9] = coupler_length * beam_pinned_pinned2_0_5625_at_0_0
+    positions[0, 10] = coupler_length * beam_pinned_pinned2_0_625_at_0_0
+    positions[0, 11] = coupler_length * beam_pinned_pinned2_0_6875_at_0_0
+    positions[0, 12] = coupler_length * beam_pinned_pinned2_0_75_at_0_0
+    positions[0, 13] = coupler_length * beam_pinned_pinned2_0_8125_at_0_0
+    positions[0, 14] = coupler_length * beam_pinned_pinned2_0_875_at_0_0
+    positions[0, 15] = coupler_length * beam_pinned_pinned2_0_9375_at_0_0
     positions[0, 16] = coupler_length
-    positions[0, 18] = rocker_length * beam20_pinned_pinned2_0_0625_at_0_0
-    positions[0, 19] = rocker_length * beam20_pinned_pinned2_0_125_at_0_0
-    positions[0, 20] = rocker_length * beam20_pinned_pinned2_0_1875_at_0_0
-    positions[0, 21] = rocker_length * beam20_pinned_pinned2_0_25_at_0_0
-    positions[0, 22] = rocker_length * beam20_pinned_pinned2_0_3125_at_0_0
-    positions[0, 23] = rocker_length * beam20_pinned_pinned2_0_375_at_0_0
-    positions[0, 24] = rocker_length * beam20_pinned_pinned2_0_4375_at_0_0
-    positions[0, 25] = rocker_length * beam20_pinned_pinned2_0_5_at_0_0
-    positions[0, 26] = rocker_length * beam20_pinned_pinned2_0_5625_at_0_0
-    positions[0, 27] = rocker_length * beam20_pinned_pinned2_0_625_at_0_0
-    positions[0, 28] = rocker_length * beam20_pinned_pinned2_0_6875_at_0_0
-    positions[0, 29] = rocker_length * beam20_pinned_pinned2_0_75_at_0_0
-    positions[0, 30] = rocker_length * beam20_pinned_pinned2_0_8125_at_0_0
-    positions[0, 31] = rocker_length * beam20_pinned_pinned2_0_875_at_0_0
-    positions[0, 32] = rocker_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 18] = rocker_length * beam_pinned_pinned2_0_0625_at_0_0
+    positions[0, 19] = rocker_length * beam_pinned_pinned2_0_125_at_0_0
+    positions[0, 20] = rocker_length * beam_pinned_pinned2_0_1875_at_0_0
+    positions[0, 21] = rocker_length * beam_pinned_pinned2_0_25_at_0_0
+    positions[0, 22] = rocker_length * beam_pinned_pinned2_0_3125_at_0_0
+    positions[0, 23] = rocker_length * beam_pinned_pinned2_0_375_at_0_0
+    positions[0, 24] = rocker_length * beam_pinned_pinned2_0_4375_at_0_0
+    positions[0, 25] = rocker_length * beam_pinned_pinned2_0_5_at_0_0
+    positions[0, 26] = rocker_length * beam_pinned_pinned2_0_5625_at_0_0
+    positions[0, 27] = rocker_length * beam_pinned_pinned2_0_625_at_0_0
+    positions[0, 28] = rocker_length * beam_pinned_pinned2_0_6875_at_0_0
+    positions[0, 29] = rocker_length * beam_pinned_pinned2_0_75_at_0_0
+    positions[0, 30] = rocker_length * beam_pinned_pinned2_0_8125_at_0_0
+    positions[0, 31] = rocker_length * beam_pinned_pinned2_0_875_at_0_0
+    positions[0, 32] = rocker_length * beam_pinned_pinned2_0_9375_at_0_0
     positions[0, 33] = rocker_length
     positions[0, 35] = ground_right_x
     positions[0, 37] = crank_tip_x
@@ -3105,125 +3105,125 @@ def geometry() -> ca.Function:
     axes[8, 40] = 1.0
     axes[8, 41] = 1.0
     shapes = ca.SX(3, 76)
-    shapes[1, 2] = beam20_pinned_pinned2_0_0625_shape_1_0
-    shapes[1, 3] = beam20_pinned_pinned2_0_0625_shape_1_1
-    shapes[1, 4] = beam20_pinned_pinned2_0_125_shape_1_0
-    shapes[1, 5] = beam20_pinned_pinned2_0_125_shape_1_1
-    shapes[1, 6] = beam20_pinned_pinned2_0_1875_shape_1_0
-    shapes[1, 7] = beam20_pinned_pinned2_0_1875_shape_1_1
-    shapes[1, 8] = beam20_pinned_pinned2_0_25_shape_1_0
-    shapes[1, 9] = beam20_pinned_pinned2_0_25_shape_1_1
-    shapes[1, 10] = beam20_pinned_pinned2_0_3125_shape_1_0
-    shapes[1, 11] = beam20_pinned_pinned2_0_3125_shape_1_1
-    shapes[1, 12] = beam20_pinned_pinned2_0_375_shape_1_0
-    shapes[1, 13] = beam20_pinned_pinned2_0_375_shape_1_1
-    shapes[1, 14] = beam20_pinned_pinned2_0_4375_shape_1_0
-    shapes[1, 15] = beam20_pinned_pinned2_0_4375_shape_1_1
-    shapes[1, 16] = beam20_pinned_pinned2_0_5_shape_1_0
-    shapes[1, 18] = beam20_pinned_pinned2_0_5625_shape_1_0
-    shapes[1, 19] = beam20_pinned_pinned2_0_5625_shape_1_1
-    shapes[1, 20] = beam20_pinned_pinned2_0_625_shape_1_0
-    shapes[1, 21] = beam20_pinned_pinned2_0_625_shape_1_1
-    shapes[1, 22] = beam20_pinned_pinned2_0_6875_shape_1_0
-    shapes[1, 23] = beam20_pinned_pinned2_0_6875_shape_1_1
-    shapes[1, 24] = beam20_pinned_pinned2_0_75_shape_1_0
-    shapes[1, 25] = beam20_pinned_pinned2_0_75_shape_1_1
-    shapes[1, 26] = beam20_pinned_pinned2_0_8125_shape_1_0
-    shapes[1, 27] = beam20_pinned_pinned2_0_8125_shape_1_1
-    shapes[1, 28] = beam20_pinned_pinned2_0_875_shape_1_0
-    shapes[1, 29] = beam20_pinned_pinned2_0_875_shape_1_1
-    shapes[1, 30] = beam20_pinned_pinned2_0_9375_shape_1_0
-    shapes[1, 31] = beam20_pinned_pinned2_0_9375_shape_1_1
-    shapes[1, 36] = beam20_pinned_pinned2_0_0625_shape_1_0
-    shapes[1, 37] = beam20_pinned_pinned2_0_0625_shape_1_1
-    shapes[1, 38] = beam20_pinned_pinned2_0_125_shape_1_0
-    shapes[1, 39] = beam20_pinned_pinned2_0_125_shape_1_1
-    shapes[1, 40] = beam20_pinned_pinned2_0_1875_shape_1_0
-    shapes[1, 41] = beam20_pinned_pinned2_0_1875_shape_1_1
-    shapes[1, 42] = beam20_pinned_pinned2_0_25_shape_1_0
-    shapes[1, 43] = beam20_pinned_pinned2_0_25_shape_1_1
-    shapes[1, 44] = beam20_pinned_pinned2_0_3125_shape_1_0
-    shapes[1, 45] = beam20_pinned_pinned2_0_3125_shape_1_1
-    shapes[1, 46] = beam20_pinned_pinned2_0_375_shape_1_0
-    shapes[1, 47] = beam20_pinned_pinned2_0_375_shape_1_1
-    shapes[1, 48] = beam20_pinned_pinned2_0_4375_shape_1_0
-    shapes[1, 49] = beam20_pinned_pinned2_0_4375_shape_1_1
-    shapes[1, 50] = beam20_pinned_pinned2_0_5_shape_1_0
-    shapes[1, 52] = beam20_pinned_pinned2_0_5625_shape_1_0
-    shapes[1, 53] = beam20_pinned_pinned2_0_5625_shape_1_1
-    shapes[1, 54] = beam20_pinned_pinned2_0_625_shape_1_0
-    shapes[1, 55] = beam20_pinned_pinned2_0_625_shape_1_1
-    shapes[1, 56] = beam20_pinned_pinned2_0_6875_shape_1_0
-    shapes[1, 57] = beam20_pinned_pinned2_0_6875_shape_1_1
-    shapes[1, 58] = beam20_pinned_pinned2_0_75_shape_1_0
-    shapes[1, 59] = beam20_pinned_pinned2_0_75_shape_1_1
-    shapes[1, 60] = beam20_pinned_pinned2_0_8125_shape_1_0
-    shapes[1, 61] = beam20_pinned_pinned2_0_8125_shape_1_1
-    shapes[1, 62] = beam20_pinned_pinned2_0_875_shape_1_0
-    shapes[1, 63] = beam20_pinned_pinned2_0_875_shape_1_1
-    shapes[1, 64] = beam20_pinned_pinned2_0_9375_shape_1_0
-    shapes[1, 65] = beam20_pinned_pinned2_0_9375_shape_1_1
+    shapes[1, 2] = beam_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 3] = beam_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 4] = beam_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 5] = beam_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 6] = beam_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 7] = beam_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 8] = beam_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 9] = beam_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 10] = beam_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 11] = beam_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 12] = beam_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 13] = beam_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 14] = beam_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 15] = beam_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 16] = beam_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 18] = beam_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 19] = beam_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 20] = beam_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 21] = beam_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 22] = beam_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 23] = beam_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 24] = beam_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 25] = beam_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 26] = beam_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 27] = beam_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 28] = beam_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 29] = beam_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 30] = beam_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 31] = beam_pinned_pinned2_0_9375_shape_1_1
+    shapes[1, 36] = beam_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 37] = beam_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 38] = beam_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 39] = beam_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 40] = beam_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 41] = beam_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 42] = beam_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 43] = beam_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 44] = beam_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 45] = beam_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 46] = beam_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 47] = beam_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 48] = beam_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 49] = beam_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 50] = beam_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 52] = beam_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 53] = beam_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 54] = beam_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 55] = beam_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 56] = beam_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 57] = beam_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 58] = beam_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 59] = beam_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 60] = beam_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 61] = beam_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 62] = beam_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 63] = beam_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 64] = beam_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 65] = beam_pinned_pinned2_0_9375_shape_1_1
     turns = ca.SX(3, 76)
     turns[2, 0] = w0
     turns[2, 1] = w1
-    turns[2, 2] = beam20_pinned_pinned2_0_0625_slope_0_0 / coupler_length
-    turns[2, 3] = beam20_pinned_pinned2_0_0625_slope_1_0 / coupler_length
-    turns[2, 4] = beam20_pinned_pinned2_0_125_slope_0_0 / coupler_length
-    turns[2, 5] = beam20_pinned_pinned2_0_125_slope_1_0 / coupler_length
-    turns[2, 6] = beam20_pinned_pinned2_0_1875_slope_0_0 / coupler_length
-    turns[2, 7] = beam20_pinned_pinned2_0_1875_slope_1_0 / coupler_length
-    turns[2, 8] = beam20_pinned_pinned2_0_25_slope_0_0 / coupler_length
-    turns[2, 10] = beam20_pinned_pinned2_0_3125_slope_0_0 / coupler_length
-    turns[2, 11] = beam20_pinned_pinned2_0_3125_slope_1_0 / coupler_length
-    turns[2, 12] = beam20_pinned_pinned2_0_375_slope_0_0 / coupler_length
-    turns[2, 13] = beam20_pinned_pinned2_0_375_slope_1_0 / coupler_length
-    turns[2, 14] = beam20_pinned_pinned2_0_4375_slope_0_0 / coupler_length
-    turns[2, 15] = beam20_pinned_pinned2_0_4375_slope_1_0 / coupler_length
-    turns[2, 17] = beam20_pinned_pinned2_0_5_slope_1_0 / coupler_length
-    turns[2, 18] = beam20_pinned_pinned2_0_5625_slope_0_0 / coupler_length
-    turns[2, 19] = beam20_pinned_pinned2_0_5625_slope_1_0 / coupler_length
-    turns[2, 20] = beam20_pinned_pinned2_0_625_slope_0_0 / coupler_length
-    turns[2, 21] = beam20_pinned_pinned2_0_625_slope_1_0 / coupler_length
-    turns[2, 22] = beam20_pinned_pinned2_0_6875_slope_0_0 / coupler_length
-    turns[2, 23] = beam20_pinned_pinned2_0_6875_slope_1_0 / coupler_length
-    turns[2, 24] = beam20_pinned_pinned2_0_75_slope_0_0 / coupler_length
-    turns[2, 26] = beam20_pinned_pinned2_0_8125_slope_0_0 / coupler_length
-    turns[2, 27] = beam20_pinned_pinned2_0_8125_slope_1_0 / coupler_length
-    turns[2, 28] = beam20_pinned_pinned2_0_875_slope_0_0 / coupler_length
-    turns[2, 29] = beam20_pinned_pinned2_0_875_slope_1_0 / coupler_length
-    turns[2, 30] = beam20_pinned_pinned2_0_9375_slope_0_0 / coupler_length
-    turns[2, 31] = beam20_pinned_pinned2_0_9375_slope_1_0 / coupler_length
+    turns[2, 2] = beam_pinned_pinned2_0_0625_slope_0_0 / coupler_length
+    turns[2, 3] = beam_pinned_pinned2_0_0625_slope_1_0 / coupler_length
+    turns[2, 4] = beam_pinned_pinned2_0_125_slope_0_0 / coupler_length
+    turns[2, 5] = beam_pinned_pinned2_0_125_slope_1_0 / coupler_length
+    turns[2, 6] = beam_pinned_pinned2_0_1875_slope_0_0 / coupler_length
+    turns[2, 7] = beam_pinned_pinned2_0_1875_slope_1_0 / coupler_length
+    turns[2, 8] = beam_pinned_pinned2_0_25_slope_0_0 / coupler_length
+    turns[2, 10] = beam_pinned_pinned2_0_3125_slope_0_0 / coupler_length
+    turns[2, 11] = beam_pinned_pinned2_0_3125_slope_1_0 / coupler_length
+    turns[2, 12] = beam_pinned_pinned2_0_375_slope_0_0 / coupler_length
+    turns[2, 13] = beam_pinned_pinned2_0_375_slope_1_0 / coupler_length
+    turns[2, 14] = beam_pinned_pinned2_0_4375_slope_0_0 / coupler_length
+    turns[2, 15] = beam_pinned_pinned2_0_4375_slope_1_0 / coupler_length
+    turns[2, 17] = beam_pinned_pinned2_0_5_slope_1_0 / coupler_length
+    turns[2, 18] = beam_pinned_pinned2_0_5625_slope_0_0 / coupler_length
+    turns[2, 19] = beam_pinned_pinned2_0_5625_slope_1_0 / coupler_length
+    turns[2, 20] = beam_pinned_pinned2_0_625_slope_0_0 / coupler_length
+    turns[2, 21] = beam_pinned_pinned2_0_625_slope_1_0 / coupler_length
+    turns[2, 22] = beam_pinned_pinned2_0_6875_slope_0_0 / coupler_length
+    turns[2, 23] = beam_pinned_pinned2_0_6875_slope_1_0 / coupler_length
+    turns[2, 24] = beam_pinned_pinned2_0_75_slope_0_0 / coupler_length
+    turns[2, 26] = beam_pinned_pinned2_0_8125_slope_0_0 / coupler_length
+    turns[2, 27] = beam_pinned_pinned2_0_8125_slope_1_0 / coupler_length
+    turns[2, 28] = beam_pinned_pinned2_0_875_slope_0_0 / coupler_length
+    turns[2, 29] = beam_pinned_pinned2_0_875_slope_1_0 / coupler_length
+    turns[2, 30] = beam_pinned_pinned2_0_9375_slope_0_0 / coupler_length
+    turns[2, 31] = beam_pinned_pinned2_0_9375_slope_1_0 / coupler_length
     turns[2, 32] = w2
     turns[2, 33] = w3
     turns[2, 34] = w4
     turns[2, 35] = w5
-    turns[2, 36] = beam20_pinned_pinned2_0_0625_slope_0_0 / rocker_length
-    turns[2, 37] = beam20_pinned_pinned2_0_0625_slope_1_0 / rocker_length
-    turns[2, 38] = beam20_pinned_pinned2_0_125_slope_0_0 / rocker_length
-    turns[2, 39] = beam20_pinned_pinned2_0_125_slope_1_0 / rocker_length
-    turns[2, 40] = beam20_pinned_pinned2_0_1875_slope_0_0 / rocker_length
-    turns[2, 41] = beam20_pinned_pinned2_0_1875_slope_1_0 / rocker_length
-    turns[2, 42] = beam20_pinned_pinned2_0_25_slope_0_0 / rocker_length
-    turns[2, 44] = beam20_pinned_pinned2_0_3125_slope_0_0 / rocker_length
-    turns[2, 45] = beam20_pinned_pinned2_0_3125_slope_1_0 / rocker_length
-    turns[2, 46] = beam20_pinned_pinned2_0_375_slope_0_0 / rocker_length
-    turns[2, 47] = beam20_pinned_pinned2_0_375_slope_1_0 / rocker_length
-    turns[2, 48] = beam20_pinned_pinned2_0_4375_slope_0_0 / rocker_length
-    turns[2, 49] = beam20_pinned_pinned2_0_4375_slope_1_0 / rocker_length
-    turns[2, 51] = beam20_pinned_pinned2_0_5_slope_1_0 / rocker_length
-    turns[2, 52] = beam20_pinned_pinned2_0_5625_slope_0_0 / rocker_length
-    turns[2, 53] = beam20_pinned_pinned2_0_5625_slope_1_0 / rocker_length
-    turns[2, 54] = beam20_pinned_pinned2_0_625_slope_0_0 / rocker_length
-    turns[2, 55] = beam20_pinned_pinned2_0_625_slope_1_0 / rocker_length
-    turns[2, 56] = beam20_pinned_pinned2_0_6875_slope_0_0 / rocker_length
-    turns[2, 57] = beam20_pinned_pinned2_0_6875_slope_1_0 / rocker_length
-    turns[2, 58] = beam20_pinned_pinned2_0_75_slope_0_0 / rocker_length
-    turns[2, 60] = beam20_pinned_pinned2_0_8125_slope_0_0 / rocker_length
-    turns[2, 61] = beam20_pinned_pinned2_0_8125_slope_1_0 / rocker_length
-    turns[2, 62] = beam20_pinned_pinned2_0_875_slope_0_0 / rocker_length
-    turns[2, 63] = beam20_pinned_pinned2_0_875_slope_1_0 / rocker_length
-    turns[2, 64] = beam20_pinned_pinned2_0_9375_slope_0_0 / rocker_length
-    turns[2, 65] = beam20_pinned_pinned2_0_9375_slope_1_0 / rocker_length
+    turns[2, 36] = beam_pinned_pinned2_0_0625_slope_0_0 / rocker_length
+    turns[2, 37] = beam_pinned_pinned2_0_0625_slope_1_0 / rocker_length
+    turns[2, 38] = beam_pinned_pinned2_0_125_slope_0_0 / rocker_length
+    turns[2, 39] = beam_pinned_pinned2_0_125_slope_1_0 / rocker_length
+    turns[2, 40] = beam_pinned_pinned2_0_1875_slope_0_0 / rocker_length
+    turns[2, 41] = beam_pinned_pinned2_0_1875_slope_1_0 / rocker_length
+    turns[2, 42] = beam_pinned_pinned2_0_25_slope_0_0 / rocker_length
+    turns[2, 44] = beam_pinned_pinned2_0_3125_slope_0_0 / rocker_length
+    turns[2, 45] = beam_pinned_pinned2_0_3125_slope_1_0 / rocker_length
+    turns[2, 46] = beam_pinned_pinned2_0_375_slope_0_0 / rocker_length
+    turns[2, 47] = beam_pinned_pinned2_0_375_slope_1_0 / rocker_length
+    turns[2, 48] = beam_pinned_pinned2_0_4375_slope_0_0 / rocker_length
+    turns[2, 49] = beam_pinned_pinned2_0_4375_slope_1_0 / rocker_length
+    turns[2, 51] = beam_pinned_pinned2_0_5_slope_1_0 / rocker_length
+    turns[2, 52] = beam_pinned_pinned2_0_5625_slope_0_0 / rocker_length
+    turns[2, 53] = beam_pinned_pinned2_0_5625_slope_1_0 / rocker_length
+    turns[2, 54] = beam_pinned_pinned2_0_625_slope_0_0 / rocker_length
+    turns[2, 55] = beam_pinned_pinned2_0_625_slope_1_0 / rocker_length
+    turns[2, 56] = beam_pinned_pinned2_0_6875_slope_0_0 / rocker_length
+    turns[2, 57] = beam_pinned_pinned2_0_6875_slope_1_0 / rocker_length
+    turns[2, 58] = beam_pinned_pinned2_0_75_slope_0_0 / rocker_length
+    turns[2, 60] = beam_pinned_pinned2_0_8125_slope_0_0 / rocker_length
+    turns[2, 61] = beam_pinned_pinned2_0_8125_slope_1_0 / rocker_length
+    turns[2, 62] = beam_pinned_pinned2_0_875_slope_0_0 / rocker_length
+    turns[2, 63] = beam_pinned_pinned2_0_875_slope_1_0 / rocker_length
+    turns[2, 64] = beam_pinned_pinned2_0_9375_slope_0_0 / rocker_length
+    turns[2, 65] = beam_pinned_pinned2_0_9375_slope_1_0 / rocker_length
     turns[2, 66] = w6
     turns[2, 67] = w7
     turns[2, 68] = w0
@@ -3235,76 +3235,68 @@ def geometry() -> ca.Function:
     turns[2, 74] = w4
     turns[2, 75] = w5
     H = ca.horzcat(
-        beam20_pinned_pinned2_0_0625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_0625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_0_1 / coupler_length, beam20_pinned_pinned2_0_125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_1875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_1875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_25_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_0_1 / coupler_length, beam20_pinned_pinned2_0_25_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_25_H_1_1 / coupler_length, beam20_pinned_pinned2_0_3125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_3125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_0_1 / coupler_length, beam20_pinned_pinned2_0_375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_375_H_1_1 / coupler_length, beam20_pinned_pinned2_0_4375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_4375_H_1_1 / coupler_length, beam20_pinned_pinned2_0_5_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_0_1 / coupler_length, beam20_pinned_pinned2_0_5_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5_H_1_1 / coupler_length, beam20_pinned_pinned2_0_5625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_5625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_625_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_0_1 / coupler_length, beam20_pinned_pinned2_0_625_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_625_H_1_1 / coupler_length, beam20_pinned_pinned2_0_6875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_6875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_75_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_0_1 / coupler_length, beam20_pinned_pinned2_0_75_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_75_H_1_1 / coupler_length, beam20_pinned_pinned2_0_8125_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_8125_H_1_1 / coupler_length, beam20_pinned_pinned2_0_875_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_0_1 / coupler_length, beam20_pinned_pinned2_0_875_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_875_H_1_1 / coupler_length, beam20_pinned_pinned2_0_9375_H_0_0 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_0_1 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / coupler_length,
-        beam20_pinned_pinned2_0_9375_H_1_1 / coupler_length, w8, 0.0, 0.0, w9,
-        beam20_pinned_pinned2_0_0625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_0625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_0625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_1875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_1875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_0_0 / rocker_length, beam20_pinned_pinned2_0_25_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rocker_length, beam20_pinned_pinned2_0_25_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_3125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_3125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_375_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_4375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_4375_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_0_0 / rocker_length, beam20_pinned_pinned2_0_5_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rocker_length, beam20_pinned_pinned2_0_5_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_5625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_5625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_0_0 / rocker_length, beam20_pinned_pinned2_0_625_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rocker_length, beam20_pinned_pinned2_0_625_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_6875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_6875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_0_0 / rocker_length, beam20_pinned_pinned2_0_75_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rocker_length, beam20_pinned_pinned2_0_75_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rocker_length, beam20_pinned_pinned2_0_8125_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rocker_length, beam20_pinned_pinned2_0_8125_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_0_0 / rocker_length, beam20_pinned_pinned2_0_875_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rocker_length, beam20_pinned_pinned2_0_875_H_1_1 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rocker_length, beam20_pinned_pinned2_0_9375_H_0_1 / rocker_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rocker_length, beam20_pinned_pinned2_0_9375_H_1_1 / rocker_length,
-        w10, 0.0, 0.0, w11, w8, 0.0, 0.0, w9, w10, 0.0, 0.0, w11,
+        beam_pinned_pinned2_0_0625_H_0_0 / coupler_length, beam_pinned_pinned2_0_0625_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_0625_H_1_0 / coupler_length, beam_pinned_pinned2_0_0625_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_125_H_0_0 / coupler_length, beam_pinned_pinned2_0_125_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_125_H_1_0 / coupler_length, beam_pinned_pinned2_0_125_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_1875_H_0_0 / coupler_length, beam_pinned_pinned2_0_1875_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_1875_H_1_0 / coupler_length, beam_pinned_pinned2_0_1875_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_25_H_0_0 / coupler_length, beam_pinned_pinned2_0_25_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_25_H_1_0 / coupler_length, beam_pinned_pinned2_0_25_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_3125_H_0_0 / coupler_length, beam_pinned_pinned2_0_3125_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_3125_H_1_0 / coupler_length, beam_pinned_pinned2_0_3125_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_375_H_0_0 / coupler_length, beam_pinned_pinned2_0_375_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_375_H_1_0 / coupler_length, beam_pinned_pinned2_0_375_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_4375_H_0_0 / coupler_length, beam_pinned_pinned2_0_4375_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_4375_H_1_0 / coupler_length, beam_pinned_pinned2_0_4375_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_5_H_0_0 / coupler_length, beam_pinned_pinned2_0_5_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_5_H_1_0 / coupler_length, beam_pinned_pinned2_0_5_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_5625_H_0_0 / coupler_length, beam_pinned_pinned2_0_5625_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_5625_H_1_0 / coupler_length, beam_pinned_pinned2_0_5625_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_625_H_0_0 / coupler_length, beam_pinned_pinned2_0_625_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_625_H_1_0 / coupler_length, beam_pinned_pinned2_0_625_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_6875_H_0_0 / coupler_length, beam_pinned_pinned2_0_6875_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_6875_H_1_0 / coupler_length, beam_pinned_pinned2_0_6875_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_75_H_0_0 / coupler_length, beam_pinned_pinned2_0_75_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_75_H_1_0 / coupler_length, beam_pinned_pinned2_0_75_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_8125_H_0_0 / coupler_length, beam_pinned_pinned2_0_8125_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_8125_H_1_0 / coupler_length, beam_pinned_pinned2_0_8125_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_875_H_0_0 / coupler_length, beam_pinned_pinned2_0_875_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_875_H_1_0 / coupler_length, beam_pinned_pinned2_0_875_H_1_1 / coupler_length,
+        beam_pinned_pinned2_0_9375_H_0_0 / coupler_length, beam_pinned_pinned2_0_9375_H_0_1 / coupler_length,
+        beam_pinned_pinned2_0_9375_H_1_0 / coupler_length, beam_pinned_pinned2_0_9375_H_1_1 / coupler_length,
+        w8, 0.0, 0.0, w9, beam_pinned_pinned2_0_0625_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_0625_H_0_1 / rocker_length, beam_pinned_pinned2_0_0625_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_0625_H_1_1 / rocker_length, beam_pinned_pinned2_0_125_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_125_H_0_1 / rocker_length, beam_pinned_pinned2_0_125_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_125_H_1_1 / rocker_length, beam_pinned_pinned2_0_1875_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_1875_H_0_1 / rocker_length, beam_pinned_pinned2_0_1875_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_1875_H_1_1 / rocker_length, beam_pinned_pinned2_0_25_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_25_H_0_1 / rocker_length, beam_pinned_pinned2_0_25_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_25_H_1_1 / rocker_length, beam_pinned_pinned2_0_3125_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_3125_H_0_1 / rocker_length, beam_pinned_pinned2_0_3125_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_3125_H_1_1 / rocker_length, beam_pinned_pinned2_0_375_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_375_H_0_1 / rocker_length, beam_pinned_pinned2_0_375_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_375_H_1_1 / rocker_length, beam_pinned_pinned2_0_4375_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_4375_H_0_1 / rocker_length, beam_pinned_pinned2_0_4375_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_4375_H_1_1 / rocker_length, beam_pinned_pinned2_0_5_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_5_H_0_1 / rocker_length, beam_pinned_pinned2_0_5_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_5_H_1_1 / rocker_length, beam_pinned_pinned2_0_5625_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_5625_H_0_1 / rocker_length, beam_pinned_pinned2_0_5625_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_5625_H_1_1 / rocker_length, beam_pinned_pinned2_0_625_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_625_H_0_1 / rocker_length, beam_pinned_pinned2_0_625_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_625_H_1_1 / rocker_length, beam_pinned_pinned2_0_6875_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_6875_H_0_1 / rocker_length, beam_pinned_pinned2_0_6875_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_6875_H_1_1 / rocker_length, beam_pinned_pinned2_0_75_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_75_H_0_1 / rocker_length, beam_pinned_pinned2_0_75_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_75_H_1_1 / rocker_length, beam_pinned_pinned2_0_8125_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_8125_H_0_1 / rocker_length, beam_pinned_pinned2_0_8125_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_8125_H_1_1 / rocker_length, beam_pinned_pinned2_0_875_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_875_H_0_1 / rocker_length, beam_pinned_pinned2_0_875_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_875_H_1_1 / rocker_length, beam_pinned_pinned2_0_9375_H_0_0 / rocker_length,
+        beam_pinned_pinned2_0_9375_H_0_1 / rocker_length, beam_pinned_pinned2_0_9375_H_1_0 / rocker_length,
+        beam_pinned_pinned2_0_9375_H_1_1 / rocker_length, w10, 0.0, 0.0, w11, w8, 0.0, 0.0, w9, w10, 0.0, 0.0,
+        w11,
     )
     sections = ca.vertcat(
         ca.horzcat(w12, w13),

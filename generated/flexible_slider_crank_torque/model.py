@@ -31,49 +31,49 @@ def constants() -> ca.Function:
     rod_area = p[7]
     rod_youngs_modulus = p[8]
     rod_second_moment = p[9]
-    beam20_pinned_pinned2_kappa_lateral_0_0 = p[10]
-    beam20_pinned_pinned2_kappa_lateral_1_1 = p[11]
-    beam20_pinned_pinned2_mass_0_0 = p[12]
-    beam20_pinned_pinned2_mass_1_1 = p[13]
+    beam_pinned_pinned2_kappa_lateral_0_0 = p[10]
+    beam_pinned_pinned2_kappa_lateral_1_1 = p[11]
+    beam_pinned_pinned2_mass_0_0 = p[12]
+    beam_pinned_pinned2_mass_1_1 = p[13]
     rod_damping_ratio = p[14]
-    beam20_pinned_pinned2_s1_0_0 = p[15]
-    beam20_pinned_pinned2_i0_0_0 = p[16]
-    beam20_pinned_pinned2_phi_y_0_0 = p[17]
-    beam20_pinned_pinned2_xi_phi_y_0_0 = p[18]
-    beam20_pinned_pinned2_xi_phi_y_1_0 = p[19]
-    beam20_pinned_pinned2_H_0_0 = p[20]
-    beam20_pinned_pinned2_H_0_1 = p[21]
-    beam20_pinned_pinned2_H_1_0 = p[22]
-    beam20_pinned_pinned2_H_1_1 = p[23]
-    beam20_pinned_pinned2_xH_0_0 = p[24]
-    beam20_pinned_pinned2_xH_0_1 = p[25]
-    beam20_pinned_pinned2_xH_1_0 = p[26]
-    beam20_pinned_pinned2_xH_1_1 = p[27]
+    beam_pinned_pinned2_s1_0_0 = p[15]
+    beam_pinned_pinned2_i0_0_0 = p[16]
+    beam_pinned_pinned2_phi_y_0_0 = p[17]
+    beam_pinned_pinned2_xi_phi_y_0_0 = p[18]
+    beam_pinned_pinned2_xi_phi_y_1_0 = p[19]
+    beam_pinned_pinned2_H_0_0 = p[20]
+    beam_pinned_pinned2_H_0_1 = p[21]
+    beam_pinned_pinned2_H_1_0 = p[22]
+    beam_pinned_pinned2_H_1_1 = p[23]
+    beam_pinned_pinned2_xH_0_0 = p[24]
+    beam_pinned_pinned2_xH_0_1 = p[25]
+    beam_pinned_pinned2_xH_1_0 = p[26]
+    beam_pinned_pinned2_xH_1_1 = p[27]
     slider_mass = p[28]
     slider_inertia = p[29]
     crank_tip_x = p[30]
-    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
-    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
+    beam_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam_pinned_pinned2_1_0_H_1_1 = p[36]
     # intermediate terms (19)
     w0 = rod_density * rod_area
     w1 = w0 * rod_length
-    w2 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
-    w3 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
+    w2 = beam_pinned_pinned2_1_0_H_0_0 / rod_length
+    w3 = beam_pinned_pinned2_1_0_H_1_1 / rod_length
     w4 = rod_length * w1
-    w5 = w0 * beam20_pinned_pinned2_H_0_0
-    w6 = w0 * beam20_pinned_pinned2_H_0_1
-    w7 = w0 * beam20_pinned_pinned2_H_1_0
-    w8 = w0 * beam20_pinned_pinned2_H_1_1
+    w5 = w0 * beam_pinned_pinned2_H_0_0
+    w6 = w0 * beam_pinned_pinned2_H_0_1
+    w7 = w0 * beam_pinned_pinned2_H_1_0
+    w8 = w0 * beam_pinned_pinned2_H_1_1
     w9 = rod_length**2
-    w10 = w1 * beam20_pinned_pinned2_mass_0_0
-    w11 = w1 * beam20_pinned_pinned2_xH_0_0
-    w12 = w1 * beam20_pinned_pinned2_mass_1_1
-    w13 = w1 * beam20_pinned_pinned2_xH_1_1
+    w10 = w1 * beam_pinned_pinned2_mass_0_0
+    w11 = w1 * beam_pinned_pinned2_xH_0_0
+    w12 = w1 * beam_pinned_pinned2_mass_1_1
+    w13 = w1 * beam_pinned_pinned2_xH_1_1
     w14 = crank_mass * crank_center_of_mass_x
     w15 = rod_youngs_modulus * rod_second_moment / (rod_length * w9)
-    w16 = w15 * beam20_pinned_pinned2_kappa_lateral_0_0
+    w16 = w15 * beam_pinned_pinned2_kappa_lateral_0_0
     w17 = 2 * rod_damping_ratio
-    w18 = w15 * beam20_pinned_pinned2_kappa_lateral_1_1
+    w18 = w15 * beam_pinned_pinned2_kappa_lateral_1_1
     # outputs
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
@@ -84,21 +84,21 @@ def constants() -> ca.Function:
         w1 + slider_mass,  # c5
         w2,  # c6
         w3,  # c7
-        w4 * beam20_pinned_pinned2_s1_0_0,  # c8
+        w4 * beam_pinned_pinned2_s1_0_0,  # c8
         w5,  # c9
         w6,  # c10
         w7,  # c11
         w8,  # c12
-        w1 * beam20_pinned_pinned2_phi_y_0_0,  # c13
-        w1 * w9 * beam20_pinned_pinned2_i0_0_0,  # c14
+        w1 * beam_pinned_pinned2_phi_y_0_0,  # c13
+        w1 * w9 * beam_pinned_pinned2_i0_0_0,  # c14
         w10,  # c15
         w11,  # c16
-        w1 * beam20_pinned_pinned2_xH_0_1,  # c17
+        w1 * beam_pinned_pinned2_xH_0_1,  # c17
         w12,  # c18
-        w1 * beam20_pinned_pinned2_xH_1_0,  # c19
+        w1 * beam_pinned_pinned2_xH_1_0,  # c19
         w13,  # c20
-        w4 * beam20_pinned_pinned2_xi_phi_y_0_0,  # c21
-        w4 * beam20_pinned_pinned2_xi_phi_y_1_0,  # c22
+        w4 * beam_pinned_pinned2_xi_phi_y_0_0,  # c21
+        w4 * beam_pinned_pinned2_xi_phi_y_1_0,  # c22
         gravity_y,  # gravity_y
         w14 * gravity_y,  # c24
         motor_torque,  # motor_torque
@@ -1760,168 +1760,168 @@ def geometry() -> ca.Function:
     rod_area = p[7]
     rod_second_moment = p[9]
     crank_tip_x = p[30]
-    beam20_pinned_pinned2_0_0_slope_0_0 = p[31]
-    beam20_pinned_pinned2_0_0_slope_1_0 = p[32]
-    beam20_pinned_pinned2_1_0_slope_0_0 = p[33]
-    beam20_pinned_pinned2_1_0_slope_1_0 = p[34]
-    beam20_pinned_pinned2_1_0_H_0_0 = p[35]
-    beam20_pinned_pinned2_1_0_H_1_1 = p[36]
-    beam20_pinned_pinned2_0_0625_at_0_0 = p[37]
-    beam20_pinned_pinned2_0_0625_shape_1_0 = p[38]
-    beam20_pinned_pinned2_0_0625_shape_1_1 = p[39]
-    beam20_pinned_pinned2_0_0625_slope_0_0 = p[40]
-    beam20_pinned_pinned2_0_0625_slope_1_0 = p[41]
-    beam20_pinned_pinned2_0_0625_H_0_0 = p[42]
-    beam20_pinned_pinned2_0_0625_H_0_1 = p[43]
-    beam20_pinned_pinned2_0_0625_H_1_0 = p[44]
-    beam20_pinned_pinned2_0_0625_H_1_1 = p[45]
-    beam20_pinned_pinned2_0_125_at_0_0 = p[46]
-    beam20_pinned_pinned2_0_125_shape_1_0 = p[47]
-    beam20_pinned_pinned2_0_125_shape_1_1 = p[48]
-    beam20_pinned_pinned2_0_125_slope_0_0 = p[49]
-    beam20_pinned_pinned2_0_125_slope_1_0 = p[50]
-    beam20_pinned_pinned2_0_125_H_0_0 = p[51]
-    beam20_pinned_pinned2_0_125_H_0_1 = p[52]
-    beam20_pinned_pinned2_0_125_H_1_0 = p[53]
-    beam20_pinned_pinned2_0_125_H_1_1 = p[54]
-    beam20_pinned_pinned2_0_1875_at_0_0 = p[55]
-    beam20_pinned_pinned2_0_1875_shape_1_0 = p[56]
-    beam20_pinned_pinned2_0_1875_shape_1_1 = p[57]
-    beam20_pinned_pinned2_0_1875_slope_0_0 = p[58]
-    beam20_pinned_pinned2_0_1875_slope_1_0 = p[59]
-    beam20_pinned_pinned2_0_1875_H_0_0 = p[60]
-    beam20_pinned_pinned2_0_1875_H_0_1 = p[61]
-    beam20_pinned_pinned2_0_1875_H_1_0 = p[62]
-    beam20_pinned_pinned2_0_1875_H_1_1 = p[63]
-    beam20_pinned_pinned2_0_25_at_0_0 = p[64]
-    beam20_pinned_pinned2_0_25_shape_1_0 = p[65]
-    beam20_pinned_pinned2_0_25_shape_1_1 = p[66]
-    beam20_pinned_pinned2_0_25_slope_0_0 = p[67]
-    beam20_pinned_pinned2_0_25_H_0_0 = p[68]
-    beam20_pinned_pinned2_0_25_H_0_1 = p[69]
-    beam20_pinned_pinned2_0_25_H_1_0 = p[70]
-    beam20_pinned_pinned2_0_25_H_1_1 = p[71]
-    beam20_pinned_pinned2_0_3125_at_0_0 = p[72]
-    beam20_pinned_pinned2_0_3125_shape_1_0 = p[73]
-    beam20_pinned_pinned2_0_3125_shape_1_1 = p[74]
-    beam20_pinned_pinned2_0_3125_slope_0_0 = p[75]
-    beam20_pinned_pinned2_0_3125_slope_1_0 = p[76]
-    beam20_pinned_pinned2_0_3125_H_0_0 = p[77]
-    beam20_pinned_pinned2_0_3125_H_0_1 = p[78]
-    beam20_pinned_pinned2_0_3125_H_1_0 = p[79]
-    beam20_pinned_pinned2_0_3125_H_1_1 = p[80]
-    beam20_pinned_pinned2_0_375_at_0_0 = p[81]
-    beam20_pinned_pinned2_0_375_shape_1_0 = p[82]
-    beam20_pinned_pinned2_0_375_shape_1_1 = p[83]
-    beam20_pinned_pinned2_0_375_slope_0_0 = p[84]
-    beam20_pinned_pinned2_0_375_slope_1_0 = p[85]
-    beam20_pinned_pinned2_0_375_H_0_0 = p[86]
-    beam20_pinned_pinned2_0_375_H_0_1 = p[87]
-    beam20_pinned_pinned2_0_375_H_1_0 = p[88]
-    beam20_pinned_pinned2_0_375_H_1_1 = p[89]
-    beam20_pinned_pinned2_0_4375_at_0_0 = p[90]
-    beam20_pinned_pinned2_0_4375_shape_1_0 = p[91]
-    beam20_pinned_pinned2_0_4375_shape_1_1 = p[92]
-    beam20_pinned_pinned2_0_4375_slope_0_0 = p[93]
-    beam20_pinned_pinned2_0_4375_slope_1_0 = p[94]
-    beam20_pinned_pinned2_0_4375_H_0_0 = p[95]
-    beam20_pinned_pinned2_0_4375_H_0_1 = p[96]
-    beam20_pinned_pinned2_0_4375_H_1_0 = p[97]
-    beam20_pinned_pinned2_0_4375_H_1_1 = p[98]
-    beam20_pinned_pinned2_0_5_at_0_0 = p[99]
-    beam20_pinned_pinned2_0_5_shape_1_0 = p[100]
-    beam20_pinned_pinned2_0_5_slope_1_0 = p[101]
-    beam20_pinned_pinned2_0_5_H_0_0 = p[102]
-    beam20_pinned_pinned2_0_5_H_0_1 = p[103]
-    beam20_pinned_pinned2_0_5_H_1_0 = p[104]
-    beam20_pinned_pinned2_0_5_H_1_1 = p[105]
-    beam20_pinned_pinned2_0_5625_at_0_0 = p[106]
-    beam20_pinned_pinned2_0_5625_shape_1_0 = p[107]
-    beam20_pinned_pinned2_0_5625_shape_1_1 = p[108]
-    beam20_pinned_pinned2_0_5625_slope_0_0 = p[109]
-    beam20_pinned_pinned2_0_5625_slope_1_0 = p[110]
-    beam20_pinned_pinned2_0_5625_H_0_0 = p[111]
-    beam20_pinned_pinned2_0_5625_H_0_1 = p[112]
-    beam20_pinned_pinned2_0_5625_H_1_0 = p[113]
-    beam20_pinned_pinned2_0_5625_H_1_1 = p[114]
-    beam20_pinned_pinned2_0_625_at_0_0 = p[115]
-    beam20_pinned_pinned2_0_625_shape_1_0 = p[116]
-    beam20_pinned_pinned2_0_625_shape_1_1 = p[117]
-    beam20_pinned_pinned2_0_625_slope_0_0 = p[118]
-    beam20_pinned_pinned2_0_625_slope_1_0 = p[119]
-    beam20_pinned_pinned2_0_625_H_0_0 = p[120]
-    beam20_pinned_pinned2_0_625_H_0_1 = p[121]
-    beam20_pinned_pinned2_0_625_H_1_0 = p[122]
-    beam20_pinned_pinned2_0_625_H_1_1 = p[123]
-    beam20_pinned_pinned2_0_6875_at_0_0 = p[124]
-    beam20_pinned_pinned2_0_6875_shape_1_0 = p[125]
-    beam20_pinned_pinned2_0_6875_shape_1_1 = p[126]
-    beam20_pinned_pinned2_0_6875_slope_0_0 = p[127]
-    beam20_pinned_pinned2_0_6875_slope_1_0 = p[128]
-    beam20_pinned_pinned2_0_6875_H_0_0 = p[129]
-    beam20_pinned_pinned2_0_6875_H_0_1 = p[130]
-    beam20_pinned_pinned2_0_6875_H_1_0 = p[131]
-    beam20_pinned_pinned2_0_6875_H_1_1 = p[132]
-    beam20_pinned_pinned2_0_75_at_0_0 = p[133]
-    beam20_pinned_pinned2_0_75_shape_1_0 = p[134]
-    beam20_pinned_pinned2_0_75_shape_1_1 = p[135]
-    beam20_pinned_pinned2_0_75_slope_0_0 = p[136]
-    beam20_pinned_pinned2_0_75_H_0_0 = p[137]
-    beam20_pinned_pinned2_0_75_H_0_1 = p[138]
-    beam20_pinned_pinned2_0_75_H_1_0 = p[139]
-    beam20_pinned_pinned2_0_75_H_1_1 = p[140]
-    beam20_pinned_pinned2_0_8125_at_0_0 = p[141]
-    beam20_pinned_pinned2_0_8125_shape_1_0 = p[142]
-    beam20_pinned_pinned2_0_8125_shape_1_1 = p[143]
-    beam20_pinned_pinned2_0_8125_slope_0_0 = p[144]
-    beam20_pinned_pinned2_0_8125_slope_1_0 = p[145]
-    beam20_pinned_pinned2_0_8125_H_0_0 = p[146]
-    beam20_pinned_pinned2_0_8125_H_0_1 = p[147]
-    beam20_pinned_pinned2_0_8125_H_1_0 = p[148]
-    beam20_pinned_pinned2_0_8125_H_1_1 = p[149]
-    beam20_pinned_pinned2_0_875_at_0_0 = p[150]
-    beam20_pinned_pinned2_0_875_shape_1_0 = p[151]
-    beam20_pinned_pinned2_0_875_shape_1_1 = p[152]
-    beam20_pinned_pinned2_0_875_slope_0_0 = p[153]
-    beam20_pinned_pinned2_0_875_slope_1_0 = p[154]
-    beam20_pinned_pinned2_0_875_H_0_0 = p[155]
-    beam20_pinned_pinned2_0_875_H_0_1 = p[156]
-    beam20_pinned_pinned2_0_875_H_1_0 = p[157]
-    beam20_pinned_pinned2_0_875_H_1_1 = p[158]
-    beam20_pinned_pinned2_0_9375_at_0_0 = p[159]
-    beam20_pinned_pinned2_0_9375_shape_1_0 = p[160]
-    beam20_pinned_pinned2_0_9375_shape_1_1 = p[161]
-    beam20_pinned_pinned2_0_9375_slope_0_0 = p[162]
-    beam20_pinned_pinned2_0_9375_slope_1_0 = p[163]
-    beam20_pinned_pinned2_0_9375_H_0_0 = p[164]
-    beam20_pinned_pinned2_0_9375_H_0_1 = p[165]
-    beam20_pinned_pinned2_0_9375_H_1_0 = p[166]
-    beam20_pinned_pinned2_0_9375_H_1_1 = p[167]
+    beam_pinned_pinned2_0_0_slope_0_0 = p[31]
+    beam_pinned_pinned2_0_0_slope_1_0 = p[32]
+    beam_pinned_pinned2_1_0_slope_0_0 = p[33]
+    beam_pinned_pinned2_1_0_slope_1_0 = p[34]
+    beam_pinned_pinned2_1_0_H_0_0 = p[35]
+    beam_pinned_pinned2_1_0_H_1_1 = p[36]
+    beam_pinned_pinned2_0_0625_at_0_0 = p[37]
+    beam_pinned_pinned2_0_0625_shape_1_0 = p[38]
+    beam_pinned_pinned2_0_0625_shape_1_1 = p[39]
+    beam_pinned_pinned2_0_0625_slope_0_0 = p[40]
+    beam_pinned_pinned2_0_0625_slope_1_0 = p[41]
+    beam_pinned_pinned2_0_0625_H_0_0 = p[42]
+    beam_pinned_pinned2_0_0625_H_0_1 = p[43]
+    beam_pinned_pinned2_0_0625_H_1_0 = p[44]
+    beam_pinned_pinned2_0_0625_H_1_1 = p[45]
+    beam_pinned_pinned2_0_125_at_0_0 = p[46]
+    beam_pinned_pinned2_0_125_shape_1_0 = p[47]
+    beam_pinned_pinned2_0_125_shape_1_1 = p[48]
+    beam_pinned_pinned2_0_125_slope_0_0 = p[49]
+    beam_pinned_pinned2_0_125_slope_1_0 = p[50]
+    beam_pinned_pinned2_0_125_H_0_0 = p[51]
+    beam_pinned_pinned2_0_125_H_0_1 = p[52]
+    beam_pinned_pinned2_0_125_H_1_0 = p[53]
+    beam_pinned_pinned2_0_125_H_1_1 = p[54]
+    beam_pinned_pinned2_0_1875_at_0_0 = p[55]
+    beam_pinned_pinned2_0_1875_shape_1_0 = p[56]
+    beam_pinned_pinned2_0_1875_shape_1_1 = p[57]
+    beam_pinned_pinned2_0_1875_slope_0_0 = p[58]
+    beam_pinned_pinned2_0_1875_slope_1_0 = p[59]
+    beam_pinned_pinned2_0_1875_H_0_0 = p[60]
+    beam_pinned_pinned2_0_1875_H_0_1 = p[61]
+    beam_pinned_pinned2_0_1875_H_1_0 = p[62]
+    beam_pinned_pinned2_0_1875_H_1_1 = p[63]
+    beam_pinned_pinned2_0_25_at_0_0 = p[64]
+    beam_pinned_pinned2_0_25_shape_1_0 = p[65]
+    beam_pinned_pinned2_0_25_shape_1_1 = p[66]
+    beam_pinned_pinned2_0_25_slope_0_0 = p[67]
+    beam_pinned_pinned2_0_25_H_0_0 = p[68]
+    beam_pinned_pinned2_0_25_H_0_1 = p[69]
+    beam_pinned_pinned2_0_25_H_1_0 = p[70]
+    beam_pinned_pinned2_0_25_H_1_1 = p[71]
+    beam_pinned_pinned2_0_3125_at_0_0 = p[72]
+    beam_pinned_pinned2_0_3125_shape_1_0 = p[73]
+    beam_pinned_pinned2_0_3125_shape_1_1 = p[74]
+    beam_pinned_pinned2_0_3125_slope_0_0 = p[75]
+    beam_pinned_pinned2_0_3125_slope_1_0 = p[76]
+    beam_pinned_pinned2_0_3125_H_0_0 = p[77]
+    beam_pinned_pinned2_0_3125_H_0_1 = p[78]
+    beam_pinned_pinned2_0_3125_H_1_0 = p[79]
+    beam_pinned_pinned2_0_3125_H_1_1 = p[80]
+    beam_pinned_pinned2_0_375_at_0_0 = p[81]
+    beam_pinned_pinned2_0_375_shape_1_0 = p[82]
+    beam_pinned_pinned2_0_375_shape_1_1 = p[83]
+    beam_pinned_pinned2_0_375_slope_0_0 = p[84]
+    beam_pinned_pinned2_0_375_slope_1_0 = p[85]
+    beam_pinned_pinned2_0_375_H_0_0 = p[86]
+    beam_pinned_pinned2_0_375_H_0_1 = p[87]
+    beam_pinned_pinned2_0_375_H_1_0 = p[88]
+    beam_pinned_pinned2_0_375_H_1_1 = p[89]
+    beam_pinned_pinned2_0_4375_at_0_0 = p[90]
+    beam_pinned_pinned2_0_4375_shape_1_0 = p[91]
+    beam_pinned_pinned2_0_4375_shape_1_1 = p[92]
+    beam_pinned_pinned2_0_4375_slope_0_0 = p[93]
+    beam_pinned_pinned2_0_4375_slope_1_0 = p[94]
+    beam_pinned_pinned2_0_4375_H_0_0 = p[95]
+    beam_pinned_pinned2_0_4375_H_0_1 = p[96]
+    beam_pinned_pinned2_0_4375_H_1_0 = p[97]
+    beam_pinned_pinned2_0_4375_H_1_1 = p[98]
+    beam_pinned_pinned2_0_5_at_0_0 = p[99]
+    beam_pinned_pinned2_0_5_shape_1_0 = p[100]
+    beam_pinned_pinned2_0_5_slope_1_0 = p[101]
+    beam_pinned_pinned2_0_5_H_0_0 = p[102]
+    beam_pinned_pinned2_0_5_H_0_1 = p[103]
+    beam_pinned_pinned2_0_5_H_1_0 = p[104]
+    beam_pinned_pinned2_0_5_H_1_1 = p[105]
+    beam_pinned_pinned2_0_5625_at_0_0 = p[106]
+    beam_pinned_pinned2_0_5625_shape_1_0 = p[107]
+    beam_pinned_pinned2_0_5625_shape_1_1 = p[108]
+    beam_pinned_pinned2_0_5625_slope_0_0 = p[109]
+    beam_pinned_pinned2_0_5625_slope_1_0 = p[110]
+    beam_pinned_pinned2_0_5625_H_0_0 = p[111]
+    beam_pinned_pinned2_0_5625_H_0_1 = p[112]
+    beam_pinned_pinned2_0_5625_H_1_0 = p[113]
+    beam_pinned_pinned2_0_5625_H_1_1 = p[114]
+    beam_pinned_pinned2_0_625_at_0_0 = p[115]
+    beam_pinned_pinned2_0_625_shape_1_0 = p[116]
+    beam_pinned_pinned2_0_625_shape_1_1 = p[117]
+    beam_pinned_pinned2_0_625_slope_0_0 = p[118]
+    beam_pinned_pinned2_0_625_slope_1_0 = p[119]
+    beam_pinned_pinned2_0_625_H_0_0 = p[120]
+    beam_pinned_pinned2_0_625_H_0_1 = p[121]
+    beam_pinned_pinned2_0_625_H_1_0 = p[122]
+    beam_pinned_pinned2_0_625_H_1_1 = p[123]
+    beam_pinned_pinned2_0_6875_at_0_0 = p[124]
+    beam_pinned_pinned2_0_6875_shape_1_0 = p[125]
+    beam_pinned_pinned2_0_6875_shape_1_1 = p[126]
+    beam_pinned_pinned2_0_6875_slope_0_0 = p[127]
+    beam_pinned_pinned2_0_6875_slope_1_0 = p[128]
+    beam_pinned_pinned2_0_6875_H_0_0 = p[129]
+    beam_pinned_pinned2_0_6875_H_0_1 = p[130]
+    beam_pinned_pinned2_0_6875_H_1_0 = p[131]
+    beam_pinned_pinned2_0_6875_H_1_1 = p[132]
+    beam_pinned_pinned2_0_75_at_0_0 = p[133]
+    beam_pinned_pinned2_0_75_shape_1_0 = p[134]
+    beam_pinned_pinned2_0_75_shape_1_1 = p[135]
+    beam_pinned_pinned2_0_75_slope_0_0 = p[136]
+    beam_pinned_pinned2_0_75_H_0_0 = p[137]
+    beam_pinned_pinned2_0_75_H_0_1 = p[138]
+    beam_pinned_pinned2_0_75_H_1_0 = p[139]
+    beam_pinned_pinned2_0_75_H_1_1 = p[140]
+    beam_pinned_pinned2_0_8125_at_0_0 = p[141]
+    beam_pinned_pinned2_0_8125_shape_1_0 = p[142]
+    beam_pinned_pinned2_0_8125_shape_1_1 = p[143]
+    beam_pinned_pinned2_0_8125_slope_0_0 = p[144]
+    beam_pinned_pinned2_0_8125_slope_1_0 = p[145]
+    beam_pinned_pinned2_0_8125_H_0_0 = p[146]
+    beam_pinned_pinned2_0_8125_H_0_1 = p[147]
+    beam_pinned_pinned2_0_8125_H_1_0 = p[148]
+    beam_pinned_pinned2_0_8125_H_1_1 = p[149]
+    beam_pinned_pinned2_0_875_at_0_0 = p[150]
+    beam_pinned_pinned2_0_875_shape_1_0 = p[151]
+    beam_pinned_pinned2_0_875_shape_1_1 = p[152]
+    beam_pinned_pinned2_0_875_slope_0_0 = p[153]
+    beam_pinned_pinned2_0_875_slope_1_0 = p[154]
+    beam_pinned_pinned2_0_875_H_0_0 = p[155]
+    beam_pinned_pinned2_0_875_H_0_1 = p[156]
+    beam_pinned_pinned2_0_875_H_1_0 = p[157]
+    beam_pinned_pinned2_0_875_H_1_1 = p[158]
+    beam_pinned_pinned2_0_9375_at_0_0 = p[159]
+    beam_pinned_pinned2_0_9375_shape_1_0 = p[160]
+    beam_pinned_pinned2_0_9375_shape_1_1 = p[161]
+    beam_pinned_pinned2_0_9375_slope_0_0 = p[162]
+    beam_pinned_pinned2_0_9375_slope_1_0 = p[163]
+    beam_pinned_pinned2_0_9375_H_0_0 = p[164]
+    beam_pinned_pinned2_0_9375_H_0_1 = p[165]
+    beam_pinned_pinned2_0_9375_H_1_0 = p[166]
+    beam_pinned_pinned2_0_9375_H_1_1 = p[167]
     # intermediate terms (7)
-    w0 = beam20_pinned_pinned2_0_0_slope_0_0 / rod_length
-    w1 = beam20_pinned_pinned2_0_0_slope_1_0 / rod_length
-    w2 = beam20_pinned_pinned2_1_0_slope_0_0 / rod_length
-    w3 = beam20_pinned_pinned2_1_0_slope_1_0 / rod_length
-    w4 = beam20_pinned_pinned2_1_0_H_0_0 / rod_length
-    w5 = beam20_pinned_pinned2_1_0_H_1_1 / rod_length
+    w0 = beam_pinned_pinned2_0_0_slope_0_0 / rod_length
+    w1 = beam_pinned_pinned2_0_0_slope_1_0 / rod_length
+    w2 = beam_pinned_pinned2_1_0_slope_0_0 / rod_length
+    w3 = beam_pinned_pinned2_1_0_slope_1_0 / rod_length
+    w4 = beam_pinned_pinned2_1_0_H_0_0 / rod_length
+    w5 = beam_pinned_pinned2_1_0_H_1_1 / rod_length
     w6 = ca.sqrt(12.0 * rod_second_moment / rod_area)
     # outputs
     positions = ca.SX(3, 23)
-    positions[0, 1] = rod_length * beam20_pinned_pinned2_0_0625_at_0_0
-    positions[0, 2] = rod_length * beam20_pinned_pinned2_0_125_at_0_0
-    positions[0, 3] = rod_length * beam20_pinned_pinned2_0_1875_at_0_0
-    positions[0, 4] = rod_length * beam20_pinned_pinned2_0_25_at_0_0
-    positions[0, 5] = rod_length * beam20_pinned_pinned2_0_3125_at_0_0
-    positions[0, 6] = rod_length * beam20_pinned_pinned2_0_375_at_0_0
-    positions[0, 7] = rod_length * beam20_pinned_pinned2_0_4375_at_0_0
-    positions[0, 8] = rod_length * beam20_pinned_pinned2_0_5_at_0_0
-    positions[0, 9] = rod_length * beam20_pinned_pinned2_0_5625_at_0_0
-    positions[0, 10] = rod_length * beam20_pinned_pinned2_0_625_at_0_0
-    positions[0, 11] = rod_length * beam20_pinned_pinned2_0_6875_at_0_0
-    positions[0, 12] = rod_length * beam20_pinned_pinned2_0_75_at_0_0
-    positions[0, 13] = rod_length * beam20_pinned_pinned2_0_8125_at_0_0
-    positions[0, 14] = rod_length * beam20_pinned_pinned2_0_875_at_0_0
-    positions[0, 15] = rod_length * beam20_pinned_pinned2_0_9375_at_0_0
+    positions[0, 1] = rod_length * beam_pinned_pinned2_0_0625_at_0_0
+    positions[0, 2] = rod_length * beam_pinned_pinned2_0_125_at_0_0
+    positions[0, 3] = rod_length * beam_pinned_pinned2_0_1875_at_0_0
+    positions[0, 4] = rod_length * beam_pinned_pinned2_0_25_at_0_0
+    positions[0, 5] = rod_length * beam_pinned_pinned2_0_3125_at_0_0
+    positions[0, 6] = rod_length * beam_pinned_pinned2_0_375_at_0_0
+    positions[0, 7] = rod_length * beam_pinned_pinned2_0_4375_at_0_0
+    positions[0, 8] = rod_length * beam_pinned_pinned2_0_5_at_0_0
+    positions[0, 9] = rod_length * beam_pinned_pinned2_0_5625_at_0_0
+    positions[0, 10] = rod_length * beam_pinned_pinned2_0_625_at_0_0
+    positions[0, 11] = rod_length * beam_pinned_pinned2_0_6875_at_0_0
+    positions[0, 12] = rod_length * beam_pinned_pinned2_0_75_at_0_0
+    positions[0, 13] = rod_length * beam_pinned_pinned2_0_8125_at_0_0
+    positions[0, 14] = rod_length * beam_pinned_pinned2_0_875_at_0_0
+    positions[0, 15] = rod_length * beam_pinned_pinned2_0_9375_at_0_0
     positions[0, 16] = rod_length
     positions[0, 19] = crank_tip_x
     positions[0, 21] = rod_length
@@ -1996,65 +1996,65 @@ def geometry() -> ca.Function:
     axes[8, 21] = 1.0
     axes[8, 22] = 1.0
     shapes = ca.SX(3, 38)
-    shapes[1, 2] = beam20_pinned_pinned2_0_0625_shape_1_0
-    shapes[1, 3] = beam20_pinned_pinned2_0_0625_shape_1_1
-    shapes[1, 4] = beam20_pinned_pinned2_0_125_shape_1_0
-    shapes[1, 5] = beam20_pinned_pinned2_0_125_shape_1_1
-    shapes[1, 6] = beam20_pinned_pinned2_0_1875_shape_1_0
-    shapes[1, 7] = beam20_pinned_pinned2_0_1875_shape_1_1
-    shapes[1, 8] = beam20_pinned_pinned2_0_25_shape_1_0
-    shapes[1, 9] = beam20_pinned_pinned2_0_25_shape_1_1
-    shapes[1, 10] = beam20_pinned_pinned2_0_3125_shape_1_0
-    shapes[1, 11] = beam20_pinned_pinned2_0_3125_shape_1_1
-    shapes[1, 12] = beam20_pinned_pinned2_0_375_shape_1_0
-    shapes[1, 13] = beam20_pinned_pinned2_0_375_shape_1_1
-    shapes[1, 14] = beam20_pinned_pinned2_0_4375_shape_1_0
-    shapes[1, 15] = beam20_pinned_pinned2_0_4375_shape_1_1
-    shapes[1, 16] = beam20_pinned_pinned2_0_5_shape_1_0
-    shapes[1, 18] = beam20_pinned_pinned2_0_5625_shape_1_0
-    shapes[1, 19] = beam20_pinned_pinned2_0_5625_shape_1_1
-    shapes[1, 20] = beam20_pinned_pinned2_0_625_shape_1_0
-    shapes[1, 21] = beam20_pinned_pinned2_0_625_shape_1_1
-    shapes[1, 22] = beam20_pinned_pinned2_0_6875_shape_1_0
-    shapes[1, 23] = beam20_pinned_pinned2_0_6875_shape_1_1
-    shapes[1, 24] = beam20_pinned_pinned2_0_75_shape_1_0
-    shapes[1, 25] = beam20_pinned_pinned2_0_75_shape_1_1
-    shapes[1, 26] = beam20_pinned_pinned2_0_8125_shape_1_0
-    shapes[1, 27] = beam20_pinned_pinned2_0_8125_shape_1_1
-    shapes[1, 28] = beam20_pinned_pinned2_0_875_shape_1_0
-    shapes[1, 29] = beam20_pinned_pinned2_0_875_shape_1_1
-    shapes[1, 30] = beam20_pinned_pinned2_0_9375_shape_1_0
-    shapes[1, 31] = beam20_pinned_pinned2_0_9375_shape_1_1
+    shapes[1, 2] = beam_pinned_pinned2_0_0625_shape_1_0
+    shapes[1, 3] = beam_pinned_pinned2_0_0625_shape_1_1
+    shapes[1, 4] = beam_pinned_pinned2_0_125_shape_1_0
+    shapes[1, 5] = beam_pinned_pinned2_0_125_shape_1_1
+    shapes[1, 6] = beam_pinned_pinned2_0_1875_shape_1_0
+    shapes[1, 7] = beam_pinned_pinned2_0_1875_shape_1_1
+    shapes[1, 8] = beam_pinned_pinned2_0_25_shape_1_0
+    shapes[1, 9] = beam_pinned_pinned2_0_25_shape_1_1
+    shapes[1, 10] = beam_pinned_pinned2_0_3125_shape_1_0
+    shapes[1, 11] = beam_pinned_pinned2_0_3125_shape_1_1
+    shapes[1, 12] = beam_pinned_pinned2_0_375_shape_1_0
+    shapes[1, 13] = beam_pinned_pinned2_0_375_shape_1_1
+    shapes[1, 14] = beam_pinned_pinned2_0_4375_shape_1_0
+    shapes[1, 15] = beam_pinned_pinned2_0_4375_shape_1_1
+    shapes[1, 16] = beam_pinned_pinned2_0_5_shape_1_0
+    shapes[1, 18] = beam_pinned_pinned2_0_5625_shape_1_0
+    shapes[1, 19] = beam_pinned_pinned2_0_5625_shape_1_1
+    shapes[1, 20] = beam_pinned_pinned2_0_625_shape_1_0
+    shapes[1, 21] = beam_pinned_pinned2_0_625_shape_1_1
+    shapes[1, 22] = beam_pinned_pinned2_0_6875_shape_1_0
+    shapes[1, 23] = beam_pinned_pinned2_0_6875_shape_1_1
+    shapes[1, 24] = beam_pinned_pinned2_0_75_shape_1_0
+    shapes[1, 25] = beam_pinned_pinned2_0_75_shape_1_1
+    shapes[1, 26] = beam_pinned_pinned2_0_8125_shape_1_0
+    shapes[1, 27] = beam_pinned_pinned2_0_8125_shape_1_1
+    shapes[1, 28] = beam_pinned_pinned2_0_875_shape_1_0
+    shapes[1, 29] = beam_pinned_pinned2_0_875_shape_1_1
+    shapes[1, 30] = beam_pinned_pinned2_0_9375_shape_1_0
+    shapes[1, 31] = beam_pinned_pinned2_0_9375_shape_1_1
     turns = ca.SX(3, 38)
     turns[2, 0] = w0
     turns[2, 1] = w1
-    turns[2, 2] = beam20_pinned_pinned2_0_0625_slope_0_0 / rod_length
-    turns[2, 3] = beam20_pinned_pinned2_0_0625_slope_1_0 / rod_length
-    turns[2, 4] = beam20_pinned_pinned2_0_125_slope_0_0 / rod_length
-    turns[2, 5] = beam20_pinned_pinned2_0_125_slope_1_0 / rod_length
-    turns[2, 6] = beam20_pinned_pinned2_0_1875_slope_0_0 / rod_length
-    turns[2, 7] = beam20_pinned_pinned2_0_1875_slope_1_0 / rod_length
-    turns[2, 8] = beam20_pinned_pinned2_0_25_slope_0_0 / rod_length
-    turns[2, 10] = beam20_pinned_pinned2_0_3125_slope_0_0 / rod_length
-    turns[2, 11] = beam20_pinned_pinned2_0_3125_slope_1_0 / rod_length
-    turns[2, 12] = beam20_pinned_pinned2_0_375_slope_0_0 / rod_length
-    turns[2, 13] = beam20_pinned_pinned2_0_375_slope_1_0 / rod_length
-    turns[2, 14] = beam20_pinned_pinned2_0_4375_slope_0_0 / rod_length
-    turns[2, 15] = beam20_pinned_pinned2_0_4375_slope_1_0 / rod_length
-    turns[2, 17] = beam20_pinned_pinned2_0_5_slope_1_0 / rod_length
-    turns[2, 18] = beam20_pinned_pinned2_0_5625_slope_0_0 / rod_length
-    turns[2, 19] = beam20_pinned_pinned2_0_5625_slope_1_0 / rod_length
-    turns[2, 20] = beam20_pinned_pinned2_0_625_slope_0_0 / rod_length
-    turns[2, 21] = beam20_pinned_pinned2_0_625_slope_1_0 / rod_length
-    turns[2, 22] = beam20_pinned_pinned2_0_6875_slope_0_0 / rod_length
-    turns[2, 23] = beam20_pinned_pinned2_0_6875_slope_1_0 / rod_length
-    turns[2, 24] = beam20_pinned_pinned2_0_75_slope_0_0 / rod_length
-    turns[2, 26] = beam20_pinned_pinned2_0_8125_slope_0_0 / rod_length
-    turns[2, 27] = beam20_pinned_pinned2_0_8125_slope_1_0 / rod_length
-    turns[2, 28] = beam20_pinned_pinned2_0_875_slope_0_0 / rod_length
-    turns[2, 29] = beam20_pinned_pinned2_0_875_slope_1_0 / rod_length
-    turns[2, 30] = beam20_pinned_pinned2_0_9375_slope_0_0 / rod_length
-    turns[2, 31] = beam20_pinned_pinned2_0_9375_slope_1_0 / rod_length
+    turns[2, 2] = beam_pinned_pinned2_0_0625_slope_0_0 / rod_length
+    turns[2, 3] = beam_pinned_pinned2_0_0625_slope_1_0 / rod_length
+    turns[2, 4] = beam_pinned_pinned2_0_125_slope_0_0 / rod_length
+    turns[2, 5] = beam_pinned_pinned2_0_125_slope_1_0 / rod_length
+    turns[2, 6] = beam_pinned_pinned2_0_1875_slope_0_0 / rod_length
+    turns[2, 7] = beam_pinned_pinned2_0_1875_slope_1_0 / rod_length
+    turns[2, 8] = beam_pinned_pinned2_0_25_slope_0_0 / rod_length
+    turns[2, 10] = beam_pinned_pinned2_0_3125_slope_0_0 / rod_length
+    turns[2, 11] = beam_pinned_pinned2_0_3125_slope_1_0 / rod_length
+    turns[2, 12] = beam_pinned_pinned2_0_375_slope_0_0 / rod_length
+    turns[2, 13] = beam_pinned_pinned2_0_375_slope_1_0 / rod_length
+    turns[2, 14] = beam_pinned_pinned2_0_4375_slope_0_0 / rod_length
+    turns[2, 15] = beam_pinned_pinned2_0_4375_slope_1_0 / rod_length
+    turns[2, 17] = beam_pinned_pinned2_0_5_slope_1_0 / rod_length
+    turns[2, 18] = beam_pinned_pinned2_0_5625_slope_0_0 / rod_length
+    turns[2, 19] = beam_pinned_pinned2_0_5625_slope_1_0 / rod_length
+    turns[2, 20] = beam_pinned_pinned2_0_625_slope_0_0 / rod_length
+    turns[2, 21] = beam_pinned_pinned2_0_625_slope_1_0 / rod_length
+    turns[2, 22] = beam_pinned_pinned2_0_6875_slope_0_0 / rod_length
+    turns[2, 23] = beam_pinned_pinned2_0_6875_slope_1_0 / rod_length
+    turns[2, 24] = beam_pinned_pinned2_0_75_slope_0_0 / rod_length
+    turns[2, 26] = beam_pinned_pinned2_0_8125_slope_0_0 / rod_length
+    turns[2, 27] = beam_pinned_pinned2_0_8125_slope_1_0 / rod_length
+    turns[2, 28] = beam_pinned_pinned2_0_875_slope_0_0 / rod_length
+    turns[2, 29] = beam_pinned_pinned2_0_875_slope_1_0 / rod_length
+    turns[2, 30] = beam_pinned_pinned2_0_9375_slope_0_0 / rod_length
+    turns[2, 31] = beam_pinned_pinned2_0_9375_slope_1_0 / rod_length
     turns[2, 32] = w2
     turns[2, 33] = w3
     turns[2, 34] = w0
@@ -2062,37 +2062,37 @@ def geometry() -> ca.Function:
     turns[2, 36] = w2
     turns[2, 37] = w3
     H = ca.horzcat(
-        beam20_pinned_pinned2_0_0625_H_0_0 / rod_length, beam20_pinned_pinned2_0_0625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_0625_H_1_0 / rod_length, beam20_pinned_pinned2_0_0625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_0_0 / rod_length, beam20_pinned_pinned2_0_125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_125_H_1_0 / rod_length, beam20_pinned_pinned2_0_125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_0_0 / rod_length, beam20_pinned_pinned2_0_1875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_1875_H_1_0 / rod_length, beam20_pinned_pinned2_0_1875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_0_0 / rod_length, beam20_pinned_pinned2_0_25_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_25_H_1_0 / rod_length, beam20_pinned_pinned2_0_25_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_0_0 / rod_length, beam20_pinned_pinned2_0_3125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_3125_H_1_0 / rod_length, beam20_pinned_pinned2_0_3125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_0_0 / rod_length, beam20_pinned_pinned2_0_375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_375_H_1_0 / rod_length, beam20_pinned_pinned2_0_375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_0_0 / rod_length, beam20_pinned_pinned2_0_4375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_4375_H_1_0 / rod_length, beam20_pinned_pinned2_0_4375_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_0_0 / rod_length, beam20_pinned_pinned2_0_5_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5_H_1_0 / rod_length, beam20_pinned_pinned2_0_5_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_0_0 / rod_length, beam20_pinned_pinned2_0_5625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_5625_H_1_0 / rod_length, beam20_pinned_pinned2_0_5625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_0_0 / rod_length, beam20_pinned_pinned2_0_625_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_625_H_1_0 / rod_length, beam20_pinned_pinned2_0_625_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_0_0 / rod_length, beam20_pinned_pinned2_0_6875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_6875_H_1_0 / rod_length, beam20_pinned_pinned2_0_6875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_0_0 / rod_length, beam20_pinned_pinned2_0_75_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_75_H_1_0 / rod_length, beam20_pinned_pinned2_0_75_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_0_0 / rod_length, beam20_pinned_pinned2_0_8125_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_8125_H_1_0 / rod_length, beam20_pinned_pinned2_0_8125_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_0_0 / rod_length, beam20_pinned_pinned2_0_875_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_875_H_1_0 / rod_length, beam20_pinned_pinned2_0_875_H_1_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_0_0 / rod_length, beam20_pinned_pinned2_0_9375_H_0_1 / rod_length,
-        beam20_pinned_pinned2_0_9375_H_1_0 / rod_length, beam20_pinned_pinned2_0_9375_H_1_1 / rod_length, w4,
-        0.0, 0.0, w5, w4, 0.0, 0.0, w5,
+        beam_pinned_pinned2_0_0625_H_0_0 / rod_length, beam_pinned_pinned2_0_0625_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_0625_H_1_0 / rod_length, beam_pinned_pinned2_0_0625_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_125_H_0_0 / rod_length, beam_pinned_pinned2_0_125_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_125_H_1_0 / rod_length, beam_pinned_pinned2_0_125_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_1875_H_0_0 / rod_length, beam_pinned_pinned2_0_1875_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_1875_H_1_0 / rod_length, beam_pinned_pinned2_0_1875_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_25_H_0_0 / rod_length, beam_pinned_pinned2_0_25_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_25_H_1_0 / rod_length, beam_pinned_pinned2_0_25_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_3125_H_0_0 / rod_length, beam_pinned_pinned2_0_3125_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_3125_H_1_0 / rod_length, beam_pinned_pinned2_0_3125_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_375_H_0_0 / rod_length, beam_pinned_pinned2_0_375_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_375_H_1_0 / rod_length, beam_pinned_pinned2_0_375_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_4375_H_0_0 / rod_length, beam_pinned_pinned2_0_4375_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_4375_H_1_0 / rod_length, beam_pinned_pinned2_0_4375_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_5_H_0_0 / rod_length, beam_pinned_pinned2_0_5_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_5_H_1_0 / rod_length, beam_pinned_pinned2_0_5_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_5625_H_0_0 / rod_length, beam_pinned_pinned2_0_5625_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_5625_H_1_0 / rod_length, beam_pinned_pinned2_0_5625_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_625_H_0_0 / rod_length, beam_pinned_pinned2_0_625_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_625_H_1_0 / rod_length, beam_pinned_pinned2_0_625_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_6875_H_0_0 / rod_length, beam_pinned_pinned2_0_6875_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_6875_H_1_0 / rod_length, beam_pinned_pinned2_0_6875_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_75_H_0_0 / rod_length, beam_pinned_pinned2_0_75_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_75_H_1_0 / rod_length, beam_pinned_pinned2_0_75_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_8125_H_0_0 / rod_length, beam_pinned_pinned2_0_8125_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_8125_H_1_0 / rod_length, beam_pinned_pinned2_0_8125_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_875_H_0_0 / rod_length, beam_pinned_pinned2_0_875_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_875_H_1_0 / rod_length, beam_pinned_pinned2_0_875_H_1_1 / rod_length,
+        beam_pinned_pinned2_0_9375_H_0_0 / rod_length, beam_pinned_pinned2_0_9375_H_0_1 / rod_length,
+        beam_pinned_pinned2_0_9375_H_1_0 / rod_length, beam_pinned_pinned2_0_9375_H_1_1 / rod_length, w4, 0.0,
+        0.0, w5, w4, 0.0, 0.0, w5,
     )
     sections = ca.vertcat(w6, rod_area / w6)
     inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]

@@ -28,71 +28,71 @@ def constants() -> ca.Function:
     beam_area = p[5]
     beam_youngs_modulus = p[6]
     beam_second_moment = p[7]
-    beam100_clamped_free3_kappa_lateral_0_0 = p[8]
-    beam100_clamped_free3_kappa_lateral_1_1 = p[9]
-    beam100_clamped_free3_kappa_lateral_2_2 = p[10]
-    beam100_clamped_free3_mass_0_0 = p[11]
-    beam100_clamped_free3_mass_1_1 = p[12]
-    beam100_clamped_free3_mass_2_2 = p[13]
-    beam100_clamped_free3_s1_0_0 = p[14]
-    beam100_clamped_free3_i0_0_0 = p[15]
-    beam100_clamped_free3_phi_y_0_0 = p[16]
-    beam100_clamped_free3_phi_y_1_0 = p[17]
-    beam100_clamped_free3_phi_y_2_0 = p[18]
-    beam100_clamped_free3_xi_phi_y_0_0 = p[19]
-    beam100_clamped_free3_xi_phi_y_1_0 = p[20]
-    beam100_clamped_free3_xi_phi_y_2_0 = p[21]
-    beam100_clamped_free3_H_0_0 = p[22]
-    beam100_clamped_free3_H_0_1 = p[23]
-    beam100_clamped_free3_H_0_2 = p[24]
-    beam100_clamped_free3_H_1_0 = p[25]
-    beam100_clamped_free3_H_1_1 = p[26]
-    beam100_clamped_free3_H_1_2 = p[27]
-    beam100_clamped_free3_H_2_0 = p[28]
-    beam100_clamped_free3_H_2_1 = p[29]
-    beam100_clamped_free3_H_2_2 = p[30]
-    beam100_clamped_free3_xH_0_0 = p[31]
-    beam100_clamped_free3_xH_0_1 = p[32]
-    beam100_clamped_free3_xH_0_2 = p[33]
-    beam100_clamped_free3_xH_1_0 = p[34]
-    beam100_clamped_free3_xH_1_1 = p[35]
-    beam100_clamped_free3_xH_1_2 = p[36]
-    beam100_clamped_free3_xH_2_0 = p[37]
-    beam100_clamped_free3_xH_2_1 = p[38]
-    beam100_clamped_free3_xH_2_2 = p[39]
-    beam100_clamped_free3_1_0_shape_1_0 = p[40]
-    beam100_clamped_free3_1_0_shape_1_1 = p[41]
-    beam100_clamped_free3_1_0_shape_1_2 = p[42]
-    beam100_clamped_free3_1_0_H_0_0 = p[46]
-    beam100_clamped_free3_1_0_H_0_1 = p[47]
-    beam100_clamped_free3_1_0_H_0_2 = p[48]
-    beam100_clamped_free3_1_0_H_1_0 = p[49]
-    beam100_clamped_free3_1_0_H_1_1 = p[50]
-    beam100_clamped_free3_1_0_H_1_2 = p[51]
-    beam100_clamped_free3_1_0_H_2_0 = p[52]
-    beam100_clamped_free3_1_0_H_2_1 = p[53]
-    beam100_clamped_free3_1_0_H_2_2 = p[54]
+    beam_clamped_free3_kappa_lateral_0_0 = p[8]
+    beam_clamped_free3_kappa_lateral_1_1 = p[9]
+    beam_clamped_free3_kappa_lateral_2_2 = p[10]
+    beam_clamped_free3_mass_0_0 = p[11]
+    beam_clamped_free3_mass_1_1 = p[12]
+    beam_clamped_free3_mass_2_2 = p[13]
+    beam_clamped_free3_s1_0_0 = p[14]
+    beam_clamped_free3_i0_0_0 = p[15]
+    beam_clamped_free3_phi_y_0_0 = p[16]
+    beam_clamped_free3_phi_y_1_0 = p[17]
+    beam_clamped_free3_phi_y_2_0 = p[18]
+    beam_clamped_free3_xi_phi_y_0_0 = p[19]
+    beam_clamped_free3_xi_phi_y_1_0 = p[20]
+    beam_clamped_free3_xi_phi_y_2_0 = p[21]
+    beam_clamped_free3_H_0_0 = p[22]
+    beam_clamped_free3_H_0_1 = p[23]
+    beam_clamped_free3_H_0_2 = p[24]
+    beam_clamped_free3_H_1_0 = p[25]
+    beam_clamped_free3_H_1_1 = p[26]
+    beam_clamped_free3_H_1_2 = p[27]
+    beam_clamped_free3_H_2_0 = p[28]
+    beam_clamped_free3_H_2_1 = p[29]
+    beam_clamped_free3_H_2_2 = p[30]
+    beam_clamped_free3_xH_0_0 = p[31]
+    beam_clamped_free3_xH_0_1 = p[32]
+    beam_clamped_free3_xH_0_2 = p[33]
+    beam_clamped_free3_xH_1_0 = p[34]
+    beam_clamped_free3_xH_1_1 = p[35]
+    beam_clamped_free3_xH_1_2 = p[36]
+    beam_clamped_free3_xH_2_0 = p[37]
+    beam_clamped_free3_xH_2_1 = p[38]
+    beam_clamped_free3_xH_2_2 = p[39]
+    beam_clamped_free3_1_0_shape_1_0 = p[40]
+    beam_clamped_free3_1_0_shape_1_1 = p[41]
+    beam_clamped_free3_1_0_shape_1_2 = p[42]
+    beam_clamped_free3_1_0_H_0_0 = p[46]
+    beam_clamped_free3_1_0_H_0_1 = p[47]
+    beam_clamped_free3_1_0_H_0_2 = p[48]
+    beam_clamped_free3_1_0_H_1_0 = p[49]
+    beam_clamped_free3_1_0_H_1_1 = p[50]
+    beam_clamped_free3_1_0_H_1_2 = p[51]
+    beam_clamped_free3_1_0_H_2_0 = p[52]
+    beam_clamped_free3_1_0_H_2_1 = p[53]
+    beam_clamped_free3_1_0_H_2_2 = p[54]
     # intermediate terms (26)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
     w2 = beam_length**2
-    w3 = w1 * w2 * beam100_clamped_free3_i0_0_0
-    w4 = w1 * beam100_clamped_free3_mass_0_0
-    w5 = w1 * beam100_clamped_free3_xH_0_0
-    w6 = w1 * beam100_clamped_free3_xH_0_1
-    w7 = w1 * beam100_clamped_free3_xH_0_2
-    w8 = w1 * beam100_clamped_free3_mass_1_1
-    w9 = w1 * beam100_clamped_free3_xH_1_0
-    w10 = w1 * beam100_clamped_free3_xH_1_1
-    w11 = w1 * beam100_clamped_free3_xH_1_2
-    w12 = w1 * beam100_clamped_free3_mass_2_2
-    w13 = w1 * beam100_clamped_free3_xH_2_0
-    w14 = w1 * beam100_clamped_free3_xH_2_1
-    w15 = w1 * beam100_clamped_free3_xH_2_2
+    w3 = w1 * w2 * beam_clamped_free3_i0_0_0
+    w4 = w1 * beam_clamped_free3_mass_0_0
+    w5 = w1 * beam_clamped_free3_xH_0_0
+    w6 = w1 * beam_clamped_free3_xH_0_1
+    w7 = w1 * beam_clamped_free3_xH_0_2
+    w8 = w1 * beam_clamped_free3_mass_1_1
+    w9 = w1 * beam_clamped_free3_xH_1_0
+    w10 = w1 * beam_clamped_free3_xH_1_1
+    w11 = w1 * beam_clamped_free3_xH_1_2
+    w12 = w1 * beam_clamped_free3_mass_2_2
+    w13 = w1 * beam_clamped_free3_xH_2_0
+    w14 = w1 * beam_clamped_free3_xH_2_1
+    w15 = w1 * beam_clamped_free3_xH_2_2
     w16 = beam_length * w1
-    w17 = w16 * beam100_clamped_free3_xi_phi_y_0_0
-    w18 = w16 * beam100_clamped_free3_xi_phi_y_1_0
-    w19 = w16 * beam100_clamped_free3_xi_phi_y_2_0
+    w17 = w16 * beam_clamped_free3_xi_phi_y_0_0
+    w18 = w16 * beam_clamped_free3_xi_phi_y_1_0
+    w19 = w16 * beam_clamped_free3_xi_phi_y_2_0
     w20 = beam_youngs_modulus * beam_second_moment / (beam_length * w2)
     w21 = beam_length * (beam_area * (2 * beam_density))
     w22 = beam_length * (beam_area * (beam_density * -2.0))
@@ -118,39 +118,39 @@ def constants() -> ca.Function:
         w18,  # c14
         w19,  # c15
         torque,  # torque
-        w20 * beam100_clamped_free3_kappa_lateral_0_0,  # c17
-        w20 * beam100_clamped_free3_kappa_lateral_1_1,  # c18
-        w20 * beam100_clamped_free3_kappa_lateral_2_2,  # c19
+        w20 * beam_clamped_free3_kappa_lateral_0_0,  # c17
+        w20 * beam_clamped_free3_kappa_lateral_1_1,  # c18
+        w20 * beam_clamped_free3_kappa_lateral_2_2,  # c19
         hub_inertia,  # hub_inertia
         w1,  # c21
         w3,  # c22
         hub_mass,  # hub_mass
-        w16 * beam100_clamped_free3_s1_0_0,  # c24
-        w0 * beam100_clamped_free3_H_0_0,  # c25
-        w0 * beam100_clamped_free3_H_0_1,  # c26
-        w0 * beam100_clamped_free3_H_0_2,  # c27
-        w0 * beam100_clamped_free3_H_1_0,  # c28
-        w0 * beam100_clamped_free3_H_1_1,  # c29
-        w0 * beam100_clamped_free3_H_1_2,  # c30
-        w0 * beam100_clamped_free3_H_2_0,  # c31
-        w0 * beam100_clamped_free3_H_2_1,  # c32
-        w0 * beam100_clamped_free3_H_2_2,  # c33
-        w1 * beam100_clamped_free3_phi_y_0_0,  # c34
-        w1 * beam100_clamped_free3_phi_y_1_0,  # c35
-        w1 * beam100_clamped_free3_phi_y_2_0,  # c36
+        w16 * beam_clamped_free3_s1_0_0,  # c24
+        w0 * beam_clamped_free3_H_0_0,  # c25
+        w0 * beam_clamped_free3_H_0_1,  # c26
+        w0 * beam_clamped_free3_H_0_2,  # c27
+        w0 * beam_clamped_free3_H_1_0,  # c28
+        w0 * beam_clamped_free3_H_1_1,  # c29
+        w0 * beam_clamped_free3_H_1_2,  # c30
+        w0 * beam_clamped_free3_H_2_0,  # c31
+        w0 * beam_clamped_free3_H_2_1,  # c32
+        w0 * beam_clamped_free3_H_2_2,  # c33
+        w1 * beam_clamped_free3_phi_y_0_0,  # c34
+        w1 * beam_clamped_free3_phi_y_1_0,  # c35
+        w1 * beam_clamped_free3_phi_y_2_0,  # c36
         beam_length,  # beam_length
-        beam100_clamped_free3_1_0_H_0_0 / beam_length,  # c38
-        beam100_clamped_free3_1_0_H_0_1 / beam_length,  # c39
-        beam100_clamped_free3_1_0_H_0_2 / beam_length,  # c40
-        beam100_clamped_free3_1_0_H_1_0 / beam_length,  # c41
-        beam100_clamped_free3_1_0_H_1_1 / beam_length,  # c42
-        beam100_clamped_free3_1_0_H_1_2 / beam_length,  # c43
-        beam100_clamped_free3_1_0_H_2_0 / beam_length,  # c44
-        beam100_clamped_free3_1_0_H_2_1 / beam_length,  # c45
-        beam100_clamped_free3_1_0_H_2_2 / beam_length,  # c46
-        beam100_clamped_free3_1_0_shape_1_0,  # beam100_clamped_free3_1_0_shape_1_0
-        beam100_clamped_free3_1_0_shape_1_1,  # beam100_clamped_free3_1_0_shape_1_1
-        beam100_clamped_free3_1_0_shape_1_2,  # beam100_clamped_free3_1_0_shape_1_2
+        beam_clamped_free3_1_0_H_0_0 / beam_length,  # c38
+        beam_clamped_free3_1_0_H_0_1 / beam_length,  # c39
+        beam_clamped_free3_1_0_H_0_2 / beam_length,  # c40
+        beam_clamped_free3_1_0_H_1_0 / beam_length,  # c41
+        beam_clamped_free3_1_0_H_1_1 / beam_length,  # c42
+        beam_clamped_free3_1_0_H_1_2 / beam_length,  # c43
+        beam_clamped_free3_1_0_H_2_0 / beam_length,  # c44
+        beam_clamped_free3_1_0_H_2_1 / beam_length,  # c45
+        beam_clamped_free3_1_0_H_2_2 / beam_length,  # c46
+        beam_clamped_free3_1_0_shape_1_0,  # beam_clamped_free3_1_0_shape_1_0
+        beam_clamped_free3_1_0_shape_1_1,  # beam_clamped_free3_1_0_shape_1_1
+        beam_clamped_free3_1_0_shape_1_2,  # beam_clamped_free3_1_0_shape_1_2
         w4 - w5,  # c50
         w8 - w10,  # c51
         w12 - w15,  # c52
@@ -163,9 +163,9 @@ def constants() -> ca.Function:
         w6 + w9,  # c59
         w7 + w13,  # c60
         w11 + w14,  # c61
-        beam100_clamped_free3_mass_0_0 * w21 + beam100_clamped_free3_xH_0_0 * w22,  # c62
-        beam100_clamped_free3_mass_1_1 * w21 + beam100_clamped_free3_xH_1_1 * w22,  # c63
-        beam100_clamped_free3_mass_2_2 * w21 + beam100_clamped_free3_xH_2_2 * w22,  # c64
+        beam_clamped_free3_mass_0_0 * w21 + beam_clamped_free3_xH_0_0 * w22,  # c62
+        beam_clamped_free3_mass_1_1 * w21 + beam_clamped_free3_xH_1_1 * w22,  # c63
+        beam_clamped_free3_mass_2_2 * w21 + beam_clamped_free3_xH_2_2 * w22,  # c64
         w23,  # c65
         w24,  # c66
         w25,  # c67
@@ -778,29 +778,28 @@ def measures() -> ca.Function:
     c44 = c[44]
     c45 = c[45]
     c46 = c[46]
-    beam100_clamped_free3_1_0_shape_1_0 = c[47]
-    beam100_clamped_free3_1_0_shape_1_1 = c[48]
-    beam100_clamped_free3_1_0_shape_1_2 = c[49]
-    # intermediate terms (13)
+    beam_clamped_free3_1_0_shape_1_0 = c[47]
+    beam_clamped_free3_1_0_shape_1_1 = c[48]
+    beam_clamped_free3_1_0_shape_1_2 = c[49]
+    # intermediate terms (12)
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * c38 + beam_q2 * c39 + beam_q3 * c40
     w2 = beam_q1 * c41 + beam_q2 * c42 + beam_q3 * c43
     w3 = beam_q1 * c44 + beam_q2 * c45 + beam_q3 * c46
     w4 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3) * 0.5
     w5 = ca.sin(beam_theta)
-    w6 = beam_q1 * beam100_clamped_free3_1_0_shape_1_0 + beam_q2 * beam100_clamped_free3_1_0_shape_1_1 + beam_q3 * beam100_clamped_free3_1_0_shape_1_2
+    w6 = beam_q1 * beam_clamped_free3_1_0_shape_1_0 + beam_q2 * beam_clamped_free3_1_0_shape_1_1 + beam_q3 * beam_clamped_free3_1_0_shape_1_2
     w7 = w5 * beam_theta_dot
     w8 = w1 * beam_q1_dot + beam_q1 * (beam_q1_dot * c38 + beam_q2_dot * c39 + beam_q3_dot * c40) + (w2 * beam_q2_dot + beam_q2 * (beam_q1_dot * c41 + beam_q2_dot * c42 + beam_q3_dot * c43))
     w9 = (w8 + (w3 * beam_q3_dot + beam_q3 * (beam_q1_dot * c44 + beam_q2_dot * c45 + beam_q3_dot * c46))) * 0.5
     w10 = w0 * beam_theta_dot
-    w11 = beam_q1_dot * beam100_clamped_free3_1_0_shape_1_0 + beam_q2_dot * beam100_clamped_free3_1_0_shape_1_1
-    w12 = w11 + beam_q3_dot * beam100_clamped_free3_1_0_shape_1_2
+    w11 = beam_q1_dot * beam_clamped_free3_1_0_shape_1_0 + beam_q2_dot * beam_clamped_free3_1_0_shape_1_1 + beam_q3_dot * beam_clamped_free3_1_0_shape_1_2
     # outputs
     measures = ca.vertcat(
         beam_x + (w0 * w4 - w5 * w6),  # tip_x
-        beam_x_dot - (w4 * w7 + w0 * w9 + (w6 * w10 + w5 * w12)),  # tip_x_dot
+        beam_x_dot - (w4 * w7 + w0 * w9 + (w6 * w10 + w5 * w11)),  # tip_x_dot
         beam_y + (w4 * w5 + w0 * w6),  # tip_y
-        beam_y_dot + (w4 * w10 - w5 * w9 + (w0 * w12 - w6 * w7)),  # tip_y_dot
+        beam_y_dot + (w4 * w10 - w5 * w9 + (w0 * w11 - w6 * w7)),  # tip_y_dot
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
@@ -1209,292 +1208,292 @@ def geometry() -> ca.Function:
     beam_length = p[3]
     beam_area = p[5]
     beam_second_moment = p[7]
-    beam100_clamped_free3_1_0_shape_1_0 = p[40]
-    beam100_clamped_free3_1_0_shape_1_1 = p[41]
-    beam100_clamped_free3_1_0_shape_1_2 = p[42]
-    beam100_clamped_free3_1_0_slope_0_0 = p[43]
-    beam100_clamped_free3_1_0_slope_1_0 = p[44]
-    beam100_clamped_free3_1_0_slope_2_0 = p[45]
-    beam100_clamped_free3_1_0_H_0_0 = p[46]
-    beam100_clamped_free3_1_0_H_0_1 = p[47]
-    beam100_clamped_free3_1_0_H_0_2 = p[48]
-    beam100_clamped_free3_1_0_H_1_0 = p[49]
-    beam100_clamped_free3_1_0_H_1_1 = p[50]
-    beam100_clamped_free3_1_0_H_1_2 = p[51]
-    beam100_clamped_free3_1_0_H_2_0 = p[52]
-    beam100_clamped_free3_1_0_H_2_1 = p[53]
-    beam100_clamped_free3_1_0_H_2_2 = p[54]
-    beam100_clamped_free3_0_0625_at_0_0 = p[55]
-    beam100_clamped_free3_0_0625_shape_1_0 = p[56]
-    beam100_clamped_free3_0_0625_shape_1_1 = p[57]
-    beam100_clamped_free3_0_0625_shape_1_2 = p[58]
-    beam100_clamped_free3_0_0625_slope_0_0 = p[59]
-    beam100_clamped_free3_0_0625_slope_1_0 = p[60]
-    beam100_clamped_free3_0_0625_slope_2_0 = p[61]
-    beam100_clamped_free3_0_0625_H_0_0 = p[62]
-    beam100_clamped_free3_0_0625_H_0_1 = p[63]
-    beam100_clamped_free3_0_0625_H_0_2 = p[64]
-    beam100_clamped_free3_0_0625_H_1_0 = p[65]
-    beam100_clamped_free3_0_0625_H_1_1 = p[66]
-    beam100_clamped_free3_0_0625_H_1_2 = p[67]
-    beam100_clamped_free3_0_0625_H_2_0 = p[68]
-    beam100_clamped_free3_0_0625_H_2_1 = p[69]
-    beam100_clamped_free3_0_0625_H_2_2 = p[70]
-    beam100_clamped_free3_0_125_at_0_0 = p[71]
-    beam100_clamped_free3_0_125_shape_1_0 = p[72]
-    beam100_clamped_free3_0_125_shape_1_1 = p[73]
-    beam100_clamped_free3_0_125_shape_1_2 = p[74]
-    beam100_clamped_free3_0_125_slope_0_0 = p[75]
-    beam100_clamped_free3_0_125_slope_1_0 = p[76]
-    beam100_clamped_free3_0_125_slope_2_0 = p[77]
-    beam100_clamped_free3_0_125_H_0_0 = p[78]
-    beam100_clamped_free3_0_125_H_0_1 = p[79]
-    beam100_clamped_free3_0_125_H_0_2 = p[80]
-    beam100_clamped_free3_0_125_H_1_0 = p[81]
-    beam100_clamped_free3_0_125_H_1_1 = p[82]
-    beam100_clamped_free3_0_125_H_1_2 = p[83]
-    beam100_clamped_free3_0_125_H_2_0 = p[84]
-    beam100_clamped_free3_0_125_H_2_1 = p[85]
-    beam100_clamped_free3_0_125_H_2_2 = p[86]
-    beam100_clamped_free3_0_1875_at_0_0 = p[87]
-    beam100_clamped_free3_0_1875_shape_1_0 = p[88]
-    beam100_clamped_free3_0_1875_shape_1_1 = p[89]
-    beam100_clamped_free3_0_1875_shape_1_2 = p[90]
-    beam100_clamped_free3_0_1875_slope_0_0 = p[91]
-    beam100_clamped_free3_0_1875_slope_1_0 = p[92]
-    beam100_clamped_free3_0_1875_slope_2_0 = p[93]
-    beam100_clamped_free3_0_1875_H_0_0 = p[94]
-    beam100_clamped_free3_0_1875_H_0_1 = p[95]
-    beam100_clamped_free3_0_1875_H_0_2 = p[96]
-    beam100_clamped_free3_0_1875_H_1_0 = p[97]
-    beam100_clamped_free3_0_1875_H_1_1 = p[98]
-    beam100_clamped_free3_0_1875_H_1_2 = p[99]
-    beam100_clamped_free3_0_1875_H_2_0 = p[100]
-    beam100_clamped_free3_0_1875_H_2_1 = p[101]
-    beam100_clamped_free3_0_1875_H_2_2 = p[102]
-    beam100_clamped_free3_0_25_at_0_0 = p[103]
-    beam100_clamped_free3_0_25_shape_1_0 = p[104]
-    beam100_clamped_free3_0_25_shape_1_1 = p[105]
-    beam100_clamped_free3_0_25_shape_1_2 = p[106]
-    beam100_clamped_free3_0_25_slope_0_0 = p[107]
-    beam100_clamped_free3_0_25_slope_1_0 = p[108]
-    beam100_clamped_free3_0_25_slope_2_0 = p[109]
-    beam100_clamped_free3_0_25_H_0_0 = p[110]
-    beam100_clamped_free3_0_25_H_0_1 = p[111]
-    beam100_clamped_free3_0_25_H_0_2 = p[112]
-    beam100_clamped_free3_0_25_H_1_0 = p[113]
-    beam100_clamped_free3_0_25_H_1_1 = p[114]
-    beam100_clamped_free3_0_25_H_1_2 = p[115]
-    beam100_clamped_free3_0_25_H_2_0 = p[116]
-    beam100_clamped_free3_0_25_H_2_1 = p[117]
-    beam100_clamped_free3_0_25_H_2_2 = p[118]
-    beam100_clamped_free3_0_3125_at_0_0 = p[119]
-    beam100_clamped_free3_0_3125_shape_1_0 = p[120]
-    beam100_clamped_free3_0_3125_shape_1_1 = p[121]
-    beam100_clamped_free3_0_3125_shape_1_2 = p[122]
-    beam100_clamped_free3_0_3125_slope_0_0 = p[123]
-    beam100_clamped_free3_0_3125_slope_1_0 = p[124]
-    beam100_clamped_free3_0_3125_slope_2_0 = p[125]
-    beam100_clamped_free3_0_3125_H_0_0 = p[126]
-    beam100_clamped_free3_0_3125_H_0_1 = p[127]
-    beam100_clamped_free3_0_3125_H_0_2 = p[128]
-    beam100_clamped_free3_0_3125_H_1_0 = p[129]
-    beam100_clamped_free3_0_3125_H_1_1 = p[130]
-    beam100_clamped_free3_0_3125_H_1_2 = p[131]
-    beam100_clamped_free3_0_3125_H_2_0 = p[132]
-    beam100_clamped_free3_0_3125_H_2_1 = p[133]
-    beam100_clamped_free3_0_3125_H_2_2 = p[134]
-    beam100_clamped_free3_0_375_at_0_0 = p[135]
-    beam100_clamped_free3_0_375_shape_1_0 = p[136]
-    beam100_clamped_free3_0_375_shape_1_1 = p[137]
-    beam100_clamped_free3_0_375_shape_1_2 = p[138]
-    beam100_clamped_free3_0_375_slope_0_0 = p[139]
-    beam100_clamped_free3_0_375_slope_1_0 = p[140]
-    beam100_clamped_free3_0_375_slope_2_0 = p[141]
-    beam100_clamped_free3_0_375_H_0_0 = p[142]
-    beam100_clamped_free3_0_375_H_0_1 = p[143]
-    beam100_clamped_free3_0_375_H_0_2 = p[144]
-    beam100_clamped_free3_0_375_H_1_0 = p[145]
-    beam100_clamped_free3_0_375_H_1_1 = p[146]
-    beam100_clamped_free3_0_375_H_1_2 = p[147]
-    beam100_clamped_free3_0_375_H_2_0 = p[148]
-    beam100_clamped_free3_0_375_H_2_1 = p[149]
-    beam100_clamped_free3_0_375_H_2_2 = p[150]
-    beam100_clamped_free3_0_4375_at_0_0 = p[151]
-    beam100_clamped_free3_0_4375_shape_1_0 = p[152]
-    beam100_clamped_free3_0_4375_shape_1_1 = p[153]
-    beam100_clamped_free3_0_4375_shape_1_2 = p[154]
-    beam100_clamped_free3_0_4375_slope_0_0 = p[155]
-    beam100_clamped_free3_0_4375_slope_1_0 = p[156]
-    beam100_clamped_free3_0_4375_slope_2_0 = p[157]
-    beam100_clamped_free3_0_4375_H_0_0 = p[158]
-    beam100_clamped_free3_0_4375_H_0_1 = p[159]
-    beam100_clamped_free3_0_4375_H_0_2 = p[160]
-    beam100_clamped_free3_0_4375_H_1_0 = p[161]
-    beam100_clamped_free3_0_4375_H_1_1 = p[162]
-    beam100_clamped_free3_0_4375_H_1_2 = p[163]
-    beam100_clamped_free3_0_4375_H_2_0 = p[164]
-    beam100_clamped_free3_0_4375_H_2_1 = p[165]
-    beam100_clamped_free3_0_4375_H_2_2 = p[166]
-    beam100_clamped_free3_0_5_at_0_0 = p[167]
-    beam100_clamped_free3_0_5_shape_1_0 = p[168]
-    beam100_clamped_free3_0_5_shape_1_1 = p[169]
-    beam100_clamped_free3_0_5_shape_1_2 = p[170]
-    beam100_clamped_free3_0_5_slope_0_0 = p[171]
-    beam100_clamped_free3_0_5_slope_1_0 = p[172]
-    beam100_clamped_free3_0_5_slope_2_0 = p[173]
-    beam100_clamped_free3_0_5_H_0_0 = p[174]
-    beam100_clamped_free3_0_5_H_0_1 = p[175]
-    beam100_clamped_free3_0_5_H_0_2 = p[176]
-    beam100_clamped_free3_0_5_H_1_0 = p[177]
-    beam100_clamped_free3_0_5_H_1_1 = p[178]
-    beam100_clamped_free3_0_5_H_1_2 = p[179]
-    beam100_clamped_free3_0_5_H_2_0 = p[180]
-    beam100_clamped_free3_0_5_H_2_1 = p[181]
-    beam100_clamped_free3_0_5_H_2_2 = p[182]
-    beam100_clamped_free3_0_5625_at_0_0 = p[183]
-    beam100_clamped_free3_0_5625_shape_1_0 = p[184]
-    beam100_clamped_free3_0_5625_shape_1_1 = p[185]
-    beam100_clamped_free3_0_5625_shape_1_2 = p[186]
-    beam100_clamped_free3_0_5625_slope_0_0 = p[187]
-    beam100_clamped_free3_0_5625_slope_1_0 = p[188]
-    beam100_clamped_free3_0_5625_slope_2_0 = p[189]
-    beam100_clamped_free3_0_5625_H_0_0 = p[190]
-    beam100_clamped_free3_0_5625_H_0_1 = p[191]
-    beam100_clamped_free3_0_5625_H_0_2 = p[192]
-    beam100_clamped_free3_0_5625_H_1_0 = p[193]
-    beam100_clamped_free3_0_5625_H_1_1 = p[194]
-    beam100_clamped_free3_0_5625_H_1_2 = p[195]
-    beam100_clamped_free3_0_5625_H_2_0 = p[196]
-    beam100_clamped_free3_0_5625_H_2_1 = p[197]
-    beam100_clamped_free3_0_5625_H_2_2 = p[198]
-    beam100_clamped_free3_0_625_at_0_0 = p[199]
-    beam100_clamped_free3_0_625_shape_1_0 = p[200]
-    beam100_clamped_free3_0_625_shape_1_1 = p[201]
-    beam100_clamped_free3_0_625_shape_1_2 = p[202]
-    beam100_clamped_free3_0_625_slope_0_0 = p[203]
-    beam100_clamped_free3_0_625_slope_1_0 = p[204]
-    beam100_clamped_free3_0_625_slope_2_0 = p[205]
-    beam100_clamped_free3_0_625_H_0_0 = p[206]
-    beam100_clamped_free3_0_625_H_0_1 = p[207]
-    beam100_clamped_free3_0_625_H_0_2 = p[208]
-    beam100_clamped_free3_0_625_H_1_0 = p[209]
-    beam100_clamped_free3_0_625_H_1_1 = p[210]
-    beam100_clamped_free3_0_625_H_1_2 = p[211]
-    beam100_clamped_free3_0_625_H_2_0 = p[212]
-    beam100_clamped_free3_0_625_H_2_1 = p[213]
-    beam100_clamped_free3_0_625_H_2_2 = p[214]
-    beam100_clamped_free3_0_6875_at_0_0 = p[215]
-    beam100_clamped_free3_0_6875_shape_1_0 = p[216]
-    beam100_clamped_free3_0_6875_shape_1_1 = p[217]
-    beam100_clamped_free3_0_6875_shape_1_2 = p[218]
-    beam100_clamped_free3_0_6875_slope_0_0 = p[219]
-    beam100_clamped_free3_0_6875_slope_1_0 = p[220]
-    beam100_clamped_free3_0_6875_slope_2_0 = p[221]
-    beam100_clamped_free3_0_6875_H_0_0 = p[222]
-    beam100_clamped_free3_0_6875_H_0_1 = p[223]
-    beam100_clamped_free3_0_6875_H_0_2 = p[224]
-    beam100_clamped_free3_0_6875_H_1_0 = p[225]
-    beam100_clamped_free3_0_6875_H_1_1 = p[226]
-    beam100_clamped_free3_0_6875_H_1_2 = p[227]
-    beam100_clamped_free3_0_6875_H_2_0 = p[228]
-    beam100_clamped_free3_0_6875_H_2_1 = p[229]
-    beam100_clamped_free3_0_6875_H_2_2 = p[230]
-    beam100_clamped_free3_0_75_at_0_0 = p[231]
-    beam100_clamped_free3_0_75_shape_1_0 = p[232]
-    beam100_clamped_free3_0_75_shape_1_1 = p[233]
-    beam100_clamped_free3_0_75_shape_1_2 = p[234]
-    beam100_clamped_free3_0_75_slope_0_0 = p[235]
-    beam100_clamped_free3_0_75_slope_1_0 = p[236]
-    beam100_clamped_free3_0_75_slope_2_0 = p[237]
-    beam100_clamped_free3_0_75_H_0_0 = p[238]
-    beam100_clamped_free3_0_75_H_0_1 = p[239]
-    beam100_clamped_free3_0_75_H_0_2 = p[240]
-    beam100_clamped_free3_0_75_H_1_0 = p[241]
-    beam100_clamped_free3_0_75_H_1_1 = p[242]
-    beam100_clamped_free3_0_75_H_1_2 = p[243]
-    beam100_clamped_free3_0_75_H_2_0 = p[244]
-    beam100_clamped_free3_0_75_H_2_1 = p[245]
-    beam100_clamped_free3_0_75_H_2_2 = p[246]
-    beam100_clamped_free3_0_8125_at_0_0 = p[247]
-    beam100_clamped_free3_0_8125_shape_1_0 = p[248]
-    beam100_clamped_free3_0_8125_shape_1_1 = p[249]
-    beam100_clamped_free3_0_8125_shape_1_2 = p[250]
-    beam100_clamped_free3_0_8125_slope_0_0 = p[251]
-    beam100_clamped_free3_0_8125_slope_1_0 = p[252]
-    beam100_clamped_free3_0_8125_slope_2_0 = p[253]
-    beam100_clamped_free3_0_8125_H_0_0 = p[254]
-    beam100_clamped_free3_0_8125_H_0_1 = p[255]
-    beam100_clamped_free3_0_8125_H_0_2 = p[256]
-    beam100_clamped_free3_0_8125_H_1_0 = p[257]
-    beam100_clamped_free3_0_8125_H_1_1 = p[258]
-    beam100_clamped_free3_0_8125_H_1_2 = p[259]
-    beam100_clamped_free3_0_8125_H_2_0 = p[260]
-    beam100_clamped_free3_0_8125_H_2_1 = p[261]
-    beam100_clamped_free3_0_8125_H_2_2 = p[262]
-    beam100_clamped_free3_0_875_at_0_0 = p[263]
-    beam100_clamped_free3_0_875_shape_1_0 = p[264]
-    beam100_clamped_free3_0_875_shape_1_1 = p[265]
-    beam100_clamped_free3_0_875_shape_1_2 = p[266]
-    beam100_clamped_free3_0_875_slope_0_0 = p[267]
-    beam100_clamped_free3_0_875_slope_1_0 = p[268]
-    beam100_clamped_free3_0_875_slope_2_0 = p[269]
-    beam100_clamped_free3_0_875_H_0_0 = p[270]
-    beam100_clamped_free3_0_875_H_0_1 = p[271]
-    beam100_clamped_free3_0_875_H_0_2 = p[272]
-    beam100_clamped_free3_0_875_H_1_0 = p[273]
-    beam100_clamped_free3_0_875_H_1_1 = p[274]
-    beam100_clamped_free3_0_875_H_1_2 = p[275]
-    beam100_clamped_free3_0_875_H_2_0 = p[276]
-    beam100_clamped_free3_0_875_H_2_1 = p[277]
-    beam100_clamped_free3_0_875_H_2_2 = p[278]
-    beam100_clamped_free3_0_9375_at_0_0 = p[279]
-    beam100_clamped_free3_0_9375_shape_1_0 = p[280]
-    beam100_clamped_free3_0_9375_shape_1_1 = p[281]
-    beam100_clamped_free3_0_9375_shape_1_2 = p[282]
-    beam100_clamped_free3_0_9375_slope_0_0 = p[283]
-    beam100_clamped_free3_0_9375_slope_1_0 = p[284]
-    beam100_clamped_free3_0_9375_slope_2_0 = p[285]
-    beam100_clamped_free3_0_9375_H_0_0 = p[286]
-    beam100_clamped_free3_0_9375_H_0_1 = p[287]
-    beam100_clamped_free3_0_9375_H_0_2 = p[288]
-    beam100_clamped_free3_0_9375_H_1_0 = p[289]
-    beam100_clamped_free3_0_9375_H_1_1 = p[290]
-    beam100_clamped_free3_0_9375_H_1_2 = p[291]
-    beam100_clamped_free3_0_9375_H_2_0 = p[292]
-    beam100_clamped_free3_0_9375_H_2_1 = p[293]
-    beam100_clamped_free3_0_9375_H_2_2 = p[294]
+    beam_clamped_free3_1_0_shape_1_0 = p[40]
+    beam_clamped_free3_1_0_shape_1_1 = p[41]
+    beam_clamped_free3_1_0_shape_1_2 = p[42]
+    beam_clamped_free3_1_0_slope_0_0 = p[43]
+    beam_clamped_free3_1_0_slope_1_0 = p[44]
+    beam_clamped_free3_1_0_slope_2_0 = p[45]
+    beam_clamped_free3_1_0_H_0_0 = p[46]
+    beam_clamped_free3_1_0_H_0_1 = p[47]
+    beam_clamped_free3_1_0_H_0_2 = p[48]
+    beam_clamped_free3_1_0_H_1_0 = p[49]
+    beam_clamped_free3_1_0_H_1_1 = p[50]
+    beam_clamped_free3_1_0_H_1_2 = p[51]
+    beam_clamped_free3_1_0_H_2_0 = p[52]
+    beam_clamped_free3_1_0_H_2_1 = p[53]
+    beam_clamped_free3_1_0_H_2_2 = p[54]
+    beam_clamped_free3_0_0625_at_0_0 = p[55]
+    beam_clamped_free3_0_0625_shape_1_0 = p[56]
+    beam_clamped_free3_0_0625_shape_1_1 = p[57]
+    beam_clamped_free3_0_0625_shape_1_2 = p[58]
+    beam_clamped_free3_0_0625_slope_0_0 = p[59]
+    beam_clamped_free3_0_0625_slope_1_0 = p[60]
+    beam_clamped_free3_0_0625_slope_2_0 = p[61]
+    beam_clamped_free3_0_0625_H_0_0 = p[62]
+    beam_clamped_free3_0_0625_H_0_1 = p[63]
+    beam_clamped_free3_0_0625_H_0_2 = p[64]
+    beam_clamped_free3_0_0625_H_1_0 = p[65]
+    beam_clamped_free3_0_0625_H_1_1 = p[66]
+    beam_clamped_free3_0_0625_H_1_2 = p[67]
+    beam_clamped_free3_0_0625_H_2_0 = p[68]
+    beam_clamped_free3_0_0625_H_2_1 = p[69]
+    beam_clamped_free3_0_0625_H_2_2 = p[70]
+    beam_clamped_free3_0_125_at_0_0 = p[71]
+    beam_clamped_free3_0_125_shape_1_0 = p[72]
+    beam_clamped_free3_0_125_shape_1_1 = p[73]
+    beam_clamped_free3_0_125_shape_1_2 = p[74]
+    beam_clamped_free3_0_125_slope_0_0 = p[75]
+    beam_clamped_free3_0_125_slope_1_0 = p[76]
+    beam_clamped_free3_0_125_slope_2_0 = p[77]
+    beam_clamped_free3_0_125_H_0_0 = p[78]
+    beam_clamped_free3_0_125_H_0_1 = p[79]
+    beam_clamped_free3_0_125_H_0_2 = p[80]
+    beam_clamped_free3_0_125_H_1_0 = p[81]
+    beam_clamped_free3_0_125_H_1_1 = p[82]
+    beam_clamped_free3_0_125_H_1_2 = p[83]
+    beam_clamped_free3_0_125_H_2_0 = p[84]
+    beam_clamped_free3_0_125_H_2_1 = p[85]
+    beam_clamped_free3_0_125_H_2_2 = p[86]
+    beam_clamped_free3_0_1875_at_0_0 = p[87]
+    beam_clamped_free3_0_1875_shape_1_0 = p[88]
+    beam_clamped_free3_0_1875_shape_1_1 = p[89]
+    beam_clamped_free3_0_1875_shape_1_2 = p[90]
+    beam_clamped_free3_0_1875_slope_0_0 = p[91]
+    beam_clamped_free3_0_1875_slope_1_0 = p[92]
+    beam_clamped_free3_0_1875_slope_2_0 = p[93]
+    beam_clamped_free3_0_1875_H_0_0 = p[94]
+    beam_clamped_free3_0_1875_H_0_1 = p[95]
+    beam_clamped_free3_0_1875_H_0_2 = p[96]
+    beam_clamped_free3_0_1875_H_1_0 = p[97]
+    beam_clamped_free3_0_1875_H_1_1 = p[98]
+    beam_clamped_free3_0_1875_H_1_2 = p[99]
+    beam_clamped_free3_0_1875_H_2_0 = p[100]
+    beam_clamped_free3_0_1875_H_2_1 = p[101]
+    beam_clamped_free3_0_1875_H_2_2 = p[102]
+    beam_clamped_free3_0_25_at_0_0 = p[103]
+    beam_clamped_free3_0_25_shape_1_0 = p[104]
+    beam_clamped_free3_0_25_shape_1_1 = p[105]
+    beam_clamped_free3_0_25_shape_1_2 = p[106]
+    beam_clamped_free3_0_25_slope_0_0 = p[107]
+    beam_clamped_free3_0_25_slope_1_0 = p[108]
+    beam_clamped_free3_0_25_slope_2_0 = p[109]
+    beam_clamped_free3_0_25_H_0_0 = p[110]
+    beam_clamped_free3_0_25_H_0_1 = p[111]
+    beam_clamped_free3_0_25_H_0_2 = p[112]
+    beam_clamped_free3_0_25_H_1_0 = p[113]
+    beam_clamped_free3_0_25_H_1_1 = p[114]
+    beam_clamped_free3_0_25_H_1_2 = p[115]
+    beam_clamped_free3_0_25_H_2_0 = p[116]
+    beam_clamped_free3_0_25_H_2_1 = p[117]
+    beam_clamped_free3_0_25_H_2_2 = p[118]
+    beam_clamped_free3_0_3125_at_0_0 = p[119]
+    beam_clamped_free3_0_3125_shape_1_0 = p[120]
+    beam_clamped_free3_0_3125_shape_1_1 = p[121]
+    beam_clamped_free3_0_3125_shape_1_2 = p[122]
+    beam_clamped_free3_0_3125_slope_0_0 = p[123]
+    beam_clamped_free3_0_3125_slope_1_0 = p[124]
+    beam_clamped_free3_0_3125_slope_2_0 = p[125]
+    beam_clamped_free3_0_3125_H_0_0 = p[126]
+    beam_clamped_free3_0_3125_H_0_1 = p[127]
+    beam_clamped_free3_0_3125_H_0_2 = p[128]
+    beam_clamped_free3_0_3125_H_1_0 = p[129]
+    beam_clamped_free3_0_3125_H_1_1 = p[130]
+    beam_clamped_free3_0_3125_H_1_2 = p[131]
+    beam_clamped_free3_0_3125_H_2_0 = p[132]
+    beam_clamped_free3_0_3125_H_2_1 = p[133]
+    beam_clamped_free3_0_3125_H_2_2 = p[134]
+    beam_clamped_free3_0_375_at_0_0 = p[135]
+    beam_clamped_free3_0_375_shape_1_0 = p[136]
+    beam_clamped_free3_0_375_shape_1_1 = p[137]
+    beam_clamped_free3_0_375_shape_1_2 = p[138]
+    beam_clamped_free3_0_375_slope_0_0 = p[139]
+    beam_clamped_free3_0_375_slope_1_0 = p[140]
+    beam_clamped_free3_0_375_slope_2_0 = p[141]
+    beam_clamped_free3_0_375_H_0_0 = p[142]
+    beam_clamped_free3_0_375_H_0_1 = p[143]
+    beam_clamped_free3_0_375_H_0_2 = p[144]
+    beam_clamped_free3_0_375_H_1_0 = p[145]
+    beam_clamped_free3_0_375_H_1_1 = p[146]
+    beam_clamped_free3_0_375_H_1_2 = p[147]
+    beam_clamped_free3_0_375_H_2_0 = p[148]
+    beam_clamped_free3_0_375_H_2_1 = p[149]
+    beam_clamped_free3_0_375_H_2_2 = p[150]
+    beam_clamped_free3_0_4375_at_0_0 = p[151]
+    beam_clamped_free3_0_4375_shape_1_0 = p[152]
+    beam_clamped_free3_0_4375_shape_1_1 = p[153]
+    beam_clamped_free3_0_4375_shape_1_2 = p[154]
+    beam_clamped_free3_0_4375_slope_0_0 = p[155]
+    beam_clamped_free3_0_4375_slope_1_0 = p[156]
+    beam_clamped_free3_0_4375_slope_2_0 = p[157]
+    beam_clamped_free3_0_4375_H_0_0 = p[158]
+    beam_clamped_free3_0_4375_H_0_1 = p[159]
+    beam_clamped_free3_0_4375_H_0_2 = p[160]
+    beam_clamped_free3_0_4375_H_1_0 = p[161]
+    beam_clamped_free3_0_4375_H_1_1 = p[162]
+    beam_clamped_free3_0_4375_H_1_2 = p[163]
+    beam_clamped_free3_0_4375_H_2_0 = p[164]
+    beam_clamped_free3_0_4375_H_2_1 = p[165]
+    beam_clamped_free3_0_4375_H_2_2 = p[166]
+    beam_clamped_free3_0_5_at_0_0 = p[167]
+    beam_clamped_free3_0_5_shape_1_0 = p[168]
+    beam_clamped_free3_0_5_shape_1_1 = p[169]
+    beam_clamped_free3_0_5_shape_1_2 = p[170]
+    beam_clamped_free3_0_5_slope_0_0 = p[171]
+    beam_clamped_free3_0_5_slope_1_0 = p[172]
+    beam_clamped_free3_0_5_slope_2_0 = p[173]
+    beam_clamped_free3_0_5_H_0_0 = p[174]
+    beam_clamped_free3_0_5_H_0_1 = p[175]
+    beam_clamped_free3_0_5_H_0_2 = p[176]
+    beam_clamped_free3_0_5_H_1_0 = p[177]
+    beam_clamped_free3_0_5_H_1_1 = p[178]
+    beam_clamped_free3_0_5_H_1_2 = p[179]
+    beam_clamped_free3_0_5_H_2_0 = p[180]
+    beam_clamped_free3_0_5_H_2_1 = p[181]
+    beam_clamped_free3_0_5_H_2_2 = p[182]
+    beam_clamped_free3_0_5625_at_0_0 = p[183]
+    beam_clamped_free3_0_5625_shape_1_0 = p[184]
+    beam_clamped_free3_0_5625_shape_1_1 = p[185]
+    beam_clamped_free3_0_5625_shape_1_2 = p[186]
+    beam_clamped_free3_0_5625_slope_0_0 = p[187]
+    beam_clamped_free3_0_5625_slope_1_0 = p[188]
+    beam_clamped_free3_0_5625_slope_2_0 = p[189]
+    beam_clamped_free3_0_5625_H_0_0 = p[190]
+    beam_clamped_free3_0_5625_H_0_1 = p[191]
+    beam_clamped_free3_0_5625_H_0_2 = p[192]
+    beam_clamped_free3_0_5625_H_1_0 = p[193]
+    beam_clamped_free3_0_5625_H_1_1 = p[194]
+    beam_clamped_free3_0_5625_H_1_2 = p[195]
+    beam_clamped_free3_0_5625_H_2_0 = p[196]
+    beam_clamped_free3_0_5625_H_2_1 = p[197]
+    beam_clamped_free3_0_5625_H_2_2 = p[198]
+    beam_clamped_free3_0_625_at_0_0 = p[199]
+    beam_clamped_free3_0_625_shape_1_0 = p[200]
+    beam_clamped_free3_0_625_shape_1_1 = p[201]
+    beam_clamped_free3_0_625_shape_1_2 = p[202]
+    beam_clamped_free3_0_625_slope_0_0 = p[203]
+    beam_clamped_free3_0_625_slope_1_0 = p[204]
+    beam_clamped_free3_0_625_slope_2_0 = p[205]
+    beam_clamped_free3_0_625_H_0_0 = p[206]
+    beam_clamped_free3_0_625_H_0_1 = p[207]
+    beam_clamped_free3_0_625_H_0_2 = p[208]
+    beam_clamped_free3_0_625_H_1_0 = p[209]
+    beam_clamped_free3_0_625_H_1_1 = p[210]
+    beam_clamped_free3_0_625_H_1_2 = p[211]
+    beam_clamped_free3_0_625_H_2_0 = p[212]
+    beam_clamped_free3_0_625_H_2_1 = p[213]
+    beam_clamped_free3_0_625_H_2_2 = p[214]
+    beam_clamped_free3_0_6875_at_0_0 = p[215]
+    beam_clamped_free3_0_6875_shape_1_0 = p[216]
+    beam_clamped_free3_0_6875_shape_1_1 = p[217]
+    beam_clamped_free3_0_6875_shape_1_2 = p[218]
+    beam_clamped_free3_0_6875_slope_0_0 = p[219]
+    beam_clamped_free3_0_6875_slope_1_0 = p[220]
+    beam_clamped_free3_0_6875_slope_2_0 = p[221]
+    beam_clamped_free3_0_6875_H_0_0 = p[222]
+    beam_clamped_free3_0_6875_H_0_1 = p[223]
+    beam_clamped_free3_0_6875_H_0_2 = p[224]
+    beam_clamped_free3_0_6875_H_1_0 = p[225]
+    beam_clamped_free3_0_6875_H_1_1 = p[226]
+    beam_clamped_free3_0_6875_H_1_2 = p[227]
+    beam_clamped_free3_0_6875_H_2_0 = p[228]
+    beam_clamped_free3_0_6875_H_2_1 = p[229]
+    beam_clamped_free3_0_6875_H_2_2 = p[230]
+    beam_clamped_free3_0_75_at_0_0 = p[231]
+    beam_clamped_free3_0_75_shape_1_0 = p[232]
+    beam_clamped_free3_0_75_shape_1_1 = p[233]
+    beam_clamped_free3_0_75_shape_1_2 = p[234]
+    beam_clamped_free3_0_75_slope_0_0 = p[235]
+    beam_clamped_free3_0_75_slope_1_0 = p[236]
+    beam_clamped_free3_0_75_slope_2_0 = p[237]
+    beam_clamped_free3_0_75_H_0_0 = p[238]
+    beam_clamped_free3_0_75_H_0_1 = p[239]
+    beam_clamped_free3_0_75_H_0_2 = p[240]
+    beam_clamped_free3_0_75_H_1_0 = p[241]
+    beam_clamped_free3_0_75_H_1_1 = p[242]
+    beam_clamped_free3_0_75_H_1_2 = p[243]
+    beam_clamped_free3_0_75_H_2_0 = p[244]
+    beam_clamped_free3_0_75_H_2_1 = p[245]
+    beam_clamped_free3_0_75_H_2_2 = p[246]
+    beam_clamped_free3_0_8125_at_0_0 = p[247]
+    beam_clamped_free3_0_8125_shape_1_0 = p[248]
+    beam_clamped_free3_0_8125_shape_1_1 = p[249]
+    beam_clamped_free3_0_8125_shape_1_2 = p[250]
+    beam_clamped_free3_0_8125_slope_0_0 = p[251]
+    beam_clamped_free3_0_8125_slope_1_0 = p[252]
+    beam_clamped_free3_0_8125_slope_2_0 = p[253]
+    beam_clamped_free3_0_8125_H_0_0 = p[254]
+    beam_clamped_free3_0_8125_H_0_1 = p[255]
+    beam_clamped_free3_0_8125_H_0_2 = p[256]
+    beam_clamped_free3_0_8125_H_1_0 = p[257]
+    beam_clamped_free3_0_8125_H_1_1 = p[258]
+    beam_clamped_free3_0_8125_H_1_2 = p[259]
+    beam_clamped_free3_0_8125_H_2_0 = p[260]
+    beam_clamped_free3_0_8125_H_2_1 = p[261]
+    beam_clamped_free3_0_8125_H_2_2 = p[262]
+    beam_clamped_free3_0_875_at_0_0 = p[263]
+    beam_clamped_free3_0_875_shape_1_0 = p[264]
+    beam_clamped_free3_0_875_shape_1_1 = p[265]
+    beam_clamped_free3_0_875_shape_1_2 = p[266]
+    beam_clamped_free3_0_875_slope_0_0 = p[267]
+    beam_clamped_free3_0_875_slope_1_0 = p[268]
+    beam_clamped_free3_0_875_slope_2_0 = p[269]
+    beam_clamped_free3_0_875_H_0_0 = p[270]
+    beam_clamped_free3_0_875_H_0_1 = p[271]
+    beam_clamped_free3_0_875_H_0_2 = p[272]
+    beam_clamped_free3_0_875_H_1_0 = p[273]
+    beam_clamped_free3_0_875_H_1_1 = p[274]
+    beam_clamped_free3_0_875_H_1_2 = p[275]
+    beam_clamped_free3_0_875_H_2_0 = p[276]
+    beam_clamped_free3_0_875_H_2_1 = p[277]
+    beam_clamped_free3_0_875_H_2_2 = p[278]
+    beam_clamped_free3_0_9375_at_0_0 = p[279]
+    beam_clamped_free3_0_9375_shape_1_0 = p[280]
+    beam_clamped_free3_0_9375_shape_1_1 = p[281]
+    beam_clamped_free3_0_9375_shape_1_2 = p[282]
+    beam_clamped_free3_0_9375_slope_0_0 = p[283]
+    beam_clamped_free3_0_9375_slope_1_0 = p[284]
+    beam_clamped_free3_0_9375_slope_2_0 = p[285]
+    beam_clamped_free3_0_9375_H_0_0 = p[286]
+    beam_clamped_free3_0_9375_H_0_1 = p[287]
+    beam_clamped_free3_0_9375_H_0_2 = p[288]
+    beam_clamped_free3_0_9375_H_1_0 = p[289]
+    beam_clamped_free3_0_9375_H_1_1 = p[290]
+    beam_clamped_free3_0_9375_H_1_2 = p[291]
+    beam_clamped_free3_0_9375_H_2_0 = p[292]
+    beam_clamped_free3_0_9375_H_2_1 = p[293]
+    beam_clamped_free3_0_9375_H_2_2 = p[294]
     # intermediate terms (13)
-    w0 = beam100_clamped_free3_1_0_slope_0_0 / beam_length
-    w1 = beam100_clamped_free3_1_0_slope_1_0 / beam_length
-    w2 = beam100_clamped_free3_1_0_slope_2_0 / beam_length
-    w3 = beam100_clamped_free3_1_0_H_0_0 / beam_length
-    w4 = beam100_clamped_free3_1_0_H_0_1 / beam_length
-    w5 = beam100_clamped_free3_1_0_H_0_2 / beam_length
-    w6 = beam100_clamped_free3_1_0_H_1_0 / beam_length
-    w7 = beam100_clamped_free3_1_0_H_1_1 / beam_length
-    w8 = beam100_clamped_free3_1_0_H_1_2 / beam_length
-    w9 = beam100_clamped_free3_1_0_H_2_0 / beam_length
-    w10 = beam100_clamped_free3_1_0_H_2_1 / beam_length
-    w11 = beam100_clamped_free3_1_0_H_2_2 / beam_length
+    w0 = beam_clamped_free3_1_0_slope_0_0 / beam_length
+    w1 = beam_clamped_free3_1_0_slope_1_0 / beam_length
+    w2 = beam_clamped_free3_1_0_slope_2_0 / beam_length
+    w3 = beam_clamped_free3_1_0_H_0_0 / beam_length
+    w4 = beam_clamped_free3_1_0_H_0_1 / beam_length
+    w5 = beam_clamped_free3_1_0_H_0_2 / beam_length
+    w6 = beam_clamped_free3_1_0_H_1_0 / beam_length
+    w7 = beam_clamped_free3_1_0_H_1_1 / beam_length
+    w8 = beam_clamped_free3_1_0_H_1_2 / beam_length
+    w9 = beam_clamped_free3_1_0_H_2_0 / beam_length
+    w10 = beam_clamped_free3_1_0_H_2_1 / beam_length
+    w11 = beam_clamped_free3_1_0_H_2_2 / beam_length
     w12 = ca.sqrt(12.0 * beam_second_moment / beam_area)
     # outputs
     positions = ca.SX(3, 21)
-    positions[0, 1] = beam_length * beam100_clamped_free3_0_0625_at_0_0
-    positions[0, 2] = beam_length * beam100_clamped_free3_0_125_at_0_0
-    positions[0, 3] = beam_length * beam100_clamped_free3_0_1875_at_0_0
-    positions[0, 4] = beam_length * beam100_clamped_free3_0_25_at_0_0
-    positions[0, 5] = beam_length * beam100_clamped_free3_0_3125_at_0_0
-    positions[0, 6] = beam_length * beam100_clamped_free3_0_375_at_0_0
-    positions[0, 7] = beam_length * beam100_clamped_free3_0_4375_at_0_0
-    positions[0, 8] = beam_length * beam100_clamped_free3_0_5_at_0_0
-    positions[0, 9] = beam_length * beam100_clamped_free3_0_5625_at_0_0
-    positions[0, 10] = beam_length * beam100_clamped_free3_0_625_at_0_0
-    positions[0, 11] = beam_length * beam100_clamped_free3_0_6875_at_0_0
-    positions[0, 12] = beam_length * beam100_clamped_free3_0_75_at_0_0
-    positions[0, 13] = beam_length * beam100_clamped_free3_0_8125_at_0_0
-    positions[0, 14] = beam_length * beam100_clamped_free3_0_875_at_0_0
-    positions[0, 15] = beam_length * beam100_clamped_free3_0_9375_at_0_0
+    positions[0, 1] = beam_length * beam_clamped_free3_0_0625_at_0_0
+    positions[0, 2] = beam_length * beam_clamped_free3_0_125_at_0_0
+    positions[0, 3] = beam_length * beam_clamped_free3_0_1875_at_0_0
+    positions[0, 4] = beam_length * beam_clamped_free3_0_25_at_0_0
+    positions[0, 5] = beam_length * beam_clamped_free3_0_3125_at_0_0
+    positions[0, 6] = beam_length * beam_clamped_free3_0_375_at_0_0
+    positions[0, 7] = beam_length * beam_clamped_free3_0_4375_at_0_0
+    positions[0, 8] = beam_length * beam_clamped_free3_0_5_at_0_0
+    positions[0, 9] = beam_length * beam_clamped_free3_0_5625_at_0_0
+    positions[0, 10] = beam_length * beam_clamped_free3_0_625_at_0_0
+    positions[0, 11] = beam_length * beam_clamped_free3_0_6875_at_0_0
+    positions[0, 12] = beam_length * beam_clamped_free3_0_75_at_0_0
+    positions[0, 13] = beam_length * beam_clamped_free3_0_8125_at_0_0
+    positions[0, 14] = beam_length * beam_clamped_free3_0_875_at_0_0
+    positions[0, 15] = beam_length * beam_clamped_free3_0_9375_at_0_0
     positions[0, 16] = beam_length
     positions[0, 20] = beam_length
     axes = ca.SX(9, 21)
@@ -1562,103 +1561,103 @@ def geometry() -> ca.Function:
     axes[8, 19] = 1.0
     axes[8, 20] = 1.0
     shapes = ca.SX(3, 57)
-    shapes[1, 3] = beam100_clamped_free3_0_0625_shape_1_0
-    shapes[1, 4] = beam100_clamped_free3_0_0625_shape_1_1
-    shapes[1, 5] = beam100_clamped_free3_0_0625_shape_1_2
-    shapes[1, 6] = beam100_clamped_free3_0_125_shape_1_0
-    shapes[1, 7] = beam100_clamped_free3_0_125_shape_1_1
-    shapes[1, 8] = beam100_clamped_free3_0_125_shape_1_2
-    shapes[1, 9] = beam100_clamped_free3_0_1875_shape_1_0
-    shapes[1, 10] = beam100_clamped_free3_0_1875_shape_1_1
-    shapes[1, 11] = beam100_clamped_free3_0_1875_shape_1_2
-    shapes[1, 12] = beam100_clamped_free3_0_25_shape_1_0
-    shapes[1, 13] = beam100_clamped_free3_0_25_shape_1_1
-    shapes[1, 14] = beam100_clamped_free3_0_25_shape_1_2
-    shapes[1, 15] = beam100_clamped_free3_0_3125_shape_1_0
-    shapes[1, 16] = beam100_clamped_free3_0_3125_shape_1_1
-    shapes[1, 17] = beam100_clamped_free3_0_3125_shape_1_2
-    shapes[1, 18] = beam100_clamped_free3_0_375_shape_1_0
-    shapes[1, 19] = beam100_clamped_free3_0_375_shape_1_1
-    shapes[1, 20] = beam100_clamped_free3_0_375_shape_1_2
-    shapes[1, 21] = beam100_clamped_free3_0_4375_shape_1_0
-    shapes[1, 22] = beam100_clamped_free3_0_4375_shape_1_1
-    shapes[1, 23] = beam100_clamped_free3_0_4375_shape_1_2
-    shapes[1, 24] = beam100_clamped_free3_0_5_shape_1_0
-    shapes[1, 25] = beam100_clamped_free3_0_5_shape_1_1
-    shapes[1, 26] = beam100_clamped_free3_0_5_shape_1_2
-    shapes[1, 27] = beam100_clamped_free3_0_5625_shape_1_0
-    shapes[1, 28] = beam100_clamped_free3_0_5625_shape_1_1
-    shapes[1, 29] = beam100_clamped_free3_0_5625_shape_1_2
-    shapes[1, 30] = beam100_clamped_free3_0_625_shape_1_0
-    shapes[1, 31] = beam100_clamped_free3_0_625_shape_1_1
-    shapes[1, 32] = beam100_clamped_free3_0_625_shape_1_2
-    shapes[1, 33] = beam100_clamped_free3_0_6875_shape_1_0
-    shapes[1, 34] = beam100_clamped_free3_0_6875_shape_1_1
-    shapes[1, 35] = beam100_clamped_free3_0_6875_shape_1_2
-    shapes[1, 36] = beam100_clamped_free3_0_75_shape_1_0
-    shapes[1, 37] = beam100_clamped_free3_0_75_shape_1_1
-    shapes[1, 38] = beam100_clamped_free3_0_75_shape_1_2
-    shapes[1, 39] = beam100_clamped_free3_0_8125_shape_1_0
-    shapes[1, 40] = beam100_clamped_free3_0_8125_shape_1_1
-    shapes[1, 41] = beam100_clamped_free3_0_8125_shape_1_2
-    shapes[1, 42] = beam100_clamped_free3_0_875_shape_1_0
-    shapes[1, 43] = beam100_clamped_free3_0_875_shape_1_1
-    shapes[1, 44] = beam100_clamped_free3_0_875_shape_1_2
-    shapes[1, 45] = beam100_clamped_free3_0_9375_shape_1_0
-    shapes[1, 46] = beam100_clamped_free3_0_9375_shape_1_1
-    shapes[1, 47] = beam100_clamped_free3_0_9375_shape_1_2
-    shapes[1, 48] = beam100_clamped_free3_1_0_shape_1_0
-    shapes[1, 49] = beam100_clamped_free3_1_0_shape_1_1
-    shapes[1, 50] = beam100_clamped_free3_1_0_shape_1_2
-    shapes[1, 54] = beam100_clamped_free3_1_0_shape_1_0
-    shapes[1, 55] = beam100_clamped_free3_1_0_shape_1_1
-    shapes[1, 56] = beam100_clamped_free3_1_0_shape_1_2
+    shapes[1, 3] = beam_clamped_free3_0_0625_shape_1_0
+    shapes[1, 4] = beam_clamped_free3_0_0625_shape_1_1
+    shapes[1, 5] = beam_clamped_free3_0_0625_shape_1_2
+    shapes[1, 6] = beam_clamped_free3_0_125_shape_1_0
+    shapes[1, 7] = beam_clamped_free3_0_125_shape_1_1
+    shapes[1, 8] = beam_clamped_free3_0_125_shape_1_2
+    shapes[1, 9] = beam_clamped_free3_0_1875_shape_1_0
+    shapes[1, 10] = beam_clamped_free3_0_1875_shape_1_1
+    shapes[1, 11] = beam_clamped_free3_0_1875_shape_1_2
+    shapes[1, 12] = beam_clamped_free3_0_25_shape_1_0
+    shapes[1, 13] = beam_clamped_free3_0_25_shape_1_1
+    shapes[1, 14] = beam_clamped_free3_0_25_shape_1_2
+    shapes[1, 15] = beam_clamped_free3_0_3125_shape_1_0
+    shapes[1, 16] = beam_clamped_free3_0_3125_shape_1_1
+    shapes[1, 17] = beam_clamped_free3_0_3125_shape_1_2
+    shapes[1, 18] = beam_clamped_free3_0_375_shape_1_0
+    shapes[1, 19] = beam_clamped_free3_0_375_shape_1_1
+    shapes[1, 20] = beam_clamped_free3_0_375_shape_1_2
+    shapes[1, 21] = beam_clamped_free3_0_4375_shape_1_0
+    shapes[1, 22] = beam_clamped_free3_0_4375_shape_1_1
+    shapes[1, 23] = beam_clamped_free3_0_4375_shape_1_2
+    shapes[1, 24] = beam_clamped_free3_0_5_shape_1_0
+    shapes[1, 25] = beam_clamped_free3_0_5_shape_1_1
+    shapes[1, 26] = beam_clamped_free3_0_5_shape_1_2
+    shapes[1, 27] = beam_clamped_free3_0_5625_shape_1_0
+    shapes[1, 28] = beam_clamped_free3_0_5625_shape_1_1
+    shapes[1, 29] = beam_clamped_free3_0_5625_shape_1_2
+    shapes[1, 30] = beam_clamped_free3_0_625_shape_1_0
+    shapes[1, 31] = beam_clamped_free3_0_625_shape_1_1
+    shapes[1, 32] = beam_clamped_free3_0_625_shape_1_2
+    shapes[1, 33] = beam_clamped_free3_0_6875_shape_1_0
+    shapes[1, 34] = beam_clamped_free3_0_6875_shape_1_1
+    shapes[1, 35] = beam_clamped_free3_0_6875_shape_1_2
+    shapes[1, 36] = beam_clamped_free3_0_75_shape_1_0
+    shapes[1, 37] = beam_clamped_free3_0_75_shape_1_1
+    shapes[1, 38] = beam_clamped_free3_0_75_shape_1_2
+    shapes[1, 39] = beam_clamped_free3_0_8125_shape_1_0
+    shapes[1, 40] = beam_clamped_free3_0_8125_shape_1_1
+    shapes[1, 41] = beam_clamped_free3_0_8125_shape_1_2
+    shapes[1, 42] = beam_clamped_free3_0_875_shape_1_0
+    shapes[1, 43] = beam_clamped_free3_0_875_shape_1_1
+    shapes[1, 44] = beam_clamped_free3_0_875_shape_1_2
+    shapes[1, 45] = beam_clamped_free3_0_9375_shape_1_0
+    shapes[1, 46] = beam_clamped_free3_0_9375_shape_1_1
+    shapes[1, 47] = beam_clamped_free3_0_9375_shape_1_2
+    shapes[1, 48] = beam_clamped_free3_1_0_shape_1_0
+    shapes[1, 49] = beam_clamped_free3_1_0_shape_1_1
+    shapes[1, 50] = beam_clamped_free3_1_0_shape_1_2
+    shapes[1, 54] = beam_clamped_free3_1_0_shape_1_0
+    shapes[1, 55] = beam_clamped_free3_1_0_shape_1_1
+    shapes[1, 56] = beam_clamped_free3_1_0_shape_1_2
     turns = ca.SX(3, 57)
-    turns[2, 3] = beam100_clamped_free3_0_0625_slope_0_0 / beam_length
-    turns[2, 4] = beam100_clamped_free3_0_0625_slope_1_0 / beam_length
-    turns[2, 5] = beam100_clamped_free3_0_0625_slope_2_0 / beam_length
-    turns[2, 6] = beam100_clamped_free3_0_125_slope_0_0 / beam_length
-    turns[2, 7] = beam100_clamped_free3_0_125_slope_1_0 / beam_length
-    turns[2, 8] = beam100_clamped_free3_0_125_slope_2_0 / beam_length
-    turns[2, 9] = beam100_clamped_free3_0_1875_slope_0_0 / beam_length
-    turns[2, 10] = beam100_clamped_free3_0_1875_slope_1_0 / beam_length
-    turns[2, 11] = beam100_clamped_free3_0_1875_slope_2_0 / beam_length
-    turns[2, 12] = beam100_clamped_free3_0_25_slope_0_0 / beam_length
-    turns[2, 13] = beam100_clamped_free3_0_25_slope_1_0 / beam_length
-    turns[2, 14] = beam100_clamped_free3_0_25_slope_2_0 / beam_length
-    turns[2, 15] = beam100_clamped_free3_0_3125_slope_0_0 / beam_length
-    turns[2, 16] = beam100_clamped_free3_0_3125_slope_1_0 / beam_length
-    turns[2, 17] = beam100_clamped_free3_0_3125_slope_2_0 / beam_length
-    turns[2, 18] = beam100_clamped_free3_0_375_slope_0_0 / beam_length
-    turns[2, 19] = beam100_clamped_free3_0_375_slope_1_0 / beam_length
-    turns[2, 20] = beam100_clamped_free3_0_375_slope_2_0 / beam_length
-    turns[2, 21] = beam100_clamped_free3_0_4375_slope_0_0 / beam_length
-    turns[2, 22] = beam100_clamped_free3_0_4375_slope_1_0 / beam_length
-    turns[2, 23] = beam100_clamped_free3_0_4375_slope_2_0 / beam_length
-    turns[2, 24] = beam100_clamped_free3_0_5_slope_0_0 / beam_length
-    turns[2, 25] = beam100_clamped_free3_0_5_slope_1_0 / beam_length
-    turns[2, 26] = beam100_clamped_free3_0_5_slope_2_0 / beam_length
-    turns[2, 27] = beam100_clamped_free3_0_5625_slope_0_0 / beam_length
-    turns[2, 28] = beam100_clamped_free3_0_5625_slope_1_0 / beam_length
-    turns[2, 29] = beam100_clamped_free3_0_5625_slope_2_0 / beam_length
-    turns[2, 30] = beam100_clamped_free3_0_625_slope_0_0 / beam_length
-    turns[2, 31] = beam100_clamped_free3_0_625_slope_1_0 / beam_length
-    turns[2, 32] = beam100_clamped_free3_0_625_slope_2_0 / beam_length
-    turns[2, 33] = beam100_clamped_free3_0_6875_slope_0_0 / beam_length
-    turns[2, 34] = beam100_clamped_free3_0_6875_slope_1_0 / beam_length
-    turns[2, 35] = beam100_clamped_free3_0_6875_slope_2_0 / beam_length
-    turns[2, 36] = beam100_clamped_free3_0_75_slope_0_0 / beam_length
-    turns[2, 37] = beam100_clamped_free3_0_75_slope_1_0 / beam_length
-    turns[2, 38] = beam100_clamped_free3_0_75_slope_2_0 / beam_length
-    turns[2, 39] = beam100_clamped_free3_0_8125_slope_0_0 / beam_length
-    turns[2, 40] = beam100_clamped_free3_0_8125_slope_1_0 / beam_length
-    turns[2, 41] = beam100_clamped_free3_0_8125_slope_2_0 / beam_length
-    turns[2, 42] = beam100_clamped_free3_0_875_slope_0_0 / beam_length
-    turns[2, 43] = beam100_clamped_free3_0_875_slope_1_0 / beam_length
-    turns[2, 44] = beam100_clamped_free3_0_875_slope_2_0 / beam_length
-    turns[2, 45] = beam100_clamped_free3_0_9375_slope_0_0 / beam_length
-    turns[2, 46] = beam100_clamped_free3_0_9375_slope_1_0 / beam_length
-    turns[2, 47] = beam100_clamped_free3_0_9375_slope_2_0 / beam_length
+    turns[2, 3] = beam_clamped_free3_0_0625_slope_0_0 / beam_length
+    turns[2, 4] = beam_clamped_free3_0_0625_slope_1_0 / beam_length
+    turns[2, 5] = beam_clamped_free3_0_0625_slope_2_0 / beam_length
+    turns[2, 6] = beam_clamped_free3_0_125_slope_0_0 / beam_length
+    turns[2, 7] = beam_clamped_free3_0_125_slope_1_0 / beam_length
+    turns[2, 8] = beam_clamped_free3_0_125_slope_2_0 / beam_length
+    turns[2, 9] = beam_clamped_free3_0_1875_slope_0_0 / beam_length
+    turns[2, 10] = beam_clamped_free3_0_1875_slope_1_0 / beam_length
+    turns[2, 11] = beam_clamped_free3_0_1875_slope_2_0 / beam_length
+    turns[2, 12] = beam_clamped_free3_0_25_slope_0_0 / beam_length
+    turns[2, 13] = beam_clamped_free3_0_25_slope_1_0 / beam_length
+    turns[2, 14] = beam_clamped_free3_0_25_slope_2_0 / beam_length
+    turns[2, 15] = beam_clamped_free3_0_3125_slope_0_0 / beam_length
+    turns[2, 16] = beam_clamped_free3_0_3125_slope_1_0 / beam_length
+    turns[2, 17] = beam_clamped_free3_0_3125_slope_2_0 / beam_length
+    turns[2, 18] = beam_clamped_free3_0_375_slope_0_0 / beam_length
+    turns[2, 19] = beam_clamped_free3_0_375_slope_1_0 / beam_length
+    turns[2, 20] = beam_clamped_free3_0_375_slope_2_0 / beam_length
+    turns[2, 21] = beam_clamped_free3_0_4375_slope_0_0 / beam_length
+    turns[2, 22] = beam_clamped_free3_0_4375_slope_1_0 / beam_length
+    turns[2, 23] = beam_clamped_free3_0_4375_slope_2_0 / beam_length
+    turns[2, 24] = beam_clamped_free3_0_5_slope_0_0 / beam_length
+    turns[2, 25] = beam_clamped_free3_0_5_slope_1_0 / beam_length
+    turns[2, 26] = beam_clamped_free3_0_5_slope_2_0 / beam_length
+    turns[2, 27] = beam_clamped_free3_0_5625_slope_0_0 / beam_length
+    turns[2, 28] = beam_clamped_free3_0_5625_slope_1_0 / beam_length
+    turns[2, 29] = beam_clamped_free3_0_5625_slope_2_0 / beam_length
+    turns[2, 30] = beam_clamped_free3_0_625_slope_0_0 / beam_length
+    turns[2, 31] = beam_clamped_free3_0_625_slope_1_0 / beam_length
+    turns[2, 32] = beam_clamped_free3_0_625_slope_2_0 / beam_length
+    turns[2, 33] = beam_clamped_free3_0_6875_slope_0_0 / beam_length
+    turns[2, 34] = beam_clamped_free3_0_6875_slope_1_0 / beam_length
+    turns[2, 35] = beam_clamped_free3_0_6875_slope_2_0 / beam_length
+    turns[2, 36] = beam_clamped_free3_0_75_slope_0_0 / beam_length
+    turns[2, 37] = beam_clamped_free3_0_75_slope_1_0 / beam_length
+    turns[2, 38] = beam_clamped_free3_0_75_slope_2_0 / beam_length
+    turns[2, 39] = beam_clamped_free3_0_8125_slope_0_0 / beam_length
+    turns[2, 40] = beam_clamped_free3_0_8125_slope_1_0 / beam_length
+    turns[2, 41] = beam_clamped_free3_0_8125_slope_2_0 / beam_length
+    turns[2, 42] = beam_clamped_free3_0_875_slope_0_0 / beam_length
+    turns[2, 43] = beam_clamped_free3_0_875_slope_1_0 / beam_length
+    turns[2, 44] = beam_clamped_free3_0_875_slope_2_0 / beam_length
+    turns[2, 45] = beam_clamped_free3_0_9375_slope_0_0 / beam_length
+    turns[2, 46] = beam_clamped_free3_0_9375_slope_1_0 / beam_length
+    turns[2, 47] = beam_clamped_free3_0_9375_slope_2_0 / beam_length
     turns[2, 48] = w0
     turns[2, 49] = w1
     turns[2, 50] = w2
@@ -1666,75 +1665,75 @@ def geometry() -> ca.Function:
     turns[2, 55] = w1
     turns[2, 56] = w2
     H = ca.horzcat(
-        beam100_clamped_free3_0_0625_H_0_0 / beam_length, beam100_clamped_free3_0_0625_H_0_1 / beam_length,
-        beam100_clamped_free3_0_0625_H_0_2 / beam_length, beam100_clamped_free3_0_0625_H_1_0 / beam_length,
-        beam100_clamped_free3_0_0625_H_1_1 / beam_length, beam100_clamped_free3_0_0625_H_1_2 / beam_length,
-        beam100_clamped_free3_0_0625_H_2_0 / beam_length, beam100_clamped_free3_0_0625_H_2_1 / beam_length,
-        beam100_clamped_free3_0_0625_H_2_2 / beam_length, beam100_clamped_free3_0_125_H_0_0 / beam_length,
-        beam100_clamped_free3_0_125_H_0_1 / beam_length, beam100_clamped_free3_0_125_H_0_2 / beam_length,
-        beam100_clamped_free3_0_125_H_1_0 / beam_length, beam100_clamped_free3_0_125_H_1_1 / beam_length,
-        beam100_clamped_free3_0_125_H_1_2 / beam_length, beam100_clamped_free3_0_125_H_2_0 / beam_length,
-        beam100_clamped_free3_0_125_H_2_1 / beam_length, beam100_clamped_free3_0_125_H_2_2 / beam_length,
-        beam100_clamped_free3_0_1875_H_0_0 / beam_length, beam100_clamped_free3_0_1875_H_0_1 / beam_length,
-        beam100_clamped_free3_0_1875_H_0_2 / beam_length, beam100_clamped_free3_0_1875_H_1_0 / beam_length,
-        beam100_clamped_free3_0_1875_H_1_1 / beam_length, beam100_clamped_free3_0_1875_H_1_2 / beam_length,
-        beam100_clamped_free3_0_1875_H_2_0 / beam_length, beam100_clamped_free3_0_1875_H_2_1 / beam_length,
-        beam100_clamped_free3_0_1875_H_2_2 / beam_length, beam100_clamped_free3_0_25_H_0_0 / beam_length,
-        beam100_clamped_free3_0_25_H_0_1 / beam_length, beam100_clamped_free3_0_25_H_0_2 / beam_length,
-        beam100_clamped_free3_0_25_H_1_0 / beam_length, beam100_clamped_free3_0_25_H_1_1 / beam_length,
-        beam100_clamped_free3_0_25_H_1_2 / beam_length, beam100_clamped_free3_0_25_H_2_0 / beam_length,
-        beam100_clamped_free3_0_25_H_2_1 / beam_length, beam100_clamped_free3_0_25_H_2_2 / beam_length,
-        beam100_clamped_free3_0_3125_H_0_0 / beam_length, beam100_clamped_free3_0_3125_H_0_1 / beam_length,
-        beam100_clamped_free3_0_3125_H_0_2 / beam_length, beam100_clamped_free3_0_3125_H_1_0 / beam_length,
-        beam100_clamped_free3_0_3125_H_1_1 / beam_length, beam100_clamped_free3_0_3125_H_1_2 / beam_length,
-        beam100_clamped_free3_0_3125_H_2_0 / beam_length, beam100_clamped_free3_0_3125_H_2_1 / beam_length,
-        beam100_clamped_free3_0_3125_H_2_2 / beam_length, beam100_clamped_free3_0_375_H_0_0 / beam_length,
-        beam100_clamped_free3_0_375_H_0_1 / beam_length, beam100_clamped_free3_0_375_H_0_2 / beam_length,
-        beam100_clamped_free3_0_375_H_1_0 / beam_length, beam100_clamped_free3_0_375_H_1_1 / beam_length,
-        beam100_clamped_free3_0_375_H_1_2 / beam_length, beam100_clamped_free3_0_375_H_2_0 / beam_length,
-        beam100_clamped_free3_0_375_H_2_1 / beam_length, beam100_clamped_free3_0_375_H_2_2 / beam_length,
-        beam100_clamped_free3_0_4375_H_0_0 / beam_length, beam100_clamped_free3_0_4375_H_0_1 / beam_length,
-        beam100_clamped_free3_0_4375_H_0_2 / beam_length, beam100_clamped_free3_0_4375_H_1_0 / beam_length,
-        beam100_clamped_free3_0_4375_H_1_1 / beam_length, beam100_clamped_free3_0_4375_H_1_2 / beam_length,
-        beam100_clamped_free3_0_4375_H_2_0 / beam_length, beam100_clamped_free3_0_4375_H_2_1 / beam_length,
-        beam100_clamped_free3_0_4375_H_2_2 / beam_length, beam100_clamped_free3_0_5_H_0_0 / beam_length,
-        beam100_clamped_free3_0_5_H_0_1 / beam_length, beam100_clamped_free3_0_5_H_0_2 / beam_length,
-        beam100_clamped_free3_0_5_H_1_0 / beam_length, beam100_clamped_free3_0_5_H_1_1 / beam_length,
-        beam100_clamped_free3_0_5_H_1_2 / beam_length, beam100_clamped_free3_0_5_H_2_0 / beam_length,
-        beam100_clamped_free3_0_5_H_2_1 / beam_length, beam100_clamped_free3_0_5_H_2_2 / beam_length,
-        beam100_clamped_free3_0_5625_H_0_0 / beam_length, beam100_clamped_free3_0_5625_H_0_1 / beam_length,
-        beam100_clamped_free3_0_5625_H_0_2 / beam_length, beam100_clamped_free3_0_5625_H_1_0 / beam_length,
-        beam100_clamped_free3_0_5625_H_1_1 / beam_length, beam100_clamped_free3_0_5625_H_1_2 / beam_length,
-        beam100_clamped_free3_0_5625_H_2_0 / beam_length, beam100_clamped_free3_0_5625_H_2_1 / beam_length,
-        beam100_clamped_free3_0_5625_H_2_2 / beam_length, beam100_clamped_free3_0_625_H_0_0 / beam_length,
-        beam100_clamped_free3_0_625_H_0_1 / beam_length, beam100_clamped_free3_0_625_H_0_2 / beam_length,
-        beam100_clamped_free3_0_625_H_1_0 / beam_length, beam100_clamped_free3_0_625_H_1_1 / beam_length,
-        beam100_clamped_free3_0_625_H_1_2 / beam_length, beam100_clamped_free3_0_625_H_2_0 / beam_length,
-        beam100_clamped_free3_0_625_H_2_1 / beam_length, beam100_clamped_free3_0_625_H_2_2 / beam_length,
-        beam100_clamped_free3_0_6875_H_0_0 / beam_length, beam100_clamped_free3_0_6875_H_0_1 / beam_length,
-        beam100_clamped_free3_0_6875_H_0_2 / beam_length, beam100_clamped_free3_0_6875_H_1_0 / beam_length,
-        beam100_clamped_free3_0_6875_H_1_1 / beam_length, beam100_clamped_free3_0_6875_H_1_2 / beam_length,
-        beam100_clamped_free3_0_6875_H_2_0 / beam_length, beam100_clamped_free3_0_6875_H_2_1 / beam_length,
-        beam100_clamped_free3_0_6875_H_2_2 / beam_length, beam100_clamped_free3_0_75_H_0_0 / beam_length,
-        beam100_clamped_free3_0_75_H_0_1 / beam_length, beam100_clamped_free3_0_75_H_0_2 / beam_length,
-        beam100_clamped_free3_0_75_H_1_0 / beam_length, beam100_clamped_free3_0_75_H_1_1 / beam_length,
-        beam100_clamped_free3_0_75_H_1_2 / beam_length, beam100_clamped_free3_0_75_H_2_0 / beam_length,
-        beam100_clamped_free3_0_75_H_2_1 / beam_length, beam100_clamped_free3_0_75_H_2_2 / beam_length,
-        beam100_clamped_free3_0_8125_H_0_0 / beam_length, beam100_clamped_free3_0_8125_H_0_1 / beam_length,
-        beam100_clamped_free3_0_8125_H_0_2 / beam_length, beam100_clamped_free3_0_8125_H_1_0 / beam_length,
-        beam100_clamped_free3_0_8125_H_1_1 / beam_length, beam100_clamped_free3_0_8125_H_1_2 / beam_length,
-        beam100_clamped_free3_0_8125_H_2_0 / beam_length, beam100_clamped_free3_0_8125_H_2_1 / beam_length,
-        beam100_clamped_free3_0_8125_H_2_2 / beam_length, beam100_clamped_free3_0_875_H_0_0 / beam_length,
-        beam100_clamped_free3_0_875_H_0_1 / beam_length, beam100_clamped_free3_0_875_H_0_2 / beam_length,
-        beam100_clamped_free3_0_875_H_1_0 / beam_length, beam100_clamped_free3_0_875_H_1_1 / beam_length,
-        beam100_clamped_free3_0_875_H_1_2 / beam_length, beam100_clamped_free3_0_875_H_2_0 / beam_length,
-        beam100_clamped_free3_0_875_H_2_1 / beam_length, beam100_clamped_free3_0_875_H_2_2 / beam_length,
-        beam100_clamped_free3_0_9375_H_0_0 / beam_length, beam100_clamped_free3_0_9375_H_0_1 / beam_length,
-        beam100_clamped_free3_0_9375_H_0_2 / beam_length, beam100_clamped_free3_0_9375_H_1_0 / beam_length,
-        beam100_clamped_free3_0_9375_H_1_1 / beam_length, beam100_clamped_free3_0_9375_H_1_2 / beam_length,
-        beam100_clamped_free3_0_9375_H_2_0 / beam_length, beam100_clamped_free3_0_9375_H_2_1 / beam_length,
-        beam100_clamped_free3_0_9375_H_2_2 / beam_length, w3, w4, w5, w6, w7, w8, w9, w10, w11, w3, w4, w5, w6,
-        w7, w8, w9, w10, w11,
+        beam_clamped_free3_0_0625_H_0_0 / beam_length, beam_clamped_free3_0_0625_H_0_1 / beam_length,
+        beam_clamped_free3_0_0625_H_0_2 / beam_length, beam_clamped_free3_0_0625_H_1_0 / beam_length,
+        beam_clamped_free3_0_0625_H_1_1 / beam_length, beam_clamped_free3_0_0625_H_1_2 / beam_length,
+        beam_clamped_free3_0_0625_H_2_0 / beam_length, beam_clamped_free3_0_0625_H_2_1 / beam_length,
+        beam_clamped_free3_0_0625_H_2_2 / beam_length, beam_clamped_free3_0_125_H_0_0 / beam_length,
+        beam_clamped_free3_0_125_H_0_1 / beam_length, beam_clamped_free3_0_125_H_0_2 / beam_length,
+        beam_clamped_free3_0_125_H_1_0 / beam_length, beam_clamped_free3_0_125_H_1_1 / beam_length,
+        beam_clamped_free3_0_125_H_1_2 / beam_length, beam_clamped_free3_0_125_H_2_0 / beam_length,
+        beam_clamped_free3_0_125_H_2_1 / beam_length, beam_clamped_free3_0_125_H_2_2 / beam_length,
+        beam_clamped_free3_0_1875_H_0_0 / beam_length, beam_clamped_free3_0_1875_H_0_1 / beam_length,
+        beam_clamped_free3_0_1875_H_0_2 / beam_length, beam_clamped_free3_0_1875_H_1_0 / beam_length,
+        beam_clamped_free3_0_1875_H_1_1 / beam_length, beam_clamped_free3_0_1875_H_1_2 / beam_length,
+        beam_clamped_free3_0_1875_H_2_0 / beam_length, beam_clamped_free3_0_1875_H_2_1 / beam_length,
+        beam_clamped_free3_0_1875_H_2_2 / beam_length, beam_clamped_free3_0_25_H_0_0 / beam_length,
+        beam_clamped_free3_0_25_H_0_1 / beam_length, beam_clamped_free3_0_25_H_0_2 / beam_length,
+        beam_clamped_free3_0_25_H_1_0 / beam_length, beam_clamped_free3_0_25_H_1_1 / beam_length,
+        beam_clamped_free3_0_25_H_1_2 / beam_length, beam_clamped_free3_0_25_H_2_0 / beam_length,
+        beam_clamped_free3_0_25_H_2_1 / beam_length, beam_clamped_free3_0_25_H_2_2 / beam_length,
+        beam_clamped_free3_0_3125_H_0_0 / beam_length, beam_clamped_free3_0_3125_H_0_1 / beam_length,
+        beam_clamped_free3_0_3125_H_0_2 / beam_length, beam_clamped_free3_0_3125_H_1_0 / beam_length,
+        beam_clamped_free3_0_3125_H_1_1 / beam_length, beam_clamped_free3_0_3125_H_1_2 / beam_length,
+        beam_clamped_free3_0_3125_H_2_0 / beam_length, beam_clamped_free3_0_3125_H_2_1 / beam_length,
+        beam_clamped_free3_0_3125_H_2_2 / beam_length, beam_clamped_free3_0_375_H_0_0 / beam_length,
+        beam_clamped_free3_0_375_H_0_1 / beam_length, beam_clamped_free3_0_375_H_0_2 / beam_length,
+        beam_clamped_free3_0_375_H_1_0 / beam_length, beam_clamped_free3_0_375_H_1_1 / beam_length,
+        beam_clamped_free3_0_375_H_1_2 / beam_length, beam_clamped_free3_0_375_H_2_0 / beam_length,
+        beam_clamped_free3_0_375_H_2_1 / beam_length, beam_clamped_free3_0_375_H_2_2 / beam_length,
+        beam_clamped_free3_0_4375_H_0_0 / beam_length, beam_clamped_free3_0_4375_H_0_1 / beam_length,
+        beam_clamped_free3_0_4375_H_0_2 / beam_length, beam_clamped_free3_0_4375_H_1_0 / beam_length,
+        beam_clamped_free3_0_4375_H_1_1 / beam_length, beam_clamped_free3_0_4375_H_1_2 / beam_length,
+        beam_clamped_free3_0_4375_H_2_0 / beam_length, beam_clamped_free3_0_4375_H_2_1 / beam_length,
+        beam_clamped_free3_0_4375_H_2_2 / beam_length, beam_clamped_free3_0_5_H_0_0 / beam_length,
+        beam_clamped_free3_0_5_H_0_1 / beam_length, beam_clamped_free3_0_5_H_0_2 / beam_length,
+        beam_clamped_free3_0_5_H_1_0 / beam_length, beam_clamped_free3_0_5_H_1_1 / beam_length,
+        beam_clamped_free3_0_5_H_1_2 / beam_length, beam_clamped_free3_0_5_H_2_0 / beam_length,
+        beam_clamped_free3_0_5_H_2_1 / beam_length, beam_clamped_free3_0_5_H_2_2 / beam_length,
+        beam_clamped_free3_0_5625_H_0_0 / beam_length, beam_clamped_free3_0_5625_H_0_1 / beam_length,
+        beam_clamped_free3_0_5625_H_0_2 / beam_length, beam_clamped_free3_0_5625_H_1_0 / beam_length,
+        beam_clamped_free3_0_5625_H_1_1 / beam_length, beam_clamped_free3_0_5625_H_1_2 / beam_length,
+        beam_clamped_free3_0_5625_H_2_0 / beam_length, beam_clamped_free3_0_5625_H_2_1 / beam_length,
+        beam_clamped_free3_0_5625_H_2_2 / beam_length, beam_clamped_free3_0_625_H_0_0 / beam_length,
+        beam_clamped_free3_0_625_H_0_1 / beam_length, beam_clamped_free3_0_625_H_0_2 / beam_length,
+        beam_clamped_free3_0_625_H_1_0 / beam_length, beam_clamped_free3_0_625_H_1_1 / beam_length,
+        beam_clamped_free3_0_625_H_1_2 / beam_length, beam_clamped_free3_0_625_H_2_0 / beam_length,
+        beam_clamped_free3_0_625_H_2_1 / beam_length, beam_clamped_free3_0_625_H_2_2 / beam_length,
+        beam_clamped_free3_0_6875_H_0_0 / beam_length, beam_clamped_free3_0_6875_H_0_1 / beam_length,
+        beam_clamped_free3_0_6875_H_0_2 / beam_length, beam_clamped_free3_0_6875_H_1_0 / beam_length,
+        beam_clamped_free3_0_6875_H_1_1 / beam_length, beam_clamped_free3_0_6875_H_1_2 / beam_length,
+        beam_clamped_free3_0_6875_H_2_0 / beam_length, beam_clamped_free3_0_6875_H_2_1 / beam_length,
+        beam_clamped_free3_0_6875_H_2_2 / beam_length, beam_clamped_free3_0_75_H_0_0 / beam_length,
+        beam_clamped_free3_0_75_H_0_1 / beam_length, beam_clamped_free3_0_75_H_0_2 / beam_length,
+        beam_clamped_free3_0_75_H_1_0 / beam_length, beam_clamped_free3_0_75_H_1_1 / beam_length,
+        beam_clamped_free3_0_75_H_1_2 / beam_length, beam_clamped_free3_0_75_H_2_0 / beam_length,
+        beam_clamped_free3_0_75_H_2_1 / beam_length, beam_clamped_free3_0_75_H_2_2 / beam_length,
+        beam_clamped_free3_0_8125_H_0_0 / beam_length, beam_clamped_free3_0_8125_H_0_1 / beam_length,
+        beam_clamped_free3_0_8125_H_0_2 / beam_length, beam_clamped_free3_0_8125_H_1_0 / beam_length,
+        beam_clamped_free3_0_8125_H_1_1 / beam_length, beam_clamped_free3_0_8125_H_1_2 / beam_length,
+        beam_clamped_free3_0_8125_H_2_0 / beam_length, beam_clamped_free3_0_8125_H_2_1 / beam_length,
+        beam_clamped_free3_0_8125_H_2_2 / beam_length, beam_clamped_free3_0_875_H_0_0 / beam_length,
+        beam_clamped_free3_0_875_H_0_1 / beam_length, beam_clamped_free3_0_875_H_0_2 / beam_length,
+        beam_clamped_free3_0_875_H_1_0 / beam_length, beam_clamped_free3_0_875_H_1_1 / beam_length,
+        beam_clamped_free3_0_875_H_1_2 / beam_length, beam_clamped_free3_0_875_H_2_0 / beam_length,
+        beam_clamped_free3_0_875_H_2_1 / beam_length, beam_clamped_free3_0_875_H_2_2 / beam_length,
+        beam_clamped_free3_0_9375_H_0_0 / beam_length, beam_clamped_free3_0_9375_H_0_1 / beam_length,
+        beam_clamped_free3_0_9375_H_0_2 / beam_length, beam_clamped_free3_0_9375_H_1_0 / beam_length,
+        beam_clamped_free3_0_9375_H_1_1 / beam_length, beam_clamped_free3_0_9375_H_1_2 / beam_length,
+        beam_clamped_free3_0_9375_H_2_0 / beam_length, beam_clamped_free3_0_9375_H_2_1 / beam_length,
+        beam_clamped_free3_0_9375_H_2_2 / beam_length, w3, w4, w5, w6, w7, w8, w9, w10, w11, w3, w4, w5, w6, w7,
+        w8, w9, w10, w11,
     )
     sections = ca.vertcat(w12, beam_area / w12)
     inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]

@@ -27,146 +27,146 @@ def constants() -> ca.Function:
     beam_area = p[4]
     beam_youngs_modulus = p[5]
     beam_second_moment = p[6]
-    beam200_clamped_free5_kappa_lateral_0_0 = p[7]
-    beam200_clamped_free5_kappa_lateral_1_1 = p[8]
-    beam200_clamped_free5_kappa_lateral_2_2 = p[9]
-    beam200_clamped_free5_kappa_lateral_3_3 = p[10]
-    beam200_clamped_free5_kappa_lateral_4_4 = p[11]
-    beam200_clamped_free5_mass_0_0 = p[12]
-    beam200_clamped_free5_mass_1_1 = p[13]
-    beam200_clamped_free5_mass_2_2 = p[14]
-    beam200_clamped_free5_mass_3_3 = p[15]
-    beam200_clamped_free5_mass_4_4 = p[16]
-    beam200_clamped_free5_s1_0_0 = p[17]
-    beam200_clamped_free5_i0_0_0 = p[18]
-    beam200_clamped_free5_phi_y_0_0 = p[19]
-    beam200_clamped_free5_phi_y_1_0 = p[20]
-    beam200_clamped_free5_phi_y_2_0 = p[21]
-    beam200_clamped_free5_phi_y_3_0 = p[22]
-    beam200_clamped_free5_phi_y_4_0 = p[23]
-    beam200_clamped_free5_xi_phi_y_0_0 = p[24]
-    beam200_clamped_free5_xi_phi_y_1_0 = p[25]
-    beam200_clamped_free5_xi_phi_y_2_0 = p[26]
-    beam200_clamped_free5_xi_phi_y_3_0 = p[27]
-    beam200_clamped_free5_xi_phi_y_4_0 = p[28]
-    beam200_clamped_free5_H_0_0 = p[29]
-    beam200_clamped_free5_H_0_1 = p[30]
-    beam200_clamped_free5_H_0_2 = p[31]
-    beam200_clamped_free5_H_0_3 = p[32]
-    beam200_clamped_free5_H_0_4 = p[33]
-    beam200_clamped_free5_H_1_0 = p[34]
-    beam200_clamped_free5_H_1_1 = p[35]
-    beam200_clamped_free5_H_1_2 = p[36]
-    beam200_clamped_free5_H_1_3 = p[37]
-    beam200_clamped_free5_H_1_4 = p[38]
-    beam200_clamped_free5_H_2_0 = p[39]
-    beam200_clamped_free5_H_2_1 = p[40]
-    beam200_clamped_free5_H_2_2 = p[41]
-    beam200_clamped_free5_H_2_3 = p[42]
-    beam200_clamped_free5_H_2_4 = p[43]
-    beam200_clamped_free5_H_3_0 = p[44]
-    beam200_clamped_free5_H_3_1 = p[45]
-    beam200_clamped_free5_H_3_2 = p[46]
-    beam200_clamped_free5_H_3_3 = p[47]
-    beam200_clamped_free5_H_3_4 = p[48]
-    beam200_clamped_free5_H_4_0 = p[49]
-    beam200_clamped_free5_H_4_1 = p[50]
-    beam200_clamped_free5_H_4_2 = p[51]
-    beam200_clamped_free5_H_4_3 = p[52]
-    beam200_clamped_free5_H_4_4 = p[53]
-    beam200_clamped_free5_xH_0_0 = p[54]
-    beam200_clamped_free5_xH_0_1 = p[55]
-    beam200_clamped_free5_xH_0_2 = p[56]
-    beam200_clamped_free5_xH_0_3 = p[57]
-    beam200_clamped_free5_xH_0_4 = p[58]
-    beam200_clamped_free5_xH_1_0 = p[59]
-    beam200_clamped_free5_xH_1_1 = p[60]
-    beam200_clamped_free5_xH_1_2 = p[61]
-    beam200_clamped_free5_xH_1_3 = p[62]
-    beam200_clamped_free5_xH_1_4 = p[63]
-    beam200_clamped_free5_xH_2_0 = p[64]
-    beam200_clamped_free5_xH_2_1 = p[65]
-    beam200_clamped_free5_xH_2_2 = p[66]
-    beam200_clamped_free5_xH_2_3 = p[67]
-    beam200_clamped_free5_xH_2_4 = p[68]
-    beam200_clamped_free5_xH_3_0 = p[69]
-    beam200_clamped_free5_xH_3_1 = p[70]
-    beam200_clamped_free5_xH_3_2 = p[71]
-    beam200_clamped_free5_xH_3_3 = p[72]
-    beam200_clamped_free5_xH_3_4 = p[73]
-    beam200_clamped_free5_xH_4_0 = p[74]
-    beam200_clamped_free5_xH_4_1 = p[75]
-    beam200_clamped_free5_xH_4_2 = p[76]
-    beam200_clamped_free5_xH_4_3 = p[77]
-    beam200_clamped_free5_xH_4_4 = p[78]
-    beam200_clamped_free5_1_0_shape_1_0 = p[79]
-    beam200_clamped_free5_1_0_shape_1_1 = p[80]
-    beam200_clamped_free5_1_0_shape_1_2 = p[81]
-    beam200_clamped_free5_1_0_shape_1_3 = p[82]
-    beam200_clamped_free5_1_0_shape_1_4 = p[83]
-    beam200_clamped_free5_1_0_H_0_0 = p[89]
-    beam200_clamped_free5_1_0_H_0_1 = p[90]
-    beam200_clamped_free5_1_0_H_0_2 = p[91]
-    beam200_clamped_free5_1_0_H_0_3 = p[92]
-    beam200_clamped_free5_1_0_H_0_4 = p[93]
-    beam200_clamped_free5_1_0_H_1_0 = p[94]
-    beam200_clamped_free5_1_0_H_1_1 = p[95]
-    beam200_clamped_free5_1_0_H_1_2 = p[96]
-    beam200_clamped_free5_1_0_H_1_3 = p[97]
-    beam200_clamped_free5_1_0_H_1_4 = p[98]
-    beam200_clamped_free5_1_0_H_2_0 = p[99]
-    beam200_clamped_free5_1_0_H_2_1 = p[100]
-    beam200_clamped_free5_1_0_H_2_2 = p[101]
-    beam200_clamped_free5_1_0_H_2_3 = p[102]
-    beam200_clamped_free5_1_0_H_2_4 = p[103]
-    beam200_clamped_free5_1_0_H_3_0 = p[104]
-    beam200_clamped_free5_1_0_H_3_1 = p[105]
-    beam200_clamped_free5_1_0_H_3_2 = p[106]
-    beam200_clamped_free5_1_0_H_3_3 = p[107]
-    beam200_clamped_free5_1_0_H_3_4 = p[108]
-    beam200_clamped_free5_1_0_H_4_0 = p[109]
-    beam200_clamped_free5_1_0_H_4_1 = p[110]
-    beam200_clamped_free5_1_0_H_4_2 = p[111]
-    beam200_clamped_free5_1_0_H_4_3 = p[112]
-    beam200_clamped_free5_1_0_H_4_4 = p[113]
+    beam_clamped_free5_kappa_lateral_0_0 = p[7]
+    beam_clamped_free5_kappa_lateral_1_1 = p[8]
+    beam_clamped_free5_kappa_lateral_2_2 = p[9]
+    beam_clamped_free5_kappa_lateral_3_3 = p[10]
+    beam_clamped_free5_kappa_lateral_4_4 = p[11]
+    beam_clamped_free5_mass_0_0 = p[12]
+    beam_clamped_free5_mass_1_1 = p[13]
+    beam_clamped_free5_mass_2_2 = p[14]
+    beam_clamped_free5_mass_3_3 = p[15]
+    beam_clamped_free5_mass_4_4 = p[16]
+    beam_clamped_free5_s1_0_0 = p[17]
+    beam_clamped_free5_i0_0_0 = p[18]
+    beam_clamped_free5_phi_y_0_0 = p[19]
+    beam_clamped_free5_phi_y_1_0 = p[20]
+    beam_clamped_free5_phi_y_2_0 = p[21]
+    beam_clamped_free5_phi_y_3_0 = p[22]
+    beam_clamped_free5_phi_y_4_0 = p[23]
+    beam_clamped_free5_xi_phi_y_0_0 = p[24]
+    beam_clamped_free5_xi_phi_y_1_0 = p[25]
+    beam_clamped_free5_xi_phi_y_2_0 = p[26]
+    beam_clamped_free5_xi_phi_y_3_0 = p[27]
+    beam_clamped_free5_xi_phi_y_4_0 = p[28]
+    beam_clamped_free5_H_0_0 = p[29]
+    beam_clamped_free5_H_0_1 = p[30]
+    beam_clamped_free5_H_0_2 = p[31]
+    beam_clamped_free5_H_0_3 = p[32]
+    beam_clamped_free5_H_0_4 = p[33]
+    beam_clamped_free5_H_1_0 = p[34]
+    beam_clamped_free5_H_1_1 = p[35]
+    beam_clamped_free5_H_1_2 = p[36]
+    beam_clamped_free5_H_1_3 = p[37]
+    beam_clamped_free5_H_1_4 = p[38]
+    beam_clamped_free5_H_2_0 = p[39]
+    beam_clamped_free5_H_2_1 = p[40]
+    beam_clamped_free5_H_2_2 = p[41]
+    beam_clamped_free5_H_2_3 = p[42]
+    beam_clamped_free5_H_2_4 = p[43]
+    beam_clamped_free5_H_3_0 = p[44]
+    beam_clamped_free5_H_3_1 = p[45]
+    beam_clamped_free5_H_3_2 = p[46]
+    beam_clamped_free5_H_3_3 = p[47]
+    beam_clamped_free5_H_3_4 = p[48]
+    beam_clamped_free5_H_4_0 = p[49]
+    beam_clamped_free5_H_4_1 = p[50]
+    beam_clamped_free5_H_4_2 = p[51]
+    beam_clamped_free5_H_4_3 = p[52]
+    beam_clamped_free5_H_4_4 = p[53]
+    beam_clamped_free5_xH_0_0 = p[54]
+    beam_clamped_free5_xH_0_1 = p[55]
+    beam_clamped_free5_xH_0_2 = p[56]
+    beam_clamped_free5_xH_0_3 = p[57]
+    beam_clamped_free5_xH_0_4 = p[58]
+    beam_clamped_free5_xH_1_0 = p[59]
+    beam_clamped_free5_xH_1_1 = p[60]
+    beam_clamped_free5_xH_1_2 = p[61]
+    beam_clamped_free5_xH_1_3 = p[62]
+    beam_clamped_free5_xH_1_4 = p[63]
+    beam_clamped_free5_xH_2_0 = p[64]
+    beam_clamped_free5_xH_2_1 = p[65]
+    beam_clamped_free5_xH_2_2 = p[66]
+    beam_clamped_free5_xH_2_3 = p[67]
+    beam_clamped_free5_xH_2_4 = p[68]
+    beam_clamped_free5_xH_3_0 = p[69]
+    beam_clamped_free5_xH_3_1 = p[70]
+    beam_clamped_free5_xH_3_2 = p[71]
+    beam_clamped_free5_xH_3_3 = p[72]
+    beam_clamped_free5_xH_3_4 = p[73]
+    beam_clamped_free5_xH_4_0 = p[74]
+    beam_clamped_free5_xH_4_1 = p[75]
+    beam_clamped_free5_xH_4_2 = p[76]
+    beam_clamped_free5_xH_4_3 = p[77]
+    beam_clamped_free5_xH_4_4 = p[78]
+    beam_clamped_free5_1_0_shape_1_0 = p[79]
+    beam_clamped_free5_1_0_shape_1_1 = p[80]
+    beam_clamped_free5_1_0_shape_1_2 = p[81]
+    beam_clamped_free5_1_0_shape_1_3 = p[82]
+    beam_clamped_free5_1_0_shape_1_4 = p[83]
+    beam_clamped_free5_1_0_H_0_0 = p[89]
+    beam_clamped_free5_1_0_H_0_1 = p[90]
+    beam_clamped_free5_1_0_H_0_2 = p[91]
+    beam_clamped_free5_1_0_H_0_3 = p[92]
+    beam_clamped_free5_1_0_H_0_4 = p[93]
+    beam_clamped_free5_1_0_H_1_0 = p[94]
+    beam_clamped_free5_1_0_H_1_1 = p[95]
+    beam_clamped_free5_1_0_H_1_2 = p[96]
+    beam_clamped_free5_1_0_H_1_3 = p[97]
+    beam_clamped_free5_1_0_H_1_4 = p[98]
+    beam_clamped_free5_1_0_H_2_0 = p[99]
+    beam_clamped_free5_1_0_H_2_1 = p[100]
+    beam_clamped_free5_1_0_H_2_2 = p[101]
+    beam_clamped_free5_1_0_H_2_3 = p[102]
+    beam_clamped_free5_1_0_H_2_4 = p[103]
+    beam_clamped_free5_1_0_H_3_0 = p[104]
+    beam_clamped_free5_1_0_H_3_1 = p[105]
+    beam_clamped_free5_1_0_H_3_2 = p[106]
+    beam_clamped_free5_1_0_H_3_3 = p[107]
+    beam_clamped_free5_1_0_H_3_4 = p[108]
+    beam_clamped_free5_1_0_H_4_0 = p[109]
+    beam_clamped_free5_1_0_H_4_1 = p[110]
+    beam_clamped_free5_1_0_H_4_2 = p[111]
+    beam_clamped_free5_1_0_H_4_3 = p[112]
+    beam_clamped_free5_1_0_H_4_4 = p[113]
     # intermediate terms (37)
     w0 = beam_density * beam_area
     w1 = w0 * beam_length
-    w2 = w1 * beam200_clamped_free5_mass_0_0
-    w3 = w1 * beam200_clamped_free5_mass_1_1
-    w4 = w1 * beam200_clamped_free5_mass_2_2
-    w5 = w1 * beam200_clamped_free5_mass_3_3
-    w6 = w1 * beam200_clamped_free5_mass_4_4
-    w7 = w1 * beam200_clamped_free5_xH_0_0
-    w8 = w1 * beam200_clamped_free5_xH_0_1
-    w9 = w1 * beam200_clamped_free5_xH_0_2
-    w10 = w1 * beam200_clamped_free5_xH_0_3
-    w11 = w1 * beam200_clamped_free5_xH_0_4
+    w2 = w1 * beam_clamped_free5_mass_0_0
+    w3 = w1 * beam_clamped_free5_mass_1_1
+    w4 = w1 * beam_clamped_free5_mass_2_2
+    w5 = w1 * beam_clamped_free5_mass_3_3
+    w6 = w1 * beam_clamped_free5_mass_4_4
+    w7 = w1 * beam_clamped_free5_xH_0_0
+    w8 = w1 * beam_clamped_free5_xH_0_1
+    w9 = w1 * beam_clamped_free5_xH_0_2
+    w10 = w1 * beam_clamped_free5_xH_0_3
+    w11 = w1 * beam_clamped_free5_xH_0_4
     w12 = beam_length**2
     w13 = beam_youngs_modulus * beam_second_moment / (beam_length * w12)
     w14 = beam_length * w1
     w15 = (ramp / 6.283185307179586)**2
     w16 = 6.283185307179586 / ramp
-    w17 = w1 * beam200_clamped_free5_xH_1_0
-    w18 = w1 * beam200_clamped_free5_xH_1_1
-    w19 = w1 * beam200_clamped_free5_xH_1_2
-    w20 = w1 * beam200_clamped_free5_xH_1_3
-    w21 = w1 * beam200_clamped_free5_xH_1_4
-    w22 = w1 * beam200_clamped_free5_xH_2_0
-    w23 = w1 * beam200_clamped_free5_xH_2_1
-    w24 = w1 * beam200_clamped_free5_xH_2_2
-    w25 = w1 * beam200_clamped_free5_xH_2_3
-    w26 = w1 * beam200_clamped_free5_xH_2_4
-    w27 = w1 * beam200_clamped_free5_xH_3_0
-    w28 = w1 * beam200_clamped_free5_xH_3_1
-    w29 = w1 * beam200_clamped_free5_xH_3_2
-    w30 = w1 * beam200_clamped_free5_xH_3_3
-    w31 = w1 * beam200_clamped_free5_xH_3_4
-    w32 = w1 * beam200_clamped_free5_xH_4_0
-    w33 = w1 * beam200_clamped_free5_xH_4_1
-    w34 = w1 * beam200_clamped_free5_xH_4_2
-    w35 = w1 * beam200_clamped_free5_xH_4_3
-    w36 = w1 * beam200_clamped_free5_xH_4_4
+    w17 = w1 * beam_clamped_free5_xH_1_0
+    w18 = w1 * beam_clamped_free5_xH_1_1
+    w19 = w1 * beam_clamped_free5_xH_1_2
+    w20 = w1 * beam_clamped_free5_xH_1_3
+    w21 = w1 * beam_clamped_free5_xH_1_4
+    w22 = w1 * beam_clamped_free5_xH_2_0
+    w23 = w1 * beam_clamped_free5_xH_2_1
+    w24 = w1 * beam_clamped_free5_xH_2_2
+    w25 = w1 * beam_clamped_free5_xH_2_3
+    w26 = w1 * beam_clamped_free5_xH_2_4
+    w27 = w1 * beam_clamped_free5_xH_3_0
+    w28 = w1 * beam_clamped_free5_xH_3_1
+    w29 = w1 * beam_clamped_free5_xH_3_2
+    w30 = w1 * beam_clamped_free5_xH_3_3
+    w31 = w1 * beam_clamped_free5_xH_3_4
+    w32 = w1 * beam_clamped_free5_xH_4_0
+    w33 = w1 * beam_clamped_free5_xH_4_1
+    w34 = w1 * beam_clamped_free5_xH_4_2
+    w35 = w1 * beam_clamped_free5_xH_4_3
+    w36 = w1 * beam_clamped_free5_xH_4_4
     # outputs
     c = ca.vertcat(
         w2,  # c0
@@ -179,9 +179,9 @@ def constants() -> ca.Function:
         w9,  # c7
         w10,  # c8
         w11,  # c9
-        w13 * beam200_clamped_free5_kappa_lateral_0_0,  # c10
+        w13 * beam_clamped_free5_kappa_lateral_0_0,  # c10
         ramp,  # ramp
-        w14 * beam200_clamped_free5_xi_phi_y_0_0,  # c12
+        w14 * beam_clamped_free5_xi_phi_y_0_0,  # c12
         omega / ramp,  # c13
         w15 * w16**2,  # c14
         w17,  # c15
@@ -189,97 +189,97 @@ def constants() -> ca.Function:
         w19,  # c17
         w20,  # c18
         w21,  # c19
-        w13 * beam200_clamped_free5_kappa_lateral_1_1,  # c20
-        w14 * beam200_clamped_free5_xi_phi_y_1_0,  # c21
+        w13 * beam_clamped_free5_kappa_lateral_1_1,  # c20
+        w14 * beam_clamped_free5_xi_phi_y_1_0,  # c21
         w22,  # c22
         w23,  # c23
         w24,  # c24
         w25,  # c25
         w26,  # c26
-        w13 * beam200_clamped_free5_kappa_lateral_2_2,  # c27
-        w14 * beam200_clamped_free5_xi_phi_y_2_0,  # c28
+        w13 * beam_clamped_free5_kappa_lateral_2_2,  # c27
+        w14 * beam_clamped_free5_xi_phi_y_2_0,  # c28
         w27,  # c29
         w28,  # c30
         w29,  # c31
         w30,  # c32
         w31,  # c33
-        w13 * beam200_clamped_free5_kappa_lateral_3_3,  # c34
-        w14 * beam200_clamped_free5_xi_phi_y_3_0,  # c35
+        w13 * beam_clamped_free5_kappa_lateral_3_3,  # c34
+        w14 * beam_clamped_free5_xi_phi_y_3_0,  # c35
         w32,  # c36
         w33,  # c37
         w34,  # c38
         w35,  # c39
         w36,  # c40
-        w13 * beam200_clamped_free5_kappa_lateral_4_4,  # c41
-        w14 * beam200_clamped_free5_xi_phi_y_4_0,  # c42
+        w13 * beam_clamped_free5_kappa_lateral_4_4,  # c41
+        w14 * beam_clamped_free5_xi_phi_y_4_0,  # c42
         omega,  # omega
         w15,  # c44
         ramp / 2.0,  # c45
         w15 * w16,  # c46
         w1,  # c47
-        w14 * beam200_clamped_free5_s1_0_0,  # c48
-        w0 * beam200_clamped_free5_H_0_0,  # c49
-        w0 * beam200_clamped_free5_H_0_1,  # c50
-        w0 * beam200_clamped_free5_H_0_2,  # c51
-        w0 * beam200_clamped_free5_H_0_3,  # c52
-        w0 * beam200_clamped_free5_H_0_4,  # c53
-        w0 * beam200_clamped_free5_H_1_0,  # c54
-        w0 * beam200_clamped_free5_H_1_1,  # c55
-        w0 * beam200_clamped_free5_H_1_2,  # c56
-        w0 * beam200_clamped_free5_H_1_3,  # c57
-        w0 * beam200_clamped_free5_H_1_4,  # c58
-        w0 * beam200_clamped_free5_H_2_0,  # c59
-        w0 * beam200_clamped_free5_H_2_1,  # c60
-        w0 * beam200_clamped_free5_H_2_2,  # c61
-        w0 * beam200_clamped_free5_H_2_3,  # c62
-        w0 * beam200_clamped_free5_H_2_4,  # c63
-        w0 * beam200_clamped_free5_H_3_0,  # c64
-        w0 * beam200_clamped_free5_H_3_1,  # c65
-        w0 * beam200_clamped_free5_H_3_2,  # c66
-        w0 * beam200_clamped_free5_H_3_3,  # c67
-        w0 * beam200_clamped_free5_H_3_4,  # c68
-        w0 * beam200_clamped_free5_H_4_0,  # c69
-        w0 * beam200_clamped_free5_H_4_1,  # c70
-        w0 * beam200_clamped_free5_H_4_2,  # c71
-        w0 * beam200_clamped_free5_H_4_3,  # c72
-        w0 * beam200_clamped_free5_H_4_4,  # c73
-        w1 * beam200_clamped_free5_phi_y_0_0,  # c74
-        w1 * beam200_clamped_free5_phi_y_1_0,  # c75
-        w1 * beam200_clamped_free5_phi_y_2_0,  # c76
-        w1 * beam200_clamped_free5_phi_y_3_0,  # c77
-        w1 * beam200_clamped_free5_phi_y_4_0,  # c78
-        w1 * w12 * beam200_clamped_free5_i0_0_0,  # c79
+        w14 * beam_clamped_free5_s1_0_0,  # c48
+        w0 * beam_clamped_free5_H_0_0,  # c49
+        w0 * beam_clamped_free5_H_0_1,  # c50
+        w0 * beam_clamped_free5_H_0_2,  # c51
+        w0 * beam_clamped_free5_H_0_3,  # c52
+        w0 * beam_clamped_free5_H_0_4,  # c53
+        w0 * beam_clamped_free5_H_1_0,  # c54
+        w0 * beam_clamped_free5_H_1_1,  # c55
+        w0 * beam_clamped_free5_H_1_2,  # c56
+        w0 * beam_clamped_free5_H_1_3,  # c57
+        w0 * beam_clamped_free5_H_1_4,  # c58
+        w0 * beam_clamped_free5_H_2_0,  # c59
+        w0 * beam_clamped_free5_H_2_1,  # c60
+        w0 * beam_clamped_free5_H_2_2,  # c61
+        w0 * beam_clamped_free5_H_2_3,  # c62
+        w0 * beam_clamped_free5_H_2_4,  # c63
+        w0 * beam_clamped_free5_H_3_0,  # c64
+        w0 * beam_clamped_free5_H_3_1,  # c65
+        w0 * beam_clamped_free5_H_3_2,  # c66
+        w0 * beam_clamped_free5_H_3_3,  # c67
+        w0 * beam_clamped_free5_H_3_4,  # c68
+        w0 * beam_clamped_free5_H_4_0,  # c69
+        w0 * beam_clamped_free5_H_4_1,  # c70
+        w0 * beam_clamped_free5_H_4_2,  # c71
+        w0 * beam_clamped_free5_H_4_3,  # c72
+        w0 * beam_clamped_free5_H_4_4,  # c73
+        w1 * beam_clamped_free5_phi_y_0_0,  # c74
+        w1 * beam_clamped_free5_phi_y_1_0,  # c75
+        w1 * beam_clamped_free5_phi_y_2_0,  # c76
+        w1 * beam_clamped_free5_phi_y_3_0,  # c77
+        w1 * beam_clamped_free5_phi_y_4_0,  # c78
+        w1 * w12 * beam_clamped_free5_i0_0_0,  # c79
         beam_length,  # beam_length
-        beam200_clamped_free5_1_0_H_0_0 / beam_length,  # c81
-        beam200_clamped_free5_1_0_H_0_1 / beam_length,  # c82
-        beam200_clamped_free5_1_0_H_0_2 / beam_length,  # c83
-        beam200_clamped_free5_1_0_H_0_3 / beam_length,  # c84
-        beam200_clamped_free5_1_0_H_0_4 / beam_length,  # c85
-        beam200_clamped_free5_1_0_H_1_0 / beam_length,  # c86
-        beam200_clamped_free5_1_0_H_1_1 / beam_length,  # c87
-        beam200_clamped_free5_1_0_H_1_2 / beam_length,  # c88
-        beam200_clamped_free5_1_0_H_1_3 / beam_length,  # c89
-        beam200_clamped_free5_1_0_H_1_4 / beam_length,  # c90
-        beam200_clamped_free5_1_0_H_2_0 / beam_length,  # c91
-        beam200_clamped_free5_1_0_H_2_1 / beam_length,  # c92
-        beam200_clamped_free5_1_0_H_2_2 / beam_length,  # c93
-        beam200_clamped_free5_1_0_H_2_3 / beam_length,  # c94
-        beam200_clamped_free5_1_0_H_2_4 / beam_length,  # c95
-        beam200_clamped_free5_1_0_H_3_0 / beam_length,  # c96
-        beam200_clamped_free5_1_0_H_3_1 / beam_length,  # c97
-        beam200_clamped_free5_1_0_H_3_2 / beam_length,  # c98
-        beam200_clamped_free5_1_0_H_3_3 / beam_length,  # c99
-        beam200_clamped_free5_1_0_H_3_4 / beam_length,  # c100
-        beam200_clamped_free5_1_0_H_4_0 / beam_length,  # c101
-        beam200_clamped_free5_1_0_H_4_1 / beam_length,  # c102
-        beam200_clamped_free5_1_0_H_4_2 / beam_length,  # c103
-        beam200_clamped_free5_1_0_H_4_3 / beam_length,  # c104
-        beam200_clamped_free5_1_0_H_4_4 / beam_length,  # c105
-        beam200_clamped_free5_1_0_shape_1_0,  # beam200_clamped_free5_1_0_shape_1_0
-        beam200_clamped_free5_1_0_shape_1_1,  # beam200_clamped_free5_1_0_shape_1_1
-        beam200_clamped_free5_1_0_shape_1_2,  # beam200_clamped_free5_1_0_shape_1_2
-        beam200_clamped_free5_1_0_shape_1_3,  # beam200_clamped_free5_1_0_shape_1_3
-        beam200_clamped_free5_1_0_shape_1_4,  # beam200_clamped_free5_1_0_shape_1_4
+        beam_clamped_free5_1_0_H_0_0 / beam_length,  # c81
+        beam_clamped_free5_1_0_H_0_1 / beam_length,  # c82
+        beam_clamped_free5_1_0_H_0_2 / beam_length,  # c83
+        beam_clamped_free5_1_0_H_0_3 / beam_length,  # c84
+        beam_clamped_free5_1_0_H_0_4 / beam_length,  # c85
+        beam_clamped_free5_1_0_H_1_0 / beam_length,  # c86
+        beam_clamped_free5_1_0_H_1_1 / beam_length,  # c87
+        beam_clamped_free5_1_0_H_1_2 / beam_length,  # c88
+        beam_clamped_free5_1_0_H_1_3 / beam_length,  # c89
+        beam_clamped_free5_1_0_H_1_4 / beam_length,  # c90
+        beam_clamped_free5_1_0_H_2_0 / beam_length,  # c91
+        beam_clamped_free5_1_0_H_2_1 / beam_length,  # c92
+        beam_clamped_free5_1_0_H_2_2 / beam_length,  # c93
+        beam_clamped_free5_1_0_H_2_3 / beam_length,  # c94
+        beam_clamped_free5_1_0_H_2_4 / beam_length,  # c95
+        beam_clamped_free5_1_0_H_3_0 / beam_length,  # c96
+        beam_clamped_free5_1_0_H_3_1 / beam_length,  # c97
+        beam_clamped_free5_1_0_H_3_2 / beam_length,  # c98
+        beam_clamped_free5_1_0_H_3_3 / beam_length,  # c99
+        beam_clamped_free5_1_0_H_3_4 / beam_length,  # c100
+        beam_clamped_free5_1_0_H_4_0 / beam_length,  # c101
+        beam_clamped_free5_1_0_H_4_1 / beam_length,  # c102
+        beam_clamped_free5_1_0_H_4_2 / beam_length,  # c103
+        beam_clamped_free5_1_0_H_4_3 / beam_length,  # c104
+        beam_clamped_free5_1_0_H_4_4 / beam_length,  # c105
+        beam_clamped_free5_1_0_shape_1_0,  # beam_clamped_free5_1_0_shape_1_0
+        beam_clamped_free5_1_0_shape_1_1,  # beam_clamped_free5_1_0_shape_1_1
+        beam_clamped_free5_1_0_shape_1_2,  # beam_clamped_free5_1_0_shape_1_2
+        beam_clamped_free5_1_0_shape_1_3,  # beam_clamped_free5_1_0_shape_1_3
+        beam_clamped_free5_1_0_shape_1_4,  # beam_clamped_free5_1_0_shape_1_4
         w2 - w7,  # c111
         -w17,  # c112
         -w22,  # c113
@@ -1127,12 +1127,12 @@ def measures() -> ca.Function:
     c103 = c[103]
     c104 = c[104]
     c105 = c[105]
-    beam200_clamped_free5_1_0_shape_1_0 = c[106]
-    beam200_clamped_free5_1_0_shape_1_1 = c[107]
-    beam200_clamped_free5_1_0_shape_1_2 = c[108]
-    beam200_clamped_free5_1_0_shape_1_3 = c[109]
-    beam200_clamped_free5_1_0_shape_1_4 = c[110]
-    # intermediate terms (22)
+    beam_clamped_free5_1_0_shape_1_0 = c[106]
+    beam_clamped_free5_1_0_shape_1_1 = c[107]
+    beam_clamped_free5_1_0_shape_1_2 = c[108]
+    beam_clamped_free5_1_0_shape_1_3 = c[109]
+    beam_clamped_free5_1_0_shape_1_4 = c[110]
+    # intermediate terms (21)
     w0 = ca.cos(beam_theta)
     w1 = beam_q1 * c81 + beam_q2 * c82 + beam_q3 * c83 + beam_q4 * c84 + beam_q5 * c85
     w2 = beam_q1 * c86 + beam_q2 * c87 + beam_q3 * c88 + beam_q4 * c89 + beam_q5 * c90
@@ -1141,8 +1141,8 @@ def measures() -> ca.Function:
     w5 = beam_q1 * c101 + beam_q2 * c102 + beam_q3 * c103 + beam_q4 * c104 + beam_q5 * c105
     w6 = beam_length - (beam_q1 * w1 + beam_q2 * w2 + beam_q3 * w3 + beam_q4 * w4 + beam_q5 * w5) * 0.5
     w7 = ca.sin(beam_theta)
-    w8 = beam_q1 * beam200_clamped_free5_1_0_shape_1_0 + beam_q2 * beam200_clamped_free5_1_0_shape_1_1 + beam_q3 * beam200_clamped_free5_1_0_shape_1_2
-    w9 = w8 + beam_q4 * beam200_clamped_free5_1_0_shape_1_3 + beam_q5 * beam200_clamped_free5_1_0_shape_1_4
+    w8 = beam_q1 * beam_clamped_free5_1_0_shape_1_0 + beam_q2 * beam_clamped_free5_1_0_shape_1_1 + beam_q3 * beam_clamped_free5_1_0_shape_1_2
+    w9 = w8 + beam_q4 * beam_clamped_free5_1_0_shape_1_3 + beam_q5 * beam_clamped_free5_1_0_shape_1_4
     w10 = w7 * beam_theta_dot
     w11 = beam_q1_dot * c81 + beam_q2_dot * c82 + beam_q3_dot * c83 + beam_q4_dot * c84 + beam_q5_dot * c85
     w12 = beam_q1_dot * c86 + beam_q2_dot * c87 + beam_q3_dot * c88 + beam_q4_dot * c89 + beam_q5_dot * c90
@@ -1152,15 +1152,14 @@ def measures() -> ca.Function:
     w16 = beam_q1_dot * c101 + beam_q2_dot * c102 + beam_q3_dot * c103 + beam_q4_dot * c104 + beam_q5_dot * c105
     w17 = (w14 + (w4 * beam_q4_dot + beam_q4 * w15) + (w5 * beam_q5_dot + beam_q5 * w16)) * 0.5
     w18 = w0 * beam_theta_dot
-    w19 = beam_q1_dot * beam200_clamped_free5_1_0_shape_1_0 + beam_q2_dot * beam200_clamped_free5_1_0_shape_1_1
-    w20 = w19 + beam_q3_dot * beam200_clamped_free5_1_0_shape_1_2 + beam_q4_dot * beam200_clamped_free5_1_0_shape_1_3
-    w21 = w20 + beam_q5_dot * beam200_clamped_free5_1_0_shape_1_4
+    w19 = beam_q1_dot * beam_clamped_free5_1_0_shape_1_0 + beam_q2_dot * beam_clamped_free5_1_0_shape_1_1 + beam_q3_dot * beam_clamped_free5_1_0_shape_1_2
+    w20 = w19 + beam_q4_dot * beam_clamped_free5_1_0_shape_1_3 + beam_q5_dot * beam_clamped_free5_1_0_shape_1_4
     # outputs
     measures = ca.vertcat(
         beam_x + (w0 * w6 - w7 * w9),  # tip_x
-        beam_x_dot - (w6 * w10 + w0 * w17 + (w9 * w18 + w7 * w21)),  # tip_x_dot
+        beam_x_dot - (w6 * w10 + w0 * w17 + (w9 * w18 + w7 * w20)),  # tip_x_dot
         beam_y + (w6 * w7 + w0 * w9),  # tip_y
-        beam_y_dot + (w6 * w18 - w7 * w17 + (w0 * w21 - w9 * w10)),  # tip_y_dot
+        beam_y_dot + (w6 * w18 - w7 * w17 + (w0 * w20 - w9 * w10)),  # tip_y_dot
     )
     inputs, outputs = [q, q_dot, c], [ca.densify(measures)]
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
@@ -1372,630 +1371,630 @@ def geometry() -> ca.Function:
     beam_length = p[2]
     beam_area = p[4]
     beam_second_moment = p[6]
-    beam200_clamped_free5_1_0_shape_1_0 = p[79]
-    beam200_clamped_free5_1_0_shape_1_1 = p[80]
-    beam200_clamped_free5_1_0_shape_1_2 = p[81]
-    beam200_clamped_free5_1_0_shape_1_3 = p[82]
-    beam200_clamped_free5_1_0_shape_1_4 = p[83]
-    beam200_clamped_free5_1_0_slope_0_0 = p[84]
-    beam200_clamped_free5_1_0_slope_1_0 = p[85]
-    beam200_clamped_free5_1_0_slope_2_0 = p[86]
-    beam200_clamped_free5_1_0_slope_3_0 = p[87]
-    beam200_clamped_free5_1_0_slope_4_0 = p[88]
-    beam200_clamped_free5_1_0_H_0_0 = p[89]
-    beam200_clamped_free5_1_0_H_0_1 = p[90]
-    beam200_clamped_free5_1_0_H_0_2 = p[91]
-    beam200_clamped_free5_1_0_H_0_3 = p[92]
-    beam200_clamped_free5_1_0_H_0_4 = p[93]
-    beam200_clamped_free5_1_0_H_1_0 = p[94]
-    beam200_clamped_free5_1_0_H_1_1 = p[95]
-    beam200_clamped_free5_1_0_H_1_2 = p[96]
-    beam200_clamped_free5_1_0_H_1_3 = p[97]
-    beam200_clamped_free5_1_0_H_1_4 = p[98]
-    beam200_clamped_free5_1_0_H_2_0 = p[99]
-    beam200_clamped_free5_1_0_H_2_1 = p[100]
-    beam200_clamped_free5_1_0_H_2_2 = p[101]
-    beam200_clamped_free5_1_0_H_2_3 = p[102]
-    beam200_clamped_free5_1_0_H_2_4 = p[103]
-    beam200_clamped_free5_1_0_H_3_0 = p[104]
-    beam200_clamped_free5_1_0_H_3_1 = p[105]
-    beam200_clamped_free5_1_0_H_3_2 = p[106]
-    beam200_clamped_free5_1_0_H_3_3 = p[107]
-    beam200_clamped_free5_1_0_H_3_4 = p[108]
-    beam200_clamped_free5_1_0_H_4_0 = p[109]
-    beam200_clamped_free5_1_0_H_4_1 = p[110]
-    beam200_clamped_free5_1_0_H_4_2 = p[111]
-    beam200_clamped_free5_1_0_H_4_3 = p[112]
-    beam200_clamped_free5_1_0_H_4_4 = p[113]
-    beam200_clamped_free5_0_0625_at_0_0 = p[114]
-    beam200_clamped_free5_0_0625_shape_1_0 = p[115]
-    beam200_clamped_free5_0_0625_shape_1_1 = p[116]
-    beam200_clamped_free5_0_0625_shape_1_2 = p[117]
-    beam200_clamped_free5_0_0625_shape_1_3 = p[118]
-    beam200_clamped_free5_0_0625_shape_1_4 = p[119]
-    beam200_clamped_free5_0_0625_slope_0_0 = p[120]
-    beam200_clamped_free5_0_0625_slope_1_0 = p[121]
-    beam200_clamped_free5_0_0625_slope_2_0 = p[122]
-    beam200_clamped_free5_0_0625_slope_3_0 = p[123]
-    beam200_clamped_free5_0_0625_slope_4_0 = p[124]
-    beam200_clamped_free5_0_0625_H_0_0 = p[125]
-    beam200_clamped_free5_0_0625_H_0_1 = p[126]
-    beam200_clamped_free5_0_0625_H_0_2 = p[127]
-    beam200_clamped_free5_0_0625_H_0_3 = p[128]
-    beam200_clamped_free5_0_0625_H_0_4 = p[129]
-    beam200_clamped_free5_0_0625_H_1_0 = p[130]
-    beam200_clamped_free5_0_0625_H_1_1 = p[131]
-    beam200_clamped_free5_0_0625_H_1_2 = p[132]
-    beam200_clamped_free5_0_0625_H_1_3 = p[133]
-    beam200_clamped_free5_0_0625_H_1_4 = p[134]
-    beam200_clamped_free5_0_0625_H_2_0 = p[135]
-    beam200_clamped_free5_0_0625_H_2_1 = p[136]
-    beam200_clamped_free5_0_0625_H_2_2 = p[137]
-    beam200_clamped_free5_0_0625_H_2_3 = p[138]
-    beam200_clamped_free5_0_0625_H_2_4 = p[139]
-    beam200_clamped_free5_0_0625_H_3_0 = p[140]
-    beam200_clamped_free5_0_0625_H_3_1 = p[141]
-    beam200_clamped_free5_0_0625_H_3_2 = p[142]
-    beam200_clamped_free5_0_0625_H_3_3 = p[143]
-    beam200_clamped_free5_0_0625_H_3_4 = p[144]
-    beam200_clamped_free5_0_0625_H_4_0 = p[145]
-    beam200_clamped_free5_0_0625_H_4_1 = p[146]
-    beam200_clamped_free5_0_0625_H_4_2 = p[147]
-    beam200_clamped_free5_0_0625_H_4_3 = p[148]
-    beam200_clamped_free5_0_0625_H_4_4 = p[149]
-    beam200_clamped_free5_0_125_at_0_0 = p[150]
-    beam200_clamped_free5_0_125_shape_1_0 = p[151]
-    beam200_clamped_free5_0_125_shape_1_1 = p[152]
-    beam200_clamped_free5_0_125_shape_1_2 = p[153]
-    beam200_clamped_free5_0_125_shape_1_3 = p[154]
-    beam200_clamped_free5_0_125_shape_1_4 = p[155]
-    beam200_clamped_free5_0_125_slope_0_0 = p[156]
-    beam200_clamped_free5_0_125_slope_1_0 = p[157]
-    beam200_clamped_free5_0_125_slope_2_0 = p[158]
-    beam200_clamped_free5_0_125_slope_3_0 = p[159]
-    beam200_clamped_free5_0_125_slope_4_0 = p[160]
-    beam200_clamped_free5_0_125_H_0_0 = p[161]
-    beam200_clamped_free5_0_125_H_0_1 = p[162]
-    beam200_clamped_free5_0_125_H_0_2 = p[163]
-    beam200_clamped_free5_0_125_H_0_3 = p[164]
-    beam200_clamped_free5_0_125_H_0_4 = p[165]
-    beam200_clamped_free5_0_125_H_1_0 = p[166]
-    beam200_clamped_free5_0_125_H_1_1 = p[167]
-    beam200_clamped_free5_0_125_H_1_2 = p[168]
-    beam200_clamped_free5_0_125_H_1_3 = p[169]
-    beam200_clamped_free5_0_125_H_1_4 = p[170]
-    beam200_clamped_free5_0_125_H_2_0 = p[171]
-    beam200_clamped_free5_0_125_H_2_1 = p[172]
-    beam200_clamped_free5_0_125_H_2_2 = p[173]
-    beam200_clamped_free5_0_125_H_2_3 = p[174]
-    beam200_clamped_free5_0_125_H_2_4 = p[175]
-    beam200_clamped_free5_0_125_H_3_0 = p[176]
-    beam200_clamped_free5_0_125_H_3_1 = p[177]
-    beam200_clamped_free5_0_125_H_3_2 = p[178]
-    beam200_clamped_free5_0_125_H_3_3 = p[179]
-    beam200_clamped_free5_0_125_H_3_4 = p[180]
-    beam200_clamped_free5_0_125_H_4_0 = p[181]
-    beam200_clamped_free5_0_125_H_4_1 = p[182]
-    beam200_clamped_free5_0_125_H_4_2 = p[183]
-    beam200_clamped_free5_0_125_H_4_3 = p[184]
-    beam200_clamped_free5_0_125_H_4_4 = p[185]
-    beam200_clamped_free5_0_1875_at_0_0 = p[186]
-    beam200_clamped_free5_0_1875_shape_1_0 = p[187]
-    beam200_clamped_free5_0_1875_shape_1_1 = p[188]
-    beam200_clamped_free5_0_1875_shape_1_2 = p[189]
-    beam200_clamped_free5_0_1875_shape_1_3 = p[190]
-    beam200_clamped_free5_0_1875_shape_1_4 = p[191]
-    beam200_clamped_free5_0_1875_slope_0_0 = p[192]
-    beam200_clamped_free5_0_1875_slope_1_0 = p[193]
-    beam200_clamped_free5_0_1875_slope_2_0 = p[194]
-    beam200_clamped_free5_0_1875_slope_3_0 = p[195]
-    beam200_clamped_free5_0_1875_slope_4_0 = p[196]
-    beam200_clamped_free5_0_1875_H_0_0 = p[197]
-    beam200_clamped_free5_0_1875_H_0_1 = p[198]
-    beam200_clamped_free5_0_1875_H_0_2 = p[199]
-    beam200_clamped_free5_0_1875_H_0_3 = p[200]
-    beam200_clamped_free5_0_1875_H_0_4 = p[201]
-    beam200_clamped_free5_0_1875_H_1_0 = p[202]
-    beam200_clamped_free5_0_1875_H_1_1 = p[203]
-    beam200_clamped_free5_0_1875_H_1_2 = p[204]
-    beam200_clamped_free5_0_1875_H_1_3 = p[205]
-    beam200_clamped_free5_0_1875_H_1_4 = p[206]
-    beam200_clamped_free5_0_1875_H_2_0 = p[207]
-    beam200_clamped_free5_0_1875_H_2_1 = p[208]
-    beam200_clamped_free5_0_1875_H_2_2 = p[209]
-    beam200_clamped_free5_0_1875_H_2_3 = p[210]
-    beam200_clamped_free5_0_1875_H_2_4 = p[211]
-    beam200_clamped_free5_0_1875_H_3_0 = p[212]
-    beam200_clamped_free5_0_1875_H_3_1 = p[213]
-    beam200_clamped_free5_0_1875_H_3_2 = p[214]
-    beam200_clamped_free5_0_1875_H_3_3 = p[215]
-    beam200_clamped_free5_0_1875_H_3_4 = p[216]
-    beam200_clamped_free5_0_1875_H_4_0 = p[217]
-    beam200_clamped_free5_0_1875_H_4_1 = p[218]
-    beam200_clamped_free5_0_1875_H_4_2 = p[219]
-    beam200_clamped_free5_0_1875_H_4_3 = p[220]
-    beam200_clamped_free5_0_1875_H_4_4 = p[221]
-    beam200_clamped_free5_0_25_at_0_0 = p[222]
-    beam200_clamped_free5_0_25_shape_1_0 = p[223]
-    beam200_clamped_free5_0_25_shape_1_1 = p[224]
-    beam200_clamped_free5_0_25_shape_1_2 = p[225]
-    beam200_clamped_free5_0_25_shape_1_3 = p[226]
-    beam200_clamped_free5_0_25_shape_1_4 = p[227]
-    beam200_clamped_free5_0_25_slope_0_0 = p[228]
-    beam200_clamped_free5_0_25_slope_1_0 = p[229]
-    beam200_clamped_free5_0_25_slope_2_0 = p[230]
-    beam200_clamped_free5_0_25_slope_3_0 = p[231]
-    beam200_clamped_free5_0_25_slope_4_0 = p[232]
-    beam200_clamped_free5_0_25_H_0_0 = p[233]
-    beam200_clamped_free5_0_25_H_0_1 = p[234]
-    beam200_clamped_free5_0_25_H_0_2 = p[235]
-    beam200_clamped_free5_0_25_H_0_3 = p[236]
-    beam200_clamped_free5_0_25_H_0_4 = p[237]
-    beam200_clamped_free5_0_25_H_1_0 = p[238]
-    beam200_clamped_free5_0_25_H_1_1 = p[239]
-    beam200_clamped_free5_0_25_H_1_2 = p[240]
-    beam200_clamped_free5_0_25_H_1_3 = p[241]
-    beam200_clamped_free5_0_25_H_1_4 = p[242]
-    beam200_clamped_free5_0_25_H_2_0 = p[243]
-    beam200_clamped_free5_0_25_H_2_1 = p[244]
-    beam200_clamped_free5_0_25_H_2_2 = p[245]
-    beam200_clamped_free5_0_25_H_2_3 = p[246]
-    beam200_clamped_free5_0_25_H_2_4 = p[247]
-    beam200_clamped_free5_0_25_H_3_0 = p[248]
-    beam200_clamped_free5_0_25_H_3_1 = p[249]
-    beam200_clamped_free5_0_25_H_3_2 = p[250]
-    beam200_clamped_free5_0_25_H_3_3 = p[251]
-    beam200_clamped_free5_0_25_H_3_4 = p[252]
-    beam200_clamped_free5_0_25_H_4_0 = p[253]
-    beam200_clamped_free5_0_25_H_4_1 = p[254]
-    beam200_clamped_free5_0_25_H_4_2 = p[255]
-    beam200_clamped_free5_0_25_H_4_3 = p[256]
-    beam200_clamped_free5_0_25_H_4_4 = p[257]
-    beam200_clamped_free5_0_3125_at_0_0 = p[258]
-    beam200_clamped_free5_0_3125_shape_1_0 = p[259]
-    beam200_clamped_free5_0_3125_shape_1_1 = p[260]
-    beam200_clamped_free5_0_3125_shape_1_2 = p[261]
-    beam200_clamped_free5_0_3125_shape_1_3 = p[262]
-    beam200_clamped_free5_0_3125_shape_1_4 = p[263]
-    beam200_clamped_free5_0_3125_slope_0_0 = p[264]
-    beam200_clamped_free5_0_3125_slope_1_0 = p[265]
-    beam200_clamped_free5_0_3125_slope_2_0 = p[266]
-    beam200_clamped_free5_0_3125_slope_3_0 = p[267]
-    beam200_clamped_free5_0_3125_slope_4_0 = p[268]
-    beam200_clamped_free5_0_3125_H_0_0 = p[269]
-    beam200_clamped_free5_0_3125_H_0_1 = p[270]
-    beam200_clamped_free5_0_3125_H_0_2 = p[271]
-    beam200_clamped_free5_0_3125_H_0_3 = p[272]
-    beam200_clamped_free5_0_3125_H_0_4 = p[273]
-    beam200_clamped_free5_0_3125_H_1_0 = p[274]
-    beam200_clamped_free5_0_3125_H_1_1 = p[275]
-    beam200_clamped_free5_0_3125_H_1_2 = p[276]
-    beam200_clamped_free5_0_3125_H_1_3 = p[277]
-    beam200_clamped_free5_0_3125_H_1_4 = p[278]
-    beam200_clamped_free5_0_3125_H_2_0 = p[279]
-    beam200_clamped_free5_0_3125_H_2_1 = p[280]
-    beam200_clamped_free5_0_3125_H_2_2 = p[281]
-    beam200_clamped_free5_0_3125_H_2_3 = p[282]
-    beam200_clamped_free5_0_3125_H_2_4 = p[283]
-    beam200_clamped_free5_0_3125_H_3_0 = p[284]
-    beam200_clamped_free5_0_3125_H_3_1 = p[285]
-    beam200_clamped_free5_0_3125_H_3_2 = p[286]
-    beam200_clamped_free5_0_3125_H_3_3 = p[287]
-    beam200_clamped_free5_0_3125_H_3_4 = p[288]
-    beam200_clamped_free5_0_3125_H_4_0 = p[289]
-    beam200_clamped_free5_0_3125_H_4_1 = p[290]
-    beam200_clamped_free5_0_3125_H_4_2 = p[291]
-    beam200_clamped_free5_0_3125_H_4_3 = p[292]
-    beam200_clamped_free5_0_3125_H_4_4 = p[293]
-    beam200_clamped_free5_0_375_at_0_0 = p[294]
-    beam200_clamped_free5_0_375_shape_1_0 = p[295]
-    beam200_clamped_free5_0_375_shape_1_1 = p[296]
-    beam200_clamped_free5_0_375_shape_1_2 = p[297]
-    beam200_clamped_free5_0_375_shape_1_3 = p[298]
-    beam200_clamped_free5_0_375_shape_1_4 = p[299]
-    beam200_clamped_free5_0_375_slope_0_0 = p[300]
-    beam200_clamped_free5_0_375_slope_1_0 = p[301]
-    beam200_clamped_free5_0_375_slope_2_0 = p[302]
-    beam200_clamped_free5_0_375_slope_3_0 = p[303]
-    beam200_clamped_free5_0_375_slope_4_0 = p[304]
-    beam200_clamped_free5_0_375_H_0_0 = p[305]
-    beam200_clamped_free5_0_375_H_0_1 = p[306]
-    beam200_clamped_free5_0_375_H_0_2 = p[307]
-    beam200_clamped_free5_0_375_H_0_3 = p[308]
-    beam200_clamped_free5_0_375_H_0_4 = p[309]
-    beam200_clamped_free5_0_375_H_1_0 = p[310]
-    beam200_clamped_free5_0_375_H_1_1 = p[311]
-    beam200_clamped_free5_0_375_H_1_2 = p[312]
-    beam200_clamped_free5_0_375_H_1_3 = p[313]
-    beam200_clamped_free5_0_375_H_1_4 = p[314]
-    beam200_clamped_free5_0_375_H_2_0 = p[315]
-    beam200_clamped_free5_0_375_H_2_1 = p[316]
-    beam200_clamped_free5_0_375_H_2_2 = p[317]
-    beam200_clamped_free5_0_375_H_2_3 = p[318]
-    beam200_clamped_free5_0_375_H_2_4 = p[319]
-    beam200_clamped_free5_0_375_H_3_0 = p[320]
-    beam200_clamped_free5_0_375_H_3_1 = p[321]
-    beam200_clamped_free5_0_375_H_3_2 = p[322]
-    beam200_clamped_free5_0_375_H_3_3 = p[323]
-    beam200_clamped_free5_0_375_H_3_4 = p[324]
-    beam200_clamped_free5_0_375_H_4_0 = p[325]
-    beam200_clamped_free5_0_375_H_4_1 = p[326]
-    beam200_clamped_free5_0_375_H_4_2 = p[327]
-    beam200_clamped_free5_0_375_H_4_3 = p[328]
-    beam200_clamped_free5_0_375_H_4_4 = p[329]
-    beam200_clamped_free5_0_4375_at_0_0 = p[330]
-    beam200_clamped_free5_0_4375_shape_1_0 = p[331]
-    beam200_clamped_free5_0_4375_shape_1_1 = p[332]
-    beam200_clamped_free5_0_4375_shape_1_2 = p[333]
-    beam200_clamped_free5_0_4375_shape_1_3 = p[334]
-    beam200_clamped_free5_0_4375_shape_1_4 = p[335]
-    beam200_clamped_free5_0_4375_slope_0_0 = p[336]
-    beam200_clamped_free5_0_4375_slope_1_0 = p[337]
-    beam200_clamped_free5_0_4375_slope_2_0 = p[338]
-    beam200_clamped_free5_0_4375_slope_3_0 = p[339]
-    beam200_clamped_free5_0_4375_slope_4_0 = p[340]
-    beam200_clamped_free5_0_4375_H_0_0 = p[341]
-    beam200_clamped_free5_0_4375_H_0_1 = p[342]
-    beam200_clamped_free5_0_4375_H_0_2 = p[343]
-    beam200_clamped_free5_0_4375_H_0_3 = p[344]
-    beam200_clamped_free5_0_4375_H_0_4 = p[345]
-    beam200_clamped_free5_0_4375_H_1_0 = p[346]
-    beam200_clamped_free5_0_4375_H_1_1 = p[347]
-    beam200_clamped_free5_0_4375_H_1_2 = p[348]
-    beam200_clamped_free5_0_4375_H_1_3 = p[349]
-    beam200_clamped_free5_0_4375_H_1_4 = p[350]
-    beam200_clamped_free5_0_4375_H_2_0 = p[351]
-    beam200_clamped_free5_0_4375_H_2_1 = p[352]
-    beam200_clamped_free5_0_4375_H_2_2 = p[353]
-    beam200_clamped_free5_0_4375_H_2_3 = p[354]
-    beam200_clamped_free5_0_4375_H_2_4 = p[355]
-    beam200_clamped_free5_0_4375_H_3_0 = p[356]
-    beam200_clamped_free5_0_4375_H_3_1 = p[357]
-    beam200_clamped_free5_0_4375_H_3_2 = p[358]
-    beam200_clamped_free5_0_4375_H_3_3 = p[359]
-    beam200_clamped_free5_0_4375_H_3_4 = p[360]
-    beam200_clamped_free5_0_4375_H_4_0 = p[361]
-    beam200_clamped_free5_0_4375_H_4_1 = p[362]
-    beam200_clamped_free5_0_4375_H_4_2 = p[363]
-    beam200_clamped_free5_0_4375_H_4_3 = p[364]
-    beam200_clamped_free5_0_4375_H_4_4 = p[365]
-    beam200_clamped_free5_0_5_at_0_0 = p[366]
-    beam200_clamped_free5_0_5_shape_1_0 = p[367]
-    beam200_clamped_free5_0_5_shape_1_1 = p[368]
-    beam200_clamped_free5_0_5_shape_1_2 = p[369]
-    beam200_clamped_free5_0_5_shape_1_3 = p[370]
-    beam200_clamped_free5_0_5_shape_1_4 = p[371]
-    beam200_clamped_free5_0_5_slope_0_0 = p[372]
-    beam200_clamped_free5_0_5_slope_1_0 = p[373]
-    beam200_clamped_free5_0_5_slope_2_0 = p[374]
-    beam200_clamped_free5_0_5_slope_3_0 = p[375]
-    beam200_clamped_free5_0_5_slope_4_0 = p[376]
-    beam200_clamped_free5_0_5_H_0_0 = p[377]
-    beam200_clamped_free5_0_5_H_0_1 = p[378]
-    beam200_clamped_free5_0_5_H_0_2 = p[379]
-    beam200_clamped_free5_0_5_H_0_3 = p[380]
-    beam200_clamped_free5_0_5_H_0_4 = p[381]
-    beam200_clamped_free5_0_5_H_1_0 = p[382]
-    beam200_clamped_free5_0_5_H_1_1 = p[383]
-    beam200_clamped_free5_0_5_H_1_2 = p[384]
-    beam200_clamped_free5_0_5_H_1_3 = p[385]
-    beam200_clamped_free5_0_5_H_1_4 = p[386]
-    beam200_clamped_free5_0_5_H_2_0 = p[387]
-    beam200_clamped_free5_0_5_H_2_1 = p[388]
-    beam200_clamped_free5_0_5_H_2_2 = p[389]
-    beam200_clamped_free5_0_5_H_2_3 = p[390]
-    beam200_clamped_free5_0_5_H_2_4 = p[391]
-    beam200_clamped_free5_0_5_H_3_0 = p[392]
-    beam200_clamped_free5_0_5_H_3_1 = p[393]
-    beam200_clamped_free5_0_5_H_3_2 = p[394]
-    beam200_clamped_free5_0_5_H_3_3 = p[395]
-    beam200_clamped_free5_0_5_H_3_4 = p[396]
-    beam200_clamped_free5_0_5_H_4_0 = p[397]
-    beam200_clamped_free5_0_5_H_4_1 = p[398]
-    beam200_clamped_free5_0_5_H_4_2 = p[399]
-    beam200_clamped_free5_0_5_H_4_3 = p[400]
-    beam200_clamped_free5_0_5_H_4_4 = p[401]
-    beam200_clamped_free5_0_5625_at_0_0 = p[402]
-    beam200_clamped_free5_0_5625_shape_1_0 = p[403]
-    beam200_clamped_free5_0_5625_shape_1_1 = p[404]
-    beam200_clamped_free5_0_5625_shape_1_2 = p[405]
-    beam200_clamped_free5_0_5625_shape_1_3 = p[406]
-    beam200_clamped_free5_0_5625_shape_1_4 = p[407]
-    beam200_clamped_free5_0_5625_slope_0_0 = p[408]
-    beam200_clamped_free5_0_5625_slope_1_0 = p[409]
-    beam200_clamped_free5_0_5625_slope_2_0 = p[410]
-    beam200_clamped_free5_0_5625_slope_3_0 = p[411]
-    beam200_clamped_free5_0_5625_slope_4_0 = p[412]
-    beam200_clamped_free5_0_5625_H_0_0 = p[413]
-    beam200_clamped_free5_0_5625_H_0_1 = p[414]
-    beam200_clamped_free5_0_5625_H_0_2 = p[415]
-    beam200_clamped_free5_0_5625_H_0_3 = p[416]
-    beam200_clamped_free5_0_5625_H_0_4 = p[417]
-    beam200_clamped_free5_0_5625_H_1_0 = p[418]
-    beam200_clamped_free5_0_5625_H_1_1 = p[419]
-    beam200_clamped_free5_0_5625_H_1_2 = p[420]
-    beam200_clamped_free5_0_5625_H_1_3 = p[421]
-    beam200_clamped_free5_0_5625_H_1_4 = p[422]
-    beam200_clamped_free5_0_5625_H_2_0 = p[423]
-    beam200_clamped_free5_0_5625_H_2_1 = p[424]
-    beam200_clamped_free5_0_5625_H_2_2 = p[425]
-    beam200_clamped_free5_0_5625_H_2_3 = p[426]
-    beam200_clamped_free5_0_5625_H_2_4 = p[427]
-    beam200_clamped_free5_0_5625_H_3_0 = p[428]
-    beam200_clamped_free5_0_5625_H_3_1 = p[429]
-    beam200_clamped_free5_0_5625_H_3_2 = p[430]
-    beam200_clamped_free5_0_5625_H_3_3 = p[431]
-    beam200_clamped_free5_0_5625_H_3_4 = p[432]
-    beam200_clamped_free5_0_5625_H_4_0 = p[433]
-    beam200_clamped_free5_0_5625_H_4_1 = p[434]
-    beam200_clamped_free5_0_5625_H_4_2 = p[435]
-    beam200_clamped_free5_0_5625_H_4_3 = p[436]
-    beam200_clamped_free5_0_5625_H_4_4 = p[437]
-    beam200_clamped_free5_0_625_at_0_0 = p[438]
-    beam200_clamped_free5_0_625_shape_1_0 = p[439]
-    beam200_clamped_free5_0_625_shape_1_1 = p[440]
-    beam200_clamped_free5_0_625_shape_1_2 = p[441]
-    beam200_clamped_free5_0_625_shape_1_3 = p[442]
-    beam200_clamped_free5_0_625_shape_1_4 = p[443]
-    beam200_clamped_free5_0_625_slope_0_0 = p[444]
-    beam200_clamped_free5_0_625_slope_1_0 = p[445]
-    beam200_clamped_free5_0_625_slope_2_0 = p[446]
-    beam200_clamped_free5_0_625_slope_3_0 = p[447]
-    beam200_clamped_free5_0_625_slope_4_0 = p[448]
-    beam200_clamped_free5_0_625_H_0_0 = p[449]
-    beam200_clamped_free5_0_625_H_0_1 = p[450]
-    beam200_clamped_free5_0_625_H_0_2 = p[451]
-    beam200_clamped_free5_0_625_H_0_3 = p[452]
-    beam200_clamped_free5_0_625_H_0_4 = p[453]
-    beam200_clamped_free5_0_625_H_1_0 = p[454]
-    beam200_clamped_free5_0_625_H_1_1 = p[455]
-    beam200_clamped_free5_0_625_H_1_2 = p[456]
-    beam200_clamped_free5_0_625_H_1_3 = p[457]
-    beam200_clamped_free5_0_625_H_1_4 = p[458]
-    beam200_clamped_free5_0_625_H_2_0 = p[459]
-    beam200_clamped_free5_0_625_H_2_1 = p[460]
-    beam200_clamped_free5_0_625_H_2_2 = p[461]
-    beam200_clamped_free5_0_625_H_2_3 = p[462]
-    beam200_clamped_free5_0_625_H_2_4 = p[463]
-    beam200_clamped_free5_0_625_H_3_0 = p[464]
-    beam200_clamped_free5_0_625_H_3_1 = p[465]
-    beam200_clamped_free5_0_625_H_3_2 = p[466]
-    beam200_clamped_free5_0_625_H_3_3 = p[467]
-    beam200_clamped_free5_0_625_H_3_4 = p[468]
-    beam200_clamped_free5_0_625_H_4_0 = p[469]
-    beam200_clamped_free5_0_625_H_4_1 = p[470]
-    beam200_clamped_free5_0_625_H_4_2 = p[471]
-    beam200_clamped_free5_0_625_H_4_3 = p[472]
-    beam200_clamped_free5_0_625_H_4_4 = p[473]
-    beam200_clamped_free5_0_6875_at_0_0 = p[474]
-    beam200_clamped_free5_0_6875_shape_1_0 = p[475]
-    beam200_clamped_free5_0_6875_shape_1_1 = p[476]
-    beam200_clamped_free5_0_6875_shape_1_2 = p[477]
-    beam200_clamped_free5_0_6875_shape_1_3 = p[478]
-    beam200_clamped_free5_0_6875_shape_1_4 = p[479]
-    beam200_clamped_free5_0_6875_slope_0_0 = p[480]
-    beam200_clamped_free5_0_6875_slope_1_0 = p[481]
-    beam200_clamped_free5_0_6875_slope_2_0 = p[482]
-    beam200_clamped_free5_0_6875_slope_3_0 = p[483]
-    beam200_clamped_free5_0_6875_slope_4_0 = p[484]
-    beam200_clamped_free5_0_6875_H_0_0 = p[485]
-    beam200_clamped_free5_0_6875_H_0_1 = p[486]
-    beam200_clamped_free5_0_6875_H_0_2 = p[487]
-    beam200_clamped_free5_0_6875_H_0_3 = p[488]
-    beam200_clamped_free5_0_6875_H_0_4 = p[489]
-    beam200_clamped_free5_0_6875_H_1_0 = p[490]
-    beam200_clamped_free5_0_6875_H_1_1 = p[491]
-    beam200_clamped_free5_0_6875_H_1_2 = p[492]
-    beam200_clamped_free5_0_6875_H_1_3 = p[493]
-    beam200_clamped_free5_0_6875_H_1_4 = p[494]
-    beam200_clamped_free5_0_6875_H_2_0 = p[495]
-    beam200_clamped_free5_0_6875_H_2_1 = p[496]
-    beam200_clamped_free5_0_6875_H_2_2 = p[497]
-    beam200_clamped_free5_0_6875_H_2_3 = p[498]
-    beam200_clamped_free5_0_6875_H_2_4 = p[499]
-    beam200_clamped_free5_0_6875_H_3_0 = p[500]
-    beam200_clamped_free5_0_6875_H_3_1 = p[501]
-    beam200_clamped_free5_0_6875_H_3_2 = p[502]
-    beam200_clamped_free5_0_6875_H_3_3 = p[503]
-    beam200_clamped_free5_0_6875_H_3_4 = p[504]
-    beam200_clamped_free5_0_6875_H_4_0 = p[505]
-    beam200_clamped_free5_0_6875_H_4_1 = p[506]
-    beam200_clamped_free5_0_6875_H_4_2 = p[507]
-    beam200_clamped_free5_0_6875_H_4_3 = p[508]
-    beam200_clamped_free5_0_6875_H_4_4 = p[509]
-    beam200_clamped_free5_0_75_at_0_0 = p[510]
-    beam200_clamped_free5_0_75_shape_1_0 = p[511]
-    beam200_clamped_free5_0_75_shape_1_1 = p[512]
-    beam200_clamped_free5_0_75_shape_1_2 = p[513]
-    beam200_clamped_free5_0_75_shape_1_3 = p[514]
-    beam200_clamped_free5_0_75_shape_1_4 = p[515]
-    beam200_clamped_free5_0_75_slope_0_0 = p[516]
-    beam200_clamped_free5_0_75_slope_1_0 = p[517]
-    beam200_clamped_free5_0_75_slope_2_0 = p[518]
-    beam200_clamped_free5_0_75_slope_3_0 = p[519]
-    beam200_clamped_free5_0_75_slope_4_0 = p[520]
-    beam200_clamped_free5_0_75_H_0_0 = p[521]
-    beam200_clamped_free5_0_75_H_0_1 = p[522]
-    beam200_clamped_free5_0_75_H_0_2 = p[523]
-    beam200_clamped_free5_0_75_H_0_3 = p[524]
-    beam200_clamped_free5_0_75_H_0_4 = p[525]
-    beam200_clamped_free5_0_75_H_1_0 = p[526]
-    beam200_clamped_free5_0_75_H_1_1 = p[527]
-    beam200_clamped_free5_0_75_H_1_2 = p[528]
-    beam200_clamped_free5_0_75_H_1_3 = p[529]
-    beam200_clamped_free5_0_75_H_1_4 = p[530]
-    beam200_clamped_free5_0_75_H_2_0 = p[531]
-    beam200_clamped_free5_0_75_H_2_1 = p[532]
-    beam200_clamped_free5_0_75_H_2_2 = p[533]
-    beam200_clamped_free5_0_75_H_2_3 = p[534]
-    beam200_clamped_free5_0_75_H_2_4 = p[535]
-    beam200_clamped_free5_0_75_H_3_0 = p[536]
-    beam200_clamped_free5_0_75_H_3_1 = p[537]
-    beam200_clamped_free5_0_75_H_3_2 = p[538]
-    beam200_clamped_free5_0_75_H_3_3 = p[539]
-    beam200_clamped_free5_0_75_H_3_4 = p[540]
-    beam200_clamped_free5_0_75_H_4_0 = p[541]
-    beam200_clamped_free5_0_75_H_4_1 = p[542]
-    beam200_clamped_free5_0_75_H_4_2 = p[543]
-    beam200_clamped_free5_0_75_H_4_3 = p[544]
-    beam200_clamped_free5_0_75_H_4_4 = p[545]
-    beam200_clamped_free5_0_8125_at_0_0 = p[546]
-    beam200_clamped_free5_0_8125_shape_1_0 = p[547]
-    beam200_clamped_free5_0_8125_shape_1_1 = p[548]
-    beam200_clamped_free5_0_8125_shape_1_2 = p[549]
-    beam200_clamped_free5_0_8125_shape_1_3 = p[550]
-    beam200_clamped_free5_0_8125_shape_1_4 = p[551]
-    beam200_clamped_free5_0_8125_slope_0_0 = p[552]
-    beam200_clamped_free5_0_8125_slope_1_0 = p[553]
-    beam200_clamped_free5_0_8125_slope_2_0 = p[554]
-    beam200_clamped_free5_0_8125_slope_3_0 = p[555]
-    beam200_clamped_free5_0_8125_slope_4_0 = p[556]
-    beam200_clamped_free5_0_8125_H_0_0 = p[557]
-    beam200_clamped_free5_0_8125_H_0_1 = p[558]
-    beam200_clamped_free5_0_8125_H_0_2 = p[559]
-    beam200_clamped_free5_0_8125_H_0_3 = p[560]
-    beam200_clamped_free5_0_8125_H_0_4 = p[561]
-    beam200_clamped_free5_0_8125_H_1_0 = p[562]
-    beam200_clamped_free5_0_8125_H_1_1 = p[563]
-    beam200_clamped_free5_0_8125_H_1_2 = p[564]
-    beam200_clamped_free5_0_8125_H_1_3 = p[565]
-    beam200_clamped_free5_0_8125_H_1_4 = p[566]
-    beam200_clamped_free5_0_8125_H_2_0 = p[567]
-    beam200_clamped_free5_0_8125_H_2_1 = p[568]
-    beam200_clamped_free5_0_8125_H_2_2 = p[569]
-    beam200_clamped_free5_0_8125_H_2_3 = p[570]
-    beam200_clamped_free5_0_8125_H_2_4 = p[571]
-    beam200_clamped_free5_0_8125_H_3_0 = p[572]
-    beam200_clamped_free5_0_8125_H_3_1 = p[573]
-    beam200_clamped_free5_0_8125_H_3_2 = p[574]
-    beam200_clamped_free5_0_8125_H_3_3 = p[575]
-    beam200_clamped_free5_0_8125_H_3_4 = p[576]
-    beam200_clamped_free5_0_8125_H_4_0 = p[577]
-    beam200_clamped_free5_0_8125_H_4_1 = p[578]
-    beam200_clamped_free5_0_8125_H_4_2 = p[579]
-    beam200_clamped_free5_0_8125_H_4_3 = p[580]
-    beam200_clamped_free5_0_8125_H_4_4 = p[581]
-    beam200_clamped_free5_0_875_at_0_0 = p[582]
-    beam200_clamped_free5_0_875_shape_1_0 = p[583]
-    beam200_clamped_free5_0_875_shape_1_1 = p[584]
-    beam200_clamped_free5_0_875_shape_1_2 = p[585]
-    beam200_clamped_free5_0_875_shape_1_3 = p[586]
-    beam200_clamped_free5_0_875_shape_1_4 = p[587]
-    beam200_clamped_free5_0_875_slope_0_0 = p[588]
-    beam200_clamped_free5_0_875_slope_1_0 = p[589]
-    beam200_clamped_free5_0_875_slope_2_0 = p[590]
-    beam200_clamped_free5_0_875_slope_3_0 = p[591]
-    beam200_clamped_free5_0_875_slope_4_0 = p[592]
-    beam200_clamped_free5_0_875_H_0_0 = p[593]
-    beam200_clamped_free5_0_875_H_0_1 = p[594]
-    beam200_clamped_free5_0_875_H_0_2 = p[595]
-    beam200_clamped_free5_0_875_H_0_3 = p[596]
-    beam200_clamped_free5_0_875_H_0_4 = p[597]
-    beam200_clamped_free5_0_875_H_1_0 = p[598]
-    beam200_clamped_free5_0_875_H_1_1 = p[599]
-    beam200_clamped_free5_0_875_H_1_2 = p[600]
-    beam200_clamped_free5_0_875_H_1_3 = p[601]
-    beam200_clamped_free5_0_875_H_1_4 = p[602]
-    beam200_clamped_free5_0_875_H_2_0 = p[603]
-    beam200_clamped_free5_0_875_H_2_1 = p[604]
-    beam200_clamped_free5_0_875_H_2_2 = p[605]
-    beam200_clamped_free5_0_875_H_2_3 = p[606]
-    beam200_clamped_free5_0_875_H_2_4 = p[607]
-    beam200_clamped_free5_0_875_H_3_0 = p[608]
-    beam200_clamped_free5_0_875_H_3_1 = p[609]
-    beam200_clamped_free5_0_875_H_3_2 = p[610]
-    beam200_clamped_free5_0_875_H_3_3 = p[611]
-    beam200_clamped_free5_0_875_H_3_4 = p[612]
-    beam200_clamped_free5_0_875_H_4_0 = p[613]
-    beam200_clamped_free5_0_875_H_4_1 = p[614]
-    beam200_clamped_free5_0_875_H_4_2 = p[615]
-    beam200_clamped_free5_0_875_H_4_3 = p[616]
-    beam200_clamped_free5_0_875_H_4_4 = p[617]
-    beam200_clamped_free5_0_9375_at_0_0 = p[618]
-    beam200_clamped_free5_0_9375_shape_1_0 = p[619]
-    beam200_clamped_free5_0_9375_shape_1_1 = p[620]
-    beam200_clamped_free5_0_9375_shape_1_2 = p[621]
-    beam200_clamped_free5_0_9375_shape_1_3 = p[622]
-    beam200_clamped_free5_0_9375_shape_1_4 = p[623]
-    beam200_clamped_free5_0_9375_slope_0_0 = p[624]
-    beam200_clamped_free5_0_9375_slope_1_0 = p[625]
-    beam200_clamped_free5_0_9375_slope_2_0 = p[626]
-    beam200_clamped_free5_0_9375_slope_3_0 = p[627]
-    beam200_clamped_free5_0_9375_slope_4_0 = p[628]
-    beam200_clamped_free5_0_9375_H_0_0 = p[629]
-    beam200_clamped_free5_0_9375_H_0_1 = p[630]
-    beam200_clamped_free5_0_9375_H_0_2 = p[631]
-    beam200_clamped_free5_0_9375_H_0_3 = p[632]
-    beam200_clamped_free5_0_9375_H_0_4 = p[633]
-    beam200_clamped_free5_0_9375_H_1_0 = p[634]
-    beam200_clamped_free5_0_9375_H_1_1 = p[635]
-    beam200_clamped_free5_0_9375_H_1_2 = p[636]
-    beam200_clamped_free5_0_9375_H_1_3 = p[637]
-    beam200_clamped_free5_0_9375_H_1_4 = p[638]
-    beam200_clamped_free5_0_9375_H_2_0 = p[639]
-    beam200_clamped_free5_0_9375_H_2_1 = p[640]
-    beam200_clamped_free5_0_9375_H_2_2 = p[641]
-    beam200_clamped_free5_0_9375_H_2_3 = p[642]
-    beam200_clamped_free5_0_9375_H_2_4 = p[643]
-    beam200_clamped_free5_0_9375_H_3_0 = p[644]
-    beam200_clamped_free5_0_9375_H_3_1 = p[645]
-    beam200_clamped_free5_0_9375_H_3_2 = p[646]
-    beam200_clamped_free5_0_9375_H_3_3 = p[647]
-    beam200_clamped_free5_0_9375_H_3_4 = p[648]
-    beam200_clamped_free5_0_9375_H_4_0 = p[649]
-    beam200_clamped_free5_0_9375_H_4_1 = p[650]
-    beam200_clamped_free5_0_9375_H_4_2 = p[651]
-    beam200_clamped_free5_0_9375_H_4_3 = p[652]
-    beam200_clamped_free5_0_9375_H_4_4 = p[653]
+    beam_clamped_free5_1_0_shape_1_0 = p[79]
+    beam_clamped_free5_1_0_shape_1_1 = p[80]
+    beam_clamped_free5_1_0_shape_1_2 = p[81]
+    beam_clamped_free5_1_0_shape_1_3 = p[82]
+    beam_clamped_free5_1_0_shape_1_4 = p[83]
+    beam_clamped_free5_1_0_slope_0_0 = p[84]
+    beam_clamped_free5_1_0_slope_1_0 = p[85]
+    beam_clamped_free5_1_0_slope_2_0 = p[86]
+    beam_clamped_free5_1_0_slope_3_0 = p[87]
+    beam_clamped_free5_1_0_slope_4_0 = p[88]
+    beam_clamped_free5_1_0_H_0_0 = p[89]
+    beam_clamped_free5_1_0_H_0_1 = p[90]
+    beam_clamped_free5_1_0_H_0_2 = p[91]
+    beam_clamped_free5_1_0_H_0_3 = p[92]
+    beam_clamped_free5_1_0_H_0_4 = p[93]
+    beam_clamped_free5_1_0_H_1_0 = p[94]
+    beam_clamped_free5_1_0_H_1_1 = p[95]
+    beam_clamped_free5_1_0_H_1_2 = p[96]
+    beam_clamped_free5_1_0_H_1_3 = p[97]
+    beam_clamped_free5_1_0_H_1_4 = p[98]
+    beam_clamped_free5_1_0_H_2_0 = p[99]
+    beam_clamped_free5_1_0_H_2_1 = p[100]
+    beam_clamped_free5_1_0_H_2_2 = p[101]
+    beam_clamped_free5_1_0_H_2_3 = p[102]
+    beam_clamped_free5_1_0_H_2_4 = p[103]
+    beam_clamped_free5_1_0_H_3_0 = p[104]
+    beam_clamped_free5_1_0_H_3_1 = p[105]
+    beam_clamped_free5_1_0_H_3_2 = p[106]
+    beam_clamped_free5_1_0_H_3_3 = p[107]
+    beam_clamped_free5_1_0_H_3_4 = p[108]
+    beam_clamped_free5_1_0_H_4_0 = p[109]
+    beam_clamped_free5_1_0_H_4_1 = p[110]
+    beam_clamped_free5_1_0_H_4_2 = p[111]
+    beam_clamped_free5_1_0_H_4_3 = p[112]
+    beam_clamped_free5_1_0_H_4_4 = p[113]
+    beam_clamped_free5_0_0625_at_0_0 = p[114]
+    beam_clamped_free5_0_0625_shape_1_0 = p[115]
+    beam_clamped_free5_0_0625_shape_1_1 = p[116]
+    beam_clamped_free5_0_0625_shape_1_2 = p[117]
+    beam_clamped_free5_0_0625_shape_1_3 = p[118]
+    beam_clamped_free5_0_0625_shape_1_4 = p[119]
+    beam_clamped_free5_0_0625_slope_0_0 = p[120]
+    beam_clamped_free5_0_0625_slope_1_0 = p[121]
+    beam_clamped_free5_0_0625_slope_2_0 = p[122]
+    beam_clamped_free5_0_0625_slope_3_0 = p[123]
+    beam_clamped_free5_0_0625_slope_4_0 = p[124]
+    beam_clamped_free5_0_0625_H_0_0 = p[125]
+    beam_clamped_free5_0_0625_H_0_1 = p[126]
+    beam_clamped_free5_0_0625_H_0_2 = p[127]
+    beam_clamped_free5_0_0625_H_0_3 = p[128]
+    beam_clamped_free5_0_0625_H_0_4 = p[129]
+    beam_clamped_free5_0_0625_H_1_0 = p[130]
+    beam_clamped_free5_0_0625_H_1_1 = p[131]
+    beam_clamped_free5_0_0625_H_1_2 = p[132]
+    beam_clamped_free5_0_0625_H_1_3 = p[133]
+    beam_clamped_free5_0_0625_H_1_4 = p[134]
+    beam_clamped_free5_0_0625_H_2_0 = p[135]
+    beam_clamped_free5_0_0625_H_2_1 = p[136]
+    beam_clamped_free5_0_0625_H_2_2 = p[137]
+    beam_clamped_free5_0_0625_H_2_3 = p[138]
+    beam_clamped_free5_0_0625_H_2_4 = p[139]
+    beam_clamped_free5_0_0625_H_3_0 = p[140]
+    beam_clamped_free5_0_0625_H_3_1 = p[141]
+    beam_clamped_free5_0_0625_H_3_2 = p[142]
+    beam_clamped_free5_0_0625_H_3_3 = p[143]
+    beam_clamped_free5_0_0625_H_3_4 = p[144]
+    beam_clamped_free5_0_0625_H_4_0 = p[145]
+    beam_clamped_free5_0_0625_H_4_1 = p[146]
+    beam_clamped_free5_0_0625_H_4_2 = p[147]
+    beam_clamped_free5_0_0625_H_4_3 = p[148]
+    beam_clamped_free5_0_0625_H_4_4 = p[149]
+    beam_clamped_free5_0_125_at_0_0 = p[150]
+    beam_clamped_free5_0_125_shape_1_0 = p[151]
+    beam_clamped_free5_0_125_shape_1_1 = p[152]
+    beam_clamped_free5_0_125_shape_1_2 = p[153]
+    beam_clamped_free5_0_125_shape_1_3 = p[154]
+    beam_clamped_free5_0_125_shape_1_4 = p[155]
+    beam_clamped_free5_0_125_slope_0_0 = p[156]
+    beam_clamped_free5_0_125_slope_1_0 = p[157]
+    beam_clamped_free5_0_125_slope_2_0 = p[158]
+    beam_clamped_free5_0_125_slope_3_0 = p[159]
+    beam_clamped_free5_0_125_slope_4_0 = p[160]
+    beam_clamped_free5_0_125_H_0_0 = p[161]
+    beam_clamped_free5_0_125_H_0_1 = p[162]
+    beam_clamped_free5_0_125_H_0_2 = p[163]
+    beam_clamped_free5_0_125_H_0_3 = p[164]
+    beam_clamped_free5_0_125_H_0_4 = p[165]
+    beam_clamped_free5_0_125_H_1_0 = p[166]
+    beam_clamped_free5_0_125_H_1_1 = p[167]
+    beam_clamped_free5_0_125_H_1_2 = p[168]
+    beam_clamped_free5_0_125_H_1_3 = p[169]
+    beam_clamped_free5_0_125_H_1_4 = p[170]
+    beam_clamped_free5_0_125_H_2_0 = p[171]
+    beam_clamped_free5_0_125_H_2_1 = p[172]
+    beam_clamped_free5_0_125_H_2_2 = p[173]
+    beam_clamped_free5_0_125_H_2_3 = p[174]
+    beam_clamped_free5_0_125_H_2_4 = p[175]
+    beam_clamped_free5_0_125_H_3_0 = p[176]
+    beam_clamped_free5_0_125_H_3_1 = p[177]
+    beam_clamped_free5_0_125_H_3_2 = p[178]
+    beam_clamped_free5_0_125_H_3_3 = p[179]
+    beam_clamped_free5_0_125_H_3_4 = p[180]
+    beam_clamped_free5_0_125_H_4_0 = p[181]
+    beam_clamped_free5_0_125_H_4_1 = p[182]
+    beam_clamped_free5_0_125_H_4_2 = p[183]
+    beam_clamped_free5_0_125_H_4_3 = p[184]
+    beam_clamped_free5_0_125_H_4_4 = p[185]
+    beam_clamped_free5_0_1875_at_0_0 = p[186]
+    beam_clamped_free5_0_1875_shape_1_0 = p[187]
+    beam_clamped_free5_0_1875_shape_1_1 = p[188]
+    beam_clamped_free5_0_1875_shape_1_2 = p[189]
+    beam_clamped_free5_0_1875_shape_1_3 = p[190]
+    beam_clamped_free5_0_1875_shape_1_4 = p[191]
+    beam_clamped_free5_0_1875_slope_0_0 = p[192]
+    beam_clamped_free5_0_1875_slope_1_0 = p[193]
+    beam_clamped_free5_0_1875_slope_2_0 = p[194]
+    beam_clamped_free5_0_1875_slope_3_0 = p[195]
+    beam_clamped_free5_0_1875_slope_4_0 = p[196]
+    beam_clamped_free5_0_1875_H_0_0 = p[197]
+    beam_clamped_free5_0_1875_H_0_1 = p[198]
+    beam_clamped_free5_0_1875_H_0_2 = p[199]
+    beam_clamped_free5_0_1875_H_0_3 = p[200]
+    beam_clamped_free5_0_1875_H_0_4 = p[201]
+    beam_clamped_free5_0_1875_H_1_0 = p[202]
+    beam_clamped_free5_0_1875_H_1_1 = p[203]
+    beam_clamped_free5_0_1875_H_1_2 = p[204]
+    beam_clamped_free5_0_1875_H_1_3 = p[205]
+    beam_clamped_free5_0_1875_H_1_4 = p[206]
+    beam_clamped_free5_0_1875_H_2_0 = p[207]
+    beam_clamped_free5_0_1875_H_2_1 = p[208]
+    beam_clamped_free5_0_1875_H_2_2 = p[209]
+    beam_clamped_free5_0_1875_H_2_3 = p[210]
+    beam_clamped_free5_0_1875_H_2_4 = p[211]
+    beam_clamped_free5_0_1875_H_3_0 = p[212]
+    beam_clamped_free5_0_1875_H_3_1 = p[213]
+    beam_clamped_free5_0_1875_H_3_2 = p[214]
+    beam_clamped_free5_0_1875_H_3_3 = p[215]
+    beam_clamped_free5_0_1875_H_3_4 = p[216]
+    beam_clamped_free5_0_1875_H_4_0 = p[217]
+    beam_clamped_free5_0_1875_H_4_1 = p[218]
+    beam_clamped_free5_0_1875_H_4_2 = p[219]
+    beam_clamped_free5_0_1875_H_4_3 = p[220]
+    beam_clamped_free5_0_1875_H_4_4 = p[221]
+    beam_clamped_free5_0_25_at_0_0 = p[222]
+    beam_clamped_free5_0_25_shape_1_0 = p[223]
+    beam_clamped_free5_0_25_shape_1_1 = p[224]
+    beam_clamped_free5_0_25_shape_1_2 = p[225]
+    beam_clamped_free5_0_25_shape_1_3 = p[226]
+    beam_clamped_free5_0_25_shape_1_4 = p[227]
+    beam_clamped_free5_0_25_slope_0_0 = p[228]
+    beam_clamped_free5_0_25_slope_1_0 = p[229]
+    beam_clamped_free5_0_25_slope_2_0 = p[230]
+    beam_clamped_free5_0_25_slope_3_0 = p[231]
+    beam_clamped_free5_0_25_slope_4_0 = p[232]
+    beam_clamped_free5_0_25_H_0_0 = p[233]
+    beam_clamped_free5_0_25_H_0_1 = p[234]
+    beam_clamped_free5_0_25_H_0_2 = p[235]
+    beam_clamped_free5_0_25_H_0_3 = p[236]
+    beam_clamped_free5_0_25_H_0_4 = p[237]
+    beam_clamped_free5_0_25_H_1_0 = p[238]
+    beam_clamped_free5_0_25_H_1_1 = p[239]
+    beam_clamped_free5_0_25_H_1_2 = p[240]
+    beam_clamped_free5_0_25_H_1_3 = p[241]
+    beam_clamped_free5_0_25_H_1_4 = p[242]
+    beam_clamped_free5_0_25_H_2_0 = p[243]
+    beam_clamped_free5_0_25_H_2_1 = p[244]
+    beam_clamped_free5_0_25_H_2_2 = p[245]
+    beam_clamped_free5_0_25_H_2_3 = p[246]
+    beam_clamped_free5_0_25_H_2_4 = p[247]
+    beam_clamped_free5_0_25_H_3_0 = p[248]
+    beam_clamped_free5_0_25_H_3_1 = p[249]
+    beam_clamped_free5_0_25_H_3_2 = p[250]
+    beam_clamped_free5_0_25_H_3_3 = p[251]
+    beam_clamped_free5_0_25_H_3_4 = p[252]
+    beam_clamped_free5_0_25_H_4_0 = p[253]
+    beam_clamped_free5_0_25_H_4_1 = p[254]
+    beam_clamped_free5_0_25_H_4_2 = p[255]
+    beam_clamped_free5_0_25_H_4_3 = p[256]
+    beam_clamped_free5_0_25_H_4_4 = p[257]
+    beam_clamped_free5_0_3125_at_0_0 = p[258]
+    beam_clamped_free5_0_3125_shape_1_0 = p[259]
+    beam_clamped_free5_0_3125_shape_1_1 = p[260]
+    beam_clamped_free5_0_3125_shape_1_2 = p[261]
+    beam_clamped_free5_0_3125_shape_1_3 = p[262]
+    beam_clamped_free5_0_3125_shape_1_4 = p[263]
+    beam_clamped_free5_0_3125_slope_0_0 = p[264]
+    beam_clamped_free5_0_3125_slope_1_0 = p[265]
+    beam_clamped_free5_0_3125_slope_2_0 = p[266]
+    beam_clamped_free5_0_3125_slope_3_0 = p[267]
+    beam_clamped_free5_0_3125_slope_4_0 = p[268]
+    beam_clamped_free5_0_3125_H_0_0 = p[269]
+    beam_clamped_free5_0_3125_H_0_1 = p[270]
+    beam_clamped_free5_0_3125_H_0_2 = p[271]
+    beam_clamped_free5_0_3125_H_0_3 = p[272]
+    beam_clamped_free5_0_3125_H_0_4 = p[273]
+    beam_clamped_free5_0_3125_H_1_0 = p[274]
+    beam_clamped_free5_0_3125_H_1_1 = p[275]
+    beam_clamped_free5_0_3125_H_1_2 = p[276]
+    beam_clamped_free5_0_3125_H_1_3 = p[277]
+    beam_clamped_free5_0_3125_H_1_4 = p[278]
+    beam_clamped_free5_0_3125_H_2_0 = p[279]
+    beam_clamped_free5_0_3125_H_2_1 = p[280]
+    beam_clamped_free5_0_3125_H_2_2 = p[281]
+    beam_clamped_free5_0_3125_H_2_3 = p[282]
+    beam_clamped_free5_0_3125_H_2_4 = p[283]
+    beam_clamped_free5_0_3125_H_3_0 = p[284]
+    beam_clamped_free5_0_3125_H_3_1 = p[285]
+    beam_clamped_free5_0_3125_H_3_2 = p[286]
+    beam_clamped_free5_0_3125_H_3_3 = p[287]
+    beam_clamped_free5_0_3125_H_3_4 = p[288]
+    beam_clamped_free5_0_3125_H_4_0 = p[289]
+    beam_clamped_free5_0_3125_H_4_1 = p[290]
+    beam_clamped_free5_0_3125_H_4_2 = p[291]
+    beam_clamped_free5_0_3125_H_4_3 = p[292]
+    beam_clamped_free5_0_3125_H_4_4 = p[293]
+    beam_clamped_free5_0_375_at_0_0 = p[294]
+    beam_clamped_free5_0_375_shape_1_0 = p[295]
+    beam_clamped_free5_0_375_shape_1_1 = p[296]
+    beam_clamped_free5_0_375_shape_1_2 = p[297]
+    beam_clamped_free5_0_375_shape_1_3 = p[298]
+    beam_clamped_free5_0_375_shape_1_4 = p[299]
+    beam_clamped_free5_0_375_slope_0_0 = p[300]
+    beam_clamped_free5_0_375_slope_1_0 = p[301]
+    beam_clamped_free5_0_375_slope_2_0 = p[302]
+    beam_clamped_free5_0_375_slope_3_0 = p[303]
+    beam_clamped_free5_0_375_slope_4_0 = p[304]
+    beam_clamped_free5_0_375_H_0_0 = p[305]
+    beam_clamped_free5_0_375_H_0_1 = p[306]
+    beam_clamped_free5_0_375_H_0_2 = p[307]
+    beam_clamped_free5_0_375_H_0_3 = p[308]
+    beam_clamped_free5_0_375_H_0_4 = p[309]
+    beam_clamped_free5_0_375_H_1_0 = p[310]
+    beam_clamped_free5_0_375_H_1_1 = p[311]
+    beam_clamped_free5_0_375_H_1_2 = p[312]
+    beam_clamped_free5_0_375_H_1_3 = p[313]
+    beam_clamped_free5_0_375_H_1_4 = p[314]
+    beam_clamped_free5_0_375_H_2_0 = p[315]
+    beam_clamped_free5_0_375_H_2_1 = p[316]
+    beam_clamped_free5_0_375_H_2_2 = p[317]
+    beam_clamped_free5_0_375_H_2_3 = p[318]
+    beam_clamped_free5_0_375_H_2_4 = p[319]
+    beam_clamped_free5_0_375_H_3_0 = p[320]
+    beam_clamped_free5_0_375_H_3_1 = p[321]
+    beam_clamped_free5_0_375_H_3_2 = p[322]
+    beam_clamped_free5_0_375_H_3_3 = p[323]
+    beam_clamped_free5_0_375_H_3_4 = p[324]
+    beam_clamped_free5_0_375_H_4_0 = p[325]
+    beam_clamped_free5_0_375_H_4_1 = p[326]
+    beam_clamped_free5_0_375_H_4_2 = p[327]
+    beam_clamped_free5_0_375_H_4_3 = p[328]
+    beam_clamped_free5_0_375_H_4_4 = p[329]
+    beam_clamped_free5_0_4375_at_0_0 = p[330]
+    beam_clamped_free5_0_4375_shape_1_0 = p[331]
+    beam_clamped_free5_0_4375_shape_1_1 = p[332]
+    beam_clamped_free5_0_4375_shape_1_2 = p[333]
+    beam_clamped_free5_0_4375_shape_1_3 = p[334]
+    beam_clamped_free5_0_4375_shape_1_4 = p[335]
+    beam_clamped_free5_0_4375_slope_0_0 = p[336]
+    beam_clamped_free5_0_4375_slope_1_0 = p[337]
+    beam_clamped_free5_0_4375_slope_2_0 = p[338]
+    beam_clamped_free5_0_4375_slope_3_0 = p[339]
+    beam_clamped_free5_0_4375_slope_4_0 = p[340]
+    beam_clamped_free5_0_4375_H_0_0 = p[341]
+    beam_clamped_free5_0_4375_H_0_1 = p[342]
+    beam_clamped_free5_0_4375_H_0_2 = p[343]
+    beam_clamped_free5_0_4375_H_0_3 = p[344]
+    beam_clamped_free5_0_4375_H_0_4 = p[345]
+    beam_clamped_free5_0_4375_H_1_0 = p[346]
+    beam_clamped_free5_0_4375_H_1_1 = p[347]
+    beam_clamped_free5_0_4375_H_1_2 = p[348]
+    beam_clamped_free5_0_4375_H_1_3 = p[349]
+    beam_clamped_free5_0_4375_H_1_4 = p[350]
+    beam_clamped_free5_0_4375_H_2_0 = p[351]
+    beam_clamped_free5_0_4375_H_2_1 = p[352]
+    beam_clamped_free5_0_4375_H_2_2 = p[353]
+    beam_clamped_free5_0_4375_H_2_3 = p[354]
+    beam_clamped_free5_0_4375_H_2_4 = p[355]
+    beam_clamped_free5_0_4375_H_3_0 = p[356]
+    beam_clamped_free5_0_4375_H_3_1 = p[357]
+    beam_clamped_free5_0_4375_H_3_2 = p[358]
+    beam_clamped_free5_0_4375_H_3_3 = p[359]
+    beam_clamped_free5_0_4375_H_3_4 = p[360]
+    beam_clamped_free5_0_4375_H_4_0 = p[361]
+    beam_clamped_free5_0_4375_H_4_1 = p[362]
+    beam_clamped_free5_0_4375_H_4_2 = p[363]
+    beam_clamped_free5_0_4375_H_4_3 = p[364]
+    beam_clamped_free5_0_4375_H_4_4 = p[365]
+    beam_clamped_free5_0_5_at_0_0 = p[366]
+    beam_clamped_free5_0_5_shape_1_0 = p[367]
+    beam_clamped_free5_0_5_shape_1_1 = p[368]
+    beam_clamped_free5_0_5_shape_1_2 = p[369]
+    beam_clamped_free5_0_5_shape_1_3 = p[370]
+    beam_clamped_free5_0_5_shape_1_4 = p[371]
+    beam_clamped_free5_0_5_slope_0_0 = p[372]
+    beam_clamped_free5_0_5_slope_1_0 = p[373]
+    beam_clamped_free5_0_5_slope_2_0 = p[374]
+    beam_clamped_free5_0_5_slope_3_0 = p[375]
+    beam_clamped_free5_0_5_slope_4_0 = p[376]
+    beam_clamped_free5_0_5_H_0_0 = p[377]
+    beam_clamped_free5_0_5_H_0_1 = p[378]
+    beam_clamped_free5_0_5_H_0_2 = p[379]
+    beam_clamped_free5_0_5_H_0_3 = p[380]
+    beam_clamped_free5_0_5_H_0_4 = p[381]
+    beam_clamped_free5_0_5_H_1_0 = p[382]
+    beam_clamped_free5_0_5_H_1_1 = p[383]
+    beam_clamped_free5_0_5_H_1_2 = p[384]
+    beam_clamped_free5_0_5_H_1_3 = p[385]
+    beam_clamped_free5_0_5_H_1_4 = p[386]
+    beam_clamped_free5_0_5_H_2_0 = p[387]
+    beam_clamped_free5_0_5_H_2_1 = p[388]
+    beam_clamped_free5_0_5_H_2_2 = p[389]
+    beam_clamped_free5_0_5_H_2_3 = p[390]
+    beam_clamped_free5_0_5_H_2_4 = p[391]
+    beam_clamped_free5_0_5_H_3_0 = p[392]
+    beam_clamped_free5_0_5_H_3_1 = p[393]
+    beam_clamped_free5_0_5_H_3_2 = p[394]
+    beam_clamped_free5_0_5_H_3_3 = p[395]
+    beam_clamped_free5_0_5_H_3_4 = p[396]
+    beam_clamped_free5_0_5_H_4_0 = p[397]
+    beam_clamped_free5_0_5_H_4_1 = p[398]
+    beam_clamped_free5_0_5_H_4_2 = p[399]
+    beam_clamped_free5_0_5_H_4_3 = p[400]
+    beam_clamped_free5_0_5_H_4_4 = p[401]
+    beam_clamped_free5_0_5625_at_0_0 = p[402]
+    beam_clamped_free5_0_5625_shape_1_0 = p[403]
+    beam_clamped_free5_0_5625_shape_1_1 = p[404]
+    beam_clamped_free5_0_5625_shape_1_2 = p[405]
+    beam_clamped_free5_0_5625_shape_1_3 = p[406]
+    beam_clamped_free5_0_5625_shape_1_4 = p[407]
+    beam_clamped_free5_0_5625_slope_0_0 = p[408]
+    beam_clamped_free5_0_5625_slope_1_0 = p[409]
+    beam_clamped_free5_0_5625_slope_2_0 = p[410]
+    beam_clamped_free5_0_5625_slope_3_0 = p[411]
+    beam_clamped_free5_0_5625_slope_4_0 = p[412]
+    beam_clamped_free5_0_5625_H_0_0 = p[413]
+    beam_clamped_free5_0_5625_H_0_1 = p[414]
+    beam_clamped_free5_0_5625_H_0_2 = p[415]
+    beam_clamped_free5_0_5625_H_0_3 = p[416]
+    beam_clamped_free5_0_5625_H_0_4 = p[417]
+    beam_clamped_free5_0_5625_H_1_0 = p[418]
+    beam_clamped_free5_0_5625_H_1_1 = p[419]
+    beam_clamped_free5_0_5625_H_1_2 = p[420]
+    beam_clamped_free5_0_5625_H_1_3 = p[421]
+    beam_clamped_free5_0_5625_H_1_4 = p[422]
+    beam_clamped_free5_0_5625_H_2_0 = p[423]
+    beam_clamped_free5_0_5625_H_2_1 = p[424]
+    beam_clamped_free5_0_5625_H_2_2 = p[425]
+    beam_clamped_free5_0_5625_H_2_3 = p[426]
+    beam_clamped_free5_0_5625_H_2_4 = p[427]
+    beam_clamped_free5_0_5625_H_3_0 = p[428]
+    beam_clamped_free5_0_5625_H_3_1 = p[429]
+    beam_clamped_free5_0_5625_H_3_2 = p[430]
+    beam_clamped_free5_0_5625_H_3_3 = p[431]
+    beam_clamped_free5_0_5625_H_3_4 = p[432]
+    beam_clamped_free5_0_5625_H_4_0 = p[433]
+    beam_clamped_free5_0_5625_H_4_1 = p[434]
+    beam_clamped_free5_0_5625_H_4_2 = p[435]
+    beam_clamped_free5_0_5625_H_4_3 = p[436]
+    beam_clamped_free5_0_5625_H_4_4 = p[437]
+    beam_clamped_free5_0_625_at_0_0 = p[438]
+    beam_clamped_free5_0_625_shape_1_0 = p[439]
+    beam_clamped_free5_0_625_shape_1_1 = p[440]
+    beam_clamped_free5_0_625_shape_1_2 = p[441]
+    beam_clamped_free5_0_625_shape_1_3 = p[442]
+    beam_clamped_free5_0_625_shape_1_4 = p[443]
+    beam_clamped_free5_0_625_slope_0_0 = p[444]
+    beam_clamped_free5_0_625_slope_1_0 = p[445]
+    beam_clamped_free5_0_625_slope_2_0 = p[446]
+    beam_clamped_free5_0_625_slope_3_0 = p[447]
+    beam_clamped_free5_0_625_slope_4_0 = p[448]
+    beam_clamped_free5_0_625_H_0_0 = p[449]
+    beam_clamped_free5_0_625_H_0_1 = p[450]
+    beam_clamped_free5_0_625_H_0_2 = p[451]
+    beam_clamped_free5_0_625_H_0_3 = p[452]
+    beam_clamped_free5_0_625_H_0_4 = p[453]
+    beam_clamped_free5_0_625_H_1_0 = p[454]
+    beam_clamped_free5_0_625_H_1_1 = p[455]
+    beam_clamped_free5_0_625_H_1_2 = p[456]
+    beam_clamped_free5_0_625_H_1_3 = p[457]
+    beam_clamped_free5_0_625_H_1_4 = p[458]
+    beam_clamped_free5_0_625_H_2_0 = p[459]
+    beam_clamped_free5_0_625_H_2_1 = p[460]
+    beam_clamped_free5_0_625_H_2_2 = p[461]
+    beam_clamped_free5_0_625_H_2_3 = p[462]
+    beam_clamped_free5_0_625_H_2_4 = p[463]
+    beam_clamped_free5_0_625_H_3_0 = p[464]
+    beam_clamped_free5_0_625_H_3_1 = p[465]
+    beam_clamped_free5_0_625_H_3_2 = p[466]
+    beam_clamped_free5_0_625_H_3_3 = p[467]
+    beam_clamped_free5_0_625_H_3_4 = p[468]
+    beam_clamped_free5_0_625_H_4_0 = p[469]
+    beam_clamped_free5_0_625_H_4_1 = p[470]
+    beam_clamped_free5_0_625_H_4_2 = p[471]
+    beam_clamped_free5_0_625_H_4_3 = p[472]
+    beam_clamped_free5_0_625_H_4_4 = p[473]
+    beam_clamped_free5_0_6875_at_0_0 = p[474]
+    beam_clamped_free5_0_6875_shape_1_0 = p[475]
+    beam_clamped_free5_0_6875_shape_1_1 = p[476]
+    beam_clamped_free5_0_6875_shape_1_2 = p[477]
+    beam_clamped_free5_0_6875_shape_1_3 = p[478]
+    beam_clamped_free5_0_6875_shape_1_4 = p[479]
+    beam_clamped_free5_0_6875_slope_0_0 = p[480]
+    beam_clamped_free5_0_6875_slope_1_0 = p[481]
+    beam_clamped_free5_0_6875_slope_2_0 = p[482]
+    beam_clamped_free5_0_6875_slope_3_0 = p[483]
+    beam_clamped_free5_0_6875_slope_4_0 = p[484]
+    beam_clamped_free5_0_6875_H_0_0 = p[485]
+    beam_clamped_free5_0_6875_H_0_1 = p[486]
+    beam_clamped_free5_0_6875_H_0_2 = p[487]
+    beam_clamped_free5_0_6875_H_0_3 = p[488]
+    beam_clamped_free5_0_6875_H_0_4 = p[489]
+    beam_clamped_free5_0_6875_H_1_0 = p[490]
+    beam_clamped_free5_0_6875_H_1_1 = p[491]
+    beam_clamped_free5_0_6875_H_1_2 = p[492]
+    beam_clamped_free5_0_6875_H_1_3 = p[493]
+    beam_clamped_free5_0_6875_H_1_4 = p[494]
+    beam_clamped_free5_0_6875_H_2_0 = p[495]
+    beam_clamped_free5_0_6875_H_2_1 = p[496]
+    beam_clamped_free5_0_6875_H_2_2 = p[497]
+    beam_clamped_free5_0_6875_H_2_3 = p[498]
+    beam_clamped_free5_0_6875_H_2_4 = p[499]
+    beam_clamped_free5_0_6875_H_3_0 = p[500]
+    beam_clamped_free5_0_6875_H_3_1 = p[501]
+    beam_clamped_free5_0_6875_H_3_2 = p[502]
+    beam_clamped_free5_0_6875_H_3_3 = p[503]
+    beam_clamped_free5_0_6875_H_3_4 = p[504]
+    beam_clamped_free5_0_6875_H_4_0 = p[505]
+    beam_clamped_free5_0_6875_H_4_1 = p[506]
+    beam_clamped_free5_0_6875_H_4_2 = p[507]
+    beam_clamped_free5_0_6875_H_4_3 = p[508]
+    beam_clamped_free5_0_6875_H_4_4 = p[509]
+    beam_clamped_free5_0_75_at_0_0 = p[510]
+    beam_clamped_free5_0_75_shape_1_0 = p[511]
+    beam_clamped_free5_0_75_shape_1_1 = p[512]
+    beam_clamped_free5_0_75_shape_1_2 = p[513]
+    beam_clamped_free5_0_75_shape_1_3 = p[514]
+    beam_clamped_free5_0_75_shape_1_4 = p[515]
+    beam_clamped_free5_0_75_slope_0_0 = p[516]
+    beam_clamped_free5_0_75_slope_1_0 = p[517]
+    beam_clamped_free5_0_75_slope_2_0 = p[518]
+    beam_clamped_free5_0_75_slope_3_0 = p[519]
+    beam_clamped_free5_0_75_slope_4_0 = p[520]
+    beam_clamped_free5_0_75_H_0_0 = p[521]
+    beam_clamped_free5_0_75_H_0_1 = p[522]
+    beam_clamped_free5_0_75_H_0_2 = p[523]
+    beam_clamped_free5_0_75_H_0_3 = p[524]
+    beam_clamped_free5_0_75_H_0_4 = p[525]
+    beam_clamped_free5_0_75_H_1_0 = p[526]
+    beam_clamped_free5_0_75_H_1_1 = p[527]
+    beam_clamped_free5_0_75_H_1_2 = p[528]
+    beam_clamped_free5_0_75_H_1_3 = p[529]
+    beam_clamped_free5_0_75_H_1_4 = p[530]
+    beam_clamped_free5_0_75_H_2_0 = p[531]
+    beam_clamped_free5_0_75_H_2_1 = p[532]
+    beam_clamped_free5_0_75_H_2_2 = p[533]
+    beam_clamped_free5_0_75_H_2_3 = p[534]
+    beam_clamped_free5_0_75_H_2_4 = p[535]
+    beam_clamped_free5_0_75_H_3_0 = p[536]
+    beam_clamped_free5_0_75_H_3_1 = p[537]
+    beam_clamped_free5_0_75_H_3_2 = p[538]
+    beam_clamped_free5_0_75_H_3_3 = p[539]
+    beam_clamped_free5_0_75_H_3_4 = p[540]
+    beam_clamped_free5_0_75_H_4_0 = p[541]
+    beam_clamped_free5_0_75_H_4_1 = p[542]
+    beam_clamped_free5_0_75_H_4_2 = p[543]
+    beam_clamped_free5_0_75_H_4_3 = p[544]
+    beam_clamped_free5_0_75_H_4_4 = p[545]
+    beam_clamped_free5_0_8125_at_0_0 = p[546]
+    beam_clamped_free5_0_8125_shape_1_0 = p[547]
+    beam_clamped_free5_0_8125_shape_1_1 = p[548]
+    beam_clamped_free5_0_8125_shape_1_2 = p[549]
+    beam_clamped_free5_0_8125_shape_1_3 = p[550]
+    beam_clamped_free5_0_8125_shape_1_4 = p[551]
+    beam_clamped_free5_0_8125_slope_0_0 = p[552]
+    beam_clamped_free5_0_8125_slope_1_0 = p[553]
+    beam_clamped_free5_0_8125_slope_2_0 = p[554]
+    beam_clamped_free5_0_8125_slope_3_0 = p[555]
+    beam_clamped_free5_0_8125_slope_4_0 = p[556]
+    beam_clamped_free5_0_8125_H_0_0 = p[557]
+    beam_clamped_free5_0_8125_H_0_1 = p[558]
+    beam_clamped_free5_0_8125_H_0_2 = p[559]
+    beam_clamped_free5_0_8125_H_0_3 = p[560]
+    beam_clamped_free5_0_8125_H_0_4 = p[561]
+    beam_clamped_free5_0_8125_H_1_0 = p[562]
+    beam_clamped_free5_0_8125_H_1_1 = p[563]
+    beam_clamped_free5_0_8125_H_1_2 = p[564]
+    beam_clamped_free5_0_8125_H_1_3 = p[565]
+    beam_clamped_free5_0_8125_H_1_4 = p[566]
+    beam_clamped_free5_0_8125_H_2_0 = p[567]
+    beam_clamped_free5_0_8125_H_2_1 = p[568]
+    beam_clamped_free5_0_8125_H_2_2 = p[569]
+    beam_clamped_free5_0_8125_H_2_3 = p[570]
+    beam_clamped_free5_0_8125_H_2_4 = p[571]
+    beam_clamped_free5_0_8125_H_3_0 = p[572]
+    beam_clamped_free5_0_8125_H_3_1 = p[573]
+    beam_clamped_free5_0_8125_H_3_2 = p[574]
+    beam_clamped_free5_0_8125_H_3_3 = p[575]
+    beam_clamped_free5_0_8125_H_3_4 = p[576]
+    beam_clamped_free5_0_8125_H_4_0 = p[577]
+    beam_clamped_free5_0_8125_H_4_1 = p[578]
+    beam_clamped_free5_0_8125_H_4_2 = p[579]
+    beam_clamped_free5_0_8125_H_4_3 = p[580]
+    beam_clamped_free5_0_8125_H_4_4 = p[581]
+    beam_clamped_free5_0_875_at_0_0 = p[582]
+    beam_clamped_free5_0_875_shape_1_0 = p[583]
+    beam_clamped_free5_0_875_shape_1_1 = p[584]
+    beam_clamped_free5_0_875_shape_1_2 = p[585]
+    beam_clamped_free5_0_875_shape_1_3 = p[586]
+    beam_clamped_free5_0_875_shape_1_4 = p[587]
+    beam_clamped_free5_0_875_slope_0_0 = p[588]
+    beam_clamped_free5_0_875_slope_1_0 = p[589]
+    beam_clamped_free5_0_875_slope_2_0 = p[590]
+    beam_clamped_free5_0_875_slope_3_0 = p[591]
+    beam_clamped_free5_0_875_slope_4_0 = p[592]
+    beam_clamped_free5_0_875_H_0_0 = p[593]
+    beam_clamped_free5_0_875_H_0_1 = p[594]
+    beam_clamped_free5_0_875_H_0_2 = p[595]
+    beam_clamped_free5_0_875_H_0_3 = p[596]
+    beam_clamped_free5_0_875_H_0_4 = p[597]
+    beam_clamped_free5_0_875_H_1_0 = p[598]
+    beam_clamped_free5_0_875_H_1_1 = p[599]
+    beam_clamped_free5_0_875_H_1_2 = p[600]
+    beam_clamped_free5_0_875_H_1_3 = p[601]
+    beam_clamped_free5_0_875_H_1_4 = p[602]
+    beam_clamped_free5_0_875_H_2_0 = p[603]
+    beam_clamped_free5_0_875_H_2_1 = p[604]
+    beam_clamped_free5_0_875_H_2_2 = p[605]
+    beam_clamped_free5_0_875_H_2_3 = p[606]
+    beam_clamped_free5_0_875_H_2_4 = p[607]
+    beam_clamped_free5_0_875_H_3_0 = p[608]
+    beam_clamped_free5_0_875_H_3_1 = p[609]
+    beam_clamped_free5_0_875_H_3_2 = p[610]
+    beam_clamped_free5_0_875_H_3_3 = p[611]
+    beam_clamped_free5_0_875_H_3_4 = p[612]
+    beam_clamped_free5_0_875_H_4_0 = p[613]
+    beam_clamped_free5_0_875_H_4_1 = p[614]
+    beam_clamped_free5_0_875_H_4_2 = p[615]
+    beam_clamped_free5_0_875_H_4_3 = p[616]
+    beam_clamped_free5_0_875_H_4_4 = p[617]
+    beam_clamped_free5_0_9375_at_0_0 = p[618]
+    beam_clamped_free5_0_9375_shape_1_0 = p[619]
+    beam_clamped_free5_0_9375_shape_1_1 = p[620]
+    beam_clamped_free5_0_9375_shape_1_2 = p[621]
+    beam_clamped_free5_0_9375_shape_1_3 = p[622]
+    beam_clamped_free5_0_9375_shape_1_4 = p[623]
+    beam_clamped_free5_0_9375_slope_0_0 = p[624]
+    beam_clamped_free5_0_9375_slope_1_0 = p[625]
+    beam_clamped_free5_0_9375_slope_2_0 = p[626]
+    beam_clamped_free5_0_9375_slope_3_0 = p[627]
+    beam_clamped_free5_0_9375_slope_4_0 = p[628]
+    beam_clamped_free5_0_9375_H_0_0 = p[629]
+    beam_clamped_free5_0_9375_H_0_1 = p[630]
+    beam_clamped_free5_0_9375_H_0_2 = p[631]
+    beam_clamped_free5_0_9375_H_0_3 = p[632]
+    beam_clamped_free5_0_9375_H_0_4 = p[633]
+    beam_clamped_free5_0_9375_H_1_0 = p[634]
+    beam_clamped_free5_0_9375_H_1_1 = p[635]
+    beam_clamped_free5_0_9375_H_1_2 = p[636]
+    beam_clamped_free5_0_9375_H_1_3 = p[637]
+    beam_clamped_free5_0_9375_H_1_4 = p[638]
+    beam_clamped_free5_0_9375_H_2_0 = p[639]
+    beam_clamped_free5_0_9375_H_2_1 = p[640]
+    beam_clamped_free5_0_9375_H_2_2 = p[641]
+    beam_clamped_free5_0_9375_H_2_3 = p[642]
+    beam_clamped_free5_0_9375_H_2_4 = p[643]
+    beam_clamped_free5_0_9375_H_3_0 = p[644]
+    beam_clamped_free5_0_9375_H_3_1 = p[645]
+    beam_clamped_free5_0_9375_H_3_2 = p[646]
+    beam_clamped_free5_0_9375_H_3_3 = p[647]
+    beam_clamped_free5_0_9375_H_3_4 = p[648]
+    beam_clamped_free5_0_9375_H_4_0 = p[649]
+    beam_clamped_free5_0_9375_H_4_1 = p[650]
+    beam_clamped_free5_0_9375_H_4_2 = p[651]
+    beam_clamped_free5_0_9375_H_4_3 = p[652]
+    beam_clamped_free5_0_9375_H_4_4 = p[653]
     # intermediate terms (31)
-    w0 = beam200_clamped_free5_1_0_slope_0_0 / beam_length
-    w1 = beam200_clamped_free5_1_0_slope_1_0 / beam_length
-    w2 = beam200_clamped_free5_1_0_slope_2_0 / beam_length
-    w3 = beam200_clamped_free5_1_0_slope_3_0 / beam_length
-    w4 = beam200_clamped_free5_1_0_slope_4_0 / beam_length
-    w5 = beam200_clamped_free5_1_0_H_0_0 / beam_length
-    w6 = beam200_clamped_free5_1_0_H_0_1 / beam_length
-    w7 = beam200_clamped_free5_1_0_H_0_2 / beam_length
-    w8 = beam200_clamped_free5_1_0_H_0_3 / beam_length
-    w9 = beam200_clamped_free5_1_0_H_0_4 / beam_length
-    w10 = beam200_clamped_free5_1_0_H_1_0 / beam_length
-    w11 = beam200_clamped_free5_1_0_H_1_1 / beam_length
-    w12 = beam200_clamped_free5_1_0_H_1_2 / beam_length
-    w13 = beam200_clamped_free5_1_0_H_1_3 / beam_length
-    w14 = beam200_clamped_free5_1_0_H_1_4 / beam_length
-    w15 = beam200_clamped_free5_1_0_H_2_0 / beam_length
-    w16 = beam200_clamped_free5_1_0_H_2_1 / beam_length
-    w17 = beam200_clamped_free5_1_0_H_2_2 / beam_length
-    w18 = beam200_clamped_free5_1_0_H_2_3 / beam_length
-    w19 = beam200_clamped_free5_1_0_H_2_4 / beam_length
-    w20 = beam200_clamped_free5_1_0_H_3_0 / beam_length
-    w21 = beam200_clamped_free5_1_0_H_3_1 / beam_length
-    w22 = beam200_clamped_free5_1_0_H_3_2 / beam_length
-    w23 = beam200_clamped_free5_1_0_H_3_3 / beam_length
-    w24 = beam200_clamped_free5_1_0_H_3_4 / beam_length
-    w25 = beam200_clamped_free5_1_0_H_4_0 / beam_length
-    w26 = beam200_clamped_free5_1_0_H_4_1 / beam_length
-    w27 = beam200_clamped_free5_1_0_H_4_2 / beam_length
-    w28 = beam200_clamped_free5_1_0_H_4_3 / beam_length
-    w29 = beam200_clamped_free5_1_0_H_4_4 / beam_length
+    w0 = beam_clamped_free5_1_0_slope_0_0 / beam_length
+    w1 = beam_clamped_free5_1_0_slope_1_0 / beam_length
+    w2 = beam_clamped_free5_1_0_slope_2_0 / beam_length
+    w3 = beam_clamped_free5_1_0_slope_3_0 / beam_length
+    w4 = beam_clamped_free5_1_0_slope_4_0 / beam_length
+    w5 = beam_clamped_free5_1_0_H_0_0 / beam_length
+    w6 = beam_clamped_free5_1_0_H_0_1 / beam_length
+    w7 = beam_clamped_free5_1_0_H_0_2 / beam_length
+    w8 = beam_clamped_free5_1_0_H_0_3 / beam_length
+    w9 = beam_clamped_free5_1_0_H_0_4 / beam_length
+    w10 = beam_clamped_free5_1_0_H_1_0 / beam_length
+    w11 = beam_clamped_free5_1_0_H_1_1 / beam_length
+    w12 = beam_clamped_free5_1_0_H_1_2 / beam_length
+    w13 = beam_clamped_free5_1_0_H_1_3 / beam_length
+    w14 = beam_clamped_free5_1_0_H_1_4 / beam_length
+    w15 = beam_clamped_free5_1_0_H_2_0 / beam_length
+    w16 = beam_clamped_free5_1_0_H_2_1 / beam_length
+    w17 = beam_clamped_free5_1_0_H_2_2 / beam_length
+    w18 = beam_clamped_free5_1_0_H_2_3 / beam_length
+    w19 = beam_clamped_free5_1_0_H_2_4 / beam_length
+    w20 = beam_clamped_free5_1_0_H_3_0 / beam_length
+    w21 = beam_clamped_free5_1_0_H_3_1 / beam_length
+    w22 = beam_clamped_free5_1_0_H_3_2 / beam_length
+    w23 = beam_clamped_free5_1_0_H_3_3 / beam_length
+    w24 = beam_clamped_free5_1_0_H_3_4 / beam_length
+    w25 = beam_clamped_free5_1_0_H_4_0 / beam_length
+    w26 = beam_clamped_free5_1_0_H_4_1 / beam_length
+    w27 = beam_clamped_free5_1_0_H_4_2 / beam_length
+    w28 = beam_clamped_free5_1_0_H_4_3 / beam_length
+    w29 = beam_clamped_free5_1_0_H_4_4 / beam_length
     w30 = ca.sqrt(12.0 * beam_second_moment / beam_area)
     # outputs
     positions = ca.SX(3, 20)
-    positions[0, 1] = beam_length * beam200_clamped_free5_0_0625_at_0_0
-    positions[0, 2] = beam_length * beam200_clamped_free5_0_125_at_0_0
-    positions[0, 3] = beam_length * beam200_clamped_free5_0_1875_at_0_0
-    positions[0, 4] = beam_length * beam200_clamped_free5_0_25_at_0_0
-    positions[0, 5] = beam_length * beam200_clamped_free5_0_3125_at_0_0
-    positions[0, 6] = beam_length * beam200_clamped_free5_0_375_at_0_0
-    positions[0, 7] = beam_length * beam200_clamped_free5_0_4375_at_0_0
-    positions[0, 8] = beam_length * beam200_clamped_free5_0_5_at_0_0
-    positions[0, 9] = beam_length * beam200_clamped_free5_0_5625_at_0_0
-    positions[0, 10] = beam_length * beam200_clamped_free5_0_625_at_0_0
-    positions[0, 11] = beam_length * beam200_clamped_free5_0_6875_at_0_0
-    positions[0, 12] = beam_length * beam200_clamped_free5_0_75_at_0_0
-    positions[0, 13] = beam_length * beam200_clamped_free5_0_8125_at_0_0
-    positions[0, 14] = beam_length * beam200_clamped_free5_0_875_at_0_0
-    positions[0, 15] = beam_length * beam200_clamped_free5_0_9375_at_0_0
+    positions[0, 1] = beam_length * beam_clamped_free5_0_0625_at_0_0
+    positions[0, 2] = beam_length * beam_clamped_free5_0_125_at_0_0
+    positions[0, 3] = beam_length * beam_clamped_free5_0_1875_at_0_0
+    positions[0, 4] = beam_length * beam_clamped_free5_0_25_at_0_0
+    positions[0, 5] = beam_length * beam_clamped_free5_0_3125_at_0_0
+    positions[0, 6] = beam_length * beam_clamped_free5_0_375_at_0_0
+    positions[0, 7] = beam_length * beam_clamped_free5_0_4375_at_0_0
+    positions[0, 8] = beam_length * beam_clamped_free5_0_5_at_0_0
+    positions[0, 9] = beam_length * beam_clamped_free5_0_5625_at_0_0
+    positions[0, 10] = beam_length * beam_clamped_free5_0_625_at_0_0
+    positions[0, 11] = beam_length * beam_clamped_free5_0_6875_at_0_0
+    positions[0, 12] = beam_length * beam_clamped_free5_0_75_at_0_0
+    positions[0, 13] = beam_length * beam_clamped_free5_0_8125_at_0_0
+    positions[0, 14] = beam_length * beam_clamped_free5_0_875_at_0_0
+    positions[0, 15] = beam_length * beam_clamped_free5_0_9375_at_0_0
     positions[0, 16] = beam_length
     positions[0, 19] = beam_length
     axes = ca.SX(9, 20)
@@ -2060,167 +2059,167 @@ def geometry() -> ca.Function:
     axes[8, 18] = 1.0
     axes[8, 19] = 1.0
     shapes = ca.SX(3, 95)
-    shapes[1, 5] = beam200_clamped_free5_0_0625_shape_1_0
-    shapes[1, 6] = beam200_clamped_free5_0_0625_shape_1_1
-    shapes[1, 7] = beam200_clamped_free5_0_0625_shape_1_2
-    shapes[1, 8] = beam200_clamped_free5_0_0625_shape_1_3
-    shapes[1, 9] = beam200_clamped_free5_0_0625_shape_1_4
-    shapes[1, 10] = beam200_clamped_free5_0_125_shape_1_0
-    shapes[1, 11] = beam200_clamped_free5_0_125_shape_1_1
-    shapes[1, 12] = beam200_clamped_free5_0_125_shape_1_2
-    shapes[1, 13] = beam200_clamped_free5_0_125_shape_1_3
-    shapes[1, 14] = beam200_clamped_free5_0_125_shape_1_4
-    shapes[1, 15] = beam200_clamped_free5_0_1875_shape_1_0
-    shapes[1, 16] = beam200_clamped_free5_0_1875_shape_1_1
-    shapes[1, 17] = beam200_clamped_free5_0_1875_shape_1_2
-    shapes[1, 18] = beam200_clamped_free5_0_1875_shape_1_3
-    shapes[1, 19] = beam200_clamped_free5_0_1875_shape_1_4
-    shapes[1, 20] = beam200_clamped_free5_0_25_shape_1_0
-    shapes[1, 21] = beam200_clamped_free5_0_25_shape_1_1
-    shapes[1, 22] = beam200_clamped_free5_0_25_shape_1_2
-    shapes[1, 23] = beam200_clamped_free5_0_25_shape_1_3
-    shapes[1, 24] = beam200_clamped_free5_0_25_shape_1_4
-    shapes[1, 25] = beam200_clamped_free5_0_3125_shape_1_0
-    shapes[1, 26] = beam200_clamped_free5_0_3125_shape_1_1
-    shapes[1, 27] = beam200_clamped_free5_0_3125_shape_1_2
-    shapes[1, 28] = beam200_clamped_free5_0_3125_shape_1_3
-    shapes[1, 29] = beam200_clamped_free5_0_3125_shape_1_4
-    shapes[1, 30] = beam200_clamped_free5_0_375_shape_1_0
-    shapes[1, 31] = beam200_clamped_free5_0_375_shape_1_1
-    shapes[1, 32] = beam200_clamped_free5_0_375_shape_1_2
-    shapes[1, 33] = beam200_clamped_free5_0_375_shape_1_3
-    shapes[1, 34] = beam200_clamped_free5_0_375_shape_1_4
-    shapes[1, 35] = beam200_clamped_free5_0_4375_shape_1_0
-    shapes[1, 36] = beam200_clamped_free5_0_4375_shape_1_1
-    shapes[1, 37] = beam200_clamped_free5_0_4375_shape_1_2
-    shapes[1, 38] = beam200_clamped_free5_0_4375_shape_1_3
-    shapes[1, 39] = beam200_clamped_free5_0_4375_shape_1_4
-    shapes[1, 40] = beam200_clamped_free5_0_5_shape_1_0
-    shapes[1, 41] = beam200_clamped_free5_0_5_shape_1_1
-    shapes[1, 42] = beam200_clamped_free5_0_5_shape_1_2
-    shapes[1, 43] = beam200_clamped_free5_0_5_shape_1_3
-    shapes[1, 44] = beam200_clamped_free5_0_5_shape_1_4
-    shapes[1, 45] = beam200_clamped_free5_0_5625_shape_1_0
-    shapes[1, 46] = beam200_clamped_free5_0_5625_shape_1_1
-    shapes[1, 47] = beam200_clamped_free5_0_5625_shape_1_2
-    shapes[1, 48] = beam200_clamped_free5_0_5625_shape_1_3
-    shapes[1, 49] = beam200_clamped_free5_0_5625_shape_1_4
-    shapes[1, 50] = beam200_clamped_free5_0_625_shape_1_0
-    shapes[1, 51] = beam200_clamped_free5_0_625_shape_1_1
-    shapes[1, 52] = beam200_clamped_free5_0_625_shape_1_2
-    shapes[1, 53] = beam200_clamped_free5_0_625_shape_1_3
-    shapes[1, 54] = beam200_clamped_free5_0_625_shape_1_4
-    shapes[1, 55] = beam200_clamped_free5_0_6875_shape_1_0
-    shapes[1, 56] = beam200_clamped_free5_0_6875_shape_1_1
-    shapes[1, 57] = beam200_clamped_free5_0_6875_shape_1_2
-    shapes[1, 58] = beam200_clamped_free5_0_6875_shape_1_3
-    shapes[1, 59] = beam200_clamped_free5_0_6875_shape_1_4
-    shapes[1, 60] = beam200_clamped_free5_0_75_shape_1_0
-    shapes[1, 61] = beam200_clamped_free5_0_75_shape_1_1
-    shapes[1, 62] = beam200_clamped_free5_0_75_shape_1_2
-    shapes[1, 63] = beam200_clamped_free5_0_75_shape_1_3
-    shapes[1, 64] = beam200_clamped_free5_0_75_shape_1_4
-    shapes[1, 65] = beam200_clamped_free5_0_8125_shape_1_0
-    shapes[1, 66] = beam200_clamped_free5_0_8125_shape_1_1
-    shapes[1, 67] = beam200_clamped_free5_0_8125_shape_1_2
-    shapes[1, 68] = beam200_clamped_free5_0_8125_shape_1_3
-    shapes[1, 69] = beam200_clamped_free5_0_8125_shape_1_4
-    shapes[1, 70] = beam200_clamped_free5_0_875_shape_1_0
-    shapes[1, 71] = beam200_clamped_free5_0_875_shape_1_1
-    shapes[1, 72] = beam200_clamped_free5_0_875_shape_1_2
-    shapes[1, 73] = beam200_clamped_free5_0_875_shape_1_3
-    shapes[1, 74] = beam200_clamped_free5_0_875_shape_1_4
-    shapes[1, 75] = beam200_clamped_free5_0_9375_shape_1_0
-    shapes[1, 76] = beam200_clamped_free5_0_9375_shape_1_1
-    shapes[1, 77] = beam200_clamped_free5_0_9375_shape_1_2
-    shapes[1, 78] = beam200_clamped_free5_0_9375_shape_1_3
-    shapes[1, 79] = beam200_clamped_free5_0_9375_shape_1_4
-    shapes[1, 80] = beam200_clamped_free5_1_0_shape_1_0
-    shapes[1, 81] = beam200_clamped_free5_1_0_shape_1_1
-    shapes[1, 82] = beam200_clamped_free5_1_0_shape_1_2
-    shapes[1, 83] = beam200_clamped_free5_1_0_shape_1_3
-    shapes[1, 84] = beam200_clamped_free5_1_0_shape_1_4
-    shapes[1, 90] = beam200_clamped_free5_1_0_shape_1_0
-    shapes[1, 91] = beam200_clamped_free5_1_0_shape_1_1
-    shapes[1, 92] = beam200_clamped_free5_1_0_shape_1_2
-    shapes[1, 93] = beam200_clamped_free5_1_0_shape_1_3
-    shapes[1, 94] = beam200_clamped_free5_1_0_shape_1_4
+    shapes[1, 5] = beam_clamped_free5_0_0625_shape_1_0
+    shapes[1, 6] = beam_clamped_free5_0_0625_shape_1_1
+    shapes[1, 7] = beam_clamped_free5_0_0625_shape_1_2
+    shapes[1, 8] = beam_clamped_free5_0_0625_shape_1_3
+    shapes[1, 9] = beam_clamped_free5_0_0625_shape_1_4
+    shapes[1, 10] = beam_clamped_free5_0_125_shape_1_0
+    shapes[1, 11] = beam_clamped_free5_0_125_shape_1_1
+    shapes[1, 12] = beam_clamped_free5_0_125_shape_1_2
+    shapes[1, 13] = beam_clamped_free5_0_125_shape_1_3
+    shapes[1, 14] = beam_clamped_free5_0_125_shape_1_4
+    shapes[1, 15] = beam_clamped_free5_0_1875_shape_1_0
+    shapes[1, 16] = beam_clamped_free5_0_1875_shape_1_1
+    shapes[1, 17] = beam_clamped_free5_0_1875_shape_1_2
+    shapes[1, 18] = beam_clamped_free5_0_1875_shape_1_3
+    shapes[1, 19] = beam_clamped_free5_0_1875_shape_1_4
+    shapes[1, 20] = beam_clamped_free5_0_25_shape_1_0
+    shapes[1, 21] = beam_clamped_free5_0_25_shape_1_1
+    shapes[1, 22] = beam_clamped_free5_0_25_shape_1_2
+    shapes[1, 23] = beam_clamped_free5_0_25_shape_1_3
+    shapes[1, 24] = beam_clamped_free5_0_25_shape_1_4
+    shapes[1, 25] = beam_clamped_free5_0_3125_shape_1_0
+    shapes[1, 26] = beam_clamped_free5_0_3125_shape_1_1
+    shapes[1, 27] = beam_clamped_free5_0_3125_shape_1_2
+    shapes[1, 28] = beam_clamped_free5_0_3125_shape_1_3
+    shapes[1, 29] = beam_clamped_free5_0_3125_shape_1_4
+    shapes[1, 30] = beam_clamped_free5_0_375_shape_1_0
+    shapes[1, 31] = beam_clamped_free5_0_375_shape_1_1
+    shapes[1, 32] = beam_clamped_free5_0_375_shape_1_2
+    shapes[1, 33] = beam_clamped_free5_0_375_shape_1_3
+    shapes[1, 34] = beam_clamped_free5_0_375_shape_1_4
+    shapes[1, 35] = beam_clamped_free5_0_4375_shape_1_0
+    shapes[1, 36] = beam_clamped_free5_0_4375_shape_1_1
+    shapes[1, 37] = beam_clamped_free5_0_4375_shape_1_2
+    shapes[1, 38] = beam_clamped_free5_0_4375_shape_1_3
+    shapes[1, 39] = beam_clamped_free5_0_4375_shape_1_4
+    shapes[1, 40] = beam_clamped_free5_0_5_shape_1_0
+    shapes[1, 41] = beam_clamped_free5_0_5_shape_1_1
+    shapes[1, 42] = beam_clamped_free5_0_5_shape_1_2
+    shapes[1, 43] = beam_clamped_free5_0_5_shape_1_3
+    shapes[1, 44] = beam_clamped_free5_0_5_shape_1_4
+    shapes[1, 45] = beam_clamped_free5_0_5625_shape_1_0
+    shapes[1, 46] = beam_clamped_free5_0_5625_shape_1_1
+    shapes[1, 47] = beam_clamped_free5_0_5625_shape_1_2
+    shapes[1, 48] = beam_clamped_free5_0_5625_shape_1_3
+    shapes[1, 49] = beam_clamped_free5_0_5625_shape_1_4
+    shapes[1, 50] = beam_clamped_free5_0_625_shape_1_0
+    shapes[1, 51] = beam_clamped_free5_0_625_shape_1_1
+    shapes[1, 52] = beam_clamped_free5_0_625_shape_1_2
+    shapes[1, 53] = beam_clamped_free5_0_625_shape_1_3
+    shapes[1, 54] = beam_clamped_free5_0_625_shape_1_4
+    shapes[1, 55] = beam_clamped_free5_0_6875_shape_1_0
+    shapes[1, 56] = beam_clamped_free5_0_6875_shape_1_1
+    shapes[1, 57] = beam_clamped_free5_0_6875_shape_1_2
+    shapes[1, 58] = beam_clamped_free5_0_6875_shape_1_3
+    shapes[1, 59] = beam_clamped_free5_0_6875_shape_1_4
+    shapes[1, 60] = beam_clamped_free5_0_75_shape_1_0
+    shapes[1, 61] = beam_clamped_free5_0_75_shape_1_1
+    shapes[1, 62] = beam_clamped_free5_0_75_shape_1_2
+    shapes[1, 63] = beam_clamped_free5_0_75_shape_1_3
+    shapes[1, 64] = beam_clamped_free5_0_75_shape_1_4
+    shapes[1, 65] = beam_clamped_free5_0_8125_shape_1_0
+    shapes[1, 66] = beam_clamped_free5_0_8125_shape_1_1
+    shapes[1, 67] = beam_clamped_free5_0_8125_shape_1_2
+    shapes[1, 68] = beam_clamped_free5_0_8125_shape_1_3
+    shapes[1, 69] = beam_clamped_free5_0_8125_shape_1_4
+    shapes[1, 70] = beam_clamped_free5_0_875_shape_1_0
+    shapes[1, 71] = beam_clamped_free5_0_875_shape_1_1
+    shapes[1, 72] = beam_clamped_free5_0_875_shape_1_2
+    shapes[1, 73] = beam_clamped_free5_0_875_shape_1_3
+    shapes[1, 74] = beam_clamped_free5_0_875_shape_1_4
+    shapes[1, 75] = beam_clamped_free5_0_9375_shape_1_0
+    shapes[1, 76] = beam_clamped_free5_0_9375_shape_1_1
+    shapes[1, 77] = beam_clamped_free5_0_9375_shape_1_2
+    shapes[1, 78] = beam_clamped_free5_0_9375_shape_1_3
+    shapes[1, 79] = beam_clamped_free5_0_9375_shape_1_4
+    shapes[1, 80] = beam_clamped_free5_1_0_shape_1_0
+    shapes[1, 81] = beam_clamped_free5_1_0_shape_1_1
+    shapes[1, 82] = beam_clamped_free5_1_0_shape_1_2
+    shapes[1, 83] = beam_clamped_free5_1_0_shape_1_3
+    shapes[1, 84] = beam_clamped_free5_1_0_shape_1_4
+    shapes[1, 90] = beam_clamped_free5_1_0_shape_1_0
+    shapes[1, 91] = beam_clamped_free5_1_0_shape_1_1
+    shapes[1, 92] = beam_clamped_free5_1_0_shape_1_2
+    shapes[1, 93] = beam_clamped_free5_1_0_shape_1_3
+    shapes[1, 94] = beam_clamped_free5_1_0_shape_1_4
     turns = ca.SX(3, 95)
-    turns[2, 5] = beam200_clamped_free5_0_0625_slope_0_0 / beam_length
-    turns[2, 6] = beam200_clamped_free5_0_0625_slope_1_0 / beam_length
-    turns[2, 7] = beam200_clamped_free5_0_0625_slope_2_0 / beam_length
-    turns[2, 8] = beam200_clamped_free5_0_0625_slope_3_0 / beam_length
-    turns[2, 9] = beam200_clamped_free5_0_0625_slope_4_0 / beam_length
-    turns[2, 10] = beam200_clamped_free5_0_125_slope_0_0 / beam_length
-    turns[2, 11] = beam200_clamped_free5_0_125_slope_1_0 / beam_length
-    turns[2, 12] = beam200_clamped_free5_0_125_slope_2_0 / beam_length
-    turns[2, 13] = beam200_clamped_free5_0_125_slope_3_0 / beam_length
-    turns[2, 14] = beam200_clamped_free5_0_125_slope_4_0 / beam_length
-    turns[2, 15] = beam200_clamped_free5_0_1875_slope_0_0 / beam_length
-    turns[2, 16] = beam200_clamped_free5_0_1875_slope_1_0 / beam_length
-    turns[2, 17] = beam200_clamped_free5_0_1875_slope_2_0 / beam_length
-    turns[2, 18] = beam200_clamped_free5_0_1875_slope_3_0 / beam_length
-    turns[2, 19] = beam200_clamped_free5_0_1875_slope_4_0 / beam_length
-    turns[2, 20] = beam200_clamped_free5_0_25_slope_0_0 / beam_length
-    turns[2, 21] = beam200_clamped_free5_0_25_slope_1_0 / beam_length
-    turns[2, 22] = beam200_clamped_free5_0_25_slope_2_0 / beam_length
-    turns[2, 23] = beam200_clamped_free5_0_25_slope_3_0 / beam_length
-    turns[2, 24] = beam200_clamped_free5_0_25_slope_4_0 / beam_length
-    turns[2, 25] = beam200_clamped_free5_0_3125_slope_0_0 / beam_length
-    turns[2, 26] = beam200_clamped_free5_0_3125_slope_1_0 / beam_length
-    turns[2, 27] = beam200_clamped_free5_0_3125_slope_2_0 / beam_length
-    turns[2, 28] = beam200_clamped_free5_0_3125_slope_3_0 / beam_length
-    turns[2, 29] = beam200_clamped_free5_0_3125_slope_4_0 / beam_length
-    turns[2, 30] = beam200_clamped_free5_0_375_slope_0_0 / beam_length
-    turns[2, 31] = beam200_clamped_free5_0_375_slope_1_0 / beam_length
-    turns[2, 32] = beam200_clamped_free5_0_375_slope_2_0 / beam_length
-    turns[2, 33] = beam200_clamped_free5_0_375_slope_3_0 / beam_length
-    turns[2, 34] = beam200_clamped_free5_0_375_slope_4_0 / beam_length
-    turns[2, 35] = beam200_clamped_free5_0_4375_slope_0_0 / beam_length
-    turns[2, 36] = beam200_clamped_free5_0_4375_slope_1_0 / beam_length
-    turns[2, 37] = beam200_clamped_free5_0_4375_slope_2_0 / beam_length
-    turns[2, 38] = beam200_clamped_free5_0_4375_slope_3_0 / beam_length
-    turns[2, 39] = beam200_clamped_free5_0_4375_slope_4_0 / beam_length
-    turns[2, 40] = beam200_clamped_free5_0_5_slope_0_0 / beam_length
-    turns[2, 41] = beam200_clamped_free5_0_5_slope_1_0 / beam_length
-    turns[2, 42] = beam200_clamped_free5_0_5_slope_2_0 / beam_length
-    turns[2, 43] = beam200_clamped_free5_0_5_slope_3_0 / beam_length
-    turns[2, 44] = beam200_clamped_free5_0_5_slope_4_0 / beam_length
-    turns[2, 45] = beam200_clamped_free5_0_5625_slope_0_0 / beam_length
-    turns[2, 46] = beam200_clamped_free5_0_5625_slope_1_0 / beam_length
-    turns[2, 47] = beam200_clamped_free5_0_5625_slope_2_0 / beam_length
-    turns[2, 48] = beam200_clamped_free5_0_5625_slope_3_0 / beam_length
-    turns[2, 49] = beam200_clamped_free5_0_5625_slope_4_0 / beam_length
-    turns[2, 50] = beam200_clamped_free5_0_625_slope_0_0 / beam_length
-    turns[2, 51] = beam200_clamped_free5_0_625_slope_1_0 / beam_length
-    turns[2, 52] = beam200_clamped_free5_0_625_slope_2_0 / beam_length
-    turns[2, 53] = beam200_clamped_free5_0_625_slope_3_0 / beam_length
-    turns[2, 54] = beam200_clamped_free5_0_625_slope_4_0 / beam_length
-    turns[2, 55] = beam200_clamped_free5_0_6875_slope_0_0 / beam_length
-    turns[2, 56] = beam200_clamped_free5_0_6875_slope_1_0 / beam_length
-    turns[2, 57] = beam200_clamped_free5_0_6875_slope_2_0 / beam_length
-    turns[2, 58] = beam200_clamped_free5_0_6875_slope_3_0 / beam_length
-    turns[2, 59] = beam200_clamped_free5_0_6875_slope_4_0 / beam_length
-    turns[2, 60] = beam200_clamped_free5_0_75_slope_0_0 / beam_length
-    turns[2, 61] = beam200_clamped_free5_0_75_slope_1_0 / beam_length
-    turns[2, 62] = beam200_clamped_free5_0_75_slope_2_0 / beam_length
-    turns[2, 63] = beam200_clamped_free5_0_75_slope_3_0 / beam_length
-    turns[2, 64] = beam200_clamped_free5_0_75_slope_4_0 / beam_length
-    turns[2, 65] = beam200_clamped_free5_0_8125_slope_0_0 / beam_length
-    turns[2, 66] = beam200_clamped_free5_0_8125_slope_1_0 / beam_length
-    turns[2, 67] = beam200_clamped_free5_0_8125_slope_2_0 / beam_length
-    turns[2, 68] = beam200_clamped_free5_0_8125_slope_3_0 / beam_length
-    turns[2, 69] = beam200_clamped_free5_0_8125_slope_4_0 / beam_length
-    turns[2, 70] = beam200_clamped_free5_0_875_slope_0_0 / beam_length
-    turns[2, 71] = beam200_clamped_free5_0_875_slope_1_0 / beam_length
-    turns[2, 72] = beam200_clamped_free5_0_875_slope_2_0 / beam_length
-    turns[2, 73] = beam200_clamped_free5_0_875_slope_3_0 / beam_length
-    turns[2, 74] = beam200_clamped_free5_0_875_slope_4_0 / beam_length
-    turns[2, 75] = beam200_clamped_free5_0_9375_slope_0_0 / beam_length
-    turns[2, 76] = beam200_clamped_free5_0_9375_slope_1_0 / beam_length
-    turns[2, 77] = beam200_clamped_free5_0_9375_slope_2_0 / beam_length
-    turns[2, 78] = beam200_clamped_free5_0_9375_slope_3_0 / beam_length
-    turns[2, 79] = beam200_clamped_free5_0_9375_slope_4_0 / beam_length
+    turns[2, 5] = beam_clamped_free5_0_0625_slope_0_0 / beam_length
+    turns[2, 6] = beam_clamped_free5_0_0625_slope_1_0 / beam_length
+    turns[2, 7] = beam_clamped_free5_0_0625_slope_2_0 / beam_length
+    turns[2, 8] = beam_clamped_free5_0_0625_slope_3_0 / beam_length
+    turns[2, 9] = beam_clamped_free5_0_0625_slope_4_0 / beam_length
+    turns[2, 10] = beam_clamped_free5_0_125_slope_0_0 / beam_length
+    turns[2, 11] = beam_clamped_free5_0_125_slope_1_0 / beam_length
+    turns[2, 12] = beam_clamped_free5_0_125_slope_2_0 / beam_length
+    turns[2, 13] = beam_clamped_free5_0_125_slope_3_0 / beam_length
+    turns[2, 14] = beam_clamped_free5_0_125_slope_4_0 / beam_length
+    turns[2, 15] = beam_clamped_free5_0_1875_slope_0_0 / beam_length
+    turns[2, 16] = beam_clamped_free5_0_1875_slope_1_0 / beam_length
+    turns[2, 17] = beam_clamped_free5_0_1875_slope_2_0 / beam_length
+    turns[2, 18] = beam_clamped_free5_0_1875_slope_3_0 / beam_length
+    turns[2, 19] = beam_clamped_free5_0_1875_slope_4_0 / beam_length
+    turns[2, 20] = beam_clamped_free5_0_25_slope_0_0 / beam_length
+    turns[2, 21] = beam_clamped_free5_0_25_slope_1_0 / beam_length
+    turns[2, 22] = beam_clamped_free5_0_25_slope_2_0 / beam_length
+    turns[2, 23] = beam_clamped_free5_0_25_slope_3_0 / beam_length
+    turns[2, 24] = beam_clamped_free5_0_25_slope_4_0 / beam_length
+    turns[2, 25] = beam_clamped_free5_0_3125_slope_0_0 / beam_length
+    turns[2, 26] = beam_clamped_free5_0_3125_slope_1_0 / beam_length
+    turns[2, 27] = beam_clamped_free5_0_3125_slope_2_0 / beam_length
+    turns[2, 28] = beam_clamped_free5_0_3125_slope_3_0 / beam_length
+    turns[2, 29] = beam_clamped_free5_0_3125_slope_4_0 / beam_length
+    turns[2, 30] = beam_clamped_free5_0_375_slope_0_0 / beam_length
+    turns[2, 31] = beam_clamped_free5_0_375_slope_1_0 / beam_length
+    turns[2, 32] = beam_clamped_free5_0_375_slope_2_0 / beam_length
+    turns[2, 33] = beam_clamped_free5_0_375_slope_3_0 / beam_length
+    turns[2, 34] = beam_clamped_free5_0_375_slope_4_0 / beam_length
+    turns[2, 35] = beam_clamped_free5_0_4375_slope_0_0 / beam_length
+    turns[2, 36] = beam_clamped_free5_0_4375_slope_1_0 / beam_length
+    turns[2, 37] = beam_clamped_free5_0_4375_slope_2_0 / beam_length
+    turns[2, 38] = beam_clamped_free5_0_4375_slope_3_0 / beam_length
+    turns[2, 39] = beam_clamped_free5_0_4375_slope_4_0 / beam_length
+    turns[2, 40] = beam_clamped_free5_0_5_slope_0_0 / beam_length
+    turns[2, 41] = beam_clamped_free5_0_5_slope_1_0 / beam_length
+    turns[2, 42] = beam_clamped_free5_0_5_slope_2_0 / beam_length
+    turns[2, 43] = beam_clamped_free5_0_5_slope_3_0 / beam_length
+    turns[2, 44] = beam_clamped_free5_0_5_slope_4_0 / beam_length
+    turns[2, 45] = beam_clamped_free5_0_5625_slope_0_0 / beam_length
+    turns[2, 46] = beam_clamped_free5_0_5625_slope_1_0 / beam_length
+    turns[2, 47] = beam_clamped_free5_0_5625_slope_2_0 / beam_length
+    turns[2, 48] = beam_clamped_free5_0_5625_slope_3_0 / beam_length
+    turns[2, 49] = beam_clamped_free5_0_5625_slope_4_0 / beam_length
+    turns[2, 50] = beam_clamped_free5_0_625_slope_0_0 / beam_length
+    turns[2, 51] = beam_clamped_free5_0_625_slope_1_0 / beam_length
+    turns[2, 52] = beam_clamped_free5_0_625_slope_2_0 / beam_length
+    turns[2, 53] = beam_clamped_free5_0_625_slope_3_0 / beam_length
+    turns[2, 54] = beam_clamped_free5_0_625_slope_4_0 / beam_length
+    turns[2, 55] = beam_clamped_free5_0_6875_slope_0_0 / beam_length
+    turns[2, 56] = beam_clamped_free5_0_6875_slope_1_0 / beam_length
+    turns[2, 57] = beam_clamped_free5_0_6875_slope_2_0 / beam_length
+    turns[2, 58] = beam_clamped_free5_0_6875_slope_3_0 / beam_length
+    turns[2, 59] = beam_clamped_free5_0_6875_slope_4_0 / beam_length
+    turns[2, 60] = beam_clamped_free5_0_75_slope_0_0 / beam_length
+    turns[2, 61] = beam_clamped_free5_0_75_slope_1_0 / beam_length
+    turns[2, 62] = beam_clamped_free5_0_75_slope_2_0 / beam_length
+    turns[2, 63] = beam_clamped_free5_0_75_slope_3_0 / beam_length
+    turns[2, 64] = beam_clamped_free5_0_75_slope_4_0 / beam_length
+    turns[2, 65] = beam_clamped_free5_0_8125_slope_0_0 / beam_length
+    turns[2, 66] = beam_clamped_free5_0_8125_slope_1_0 / beam_length
+    turns[2, 67] = beam_clamped_free5_0_8125_slope_2_0 / beam_length
+    turns[2, 68] = beam_clamped_free5_0_8125_slope_3_0 / beam_length
+    turns[2, 69] = beam_clamped_free5_0_8125_slope_4_0 / beam_length
+    turns[2, 70] = beam_clamped_free5_0_875_slope_0_0 / beam_length
+    turns[2, 71] = beam_clamped_free5_0_875_slope_1_0 / beam_length
+    turns[2, 72] = beam_clamped_free5_0_875_slope_2_0 / beam_length
+    turns[2, 73] = beam_clamped_free5_0_875_slope_3_0 / beam_length
+    turns[2, 74] = beam_clamped_free5_0_875_slope_4_0 / beam_length
+    turns[2, 75] = beam_clamped_free5_0_9375_slope_0_0 / beam_length
+    turns[2, 76] = beam_clamped_free5_0_9375_slope_1_0 / beam_length
+    turns[2, 77] = beam_clamped_free5_0_9375_slope_2_0 / beam_length
+    turns[2, 78] = beam_clamped_free5_0_9375_slope_3_0 / beam_length
+    turns[2, 79] = beam_clamped_free5_0_9375_slope_4_0 / beam_length
     turns[2, 80] = w0
     turns[2, 81] = w1
     turns[2, 82] = w2
@@ -2232,194 +2231,194 @@ def geometry() -> ca.Function:
     turns[2, 93] = w3
     turns[2, 94] = w4
     H = ca.horzcat(
-        beam200_clamped_free5_0_0625_H_0_0 / beam_length, beam200_clamped_free5_0_0625_H_0_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_2 / beam_length, beam200_clamped_free5_0_0625_H_0_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_0_4 / beam_length, beam200_clamped_free5_0_0625_H_1_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_1 / beam_length, beam200_clamped_free5_0_0625_H_1_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_1_3 / beam_length, beam200_clamped_free5_0_0625_H_1_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_0 / beam_length, beam200_clamped_free5_0_0625_H_2_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_2 / beam_length, beam200_clamped_free5_0_0625_H_2_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_2_4 / beam_length, beam200_clamped_free5_0_0625_H_3_0 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_1 / beam_length, beam200_clamped_free5_0_0625_H_3_2 / beam_length,
-        beam200_clamped_free5_0_0625_H_3_3 / beam_length, beam200_clamped_free5_0_0625_H_3_4 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_0 / beam_length, beam200_clamped_free5_0_0625_H_4_1 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_2 / beam_length, beam200_clamped_free5_0_0625_H_4_3 / beam_length,
-        beam200_clamped_free5_0_0625_H_4_4 / beam_length, beam200_clamped_free5_0_125_H_0_0 / beam_length,
-        beam200_clamped_free5_0_125_H_0_1 / beam_length, beam200_clamped_free5_0_125_H_0_2 / beam_length,
-        beam200_clamped_free5_0_125_H_0_3 / beam_length, beam200_clamped_free5_0_125_H_0_4 / beam_length,
-        beam200_clamped_free5_0_125_H_1_0 / beam_length, beam200_clamped_free5_0_125_H_1_1 / beam_length,
-        beam200_clamped_free5_0_125_H_1_2 / beam_length, beam200_clamped_free5_0_125_H_1_3 / beam_length,
-        beam200_clamped_free5_0_125_H_1_4 / beam_length, beam200_clamped_free5_0_125_H_2_0 / beam_length,
-        beam200_clamped_free5_0_125_H_2_1 / beam_length, beam200_clamped_free5_0_125_H_2_2 / beam_length,
-        beam200_clamped_free5_0_125_H_2_3 / beam_length, beam200_clamped_free5_0_125_H_2_4 / beam_length,
-        beam200_clamped_free5_0_125_H_3_0 / beam_length, beam200_clamped_free5_0_125_H_3_1 / beam_length,
-        beam200_clamped_free5_0_125_H_3_2 / beam_length, beam200_clamped_free5_0_125_H_3_3 / beam_length,
-        beam200_clamped_free5_0_125_H_3_4 / beam_length, beam200_clamped_free5_0_125_H_4_0 / beam_length,
-        beam200_clamped_free5_0_125_H_4_1 / beam_length, beam200_clamped_free5_0_125_H_4_2 / beam_length,
-        beam200_clamped_free5_0_125_H_4_3 / beam_length, beam200_clamped_free5_0_125_H_4_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_0 / beam_length, beam200_clamped_free5_0_1875_H_0_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_2 / beam_length, beam200_clamped_free5_0_1875_H_0_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_0_4 / beam_length, beam200_clamped_free5_0_1875_H_1_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_1 / beam_length, beam200_clamped_free5_0_1875_H_1_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_1_3 / beam_length, beam200_clamped_free5_0_1875_H_1_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_0 / beam_length, beam200_clamped_free5_0_1875_H_2_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_2 / beam_length, beam200_clamped_free5_0_1875_H_2_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_2_4 / beam_length, beam200_clamped_free5_0_1875_H_3_0 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_1 / beam_length, beam200_clamped_free5_0_1875_H_3_2 / beam_length,
-        beam200_clamped_free5_0_1875_H_3_3 / beam_length, beam200_clamped_free5_0_1875_H_3_4 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_0 / beam_length, beam200_clamped_free5_0_1875_H_4_1 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_2 / beam_length, beam200_clamped_free5_0_1875_H_4_3 / beam_length,
-        beam200_clamped_free5_0_1875_H_4_4 / beam_length, beam200_clamped_free5_0_25_H_0_0 / beam_length,
-        beam200_clamped_free5_0_25_H_0_1 / beam_length, beam200_clamped_free5_0_25_H_0_2 / beam_length,
-        beam200_clamped_free5_0_25_H_0_3 / beam_length, beam200_clamped_free5_0_25_H_0_4 / beam_length,
-        beam200_clamped_free5_0_25_H_1_0 / beam_length, beam200_clamped_free5_0_25_H_1_1 / beam_length,
-        beam200_clamped_free5_0_25_H_1_2 / beam_length, beam200_clamped_free5_0_25_H_1_3 / beam_length,
-        beam200_clamped_free5_0_25_H_1_4 / beam_length, beam200_clamped_free5_0_25_H_2_0 / beam_length,
-        beam200_clamped_free5_0_25_H_2_1 / beam_length, beam200_clamped_free5_0_25_H_2_2 / beam_length,
-        beam200_clamped_free5_0_25_H_2_3 / beam_length, beam200_clamped_free5_0_25_H_2_4 / beam_length,
-        beam200_clamped_free5_0_25_H_3_0 / beam_length, beam200_clamped_free5_0_25_H_3_1 / beam_length,
-        beam200_clamped_free5_0_25_H_3_2 / beam_length, beam200_clamped_free5_0_25_H_3_3 / beam_length,
-        beam200_clamped_free5_0_25_H_3_4 / beam_length, beam200_clamped_free5_0_25_H_4_0 / beam_length,
-        beam200_clamped_free5_0_25_H_4_1 / beam_length, beam200_clamped_free5_0_25_H_4_2 / beam_length,
-        beam200_clamped_free5_0_25_H_4_3 / beam_length, beam200_clamped_free5_0_25_H_4_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_0 / beam_length, beam200_clamped_free5_0_3125_H_0_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_2 / beam_length, beam200_clamped_free5_0_3125_H_0_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_0_4 / beam_length, beam200_clamped_free5_0_3125_H_1_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_1 / beam_length, beam200_clamped_free5_0_3125_H_1_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_1_3 / beam_length, beam200_clamped_free5_0_3125_H_1_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_0 / beam_length, beam200_clamped_free5_0_3125_H_2_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_2 / beam_length, beam200_clamped_free5_0_3125_H_2_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_2_4 / beam_length, beam200_clamped_free5_0_3125_H_3_0 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_1 / beam_length, beam200_clamped_free5_0_3125_H_3_2 / beam_length,
-        beam200_clamped_free5_0_3125_H_3_3 / beam_length, beam200_clamped_free5_0_3125_H_3_4 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_0 / beam_length, beam200_clamped_free5_0_3125_H_4_1 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_2 / beam_length, beam200_clamped_free5_0_3125_H_4_3 / beam_length,
-        beam200_clamped_free5_0_3125_H_4_4 / beam_length, beam200_clamped_free5_0_375_H_0_0 / beam_length,
-        beam200_clamped_free5_0_375_H_0_1 / beam_length, beam200_clamped_free5_0_375_H_0_2 / beam_length,
-        beam200_clamped_free5_0_375_H_0_3 / beam_length, beam200_clamped_free5_0_375_H_0_4 / beam_length,
-        beam200_clamped_free5_0_375_H_1_0 / beam_length, beam200_clamped_free5_0_375_H_1_1 / beam_length,
-        beam200_clamped_free5_0_375_H_1_2 / beam_length, beam200_clamped_free5_0_375_H_1_3 / beam_length,
-        beam200_clamped_free5_0_375_H_1_4 / beam_length, beam200_clamped_free5_0_375_H_2_0 / beam_length,
-        beam200_clamped_free5_0_375_H_2_1 / beam_length, beam200_clamped_free5_0_375_H_2_2 / beam_length,
-        beam200_clamped_free5_0_375_H_2_3 / beam_length, beam200_clamped_free5_0_375_H_2_4 / beam_length,
-        beam200_clamped_free5_0_375_H_3_0 / beam_length, beam200_clamped_free5_0_375_H_3_1 / beam_length,
-        beam200_clamped_free5_0_375_H_3_2 / beam_length, beam200_clamped_free5_0_375_H_3_3 / beam_length,
-        beam200_clamped_free5_0_375_H_3_4 / beam_length, beam200_clamped_free5_0_375_H_4_0 / beam_length,
-        beam200_clamped_free5_0_375_H_4_1 / beam_length, beam200_clamped_free5_0_375_H_4_2 / beam_length,
-        beam200_clamped_free5_0_375_H_4_3 / beam_length, beam200_clamped_free5_0_375_H_4_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_0 / beam_length, beam200_clamped_free5_0_4375_H_0_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_2 / beam_length, beam200_clamped_free5_0_4375_H_0_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_0_4 / beam_length, beam200_clamped_free5_0_4375_H_1_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_1 / beam_length, beam200_clamped_free5_0_4375_H_1_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_1_3 / beam_length, beam200_clamped_free5_0_4375_H_1_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_0 / beam_length, beam200_clamped_free5_0_4375_H_2_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_2 / beam_length, beam200_clamped_free5_0_4375_H_2_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_2_4 / beam_length, beam200_clamped_free5_0_4375_H_3_0 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_1 / beam_length, beam200_clamped_free5_0_4375_H_3_2 / beam_length,
-        beam200_clamped_free5_0_4375_H_3_3 / beam_length, beam200_clamped_free5_0_4375_H_3_4 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_0 / beam_length, beam200_clamped_free5_0_4375_H_4_1 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_2 / beam_length, beam200_clamped_free5_0_4375_H_4_3 / beam_length,
-        beam200_clamped_free5_0_4375_H_4_4 / beam_length, beam200_clamped_free5_0_5_H_0_0 / beam_length,
-        beam200_clamped_free5_0_5_H_0_1 / beam_length, beam200_clamped_free5_0_5_H_0_2 / beam_length,
-        beam200_clamped_free5_0_5_H_0_3 / beam_length, beam200_clamped_free5_0_5_H_0_4 / beam_length,
-        beam200_clamped_free5_0_5_H_1_0 / beam_length, beam200_clamped_free5_0_5_H_1_1 / beam_length,
-        beam200_clamped_free5_0_5_H_1_2 / beam_length, beam200_clamped_free5_0_5_H_1_3 / beam_length,
-        beam200_clamped_free5_0_5_H_1_4 / beam_length, beam200_clamped_free5_0_5_H_2_0 / beam_length,
-        beam200_clamped_free5_0_5_H_2_1 / beam_length, beam200_clamped_free5_0_5_H_2_2 / beam_length,
-        beam200_clamped_free5_0_5_H_2_3 / beam_length, beam200_clamped_free5_0_5_H_2_4 / beam_length,
-        beam200_clamped_free5_0_5_H_3_0 / beam_length, beam200_clamped_free5_0_5_H_3_1 / beam_length,
-        beam200_clamped_free5_0_5_H_3_2 / beam_length, beam200_clamped_free5_0_5_H_3_3 / beam_length,
-        beam200_clamped_free5_0_5_H_3_4 / beam_length, beam200_clamped_free5_0_5_H_4_0 / beam_length,
-        beam200_clamped_free5_0_5_H_4_1 / beam_length, beam200_clamped_free5_0_5_H_4_2 / beam_length,
-        beam200_clamped_free5_0_5_H_4_3 / beam_length, beam200_clamped_free5_0_5_H_4_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_0 / beam_length, beam200_clamped_free5_0_5625_H_0_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_2 / beam_length, beam200_clamped_free5_0_5625_H_0_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_0_4 / beam_length, beam200_clamped_free5_0_5625_H_1_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_1 / beam_length, beam200_clamped_free5_0_5625_H_1_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_1_3 / beam_length, beam200_clamped_free5_0_5625_H_1_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_0 / beam_length, beam200_clamped_free5_0_5625_H_2_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_2 / beam_length, beam200_clamped_free5_0_5625_H_2_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_2_4 / beam_length, beam200_clamped_free5_0_5625_H_3_0 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_1 / beam_length, beam200_clamped_free5_0_5625_H_3_2 / beam_length,
-        beam200_clamped_free5_0_5625_H_3_3 / beam_length, beam200_clamped_free5_0_5625_H_3_4 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_0 / beam_length, beam200_clamped_free5_0_5625_H_4_1 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_2 / beam_length, beam200_clamped_free5_0_5625_H_4_3 / beam_length,
-        beam200_clamped_free5_0_5625_H_4_4 / beam_length, beam200_clamped_free5_0_625_H_0_0 / beam_length,
-        beam200_clamped_free5_0_625_H_0_1 / beam_length, beam200_clamped_free5_0_625_H_0_2 / beam_length,
-        beam200_clamped_free5_0_625_H_0_3 / beam_length, beam200_clamped_free5_0_625_H_0_4 / beam_length,
-        beam200_clamped_free5_0_625_H_1_0 / beam_length, beam200_clamped_free5_0_625_H_1_1 / beam_length,
-        beam200_clamped_free5_0_625_H_1_2 / beam_length, beam200_clamped_free5_0_625_H_1_3 / beam_length,
-        beam200_clamped_free5_0_625_H_1_4 / beam_length, beam200_clamped_free5_0_625_H_2_0 / beam_length,
-        beam200_clamped_free5_0_625_H_2_1 / beam_length, beam200_clamped_free5_0_625_H_2_2 / beam_length,
-        beam200_clamped_free5_0_625_H_2_3 / beam_length, beam200_clamped_free5_0_625_H_2_4 / beam_length,
-        beam200_clamped_free5_0_625_H_3_0 / beam_length, beam200_clamped_free5_0_625_H_3_1 / beam_length,
-        beam200_clamped_free5_0_625_H_3_2 / beam_length, beam200_clamped_free5_0_625_H_3_3 / beam_length,
-        beam200_clamped_free5_0_625_H_3_4 / beam_length, beam200_clamped_free5_0_625_H_4_0 / beam_length,
-        beam200_clamped_free5_0_625_H_4_1 / beam_length, beam200_clamped_free5_0_625_H_4_2 / beam_length,
-        beam200_clamped_free5_0_625_H_4_3 / beam_length, beam200_clamped_free5_0_625_H_4_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_0 / beam_length, beam200_clamped_free5_0_6875_H_0_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_2 / beam_length, beam200_clamped_free5_0_6875_H_0_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_0_4 / beam_length, beam200_clamped_free5_0_6875_H_1_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_1 / beam_length, beam200_clamped_free5_0_6875_H_1_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_1_3 / beam_length, beam200_clamped_free5_0_6875_H_1_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_0 / beam_length, beam200_clamped_free5_0_6875_H_2_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_2 / beam_length, beam200_clamped_free5_0_6875_H_2_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_2_4 / beam_length, beam200_clamped_free5_0_6875_H_3_0 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_1 / beam_length, beam200_clamped_free5_0_6875_H_3_2 / beam_length,
-        beam200_clamped_free5_0_6875_H_3_3 / beam_length, beam200_clamped_free5_0_6875_H_3_4 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_0 / beam_length, beam200_clamped_free5_0_6875_H_4_1 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_2 / beam_length, beam200_clamped_free5_0_6875_H_4_3 / beam_length,
-        beam200_clamped_free5_0_6875_H_4_4 / beam_length, beam200_clamped_free5_0_75_H_0_0 / beam_length,
-        beam200_clamped_free5_0_75_H_0_1 / beam_length, beam200_clamped_free5_0_75_H_0_2 / beam_length,
-        beam200_clamped_free5_0_75_H_0_3 / beam_length, beam200_clamped_free5_0_75_H_0_4 / beam_length,
-        beam200_clamped_free5_0_75_H_1_0 / beam_length, beam200_clamped_free5_0_75_H_1_1 / beam_length,
-        beam200_clamped_free5_0_75_H_1_2 / beam_length, beam200_clamped_free5_0_75_H_1_3 / beam_length,
-        beam200_clamped_free5_0_75_H_1_4 / beam_length, beam200_clamped_free5_0_75_H_2_0 / beam_length,
-        beam200_clamped_free5_0_75_H_2_1 / beam_length, beam200_clamped_free5_0_75_H_2_2 / beam_length,
-        beam200_clamped_free5_0_75_H_2_3 / beam_length, beam200_clamped_free5_0_75_H_2_4 / beam_length,
-        beam200_clamped_free5_0_75_H_3_0 / beam_length, beam200_clamped_free5_0_75_H_3_1 / beam_length,
-        beam200_clamped_free5_0_75_H_3_2 / beam_length, beam200_clamped_free5_0_75_H_3_3 / beam_length,
-        beam200_clamped_free5_0_75_H_3_4 / beam_length, beam200_clamped_free5_0_75_H_4_0 / beam_length,
-        beam200_clamped_free5_0_75_H_4_1 / beam_length, beam200_clamped_free5_0_75_H_4_2 / beam_length,
-        beam200_clamped_free5_0_75_H_4_3 / beam_length, beam200_clamped_free5_0_75_H_4_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_0 / beam_length, beam200_clamped_free5_0_8125_H_0_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_2 / beam_length, beam200_clamped_free5_0_8125_H_0_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_0_4 / beam_length, beam200_clamped_free5_0_8125_H_1_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_1 / beam_length, beam200_clamped_free5_0_8125_H_1_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_1_3 / beam_length, beam200_clamped_free5_0_8125_H_1_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_0 / beam_length, beam200_clamped_free5_0_8125_H_2_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_2 / beam_length, beam200_clamped_free5_0_8125_H_2_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_2_4 / beam_length, beam200_clamped_free5_0_8125_H_3_0 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_1 / beam_length, beam200_clamped_free5_0_8125_H_3_2 / beam_length,
-        beam200_clamped_free5_0_8125_H_3_3 / beam_length, beam200_clamped_free5_0_8125_H_3_4 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_0 / beam_length, beam200_clamped_free5_0_8125_H_4_1 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_2 / beam_length, beam200_clamped_free5_0_8125_H_4_3 / beam_length,
-        beam200_clamped_free5_0_8125_H_4_4 / beam_length, beam200_clamped_free5_0_875_H_0_0 / beam_length,
-        beam200_clamped_free5_0_875_H_0_1 / beam_length, beam200_clamped_free5_0_875_H_0_2 / beam_length,
-        beam200_clamped_free5_0_875_H_0_3 / beam_length, beam200_clamped_free5_0_875_H_0_4 / beam_length,
-        beam200_clamped_free5_0_875_H_1_0 / beam_length, beam200_clamped_free5_0_875_H_1_1 / beam_length,
-        beam200_clamped_free5_0_875_H_1_2 / beam_length, beam200_clamped_free5_0_875_H_1_3 / beam_length,
-        beam200_clamped_free5_0_875_H_1_4 / beam_length, beam200_clamped_free5_0_875_H_2_0 / beam_length,
-        beam200_clamped_free5_0_875_H_2_1 / beam_length, beam200_clamped_free5_0_875_H_2_2 / beam_length,
-        beam200_clamped_free5_0_875_H_2_3 / beam_length, beam200_clamped_free5_0_875_H_2_4 / beam_length,
-        beam200_clamped_free5_0_875_H_3_0 / beam_length, beam200_clamped_free5_0_875_H_3_1 / beam_length,
-        beam200_clamped_free5_0_875_H_3_2 / beam_length, beam200_clamped_free5_0_875_H_3_3 / beam_length,
-        beam200_clamped_free5_0_875_H_3_4 / beam_length, beam200_clamped_free5_0_875_H_4_0 / beam_length,
-        beam200_clamped_free5_0_875_H_4_1 / beam_length, beam200_clamped_free5_0_875_H_4_2 / beam_length,
-        beam200_clamped_free5_0_875_H_4_3 / beam_length, beam200_clamped_free5_0_875_H_4_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_0 / beam_length, beam200_clamped_free5_0_9375_H_0_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_2 / beam_length, beam200_clamped_free5_0_9375_H_0_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_0_4 / beam_length, beam200_clamped_free5_0_9375_H_1_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_1 / beam_length, beam200_clamped_free5_0_9375_H_1_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_1_3 / beam_length, beam200_clamped_free5_0_9375_H_1_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_0 / beam_length, beam200_clamped_free5_0_9375_H_2_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_2 / beam_length, beam200_clamped_free5_0_9375_H_2_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_2_4 / beam_length, beam200_clamped_free5_0_9375_H_3_0 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_1 / beam_length, beam200_clamped_free5_0_9375_H_3_2 / beam_length,
-        beam200_clamped_free5_0_9375_H_3_3 / beam_length, beam200_clamped_free5_0_9375_H_3_4 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_0 / beam_length, beam200_clamped_free5_0_9375_H_4_1 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_2 / beam_length, beam200_clamped_free5_0_9375_H_4_3 / beam_length,
-        beam200_clamped_free5_0_9375_H_4_4 / beam_length, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16,
+        beam_clamped_free5_0_0625_H_0_0 / beam_length, beam_clamped_free5_0_0625_H_0_1 / beam_length,
+        beam_clamped_free5_0_0625_H_0_2 / beam_length, beam_clamped_free5_0_0625_H_0_3 / beam_length,
+        beam_clamped_free5_0_0625_H_0_4 / beam_length, beam_clamped_free5_0_0625_H_1_0 / beam_length,
+        beam_clamped_free5_0_0625_H_1_1 / beam_length, beam_clamped_free5_0_0625_H_1_2 / beam_length,
+        beam_clamped_free5_0_0625_H_1_3 / beam_length, beam_clamped_free5_0_0625_H_1_4 / beam_length,
+        beam_clamped_free5_0_0625_H_2_0 / beam_length, beam_clamped_free5_0_0625_H_2_1 / beam_length,
+        beam_clamped_free5_0_0625_H_2_2 / beam_length, beam_clamped_free5_0_0625_H_2_3 / beam_length,
+        beam_clamped_free5_0_0625_H_2_4 / beam_length, beam_clamped_free5_0_0625_H_3_0 / beam_length,
+        beam_clamped_free5_0_0625_H_3_1 / beam_length, beam_clamped_free5_0_0625_H_3_2 / beam_length,
+        beam_clamped_free5_0_0625_H_3_3 / beam_length, beam_clamped_free5_0_0625_H_3_4 / beam_length,
+        beam_clamped_free5_0_0625_H_4_0 / beam_length, beam_clamped_free5_0_0625_H_4_1 / beam_length,
+        beam_clamped_free5_0_0625_H_4_2 / beam_length, beam_clamped_free5_0_0625_H_4_3 / beam_length,
+        beam_clamped_free5_0_0625_H_4_4 / beam_length, beam_clamped_free5_0_125_H_0_0 / beam_length,
+        beam_clamped_free5_0_125_H_0_1 / beam_length, beam_clamped_free5_0_125_H_0_2 / beam_length,
+        beam_clamped_free5_0_125_H_0_3 / beam_length, beam_clamped_free5_0_125_H_0_4 / beam_length,
+        beam_clamped_free5_0_125_H_1_0 / beam_length, beam_clamped_free5_0_125_H_1_1 / beam_length,
+        beam_clamped_free5_0_125_H_1_2 / beam_length, beam_clamped_free5_0_125_H_1_3 / beam_length,
+        beam_clamped_free5_0_125_H_1_4 / beam_length, beam_clamped_free5_0_125_H_2_0 / beam_length,
+        beam_clamped_free5_0_125_H_2_1 / beam_length, beam_clamped_free5_0_125_H_2_2 / beam_length,
+        beam_clamped_free5_0_125_H_2_3 / beam_length, beam_clamped_free5_0_125_H_2_4 / beam_length,
+        beam_clamped_free5_0_125_H_3_0 / beam_length, beam_clamped_free5_0_125_H_3_1 / beam_length,
+        beam_clamped_free5_0_125_H_3_2 / beam_length, beam_clamped_free5_0_125_H_3_3 / beam_length,
+        beam_clamped_free5_0_125_H_3_4 / beam_length, beam_clamped_free5_0_125_H_4_0 / beam_length,
+        beam_clamped_free5_0_125_H_4_1 / beam_length, beam_clamped_free5_0_125_H_4_2 / beam_length,
+        beam_clamped_free5_0_125_H_4_3 / beam_length, beam_clamped_free5_0_125_H_4_4 / beam_length,
+        beam_clamped_free5_0_1875_H_0_0 / beam_length, beam_clamped_free5_0_1875_H_0_1 / beam_length,
+        beam_clamped_free5_0_1875_H_0_2 / beam_length, beam_clamped_free5_0_1875_H_0_3 / beam_length,
+        beam_clamped_free5_0_1875_H_0_4 / beam_length, beam_clamped_free5_0_1875_H_1_0 / beam_length,
+        beam_clamped_free5_0_1875_H_1_1 / beam_length, beam_clamped_free5_0_1875_H_1_2 / beam_length,
+        beam_clamped_free5_0_1875_H_1_3 / beam_length, beam_clamped_free5_0_1875_H_1_4 / beam_length,
+        beam_clamped_free5_0_1875_H_2_0 / beam_length, beam_clamped_free5_0_1875_H_2_1 / beam_length,
+        beam_clamped_free5_0_1875_H_2_2 / beam_length, beam_clamped_free5_0_1875_H_2_3 / beam_length,
+        beam_clamped_free5_0_1875_H_2_4 / beam_length, beam_clamped_free5_0_1875_H_3_0 / beam_length,
+        beam_clamped_free5_0_1875_H_3_1 / beam_length, beam_clamped_free5_0_1875_H_3_2 / beam_length,
+        beam_clamped_free5_0_1875_H_3_3 / beam_length, beam_clamped_free5_0_1875_H_3_4 / beam_length,
+        beam_clamped_free5_0_1875_H_4_0 / beam_length, beam_clamped_free5_0_1875_H_4_1 / beam_length,
+        beam_clamped_free5_0_1875_H_4_2 / beam_length, beam_clamped_free5_0_1875_H_4_3 / beam_length,
+        beam_clamped_free5_0_1875_H_4_4 / beam_length, beam_clamped_free5_0_25_H_0_0 / beam_length,
+        beam_clamped_free5_0_25_H_0_1 / beam_length, beam_clamped_free5_0_25_H_0_2 / beam_length,
+        beam_clamped_free5_0_25_H_0_3 / beam_length, beam_clamped_free5_0_25_H_0_4 / beam_length,
+        beam_clamped_free5_0_25_H_1_0 / beam_length, beam_clamped_free5_0_25_H_1_1 / beam_length,
+        beam_clamped_free5_0_25_H_1_2 / beam_length, beam_clamped_free5_0_25_H_1_3 / beam_length,
+        beam_clamped_free5_0_25_H_1_4 / beam_length, beam_clamped_free5_0_25_H_2_0 / beam_length,
+        beam_clamped_free5_0_25_H_2_1 / beam_length, beam_clamped_free5_0_25_H_2_2 / beam_length,
+        beam_clamped_free5_0_25_H_2_3 / beam_length, beam_clamped_free5_0_25_H_2_4 / beam_length,
+        beam_clamped_free5_0_25_H_3_0 / beam_length, beam_clamped_free5_0_25_H_3_1 / beam_length,
+        beam_clamped_free5_0_25_H_3_2 / beam_length, beam_clamped_free5_0_25_H_3_3 / beam_length,
+        beam_clamped_free5_0_25_H_3_4 / beam_length, beam_clamped_free5_0_25_H_4_0 / beam_length,
+        beam_clamped_free5_0_25_H_4_1 / beam_length, beam_clamped_free5_0_25_H_4_2 / beam_length,
+        beam_clamped_free5_0_25_H_4_3 / beam_length, beam_clamped_free5_0_25_H_4_4 / beam_length,
+        beam_clamped_free5_0_3125_H_0_0 / beam_length, beam_clamped_free5_0_3125_H_0_1 / beam_length,
+        beam_clamped_free5_0_3125_H_0_2 / beam_length, beam_clamped_free5_0_3125_H_0_3 / beam_length,
+        beam_clamped_free5_0_3125_H_0_4 / beam_length, beam_clamped_free5_0_3125_H_1_0 / beam_length,
+        beam_clamped_free5_0_3125_H_1_1 / beam_length, beam_clamped_free5_0_3125_H_1_2 / beam_length,
+        beam_clamped_free5_0_3125_H_1_3 / beam_length, beam_clamped_free5_0_3125_H_1_4 / beam_length,
+        beam_clamped_free5_0_3125_H_2_0 / beam_length, beam_clamped_free5_0_3125_H_2_1 / beam_length,
+        beam_clamped_free5_0_3125_H_2_2 / beam_length, beam_clamped_free5_0_3125_H_2_3 / beam_length,
+        beam_clamped_free5_0_3125_H_2_4 / beam_length, beam_clamped_free5_0_3125_H_3_0 / beam_length,
+        beam_clamped_free5_0_3125_H_3_1 / beam_length, beam_clamped_free5_0_3125_H_3_2 / beam_length,
+        beam_clamped_free5_0_3125_H_3_3 / beam_length, beam_clamped_free5_0_3125_H_3_4 / beam_length,
+        beam_clamped_free5_0_3125_H_4_0 / beam_length, beam_clamped_free5_0_3125_H_4_1 / beam_length,
+        beam_clamped_free5_0_3125_H_4_2 / beam_length, beam_clamped_free5_0_3125_H_4_3 / beam_length,
+        beam_clamped_free5_0_3125_H_4_4 / beam_length, beam_clamped_free5_0_375_H_0_0 / beam_length,
+        beam_clamped_free5_0_375_H_0_1 / beam_length, beam_clamped_free5_0_375_H_0_2 / beam_length,
+        beam_clamped_free5_0_375_H_0_3 / beam_length, beam_clamped_free5_0_375_H_0_4 / beam_length,
+        beam_clamped_free5_0_375_H_1_0 / beam_length, beam_clamped_free5_0_375_H_1_1 / beam_length,
+        beam_clamped_free5_0_375_H_1_2 / beam_length, beam_clamped_free5_0_375_H_1_3 / beam_length,
+        beam_clamped_free5_0_375_H_1_4 / beam_length, beam_clamped_free5_0_375_H_2_0 / beam_length,
+        beam_clamped_free5_0_375_H_2_1 / beam_length, beam_clamped_free5_0_375_H_2_2 / beam_length,
+        beam_clamped_free5_0_375_H_2_3 / beam_length, beam_clamped_free5_0_375_H_2_4 / beam_length,
+        beam_clamped_free5_0_375_H_3_0 / beam_length, beam_clamped_free5_0_375_H_3_1 / beam_length,
+        beam_clamped_free5_0_375_H_3_2 / beam_length, beam_clamped_free5_0_375_H_3_3 / beam_length,
+        beam_clamped_free5_0_375_H_3_4 / beam_length, beam_clamped_free5_0_375_H_4_0 / beam_length,
+        beam_clamped_free5_0_375_H_4_1 / beam_length, beam_clamped_free5_0_375_H_4_2 / beam_length,
+        beam_clamped_free5_0_375_H_4_3 / beam_length, beam_clamped_free5_0_375_H_4_4 / beam_length,
+        beam_clamped_free5_0_4375_H_0_0 / beam_length, beam_clamped_free5_0_4375_H_0_1 / beam_length,
+        beam_clamped_free5_0_4375_H_0_2 / beam_length, beam_clamped_free5_0_4375_H_0_3 / beam_length,
+        beam_clamped_free5_0_4375_H_0_4 / beam_length, beam_clamped_free5_0_4375_H_1_0 / beam_length,
+        beam_clamped_free5_0_4375_H_1_1 / beam_length, beam_clamped_free5_0_4375_H_1_2 / beam_length,
+        beam_clamped_free5_0_4375_H_1_3 / beam_length, beam_clamped_free5_0_4375_H_1_4 / beam_length,
+        beam_clamped_free5_0_4375_H_2_0 / beam_length, beam_clamped_free5_0_4375_H_2_1 / beam_length,
+        beam_clamped_free5_0_4375_H_2_2 / beam_length, beam_clamped_free5_0_4375_H_2_3 / beam_length,
+        beam_clamped_free5_0_4375_H_2_4 / beam_length, beam_clamped_free5_0_4375_H_3_0 / beam_length,
+        beam_clamped_free5_0_4375_H_3_1 / beam_length, beam_clamped_free5_0_4375_H_3_2 / beam_length,
+        beam_clamped_free5_0_4375_H_3_3 / beam_length, beam_clamped_free5_0_4375_H_3_4 / beam_length,
+        beam_clamped_free5_0_4375_H_4_0 / beam_length, beam_clamped_free5_0_4375_H_4_1 / beam_length,
+        beam_clamped_free5_0_4375_H_4_2 / beam_length, beam_clamped_free5_0_4375_H_4_3 / beam_length,
+        beam_clamped_free5_0_4375_H_4_4 / beam_length, beam_clamped_free5_0_5_H_0_0 / beam_length,
+        beam_clamped_free5_0_5_H_0_1 / beam_length, beam_clamped_free5_0_5_H_0_2 / beam_length,
+        beam_clamped_free5_0_5_H_0_3 / beam_length, beam_clamped_free5_0_5_H_0_4 / beam_length,
+        beam_clamped_free5_0_5_H_1_0 / beam_length, beam_clamped_free5_0_5_H_1_1 / beam_length,
+        beam_clamped_free5_0_5_H_1_2 / beam_length, beam_clamped_free5_0_5_H_1_3 / beam_length,
+        beam_clamped_free5_0_5_H_1_4 / beam_length, beam_clamped_free5_0_5_H_2_0 / beam_length,
+        beam_clamped_free5_0_5_H_2_1 / beam_length, beam_clamped_free5_0_5_H_2_2 / beam_length,
+        beam_clamped_free5_0_5_H_2_3 / beam_length, beam_clamped_free5_0_5_H_2_4 / beam_length,
+        beam_clamped_free5_0_5_H_3_0 / beam_length, beam_clamped_free5_0_5_H_3_1 / beam_length,
+        beam_clamped_free5_0_5_H_3_2 / beam_length, beam_clamped_free5_0_5_H_3_3 / beam_length,
+        beam_clamped_free5_0_5_H_3_4 / beam_length, beam_clamped_free5_0_5_H_4_0 / beam_length,
+        beam_clamped_free5_0_5_H_4_1 / beam_length, beam_clamped_free5_0_5_H_4_2 / beam_length,
+        beam_clamped_free5_0_5_H_4_3 / beam_length, beam_clamped_free5_0_5_H_4_4 / beam_length,
+        beam_clamped_free5_0_5625_H_0_0 / beam_length, beam_clamped_free5_0_5625_H_0_1 / beam_length,
+        beam_clamped_free5_0_5625_H_0_2 / beam_length, beam_clamped_free5_0_5625_H_0_3 / beam_length,
+        beam_clamped_free5_0_5625_H_0_4 / beam_length, beam_clamped_free5_0_5625_H_1_0 / beam_length,
+        beam_clamped_free5_0_5625_H_1_1 / beam_length, beam_clamped_free5_0_5625_H_1_2 / beam_length,
+        beam_clamped_free5_0_5625_H_1_3 / beam_length, beam_clamped_free5_0_5625_H_1_4 / beam_length,
+        beam_clamped_free5_0_5625_H_2_0 / beam_length, beam_clamped_free5_0_5625_H_2_1 / beam_length,
+        beam_clamped_free5_0_5625_H_2_2 / beam_length, beam_clamped_free5_0_5625_H_2_3 / beam_length,
+        beam_clamped_free5_0_5625_H_2_4 / beam_length, beam_clamped_free5_0_5625_H_3_0 / beam_length,
+        beam_clamped_free5_0_5625_H_3_1 / beam_length, beam_clamped_free5_0_5625_H_3_2 / beam_length,
+        beam_clamped_free5_0_5625_H_3_3 / beam_length, beam_clamped_free5_0_5625_H_3_4 / beam_length,
+        beam_clamped_free5_0_5625_H_4_0 / beam_length, beam_clamped_free5_0_5625_H_4_1 / beam_length,
+        beam_clamped_free5_0_5625_H_4_2 / beam_length, beam_clamped_free5_0_5625_H_4_3 / beam_length,
+        beam_clamped_free5_0_5625_H_4_4 / beam_length, beam_clamped_free5_0_625_H_0_0 / beam_length,
+        beam_clamped_free5_0_625_H_0_1 / beam_length, beam_clamped_free5_0_625_H_0_2 / beam_length,
+        beam_clamped_free5_0_625_H_0_3 / beam_length, beam_clamped_free5_0_625_H_0_4 / beam_length,
+        beam_clamped_free5_0_625_H_1_0 / beam_length, beam_clamped_free5_0_625_H_1_1 / beam_length,
+        beam_clamped_free5_0_625_H_1_2 / beam_length, beam_clamped_free5_0_625_H_1_3 / beam_length,
+        beam_clamped_free5_0_625_H_1_4 / beam_length, beam_clamped_free5_0_625_H_2_0 / beam_length,
+        beam_clamped_free5_0_625_H_2_1 / beam_length, beam_clamped_free5_0_625_H_2_2 / beam_length,
+        beam_clamped_free5_0_625_H_2_3 / beam_length, beam_clamped_free5_0_625_H_2_4 / beam_length,
+        beam_clamped_free5_0_625_H_3_0 / beam_length, beam_clamped_free5_0_625_H_3_1 / beam_length,
+        beam_clamped_free5_0_625_H_3_2 / beam_length, beam_clamped_free5_0_625_H_3_3 / beam_length,
+        beam_clamped_free5_0_625_H_3_4 / beam_length, beam_clamped_free5_0_625_H_4_0 / beam_length,
+        beam_clamped_free5_0_625_H_4_1 / beam_length, beam_clamped_free5_0_625_H_4_2 / beam_length,
+        beam_clamped_free5_0_625_H_4_3 / beam_length, beam_clamped_free5_0_625_H_4_4 / beam_length,
+        beam_clamped_free5_0_6875_H_0_0 / beam_length, beam_clamped_free5_0_6875_H_0_1 / beam_length,
+        beam_clamped_free5_0_6875_H_0_2 / beam_length, beam_clamped_free5_0_6875_H_0_3 / beam_length,
+        beam_clamped_free5_0_6875_H_0_4 / beam_length, beam_clamped_free5_0_6875_H_1_0 / beam_length,
+        beam_clamped_free5_0_6875_H_1_1 / beam_length, beam_clamped_free5_0_6875_H_1_2 / beam_length,
+        beam_clamped_free5_0_6875_H_1_3 / beam_length, beam_clamped_free5_0_6875_H_1_4 / beam_length,
+        beam_clamped_free5_0_6875_H_2_0 / beam_length, beam_clamped_free5_0_6875_H_2_1 / beam_length,
+        beam_clamped_free5_0_6875_H_2_2 / beam_length, beam_clamped_free5_0_6875_H_2_3 / beam_length,
+        beam_clamped_free5_0_6875_H_2_4 / beam_length, beam_clamped_free5_0_6875_H_3_0 / beam_length,
+        beam_clamped_free5_0_6875_H_3_1 / beam_length, beam_clamped_free5_0_6875_H_3_2 / beam_length,
+        beam_clamped_free5_0_6875_H_3_3 / beam_length, beam_clamped_free5_0_6875_H_3_4 / beam_length,
+        beam_clamped_free5_0_6875_H_4_0 / beam_length, beam_clamped_free5_0_6875_H_4_1 / beam_length,
+        beam_clamped_free5_0_6875_H_4_2 / beam_length, beam_clamped_free5_0_6875_H_4_3 / beam_length,
+        beam_clamped_free5_0_6875_H_4_4 / beam_length, beam_clamped_free5_0_75_H_0_0 / beam_length,
+        beam_clamped_free5_0_75_H_0_1 / beam_length, beam_clamped_free5_0_75_H_0_2 / beam_length,
+        beam_clamped_free5_0_75_H_0_3 / beam_length, beam_clamped_free5_0_75_H_0_4 / beam_length,
+        beam_clamped_free5_0_75_H_1_0 / beam_length, beam_clamped_free5_0_75_H_1_1 / beam_length,
+        beam_clamped_free5_0_75_H_1_2 / beam_length, beam_clamped_free5_0_75_H_1_3 / beam_length,
+        beam_clamped_free5_0_75_H_1_4 / beam_length, beam_clamped_free5_0_75_H_2_0 / beam_length,
+        beam_clamped_free5_0_75_H_2_1 / beam_length, beam_clamped_free5_0_75_H_2_2 / beam_length,
+        beam_clamped_free5_0_75_H_2_3 / beam_length, beam_clamped_free5_0_75_H_2_4 / beam_length,
+        beam_clamped_free5_0_75_H_3_0 / beam_length, beam_clamped_free5_0_75_H_3_1 / beam_length,
+        beam_clamped_free5_0_75_H_3_2 / beam_length, beam_clamped_free5_0_75_H_3_3 / beam_length,
+        beam_clamped_free5_0_75_H_3_4 / beam_length, beam_clamped_free5_0_75_H_4_0 / beam_length,
+        beam_clamped_free5_0_75_H_4_1 / beam_length, beam_clamped_free5_0_75_H_4_2 / beam_length,
+        beam_clamped_free5_0_75_H_4_3 / beam_length, beam_clamped_free5_0_75_H_4_4 / beam_length,
+        beam_clamped_free5_0_8125_H_0_0 / beam_length, beam_clamped_free5_0_8125_H_0_1 / beam_length,
+        beam_clamped_free5_0_8125_H_0_2 / beam_length, beam_clamped_free5_0_8125_H_0_3 / beam_length,
+        beam_clamped_free5_0_8125_H_0_4 / beam_length, beam_clamped_free5_0_8125_H_1_0 / beam_length,
+        beam_clamped_free5_0_8125_H_1_1 / beam_length, beam_clamped_free5_0_8125_H_1_2 / beam_length,
+        beam_clamped_free5_0_8125_H_1_3 / beam_length, beam_clamped_free5_0_8125_H_1_4 / beam_length,
+        beam_clamped_free5_0_8125_H_2_0 / beam_length, beam_clamped_free5_0_8125_H_2_1 / beam_length,
+        beam_clamped_free5_0_8125_H_2_2 / beam_length, beam_clamped_free5_0_8125_H_2_3 / beam_length,
+        beam_clamped_free5_0_8125_H_2_4 / beam_length, beam_clamped_free5_0_8125_H_3_0 / beam_length,
+        beam_clamped_free5_0_8125_H_3_1 / beam_length, beam_clamped_free5_0_8125_H_3_2 / beam_length,
+        beam_clamped_free5_0_8125_H_3_3 / beam_length, beam_clamped_free5_0_8125_H_3_4 / beam_length,
+        beam_clamped_free5_0_8125_H_4_0 / beam_length, beam_clamped_free5_0_8125_H_4_1 / beam_length,
+        beam_clamped_free5_0_8125_H_4_2 / beam_length, beam_clamped_free5_0_8125_H_4_3 / beam_length,
+        beam_clamped_free5_0_8125_H_4_4 / beam_length, beam_clamped_free5_0_875_H_0_0 / beam_length,
+        beam_clamped_free5_0_875_H_0_1 / beam_length, beam_clamped_free5_0_875_H_0_2 / beam_length,
+        beam_clamped_free5_0_875_H_0_3 / beam_length, beam_clamped_free5_0_875_H_0_4 / beam_length,
+        beam_clamped_free5_0_875_H_1_0 / beam_length, beam_clamped_free5_0_875_H_1_1 / beam_length,
+        beam_clamped_free5_0_875_H_1_2 / beam_length, beam_clamped_free5_0_875_H_1_3 / beam_length,
+        beam_clamped_free5_0_875_H_1_4 / beam_length, beam_clamped_free5_0_875_H_2_0 / beam_length,
+        beam_clamped_free5_0_875_H_2_1 / beam_length, beam_clamped_free5_0_875_H_2_2 / beam_length,
+        beam_clamped_free5_0_875_H_2_3 / beam_length, beam_clamped_free5_0_875_H_2_4 / beam_length,
+        beam_clamped_free5_0_875_H_3_0 / beam_length, beam_clamped_free5_0_875_H_3_1 / beam_length,
+        beam_clamped_free5_0_875_H_3_2 / beam_length, beam_clamped_free5_0_875_H_3_3 / beam_length,
+        beam_clamped_free5_0_875_H_3_4 / beam_length, beam_clamped_free5_0_875_H_4_0 / beam_length,
+        beam_clamped_free5_0_875_H_4_1 / beam_length, beam_clamped_free5_0_875_H_4_2 / beam_length,
+        beam_clamped_free5_0_875_H_4_3 / beam_length, beam_clamped_free5_0_875_H_4_4 / beam_length,
+        beam_clamped_free5_0_9375_H_0_0 / beam_length, beam_clamped_free5_0_9375_H_0_1 / beam_length,
+        beam_clamped_free5_0_9375_H_0_2 / beam_length, beam_clamped_free5_0_9375_H_0_3 / beam_length,
+        beam_clamped_free5_0_9375_H_0_4 / beam_length, beam_clamped_free5_0_9375_H_1_0 / beam_length,
+        beam_clamped_free5_0_9375_H_1_1 / beam_length, beam_clamped_free5_0_9375_H_1_2 / beam_length,
+        beam_clamped_free5_0_9375_H_1_3 / beam_length, beam_clamped_free5_0_9375_H_1_4 / beam_length,
+        beam_clamped_free5_0_9375_H_2_0 / beam_length, beam_clamped_free5_0_9375_H_2_1 / beam_length,
+        beam_clamped_free5_0_9375_H_2_2 / beam_length, beam_clamped_free5_0_9375_H_2_3 / beam_length,
+        beam_clamped_free5_0_9375_H_2_4 / beam_length, beam_clamped_free5_0_9375_H_3_0 / beam_length,
+        beam_clamped_free5_0_9375_H_3_1 / beam_length, beam_clamped_free5_0_9375_H_3_2 / beam_length,
+        beam_clamped_free5_0_9375_H_3_3 / beam_length, beam_clamped_free5_0_9375_H_3_4 / beam_length,
+        beam_clamped_free5_0_9375_H_4_0 / beam_length, beam_clamped_free5_0_9375_H_4_1 / beam_length,
+        beam_clamped_free5_0_9375_H_4_2 / beam_length, beam_clamped_free5_0_9375_H_4_3 / beam_length,
+        beam_clamped_free5_0_9375_H_4_4 / beam_length, w5, w6, w7, w8, w9, w10, w11, w12, w13, w14, w15, w16,
         w17, w18, w19, w20, w21, w22, w23, w24, w25, w26, w27, w28, w29, w5, w6, w7, w8, w9, w10, w11, w12, w13,
         w14, w15, w16, w17, w18, w19, w20, w21, w22, w23, w24, w25, w26, w27, w28, w29,
     )

@@ -10,7 +10,8 @@ import casadi as ca
 import numpy as np
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.modes import axial_modes, beam_integrals, lateral_modes
+from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
+from symgen.modes import BarModes, BeamModes, beam_integrals
 from symgen.modes.integrals import BeamIntegrals, BeamPoint
 from symgen.scene import BeamBody, ModalBody, RigidBody, Scene
 
@@ -117,17 +118,15 @@ def modal_integrals(body: ModalBody, table: ParameterTable) -> ShapeIntegrals:
 
 
 def beam_integrals_of(body: BeamBody) -> BeamIntegrals:
-    """Dimensionless integrals of a beam's mesh and modes (numbers); equal meshes are computed once."""
-    lateral = (body.lateral.ends, body.lateral.modes) if body.lateral else None
-    axial = (body.axial.ends, body.axial.modes) if body.axial else None
-    return _mesh_integrals(body.elements, lateral, axial)
+    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
+    return _integrals(mode_sets(body))
 
 
 @lru_cache(maxsize=64)
-def _mesh_integrals(elements: int, lateral: tuple[str, int] | None, axial: tuple[str, int] | None) -> BeamIntegrals:
-    return beam_integrals(
-        lateral_modes(elements, *lateral) if lateral else None, axial_modes(elements, *axial) if axial else None
-    )
+def _integrals(sets: ModeSets) -> BeamIntegrals:
+    lateral = next((modes for _, modes in sets if isinstance(modes, BeamModes)), None)
+    axial = next((modes for _, modes in sets if isinstance(modes, BarModes)), None)
+    return beam_integrals(lateral, axial)
 
 
 @lru_cache(maxsize=4096)
@@ -137,10 +136,7 @@ def _mesh_point(data: BeamIntegrals, at: float) -> BeamPoint:
 
 def mesh_key(body: BeamBody) -> str:
     """Name of a beam's mesh and mode set: beams that share it share their data in p."""
-    parts = [f"beam{body.elements}"]
-    parts += [f"{body.lateral.ends}{body.lateral.modes}"] if body.lateral else []
-    parts += [f"axial-{body.axial.ends}{body.axial.modes}"] if body.axial else []
-    return "/".join(parts)
+    return "/".join([mesh_name(body), *(f"{'' if axis else 'axial-'}{ends}{n}" for axis, ends, n in set_choices(body))])
 
 
 def beam_shape_integrals(body: BeamBody, data: BeamIntegrals, table: ParameterTable) -> ShapeIntegrals:

@@ -12,9 +12,9 @@ from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ZERO, add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
+from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.bodies.marker_axes import marker_rotation, quaternion_of
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
-from symgen.modes import BarModes, BeamModes, axial_modes, lateral_modes
 from symgen.modes.spatial_beam import SpatialBeam, spatial_beam
 from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, Scene, SpatialModalBody
 
@@ -167,26 +167,19 @@ def _square(n: int) -> Matrix:
 
 
 def spatial_beam_of(body: BeamBody) -> SpatialBeam:
-    """Dimensionless integrals of a beam's mesh and modes (numbers); equal meshes are computed once."""
-    plane = ((1, body.lateral), (2, body.lateral_z))
-    lateral = tuple((axis, modes.ends, modes.modes) for axis, modes in plane if modes)
-    return _mesh(body.elements, lateral, (body.axial.ends, body.axial.modes) if body.axial else None)
+    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
+    return _integrals(mode_sets(body))
 
 
 @lru_cache(maxsize=64)
-def _mesh(elements: int, lateral: tuple[tuple[int, str, int], ...], axial: tuple[str, int] | None) -> SpatialBeam:
-    sets: list[tuple[int, BeamModes | BarModes]] = [
-        (axis, lateral_modes(elements, ends, modes)) for axis, ends, modes in lateral
-    ]
-    if axial:
-        sets.append((0, axial_modes(elements, *axial)))
-    return spatial_beam(tuple(sets))
+def _integrals(sets: ModeSets) -> SpatialBeam:
+    return spatial_beam(sets)
 
 
 def spatial_mesh_key(body: BeamBody) -> str:
     """Name of a beam's mesh and mode sets: beams that share it share their data in p."""
-    sets = (("y", body.lateral), ("z", body.lateral_z), ("axial", body.axial))
-    return "/".join([f"beam{body.elements}", *(f"{axis}-{modes.ends}{modes.modes}" for axis, modes in sets if modes)])
+    names = ("axial", "y", "z")
+    return "/".join([mesh_name(body), *(f"{names[axis]}-{ends}{n}" for axis, ends, n in set_choices(body))])
 
 
 def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, SpatialPoint]:

@@ -75,7 +75,8 @@ def _bodies(derived: Derived) -> str:
                 if mode
             ]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
-            lines.append(f"| {body.name} | beam, {body.elements} elements, lumped mass | {', '.join(sets)}; {extra} |")
+            mesh = "exact shapes" if body.lumped_elements is None else f"{body.lumped_elements} elements, lumped mass"
+            lines.append(f"| {body.name} | beam, {mesh} | {', '.join(sets)}; {extra} |")
         elif isinstance(body, ModalBody | SpatialModalBody):
             lines.append(f"| {body.name} | given modal matrices | {len(body.M_ff)} modes |")
     return "\n".join(lines)

@@ -3,18 +3,25 @@
 Everything here is numbers for a beam of unit length, mass and stiffness (EI = EA = L = rho A = 1); the
 docstrings of the classes say how each quantity is scaled by a real beam's length, mass and stiffness.
 Eqs. 15-20 of the paper use these numbers as Phi_k, M_ff, K_ff and inertia shape integrals.
+
+Two ways to them: shapes in closed form with exact integrals (`exact_bending`, `exact_stretching`), and the paper's
+mesh with lumped nodal masses (`lateral_modes`, `axial_modes`).
 """
 
 from warnings import warn
 
 from symgen.modes.axial import AXIAL_ENDS, BarModes, axial_modes
 from symgen.modes.cleaning import clean
+from symgen.modes.end_shapes import BENDING, STRETCHING
+from symgen.modes.exact import exact_bending, exact_stretching, panels_for
 from symgen.modes.integrals import BeamIntegrals, BeamPoint, beam_integrals
 from symgen.modes.lateral import LATERAL_ENDS, BeamModes, LateralPoint, lateral_modes
 
 __all__ = [
     "AXIAL_ENDS",
+    "BENDING",
     "LATERAL_ENDS",
+    "STRETCHING",
     "BarModes",
     "BeamIntegrals",
     "BeamPoint",
@@ -23,7 +30,10 @@ __all__ = [
     "axial_modes",
     "beam_integrals",
     "clean",
+    "exact_bending",
+    "exact_stretching",
     "lateral_modes",
+    "panels_for",
 ]
 
 _RENAMED: dict[str, type[BarModes] | type[BeamModes]] = {"AxialModes": BarModes, "LateralModes": BeamModes}

@@ -1,4 +1,4 @@
-"""Longitudinal modes of a uniform bar with lumped nodal masses."""
+"""Longitudinal modes of a uniform bar, and those of a mesh with lumped nodal masses."""
 
 from __future__ import annotations
 
@@ -21,12 +21,26 @@ AXIAL_ENDS = {"fixed-free": 1, "free-free": 1, "fixed-fixed": 2}
 class BarModes(UniformModes):
     """Longitudinal modes for L = 1, EA = 1, rho A = 1.
 
-    u (n+1, modes): nodal displacement per unit modal coordinate, largest magnitude 1 (coordinate in m).
+    u (points, modes): displacement per unit modal coordinate, largest magnitude 1 (coordinate in m).
     kappa: U^T K U; K_ff = EA / L kappa.  mass: sum mu u u^T.
     frequencies: omega = frequencies sqrt(E / (rho L^2)), in rad/s.
     """
 
     u: Array
+
+    def interpolate(self, at: float) -> Array:
+        """Displacement shapes u (modes,) at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, eq=False)
+class LumpedBarModes(BarModes):
+    """Longitudinal modes of n elements with lumped nodal masses: the points are the n+1 nodes."""
+
+    @property
+    def elements(self) -> int:
+        """Number of elements."""
+        return len(self.xi) - 1
 
     def interpolate(self, at: float) -> Array:
         """Displacement shapes u (modes,) at the fraction `at` of the length: linear; nodal values on a node.
@@ -39,7 +53,7 @@ class BarModes(UniformModes):
         return clean((1.0 - local) * self.u[element] + local * self.u[element + 1], 1.0)
 
 
-def axial_modes(elements: int, ends: str, modes: int) -> BarModes:
+def axial_modes(elements: int, ends: str, modes: int) -> LumpedBarModes:
     """First `modes` elastic longitudinal modes of the bar in `elements` equal elements (Eqs. 15-20).
 
     ends: "fixed-free", "free-free" (the rigid mode removed) or "fixed-fixed", start first.
@@ -56,7 +70,7 @@ def axial_modes(elements: int, ends: str, modes: int) -> BarModes:
     u = np.zeros((elements + 1, modes))
     u[mesh.free] = clean(normalised(shapes))
     mass = np.diag(np.einsum("k,ka,ka->a", mesh.mu, u, u))
-    return BarModes(
+    return LumpedBarModes(
         ends=ends,
         xi=fixed(mesh.xi),
         mu=fixed(mesh.mu),

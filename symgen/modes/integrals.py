@@ -8,11 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from symgen.modes.axial import BarModes
-from symgen.modes.cleaning import Array, clean, fixed, symmetric
+from symgen.modes.cleaning import Array, clean, fixed
 from symgen.modes.lateral import BeamModes
 from symgen.modes.mesh import check_fraction
-
-Nodal = tuple[Array, Array, Array]  # Phi_x (n+1, nf), Phi_y (n+1, nf), eta (n+1, nf, nf)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,23 +79,22 @@ class BeamIntegrals:
 
 
 def beam_integrals(lateral: BeamModes | None, axial: BarModes | None) -> BeamIntegrals:
-    """Shape integrals of a beam with these modes: sums over the lumped nodal masses (Eqs. 15-20).
+    """Shape integrals of a beam with these modes: sums over the points of the mass (Eqs. 15-20).
 
     Without any modes the beam is a rigid uniform rod (nf = 0, i0 = 1/3).
     Raises ValueError if the two mode sets have different meshes.
     """
-    if lateral and axial and lateral.elements != axial.elements:
+    if lateral and axial and not np.array_equal(lateral.xi, axial.xi):
         raise ValueError(
-            f"lateral modes have {lateral.elements} elements and axial modes {axial.elements}; "
-            "use the same mesh for both"
+            f"lateral modes have {len(lateral.xi)} points and axial modes {len(axial.xi)}; use the same mesh for both"
         )
     meshed = lateral or axial
     xi, mu = (meshed.xi, meshed.mu) if meshed else (np.zeros(0), np.zeros(0))
-    x, y, eta = _nodal(lateral, axial)
-    eta_size = float(np.max(np.abs(eta), initial=0.0))
+    x, y = _values(lateral, axial)
     cross = np.einsum("k,ka,kb->ab", mu, x, y)
+    none = np.zeros((axial.modes, axial.modes)) if axial else None
     return BeamIntegrals(
-        s1=0.5,  # mirrored nodes have equal masses, so the centre of mass is the middle exactly
+        s1=0.5,  # mirrored points have equal masses, so the centre of mass is the middle exactly
         i0=math.fsum(mu * xi * xi) if meshed else 1.0 / 3.0,
         # Shapes are at most 1 and the masses add up to 1: the size of every sum of them is 1.
         phi_x=fixed(clean(mu @ x, 1.0)),
@@ -108,26 +105,24 @@ def beam_integrals(lateral: BeamModes | None, axial: BarModes | None) -> BeamInt
         phi_cross_phi=fixed(clean(cross - cross.T, 1.0)),
         kappa_lateral=lateral.kappa if lateral else fixed(np.zeros((0, 0))),
         kappa_axial=axial.kappa if axial else fixed(np.zeros((0, 0))),
-        H=fixed(clean(symmetric(np.einsum("k,kab->ab", mu, eta)), eta_size)),
-        xH=fixed(clean(symmetric(np.einsum("k,kab->ab", mu * xi, eta)), eta_size)),
+        H=fixed(_block_diagonal(lateral.H if lateral else None, none)),
+        xH=fixed(_block_diagonal(lateral.xH if lateral else None, none)),
         lateral=lateral,
         axial=axial,
     )
 
 
-def _nodal(lateral: BeamModes | None, axial: BarModes | None) -> Nodal:
-    """Phi_x, Phi_y and eta at the nodes over all modal coordinates, lateral first."""
+def _values(lateral: BeamModes | None, axial: BarModes | None) -> tuple[Array, Array]:
+    """Phi_x and Phi_y (points, nf) over all modal coordinates, lateral first."""
     meshed = lateral or axial
-    nodes = len(meshed.xi) if meshed else 0
     split = lateral.modes if lateral else 0
     nf = split + (axial.modes if axial else 0)
-    x, y, eta = np.zeros((nodes, nf)), np.zeros((nodes, nf)), np.zeros((nodes, nf, nf))
+    x, y = (np.zeros((len(meshed.xi) if meshed else 0, nf)) for _ in range(2))
     if lateral:
         y[:, :split] = lateral.phi
-        eta[:, :split, :split] = lateral.eta
     if axial:
         x[:, split:] = axial.u
-    return x, y, eta
+    return x, y
 
 
 def _block_diagonal(first: Array | None, second: Array | None) -> Array:

@@ -1,4 +1,4 @@
-"""Bending modes of a uniform Euler-Bernoulli beam with lumped nodal masses."""
+"""Bending modes of a uniform Euler-Bernoulli beam, and those of a mesh with lumped nodal masses."""
 
 from __future__ import annotations
 
@@ -36,16 +36,36 @@ class LateralPoint(NamedTuple):
 class BeamModes(UniformModes):
     """Bending modes for L = 1, EI = 1, rho A = 1.
 
-    phi (n+1, modes): nodal deflection per unit modal coordinate, largest magnitude 1 (coordinate in m).
-    slope (n+1, modes): d phi / d xi; the rotation per metre of coordinate is slope / L.
+    phi (points, modes): deflection per unit modal coordinate, largest magnitude 1 (coordinate in m).
     kappa: Phi^T K Phi; K_ff = EI / L^3 kappa.  mass: sum mu phi phi^T.
-    eta (n+1, modes, modes): integral of phi'^T phi' from 0 to xi; the foreshortening matrix is H = eta / L.
+    H, xH (modes, modes): integrals of eta and of x eta over the mass, eta = integral of phi'^T phi' from 0 to xi.
     frequencies: omega = frequencies sqrt(EI / (rho A L^4)), in rad/s.
     """
 
     phi: Array
+    H: Array
+    xH: Array
+
+    def interpolate(self, at: float) -> LateralPoint:
+        """Deflection, slope and eta at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, eq=False)
+class LumpedBeamModes(BeamModes):
+    """Bending modes of n elements with lumped nodal masses: the points are the n+1 nodes.
+
+    slope (n+1, modes): d phi / d xi; the rotation per metre of coordinate is slope / L.
+    eta (n+1, modes, modes): integral of phi'^T phi' from 0 to xi; the foreshortening matrix is eta / L.
+    """
+
     slope: Array
     eta: Array
+
+    @property
+    def elements(self) -> int:
+        """Number of elements."""
+        return len(self.xi) - 1
 
     def interpolate(self, at: float) -> LateralPoint:
         """Values at the fraction `at` of the length: Hermite cubic with its exact eta; nodal on a node.
@@ -65,7 +85,7 @@ class BeamModes(UniformModes):
         )
 
 
-def lateral_modes(elements: int, ends: str, modes: int) -> BeamModes:
+def lateral_modes(elements: int, ends: str, modes: int) -> LumpedBeamModes:
     """First `modes` elastic bending modes of the beam in `elements` equal elements (Eqs. 15-20).
 
     ends: "pinned-pinned", "clamped-free", "free-free" (the two rigid modes removed), "clamped-pinned" or
@@ -91,7 +111,9 @@ def lateral_modes(elements: int, ends: str, modes: int) -> BeamModes:
         slope = 0.5 * (slope - parity * slope[::-1])
     slope = clean(slope)
     mass = np.diag(np.einsum("k,ka,ka->a", mesh.mu, phi, phi))
-    return BeamModes(
+    eta = _cumulative_eta(phi, slope)
+    size = float(np.max(np.abs(eta), initial=0.0))
+    return LumpedBeamModes(
         ends=ends,
         xi=fixed(mesh.xi),
         mu=fixed(mesh.mu),
@@ -99,7 +121,9 @@ def lateral_modes(elements: int, ends: str, modes: int) -> BeamModes:
         slope=fixed(slope),
         kappa=fixed(np.diag(values * np.diag(mass))),
         mass=fixed(mass),
-        eta=fixed(_cumulative_eta(phi, slope)),
+        H=fixed(clean(symmetric(np.einsum("k,kab->ab", mesh.mu, eta)), size)),
+        xH=fixed(clean(symmetric(np.einsum("k,kab->ab", mesh.mu * mesh.xi, eta)), size)),
+        eta=fixed(eta),
         frequencies=fixed(np.sqrt(values)),
     )
 

@@ -61,20 +61,20 @@ class SpatialBeam:
 
 
 def spatial_beam(sets: tuple[tuple[int, BeamModes | BarModes], ...]) -> SpatialBeam:
-    """Sums over the lumped nodal masses. sets: (axis, modes on the same mesh), at least one."""
+    """Sums over the points of the mass. sets: (axis, modes on the same mesh), at least one."""
     xi, mu = sets[0][1].xi, sets[0][1].mu
     axes = tuple(axis for axis, modes in sets for _ in range(modes.modes))
     nf = len(axes)
-    nodal, eta = np.zeros((len(xi), 3, nf)), np.zeros((len(xi), nf, nf))
+    nodal = np.zeros((len(xi), 3, nf))
+    H, xH = np.zeros((nf, nf)), np.zeros((nf, nf))
     first = 0
     for axis, modes in sets:
         own = slice(first, first + modes.modes)
         if isinstance(modes, BeamModes):
-            nodal[:, axis, own], eta[:, own, own] = modes.phi, modes.eta
+            nodal[:, axis, own], H[own, own], xH[own, own] = modes.phi, modes.H, modes.xH
         else:
             nodal[:, axis, own] = modes.u
         first += modes.modes
-    size = float(np.abs(eta).max(initial=0.0))
     return SpatialBeam(
         axes,
         float(mu @ xi**2),
@@ -83,7 +83,7 @@ def spatial_beam(sets: tuple[tuple[int, BeamModes | BarModes], ...]) -> SpatialB
         fixed(clean(np.einsum("k,kia,kjb->abij", mu, nodal, nodal), 1.0)),
         fixed(np.concatenate([np.diag(modes.mass) for _, modes in sets])),
         fixed(np.concatenate([np.diag(modes.kappa) for _, modes in sets])),
-        fixed(clean(np.einsum("k,kab->ab", mu, eta), size)),
-        fixed(clean(np.einsum("k,kab->ab", mu * xi, eta), size)),
+        fixed(H),
+        fixed(xH),
         sets,
     )

@@ -13,9 +13,10 @@ from symgen.modes.mesh import check_request, lumped_masses, node_positions
 
 @dataclass(frozen=True, eq=False)
 class UniformModes:
-    """Modes of a beam of n elements with lumped nodal masses; arrays are read-only.
+    """Orthogonal shapes of a beam with their integrals over the mass; arrays are read-only.
 
-    xi (n+1,): node positions x / L.  mu (n+1,): lumped mass fractions, sum 1; nodal mass is rho A L mu.
+    xi (points,): places x / L of the mass: nodes of a lumped mesh, or Gauss points.  mu (points,): mass fractions,
+    sum 1; the mass at a point is rho A L mu.
     kappa, mass (modes, modes): modal stiffness and mass, diagonal; M_ff = rho A L mass (Eq. 20).
     frequencies (modes,): of the beam of unit length, mass and stiffness.
     """
@@ -26,11 +27,6 @@ class UniformModes:
     kappa: Array
     mass: Array
     frequencies: Array
-
-    @property
-    def elements(self) -> int:
-        """Number of elements."""
-        return len(self.xi) - 1
 
     @property
     def modes(self) -> int:

@@ -7,6 +7,7 @@ and remedy.
 from typing import Any
 from warnings import warn
 
+from symgen.scene.attachments import with_ends
 from symgen.scene.bodies import (
     AxialModes,
     BeamBody,
@@ -68,7 +69,7 @@ __all__ = [
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
     "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "UniversalJoint", "WeldJoint", "XMeasure",
-    "YMeasure", "ZMeasure", "parse_expression", "read_mesh",
+    "YMeasure", "ZMeasure", "parse_expression", "read_mesh", "with_ends",
 ]  # fmt: skip
 
 _RENAMED = {

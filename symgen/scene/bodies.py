@@ -9,8 +9,12 @@ from pydantic import Field, Strict
 from symgen.scene.appearance import Shapes
 from symgen.scene.fields import MARKER_ANGLE, Bound, Flag, Inertia, Meaning, Name, Number, Quantity, StrictModel
 
-LATERAL_ENDS = Literal["pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped"]
-AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed"]
+LATERAL_ENDS = Literal[
+    "pinned-pinned", "clamped-free", "free-free", "clamped-pinned", "clamped-clamped", "free-clamped", "pinned-free",
+    "free-pinned", "welded-welded", "welded-pinned", "pinned-welded",
+]  # fmt: skip
+AXIAL_ENDS = Literal["fixed-free", "free-free", "fixed-fixed", "free-fixed", "fixed-loaded"]
+DEFAULT_ELEMENTS = 20
 Modes = Annotated[int, Strict(), Field(ge=1, le=500)]
 Position = Annotated[tuple[Quantity, ...], Meaning("position in the body frame, (x, y) or (x, y, z)", "m")]
 Products = Annotated[tuple[Quantity, ...], Meaning("entries xy, xz, yz of the inertia tensor", "kg m^2")]
@@ -87,16 +91,23 @@ class RigidBody(StrictModel):
 
 
 class LateralModes(StrictModel):
-    """Which bending modes of the free-vibration problem are kept (Eq. 19)."""
+    """Which bending shapes are kept (Eq. 19): `modes` of them, static shapes of welded ends among them.
 
-    ends: LATERAL_ENDS
+    ends, start first: "free", "pinned" and "clamped" are conditions of the modes; with "welded" the set holds the
+    static shapes of an end that carries forces and moments. Left out: what the joints and loads at the ends ask for.
+    """
+
+    ends: LATERAL_ENDS | None = None
     modes: Modes
 
 
 class AxialModes(StrictModel):
-    """Which axial modes of the free-vibration problem are kept (Eq. 19)."""
+    """Which axial shapes are kept (Eq. 19): with "loaded" the static one of an end that carries a force is among them.
 
-    ends: AXIAL_ENDS
+    ends left out: what the joints and loads at the ends ask for.
+    """
+
+    ends: AXIAL_ENDS | None = None
     modes: Modes
 
 
@@ -107,8 +118,10 @@ class BeamMarker(MarkerDirections):
 
 
 class BeamBody(StrictModel):
-    """A uniform beam meshed into elements with lumped nodal masses (Eq. 15-20).
+    """A uniform beam (Eq. 15-20).
 
+    mesh "exact": shapes in closed form, integrals to rounding; "lumped": the paper's mesh of `elements` elements with
+    lumped nodal masses. Left out: "lumped" where elements are given, else "exact".
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
     all modes. The frame lies at the start with x along the undeformed beam. q_f holds the lateral modes, then
     the axial ones. In a spatial scene second_moment and lateral are those of bending in the xy-plane; second_moment_z
@@ -123,7 +136,8 @@ class BeamBody(StrictModel):
     area: Annotated[Quantity, Meaning("area of the cross-section", "m^2", Bound.POSITIVE)]
     second_moment: Annotated[Quantity, Meaning("second moment of area", "m^4", Bound.POSITIVE)]
     youngs_modulus: Annotated[Quantity, Meaning("Young's modulus", "Pa", Bound.POSITIVE)]
-    elements: Annotated[int, Strict(), Field(ge=2, le=500)] = 20
+    mesh: Literal["exact", "lumped"] | None = None
+    elements: Annotated[int, Strict(), Field(ge=2, le=500)] | None = None
     lateral: LateralModes | None = None
     second_moment_z: Annotated[
         Quantity, Meaning("second moment of area for the xz-plane", "m^4", Bound.NON_NEGATIVE)
@@ -140,6 +154,11 @@ class BeamBody(StrictModel):
     def nf(self) -> int:
         """Number of elastic coordinates: lateral modes and axial modes."""
         return sum(modes.modes for modes in (self.lateral, self.lateral_z, self.axial) if modes is not None)
+
+    @property
+    def lumped_elements(self) -> int | None:
+        """Number of elements of the lumped mesh; None for exact shapes."""
+        return (self.elements or DEFAULT_ELEMENTS) if self.mesh == "lumped" or self.elements else None
 
     def implicit_markers(self) -> dict[str, BeamMarker]:
         """The two ends of the beam."""

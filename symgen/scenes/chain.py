@@ -18,7 +18,6 @@ def chain(links: int = 10, modes: int = 0) -> Scene:
                 area=2e-5,
                 second_moment=1e-11,
                 youngs_modulus=2e11,
-                elements=10,
                 lateral={"ends": "clamped-free", "modes": modes},
             )
             start, end = f"{name}.start", f"{name}.end"

@@ -22,7 +22,6 @@ def flexible_four_bar() -> Scene:
             area=WIDTH * DEPTH,
             second_moment=WIDTH * DEPTH**3 / 12,
             youngs_modulus=2.1e11,
-            elements=20,
             lateral={"ends": "pinned-pinned", "modes": 2},
             stiffening=True,
         )

@@ -77,7 +77,6 @@ def _mechanism(name: str, title: str, rod: dict | None) -> SceneBuilder:
             area=WIDTH**2,
             second_moment=WIDTH**4 / 12,
             youngs_modulus=E,
-            elements=20,
             lateral={"ends": "pinned-pinned", "modes": 2},
             stiffening=True,
             damping_ratio=0.02,

@@ -16,7 +16,6 @@ def hub_beam(hub_inertia: float = 10.0, modes: int = 3) -> Scene:
             area=7.2968e-5,
             second_moment=8.2189e-9,
             youngs_modulus=6.8952e10,
-            elements=100,
             lateral={"ends": "clamped-free", "modes": modes},
             stiffening=True,
         )

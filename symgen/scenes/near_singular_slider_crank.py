@@ -22,7 +22,6 @@ def near_singular_slider_crank() -> Scene:
             area=DEPTH**2,
             second_moment=DEPTH**4 / 12,
             youngs_modulus=2e11,
-            elements=20,
             lateral={"ends": "pinned-pinned", "modes": 2},
             stiffening=True,
         )

@@ -18,7 +18,6 @@ def spin_up_beam(stiffening: bool = True, modes: int = 5) -> Scene:
             area=1e-3,
             second_moment=5e-7,
             youngs_modulus=2.8e10,
-            elements=200,
             lateral={"ends": "clamped-free", "modes": modes},
             stiffening=stiffening,
         )

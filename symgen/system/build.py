@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.scene import Scene
+from symgen.scene import Scene, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
@@ -27,6 +27,7 @@ class System:
 
 def build_system(scene: Scene) -> System:
     """The system of a scene. Raises SceneError for quantities that cannot be read."""
+    scene = with_ends(scene)
     table, topology = ParameterTable(scene), topology_of(scene)
     return System(_equations(scene, table, topology), table, topology, requested_by(scene))
 

@@ -45,22 +45,37 @@ def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
         yield SceneError(path, "the beam has no modes", "give lateral or axial modes, or describe it as a rigid body")
     if beam.stiffening and beam.lateral is None and beam.lateral_z is None:
         yield SceneError(f"{path}.stiffening", "only bending shortens a beam", "give lateral modes, or remove it")
-    for kind, chosen in (("lateral", beam.lateral), ("lateral_z", beam.lateral_z), ("axial", beam.axial)):
-        if chosen is None:
-            continue
-        most = beam.elements + _MODES_LESS_ELEMENTS[kind.removesuffix("_z")][chosen.ends]
-        if chosen.modes > most:
-            yield SceneError(
-                f"{path}.{kind}.modes",
-                f"{beam.elements} elements with {chosen.ends} ends have {most} modes, not {chosen.modes}",
-                "ask for fewer modes or give more elements",
-            )
+    if beam.elements is not None and beam.mesh == "exact":
+        yield SceneError(f"{path}.elements", "exact shapes have no elements", 'remove it, or take mesh = "lumped"')
+    if beam.lumped_elements is not None:
+        yield from _lumped(beam, beam.lumped_elements, path)
     for name, marker in beam.markers.items():
         if not 0 <= marker.at <= 1:
             yield SceneError(
                 f"{path}.markers.{name}.at",
                 f"{marker.at} lies outside the beam",
                 "give a fraction from 0 to 1",
+            )
+
+
+def _lumped(beam: BeamBody, elements: int, path: str) -> Iterator[SceneError]:
+    """A lumped mesh has the modes of free vibration that its nodes allow, and no end shapes."""
+    for kind, chosen in (("lateral", beam.lateral), ("lateral_z", beam.lateral_z), ("axial", beam.axial)):
+        known = _MODES_LESS_ELEMENTS[kind.removesuffix("_z")]
+        if chosen is None:
+            continue
+        if chosen.ends not in known:
+            yield SceneError(
+                f"{path}.{kind}.ends",
+                f"a lumped mesh has no shapes for {chosen.ends or 'ends that are left out'}",
+                f"name one of {', '.join(known)}, or take exact shapes: leave mesh and elements out",
+            )
+        elif chosen.modes > elements + known[chosen.ends]:
+            yield SceneError(
+                f"{path}.{kind}.modes",
+                f"{elements} elements with {chosen.ends} ends have {elements + known[chosen.ends]} modes, not "
+                f"{chosen.modes}",
+                "ask for fewer modes, give more elements, or leave elements out",
             )
 
 
