@@ -18,6 +18,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.views import curves
 from runtime.views.curves import Curves
 from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
+from runtime.views.frequencies_picture import frequencies as frequencies
 from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:

@@ -21,6 +21,7 @@ def add(subparsers: Any) -> None:
     )
     add_scene(command, metavar="RESULTS|SCENE", help="results folder, built-in name, .toml file, or generated folder")
     command.add_argument("--names", type=names, metavar="NAMES", help="coordinates, rates or measures, by commas")
+    command.add_argument("--frequencies", action="store_true", help="the frequencies along the motion instead")
     command.add_argument("--out", metavar="DIR", help="folder for the pictures (default: RESULTS, or out/SCENE)")
     add_run_options(command)
 
@@ -32,7 +33,10 @@ def run(arguments: argparse.Namespace) -> Outcome:
 
     solution, folder = loaded_or_run(arguments)
     target = Path(arguments.out) if arguments.out else folder or Path("out") / solution.model.name
-    if arguments.names:
+    if arguments.frequencies:
+        paths = [target / "frequencies.png"]
+        plots.frequencies(solution, paths[0])
+    elif arguments.names:
         paths = [target / "curves.png"]
         plots.coordinates(solution, paths[0], arguments.names)
     else:
