@@ -12,7 +12,6 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from runtime.contract.model import Model
 from runtime.contract.status import Status
@@ -64,6 +63,8 @@ def augmented_solution(
 
     Raises ModelError or InitialStateError for bad arguments.
     """
+    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
+
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     state = start_state(model, p, c, 0.0, initial, start)

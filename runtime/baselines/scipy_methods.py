@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from runtime.baselines.condensed_ode import CondensedOde, observed_solution, start_of
 from runtime.contract.errors import ArgumentError, NoResult
@@ -41,6 +40,8 @@ def scipy_solution(
     times: where to report (the end only by default). Raises ArgumentError for an unknown method, ModelError or
     InitialStateError for bad arguments, NoResult after MOST_EVALUATIONS.
     """
+    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
+
     if method not in EXPLICIT + IMPLICIT:
         raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
     given = start_of(model, parameters, initial, start)

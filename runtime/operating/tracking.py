@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from runtime.operating.linearisation import Linearisation
 
@@ -84,5 +83,7 @@ def _matched(before: ModeState, after: ModeState) -> tuple[np.ndarray, bool]:
     likeness = modal_assurance(before.shapes, after.shapes, 0.5 * (before.M + after.M))
     apart = np.abs(before.eigenvalues[:, None] - after.eigenvalues[None, :])
     scale = np.abs(before.eigenvalues)[:, None] + np.abs(after.eigenvalues)[None, :]
+    from scipy.optimize import linear_sum_assignment  # when it is needed: importing it takes long
+
     rows, columns = linear_sum_assignment(-likeness + DISTANCE * apart / np.maximum(scale, 1e-300))
     return columns, bool(likeness[rows, columns].min(initial=1.0) >= SURE)

@@ -11,8 +11,6 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from symgen.algebra.rows import Row
 from symgen.algebra.scalar import ZERO, mul, sub
@@ -57,6 +55,9 @@ def order_blocks(rows: Sequence[int], columns: Sequence[int], entries: Entries) 
     """
     if not rows:
         return []
+    from scipy.sparse import csr_matrix  # where a mechanism has loops: the import takes a quarter of a second
+    from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
+
     pattern = np.array([[column in entries[row] for column in columns] for row in rows])
     row_of = maximum_bipartite_matching(csr_matrix(pattern), perm_type="row")
     needs = pattern[row_of]  # line k: the row matched to column k, and the columns it needs

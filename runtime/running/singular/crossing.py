@@ -11,8 +11,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.integrate import DOP853
-from scipy.optimize import brentq
 
 from runtime.results.solution import Solution
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
@@ -104,6 +102,8 @@ def _step_over(integrator: TightIntegrator, t: float, y: np.ndarray, block: int)
 
 def _zero_inside(integrator: TightIntegrator, crossing: Crossing, block: int) -> float:
     """The singular time, by the motion inside the step; that of the placement where the determinant has no sign."""
+    from scipy.optimize import brentq  # when it is needed: importing it takes long
+
     over = crossing.ends(integrator)
 
     def determinant(t: float) -> float:
@@ -116,6 +116,8 @@ def _zero_inside(integrator: TightIntegrator, crossing: Crossing, block: int) ->
 
 def _step(integrator: TightIntegrator, t: float, y: np.ndarray, H: float) -> tuple[np.ndarray, float]:
     """(y after one step of DOP853, its error estimate relative to y)."""
+    from scipy.integrate import DOP853  # when it is needed: importing it takes a third of a second
+
     K: list[np.ndarray] = []
     for row, node in zip(DOP853.A, DOP853.C, strict=True):
         at = y + H * sum((w * k for w, k in zip(row, K, strict=False)), np.zeros_like(y))

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from runtime.baselines.condensed_ode import CondensedOde
 from runtime.contract.model import Model
@@ -123,6 +122,8 @@ class TightIntegrator:
     def _solved(
         self, t: float, y: np.ndarray, t_end: float, times: np.ndarray | None = None, **more: Any
     ) -> Integrated:
+        from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
+
         self._left = MOST_EVALUATIONS
         found = solve_ivp(self.slope, (t, t_end), y, t_eval=times, method="DOP853", rtol=RTOL, atol=ATOL, **more)
         if not found.success or not np.isfinite(found.y[:, -1]).all():

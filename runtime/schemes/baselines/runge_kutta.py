@@ -5,9 +5,10 @@ Opponents of the multirate schemes, compiled like them. The tableau of order 8 i
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import casadi as ca
 import numpy as np
-from scipy.integrate import DOP853
 
 from runtime.engine.program import Fields, Program
 from runtime.schemes.one_step import OneStep
@@ -20,11 +21,13 @@ class ExplicitRungeKutta(OneStep):
     """A fixed step of the tableau (A, b, nodes) of a subclass."""
 
     options: ClosureOptions
-    A: np.ndarray
-    b: np.ndarray
-    nodes: np.ndarray
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
+
+    @cached_property
+    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """A, b and the nodes."""
+        raise NotImplementedError
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -41,22 +44,23 @@ class ExplicitRungeKutta(OneStep):
 
     def evaluations(self) -> tuple[int, int]:
         """One for each slope."""
-        return len(self.b), 0
+        return len(self.tableau[1]), 0
 
     def _step(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
         h, t, n = equations.h[0], self.now(z, equations), len(self.model.q_i)
         y = ca.vertcat(z["x"], z["v"], z["loop"])
+        A, b, nodes = self.tableau
         slopes: list[ca.SX] = []
         motions: list[ClosedConfiguration] = []
-        for k, row in enumerate(self.A):
+        for k, row in enumerate(A):
             at = y + h * _combined(row[:k], slopes)
-            motion = equations.close(at[:n], at[2 * n :], t + float(self.nodes[k]) * h, self.options.closure_iterations)
+            motion = equations.close(at[:n], at[2 * n :], t + float(nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
                 y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
             a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
             slopes.append(ca.vertcat(v, a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
-        y = y + h * _combined(self.b, slopes)
+        y = y + h * _combined(b, slopes)
         return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **self.closed(z, *motions)}
 
 
@@ -64,15 +68,25 @@ class ClassicalRungeKutta(ExplicitRungeKutta):
     """Order 4, four evaluations; an undamped mode is stable to h w = 2 sqrt(2), a decay to h d = 2.785."""
 
     reach, decay_reach, order = 2.8284, 2.7853, 4
-    A = np.array([[0, 0, 0, 0], [0.5, 0, 0, 0], [0, 0.5, 0, 0], [0, 0, 1.0, 0]])
-    b, nodes = np.array([1, 2, 2, 1]) / 6, np.array([0, 0.5, 0.5, 1.0])
+
+    @cached_property
+    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Kutta's."""
+        A = np.array([[0, 0, 0, 0], [0.5, 0, 0, 0], [0, 0.5, 0, 0], [0, 0, 1.0, 0]])
+        return A, np.array([1, 2, 2, 1]) / 6, np.array([0, 0.5, 0.5, 1.0])
 
 
 class DormandPrince8(ExplicitRungeKutta):
     """Order 8, twelve evaluations; an undamped mode is stable to h w = 5.96, a decay to h d = 6.39."""
 
     reach, decay_reach, order = 5.9604, 6.3936, 8
-    A, b, nodes = DOP853.A, DOP853.B, DOP853.C
+
+    @cached_property
+    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """SciPy's; its import takes a third of a second, which a run with another scheme need not spend."""
+        from scipy.integrate import DOP853
+
+        return DOP853.A, DOP853.B, DOP853.C
 
 
 def _combined(weights: np.ndarray, slopes: list[ca.SX]) -> ca.SX:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from runtime.baselines.condensed_ode import CondensedOde
 from runtime.baselines.scipy_methods import counted
@@ -23,6 +22,8 @@ def reference_path(
     model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float, atol: float
 ) -> Callable[[np.ndarray], np.ndarray]:
     """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference, or NoResult for steps that shrink."""
+    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
+
     columns, n = model.independent_columns, len(model.q_i)
     loop = state.q[model.loop_columns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
