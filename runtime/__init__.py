@@ -10,6 +10,7 @@ The rooms, from what everything stands on to what stands on everything:
     start       where a motion starts
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
+    gradients   derivatives of a run, and fits by them
     studies     many runs: stability, work-precision, advice
     views       what people look at
 
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
     from runtime.contract.model import Model, ModelError
     from runtime.contract.records import Group
     from runtime.contract.status import Status
+    from runtime.gradients.differentiable_run import DifferentiableRun
+    from runtime.gradients.gradient import gradient, output_jacobian
     from runtime.operating.campbell import campbell
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
     from runtime.operating.linearisation import Linearisation
@@ -50,6 +53,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "SCHEMES",
+    "DifferentiableRun",
     "Equilibrium",
     "Group",
     "InitialStateError",
@@ -67,10 +71,12 @@ __all__ = [
     "augmented_solution",
     "campbell",
     "equilibrium",
+    "gradient",
     "linearise",
     "load_model",
     "mode_motion",
     "modes",
+    "output_jacobian",
     "plots",
     "quasi_static_motion",
     "reference_solution",
@@ -90,6 +96,9 @@ _HOMES = {
     "Model": "contract.model",
     "ModelError": "contract.model",
     "Status": "contract.status",
+    "DifferentiableRun": "gradients.differentiable_run",
+    "gradient": "gradients.gradient",
+    "output_jacobian": "gradients.gradient",
     "Equilibrium": "operating.equilibrium",
     "NoEquilibrium": "operating.equilibrium",
     "equilibrium": "operating.equilibrium",

@@ -82,7 +82,7 @@ class Compiler:
     def __init__(self, program: Program) -> None:
         _llvm()
         self.program = program
-        self._digest = _digest(program)
+        self._digest = program_digest(program)
 
     def build(self, form: Form, effort: Effort, processor: Processor | None = None) -> Code:
         """Code from the cache, or compiled and kept there."""
@@ -101,13 +101,18 @@ class Compiler:
     def _key(self, form: Form, effort: Effort, processor: Processor) -> str:
         """Of the program itself, not of its IR: a program that is in the cache is not printed."""
         text = "\n".join([repr(form), repr(effort), *processor])
-        return hashlib.sha256(self._digest + _tools() + text.encode()).hexdigest()
+        return hashlib.sha256(self._digest + tools() + text.encode()).hexdigest()
 
 
 def compiled(program: Program, form: Form, effort: Effort, processor: Processor) -> tuple[bytes, int]:
     """(object file, entries of the work array)."""
-    llvm = _llvm()
     text, work = program_ir(program, {stage.name(): read_tape(stage) for stage in program.stages()}, form)
+    return machine_code(text, effort, processor), work
+
+
+def machine_code(text: str, effort: Effort, processor: Processor) -> bytes:
+    """The object file of a module of IR. Raises NoLlvm."""
+    llvm = _llvm()
     module = llvm.parse_assembly(text, context=llvm.create_context())
     del text  # a hundred bytes an operation
     machine = _machine(processor, effort.level)
@@ -115,7 +120,7 @@ def compiled(program: Program, form: Form, effort: Effort, processor: Processor)
         options = llvm.create_pipeline_tuning_options(speed_level=3)
         builder = llvm.create_pass_builder(machine, options)
         builder.getModulePassManager().run(module, builder)
-    return machine.emit_object(module), work
+    return bytes(machine.emit_object(module))
 
 
 def _machine(processor: Processor, level: int) -> Any:
@@ -123,19 +128,25 @@ def _machine(processor: Processor, level: int) -> Any:
     return target.create_target_machine(cpu=processor.name, features=processor.features, opt=level, jit=True)
 
 
-def _loaded(code: bytes, work: int, processor: Processor) -> Code:
+def linked(code: bytes, processor: Processor) -> Any:
+    """The engine that holds an object file's code; what it gives addresses of lives as long as it does."""
     llvm = _llvm()
     # in LLVM's own context: one of its own could be collected before the engine that needs it
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(processor, 0))
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
+    return engine
+
+
+def _loaded(code: bytes, work: int, processor: Processor) -> Code:
+    engine = linked(code, processor)
     address = engine.get_function_address("run")
     kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
     return Code(kind(address), work, engine)
 
 
 @cache
-def _tools() -> bytes:
+def tools() -> bytes:
     """What besides the program decides about the code: compiler, CasADi and the text of the printer."""
     llvm = _llvm()
     parts = [str(llvm.llvm_version_info), llvm.get_default_triple(), ca.CasadiMeta.version()]
@@ -143,7 +154,7 @@ def _tools() -> bytes:
     return hashlib.sha256("\n".join(parts).encode()).digest()
 
 
-def _digest(program: Program) -> bytes:
+def program_digest(program: Program) -> bytes:
     """What is computed: the stages and their order."""
     numbers = {stage.name(): k for k, stage in enumerate(program.stages())}
 

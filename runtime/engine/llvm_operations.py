@@ -47,9 +47,12 @@ TEMPLATES = {
 
 
 class Operations:
-    """Text of operations on values of `width` lanes, with mathematics `own` or `library`."""
+    """Text of operations on values of `width` lanes, with mathematics `own` or `library`.
 
-    def __init__(self, width: int, mathematics: str, inline: bool) -> None:
+    fused: a product and the sum that takes it may be rounded once. Other bits then, so for derivatives only.
+    """
+
+    def __init__(self, width: int, mathematics: str, inline: bool, fused: bool = False) -> None:
         self.lanes, self.own, self._inline = Lanes(width), mathematics == "own", inline
         lanes = self.lanes
         called = {name: self._name(name) for name in _FUNCTIONS.values()}
@@ -63,8 +66,12 @@ class Operations:
             **called,
         }
         operands = {"r": "{r}", "a": "{a}", "b": "{b}"}
-        self._templates = {op: text.format(**fixed, **operands) for op, text in TEMPLATES.items()}
-        self._arithmetic = {op: f"{name} {lanes.double}" for op, name in _ARITHMETIC.items()}
+        flag = " contract" if fused else ""
+        self._templates = {
+            op: text.format(**fixed, **operands).replace("fmul ", f"fmul{flag} ").replace("fadd ", f"fadd{flag} ")
+            for op, text in TEMPLATES.items()
+        }
+        self._arithmetic = {op: f"{name}{flag} {lanes.double}" for op, name in _ARITHMETIC.items()}
 
     def _name(self, function: str) -> str:
         if self.own and function in REPLACED:

@@ -1,7 +1,8 @@
 """A stage of a step program as LLVM IR: one function, or several that pass values through a work array.
 
-A function is `void name(ptr z, ptr c, ptr w[, mask])`. Entry e of lane l is at [e * width + l] of z, c and w. All loads
-of z come before its stores, so z is updated in place, changed entries only; with a mask only lanes where it is set.
+A function is `void name(ptr z, ptr c, ptr w[, further arrays][, mask])`. Entry e of lane l is at [e * width + l]
+of each array. All loads of z come before its stores, so z is updated in place, changed entries only; with a mask only
+lanes where it is set.
 """
 
 from __future__ import annotations
@@ -17,9 +18,18 @@ PARTNER = {ca.OP_SIN: ca.OP_COS, ca.OP_COS: ca.OP_SIN}
 
 
 class StageWriter:
-    """Functions of one stage; chunk: statements of a function, 0 for all in one."""
+    """Functions of one stage; chunk: statements of a function, 0 for all in one; arrays: names of further inputs."""
 
-    def __init__(self, name: str, tape: Tape, operations: Operations, chunk: int, masked: bool, inline: bool) -> None:
+    def __init__(
+        self,
+        name: str,
+        tape: Tape,
+        operations: Operations,
+        chunk: int,
+        masked: bool,
+        inline: bool,
+        arrays: tuple[str, ...] = (),
+    ) -> None:
         self.name, self.tape, self.operations, self.masked = name, tape, operations, masked
         self.stores = [
             (entry, k) for entry, k in enumerate(tape.outputs[0]) if tape.nodes[k][:3] != (ca.OP_INPUT, 0, entry)
@@ -29,6 +39,8 @@ class StageWriter:
         self.partner = self._partners() if operations.own else {}
         self.chunk = chunk if 0 < chunk < len(self.order) else max(1, len(self.order))
         self.kind = "alwaysinline" if inline else "noinline"
+        self.arguments = ARGUMENTS + "".join(f", ptr noalias readonly %{array}" for array in arrays)
+        self.passed = "".join(f", ptr %{array}" for array in arrays)
         self.lines: list[str] = []
         self.names: dict[int, str] = {}
         lanes = operations.lanes
@@ -64,7 +76,7 @@ class StageWriter:
         head, ending = self._head(self.name, "noinline")
         called = [f"{self.name}_{n}" for n in range(count)] + [f"{self.name}_store_{n}" for n in range(len(groups))]
         mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
-        calls = [f"  call void @{name}(ptr %z, ptr %c, ptr %w{mask})" for name in called]
+        calls = [f"  call void @{name}(ptr %z, ptr %c, ptr %w{self.passed}{mask})" for name in called]
         return [*parts, "\n".join([head, *calls, *ending])], len(slots)
 
     def _slots(self, chunk_of: dict[int, int]) -> dict[int, int]:
@@ -82,7 +94,7 @@ class StageWriter:
 
     def _head(self, name: str, kind: str) -> tuple[str, list[str]]:
         mask = f", {self.operations.lanes.bit} %mask" if self.masked else ""
-        return f"define internal void @{name}({ARGUMENTS}{mask}) nounwind {kind} {{", ["  ret void", "}"]
+        return f"define internal void @{name}({self.arguments}{mask}) nounwind {kind} {{", ["  ret void", "}"]
 
     def _whole(self) -> list[str]:
         self.lines, self.names = [], {}

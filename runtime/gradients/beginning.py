@@ -1,0 +1,48 @@
+"""Where a run begins, with its derivatives: z and the prepared constants from parameters and initial values.
+
+x = (p, q_i, q_i_dot, loop unknowns) -> (z, constants): constants(p), the start of the scheme (68)-(71), and what is
+prepared for the run. How q_i, q_i_dot and the loop unknowns follow from parameters and given initial values is told by
+assembly.py.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.gradients.observed_program import ObservedProgram
+
+
+class Beginning:
+    """The derivative of the beginning of a run at time t0 [s] by x (n_x,), for what is active in the program."""
+
+    def __init__(self, program: ObservedProgram, t0: float) -> None:
+        scheme, model, active = program.scheme, program.scheme.model, program.active
+        n = len(model.q_i)
+        sizes = (len(model.parameters), n, n, len(model.loop_unknowns))
+        self.ends = np.cumsum(sizes)
+        x = ca.SX.sym("x", sum(sizes))
+        p, q_i, q_i_dot, loop = ca.vertsplit(x, [0, *map(int, self.ends)])
+        constants = ca.vertcat(model.kernel("constants")(p), *scheme.grid.h)
+        z = scheme.starter(t0, q_i, q_i_dot, loop, constants)
+        rows = [k for k in active.z if k < scheme.layout.size]
+        self._rows = [n for n, k in enumerate(active.z) if k < scheme.layout.size]
+        self._rows += [len(active.z) + n for n in range(len(active.c))]
+        self._size = active.size
+        found = ca.densify(ca.vertcat(z[rows], program.prepared.constants(constants)[list(active.c)]))
+        along, back = ca.SX.sym("along", x.numel()), ca.SX.sym("back", found.numel())
+        pushed = ca.densify(ca.jtimes(found, x, along))
+        pulled = ca.densify(ca.jtimes(found, x, back, True))
+        self._tangent = ca.Function("beginning_tangent", [x, along], ca.cse([pushed]))
+        self._adjoint = ca.Function("beginning_adjoint", [x, back], ca.cse([pulled]))
+
+    def tangents(self, x: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+        """(active entries of z and constants, k) along dx = slopes (n_x, k)."""
+        found = np.zeros((self._size, slopes.shape[1]))
+        for k in range(slopes.shape[1]):
+            found[self._rows, k] = np.asarray(self._tangent(x, slopes[:, k])).ravel()
+        return found
+
+    def pulled_back(self, x: np.ndarray, adjoint: np.ndarray) -> np.ndarray:
+        """(n_x,) from the adjoint of the active entries of z and constants."""
+        return np.asarray(self._adjoint(x, adjoint[self._rows])).ravel()

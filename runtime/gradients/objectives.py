@@ -1,0 +1,165 @@
+"""Numbers made of outputs at saved times, with their derivatives by them.
+
+An objective has `outputs`, names in order, and `weighed(t, y)`: its value, and its derivative by y (N, n_y), the values
+of these outputs at the saved times t (N,). Ready-made ones are here; `Formula` makes one of any CasADi expression.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
+
+Weighed = tuple[float, np.ndarray]
+
+
+class Objective(Protocol):
+    """See the module's text."""
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names, in the order of the columns of y."""
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """(value, derivative by y)."""
+
+
+@dataclass(frozen=True)
+class End:
+    """An output at the last saved time."""
+
+    output: str
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """The one."""
+        return (self.output,)
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """y_N."""
+        slope = np.zeros_like(y)
+        slope[-1, 0] = 1.0
+        return float(y[-1, 0]), slope
+
+
+@dataclass(frozen=True)
+class Integral:
+    """The integral over time of an output, or of its square, by the trapezoidal rule over the saved times."""
+
+    output: str
+    squared: bool = False
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """The one."""
+        return (self.output,)
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """sum of w_k y_k or of w_k y_k^2."""
+        weights = trapezoid_weights(t)[:, None]
+        if self.squared:
+            return float(np.sum(weights * y**2)), 2 * weights * y
+        return float(np.sum(weights * y)), weights.copy()
+
+
+@dataclass(frozen=True)
+class SquaredError:
+    """The sum of squares of (output - data) / deviation over the saved times; data (N,), NaN where there is none."""
+
+    output: str
+    data: np.ndarray = field(repr=False)
+    deviation: float = 1.0
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """The one."""
+        return (self.output,)
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """sum of r_k^2. Raises ArgumentError for data of another length."""
+        data = np.asarray(self.data, dtype=float)
+        if data.shape != t.shape:
+            raise ArgumentError(
+                f"data of {self.output}",
+                f"has shape {data.shape}",
+                f"give one value for each of the {len(t)} saved times",
+            )
+        residual = np.where(np.isnan(data), 0.0, (y[:, 0] - data) / self.deviation)
+        return float(residual @ residual), (2 * residual / self.deviation)[:, None]
+
+
+@dataclass(frozen=True)
+class Largest:
+    """The largest saved value of an output, or of its magnitude.
+
+    Its derivative is that of the sample where it is: right to first order wherever only one sample is the largest, for
+    at a maximum in time a shift of time changes nothing. Where two are, it has none, and that of the first is given.
+    sharpness (None: the rule above): for optimisation, the smooth bound from below log(mean of exp(s y)) / s with
+    s = sharpness / largest.
+    """
+
+    output: str
+    magnitude: bool = True
+    sharpness: float | None = None
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """The one."""
+        return (self.output,)
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """max of |y_k| or y_k."""
+        values, sign = (np.abs(y), np.sign(y)) if self.magnitude else (y, np.ones_like(y))
+        top = int(values.argmax())
+        largest, slope = float(values[top, 0]), np.zeros_like(y)
+        if self.sharpness is None or largest == 0:
+            slope[top] = sign[top]
+            return largest, slope
+        share = values / largest
+        weights = np.exp(self.sharpness * (share - 1.0))
+        mean = float(weights.mean())
+        smooth = 1.0 + np.log(mean) / self.sharpness
+        by_share = weights / weights.sum()
+        slope = sign * by_share
+        slope[top] += sign[top] * (smooth - float(np.sum(by_share * share)))
+        return largest * smooth, slope
+
+
+@dataclass(frozen=True)
+class Formula:
+    """Any function of the outputs: `build(t, y)` makes a CasADi expression of t (N,) and of columns y[name] (N,)."""
+
+    outputs: tuple[str, ...]
+    build: Callable[[ca.SX, Mapping[str, ca.SX]], ca.SX]
+    _functions: dict[int, ca.Function] = field(default_factory=dict, repr=False, compare=False)
+
+    def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
+        """Value and gradient by CasADi."""
+        value, slope = self._function(len(t))(t, y)
+        return float(value), np.asarray(slope)
+
+    def _function(self, samples: int) -> ca.Function:
+        if samples not in self._functions:
+            t, y = ca.SX.sym("t", samples), ca.SX.sym("y", samples, len(self.outputs))
+            value: Any = self.build(t, {name: y[:, k] for k, name in enumerate(self.outputs)})
+            if not isinstance(value, ca.SX | int | float) or ca.SX(value).numel() != 1:
+                raise ArgumentError("objective", f"gives {value!r}", "it must be one number made of t and y by CasADi")
+            slope = ca.densify(ca.reshape(ca.gradient(ca.SX(value), ca.vec(y)), samples, len(self.outputs)))
+            self._functions[samples] = ca.Function("objective", [t, y], [ca.SX(value), slope])
+        return self._functions[samples]
+
+
+def trapezoid_weights(t: np.ndarray) -> np.ndarray:
+    """(N,) [s]: w with w @ y the integral of y over the times t."""
+    h = np.diff(t)
+    return np.concatenate([h, [0.0]]) / 2 + np.concatenate([[0.0], h]) / 2
+
+
+def union_of(objectives: Sequence[Objective]) -> tuple[str, ...]:
+    """All their outputs, each once."""
+    return tuple(dict.fromkeys(name for one in objectives for name in one.outputs))

@@ -1,0 +1,159 @@
+"""Forces that jump at a time which depends on what is differentiated by: found, and refused by name.
+
+Where a force switches (`where`, `sign`, `step`) at a fixed time, the derivative of the run is that of its branches.
+Where the time of a jump moves with a parameter or with the motion, the motion's derivative has a further part that no
+branch shows. So the conditions in Q_hat that depend on either are watched along the run; where one changes, the step is
+halved down to that place, and the two branches are compared there. Branches that meet (a spring that goes slack) are
+right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.errors import NoResult
+from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
+from runtime.engine.native import NativeProgram
+from runtime.gradients.observed_program import ObservedProgram
+from runtime.running.plan import Plan
+from runtime.schemes.stage_equations import StageEquations
+
+SWITCHING = (ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_SIGN, ca.OP_FLOOR, ca.OP_CEIL, ca.OP_FMOD)
+HALVINGS = 60
+MEETING = 1e-6  # of the force: branches that differ by less meet
+
+
+@dataclass(frozen=True)
+class _Watched:
+    """conditions: (t, q_i, q_i_dot, loop, c) -> their values; forces: (the same, values) -> Q_hat with these values."""
+
+    conditions: ca.Function
+    forces: ca.Function
+
+
+class Switches:
+    """The conditions in the forces of a run that may change at a time which depends on these entries of p."""
+
+    def __init__(self, plan: Plan, program: ObservedProgram, parameters: Sequence[int]) -> None:
+        self._plan, self._program = plan, program
+        self._watched = _watched(plan, parameters)
+
+    def check(self, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
+        """Look along a run from z on. Raises NoResult for a force that jumps there."""
+        if self._watched is None:
+            return
+        scheme, c = self._plan.scheme, ready[: self._plan.scheme.model.c_size]
+        constants = ready[: scheme.c_size]
+        stepping, z = NativeProgram(self._program.step), z.copy()
+        before = self._at(z, constants)
+        for _ in range(steps):
+            held = self._conditions(before, c)
+            stepping.run(z, ready, 1)
+            after = self._at(z, constants)
+            now = self._conditions(after, c)
+            for k in np.flatnonzero(held != now):
+                self._compare(int(k), before, after, held, c)
+            before = after
+
+    def _at(self, z: np.ndarray, constants: np.ndarray) -> np.ndarray:
+        """(t, q_i, q_i_dot, loop unknowns) that a state shows."""
+        scheme, model = self._plan.scheme, self._plan.scheme.model
+        seen = scheme.observer(z=z[: scheme.layout.size], c=constants)
+        q_d = np.asarray(seen["q_d"]).ravel()
+        loop = [q_d[model.q_d.index(name)] for name in model.loop_unknowns]
+        return np.concatenate([np.asarray(seen[key]).ravel() for key in ("t", "q_i", "q_i_dot")] + [np.array(loop)])
+
+    def _conditions(self, at: np.ndarray, c: np.ndarray) -> np.ndarray:
+        assert self._watched is not None
+        return np.asarray(self._watched.conditions(at, c)).ravel()
+
+    def _compare(self, k: int, before: np.ndarray, after: np.ndarray, held: np.ndarray, c: np.ndarray) -> None:
+        """The forces of both branches where condition k changes between two states."""
+        assert self._watched is not None
+        low, high = 0.0, 1.0
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            at = before + middle * (after - before)
+            low, high = (middle, high) if self._conditions(at, c)[k] == held[k] else (low, middle)
+        at = before + high * (after - before)
+        one = self._conditions(at, c)
+        other = one.copy()
+        other[k] = held[k]
+        Q = [np.asarray(self._watched.forces(at, c, values)).ravel() for values in (one, other)]
+        gap = np.abs(Q[0] - Q[1])
+        scale = max(np.abs(Q[0]).max(), np.abs(Q[1]).max(), 1e-300)
+        if gap.max() > MEETING * scale:
+            worst = self._plan.scheme.model.q_i[int(gap.argmax())]
+            raise NoResult(
+                f"model {self._plan.scheme.model.name}",
+                f"the force on {worst} jumps by {gap.max():.4g} at t = {at[0]:.6g} s, a time that depends on what is "
+                "differentiated by; the derivative of that time is not in the derivative of the run",
+                "let the force change in a finite time (a ramp of some steps), switch at a fixed time, or leave out "
+                "of `by` what moves the switch",
+            )
+
+
+def _watched(plan: Plan, parameters: Sequence[int]) -> _Watched | None:
+    """None where no condition depends on the motion or on these entries of p."""
+    model, n = plan.scheme.model, len(plan.scheme.model.q_i)
+    at, c = ca.SX.sym("at", 1 + 2 * n + len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
+    equations = StageEquations(model, c)
+    motion = equations.close(at[1 : 1 + n], at[1 + 2 * n :], at[0], 2)
+    Q_hat = equations.condensed(motion, at[1 + n : 1 + 2 * n])[1]
+    tape = read_tape(ca.Function("forces", [at, c], [ca.densify(Q_hat)], ["at", "c"], ["Q_hat"]))
+    moved = set(_columns(model.kernel("constants"), parameters))
+    chosen = _moving(tape, moved)
+    if not chosen:
+        return None
+    symbols = ca.SX.sym("conditions", len(chosen))
+    values: list[ca.SX] = []
+    conditions: list[ca.SX] = []
+    entries = {"at": ca.vertsplit(at), "c": ca.vertsplit(c)}
+    plain: list[ca.SX] = []
+    for k, node in enumerate(tape.nodes):
+        given = entries[tape.input_names[node.a]] if node.op == ca.OP_INPUT else []
+        plain.append(_discrete(node.op, plain, node.a, node.b) if k in chosen else node_value(node, plain, given))
+        if k in chosen:
+            conditions.append(plain[k])
+            value = symbols[len(conditions) - 1]
+            values.append(values[node.a] - values[node.b] * value if node.op == ca.OP_FMOD else value)
+        else:
+            values.append(node_value(node, values, given))
+    forces = ca.vertcat(*(values[k] for k in tape.outputs[0]))
+    return _Watched(
+        ca.Function("conditions", [at, c], [ca.densify(ca.vertcat(*conditions))]),
+        ca.Function("forces", [at, c, symbols], [ca.densify(forces)]),
+    )
+
+
+def _discrete(op: int, values: list[ca.SX], a: int, b: int) -> ca.SX:
+    """What changes by jumps only."""
+    if op == ca.OP_FMOD:
+        return ca.floor(ca.fabs(values[a] / values[b])) * ca.sign(values[a] / values[b])
+    return ca.SX.unary(op, values[a]) if b == UNUSED else ca.SX.binary(op, values[a], values[b])
+
+
+def _columns(constants: ca.Function, parameters: Sequence[int]) -> list[int]:
+    """Entries of c that depend on these entries of p."""
+    rows, columns = constants.jac_sparsity(0, 0).get_triplet()
+    return [row for row, column in zip(rows, columns, strict=True) if column in set(parameters)]
+
+
+def _moving(tape: Tape, moved: set[int]) -> set[int]:
+    """Switching nodes whose condition depends on the motion, or on a moved entry of c."""
+    depends: list[bool] = []
+    found = set()
+    for k, node in enumerate(tape.nodes):
+        if node.op == ca.OP_INPUT:
+            depends.append(node.b > 0 if tape.input_names[node.a] == "at" else node.b in moved)
+        elif node.op == ca.OP_CONST:
+            depends.append(False)
+        else:
+            depends.append(depends[node.a] or (node.b != UNUSED and depends[node.b]))
+            if depends[k] and node.op in SWITCHING:
+                found.add(k)
+    return found

@@ -1,0 +1,82 @@
+"""What is differentiated by: parameters and initial values, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import Model, ModelError
+
+
+@dataclass(frozen=True)
+class Variables:
+    """Names in the order asked for; parameters: of those that are, (position in the list, entry of p).
+
+    initial: of the others, (position in the list, column of q, is it a rate?).
+    """
+
+    names: tuple[str, ...]
+    parameters: tuple[tuple[int, int], ...]
+    initial: tuple[tuple[int, int, bool], ...]
+
+    def named(self, x: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
+        """(parameters, initial values) by name, of the values x (n,)."""
+        return (
+            {self.names[k]: float(x[k]) for k, _ in self.parameters},
+            {self.names[k]: float(x[k]) for k, _, _ in self.initial},
+        )
+
+    def checked(self, x: Sequence[float] | np.ndarray | Mapping[str, float]) -> np.ndarray:
+        """Values (n,), from a vector or by name. Raises ArgumentError for a wrong length, a wrong name, NaN."""
+        if isinstance(x, Mapping):
+            wrong = [name for name in x if name not in self.names] + [name for name in self.names if name not in x]
+            if wrong:
+                raise ArgumentError("x", f"{wrong[0]!r} is not wanted or missing", f"give {', '.join(self.names)}")
+            x = [x[name] for name in self.names]
+        values = np.asarray(x, dtype=float)
+        if values.shape != (len(self.names),):
+            wanted = f"{len(self.names)} values: {', '.join(self.names)}"
+            raise ArgumentError("x", f"has shape {values.shape}", f"give {wanted}")
+        for name, value in zip(self.names, values, strict=True):
+            if not np.isfinite(value):
+                raise ArgumentError("x", f"the value of {name} is {value}", "give a finite number")
+        return values
+
+
+def starting_values(model: Model) -> dict[str, tuple[int, bool]]:
+    """{name of an initial value: (column of q, is it a rate?)}."""
+    found = {name: (k, False) for k, name in enumerate(model.coordinates)}
+    return {**found, **{f"{name}_dot": (k, True) for k, name in enumerate(model.coordinates)}}
+
+
+def variables_of(model: Model, by: Sequence[str]) -> Variables:
+    """Checked names. Raises ModelError for a name that is neither a parameter nor a coordinate nor its rate."""
+    if isinstance(by, str) or not len(by):
+        raise ModelError(f"by must be a list of parameters and initial values, not {by!r}")
+    if len(set(by)) < len(by):
+        raise ModelError(f"by names something twice: {', '.join(by)}")
+    entries = {parameter.name: k for k, parameter in enumerate(model.parameters)}
+    starts = starting_values(model)
+    for name in by:
+        if name not in entries and name not in starts:
+            raise _unknown(model, str(name), [*entries, *starts])
+    return Variables(
+        tuple(by),
+        tuple((k, entries[name]) for k, name in enumerate(by) if name in entries),
+        tuple((k, *starts[name]) for k, name in enumerate(by) if name not in entries),
+    )
+
+
+def _unknown(model: Model, name: str, known: list[str]) -> ModelError:
+    near = get_close_matches(name, known, 1)
+    meant = f" (did you mean {near[0]!r}?)" if near else ""
+    listed = ", ".join(parameter.name for parameter in model.parameters if parameter.kind != "data")
+    return ModelError(
+        f"model {model.name} has neither a parameter nor a coordinate {name!r}{meant}; parameters: {listed}; "
+        f"initial values: {', '.join(model.coordinates)} (rates end in _dot). Numbers that give a scene its structure "
+        "(counts of modes, a length that is zero) are no parameters: change the scene"
+    )

@@ -1,0 +1,124 @@
+"""Derivatives of runs: forward equals reverse, complex steps, exact solutions, differences of whole runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import DifferentiableRun, Model, gradient, output_jacobian, simulate
+from runtime.gradients import passes
+from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
+from symgen.scene import Scene, SceneBuilder
+from tests.support import complex_step
+
+Build = Callable[[Scene], Model]
+Load = Callable[[str], Model]
+
+ROD = ["crank.tip.x", "rod.mass", "rod.M_ff[0,0]", "rod.K_ff[0,0]", "slider.mass", "crank.theta", "crank.theta_dot"]
+ROD_RUNS = [
+    ("single_rate", {"dt": 2e-5, "t_end": 2e-4}),
+    ("printed", {"dt": 4e-5, "m": [4], "t_end": 1.6e-4}),
+    ("exponential", {"dt": 2e-4, "m": [2], "t_end": 4e-4}),
+]
+
+
+def sliding(force: str, **parameters: float) -> Scene:
+    """A mass of 1 kg on a line with a force on it: its velocity is the integral of the force."""
+    builder = SceneBuilder("sliding")
+    for name, value in parameters.items():
+        builder.parameter(name, value)
+    builder.rigid("mass", mass=1.0, inertia=1.0).prismatic("line", "ground.origin", "mass.origin")
+    builder.measure("place", "x", marker_b="mass.origin")
+    return builder.force("push", "mass.origin", force, 0.0).simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
+
+
+@pytest.mark.parametrize("mode", ["forward", "reverse"])
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate"])
+def test_derivatives_of_forces_that_depend_on_time(model_of: Build, scheme: str, mode: str) -> None:
+    """v' = a (1 - t) + b t + c t from rest: v(1) is (a + b + c) / 2. CasADi's integrators give another reverse."""
+    model = model_of(sliding("a * (1 - t) + b * t + c * t", a=1.0, b=0.5, c=0.25))
+    found = gradient(model, End("mass.x_dot"), ["a", "b", "c"], scheme=scheme, mode=mode)
+    np.testing.assert_allclose(found.derivatives, [0.5, 0.5, 0.5], rtol=1e-12)
+    assert found.mode == mode and found.value == pytest.approx(0.875, rel=1e-12)
+
+
+@pytest.mark.parametrize("scheme, settings", ROD_RUNS, ids=[scheme for scheme, _ in ROD_RUNS])
+def test_forward_reverse_and_complex_step_agree(built_in: Load, scheme: str, settings: dict) -> None:
+    """Of the freely running slider-crank, through loops, start, constants(p), sub-steps and the printed iteration."""
+    model = built_in("flexible_slider_crank_free")
+    run = DifferentiableRun(model, ["rod.q1", "slider.x_ddot"], ROD, scheme=scheme, save_every=2, **settings)
+    objective = Formula(run.outputs, lambda t, y: y["rod.q1"][-1] * 1e6 + 1e-3 * (t * y["slider.x_ddot"]).T @ t)
+    forward, reverse = (run.gradient(objective, mode=mode) for mode in ("forward", "reverse"))
+    scale = np.abs(forward.derivatives).max()
+    np.testing.assert_allclose(reverse.derivatives, forward.derivatives, rtol=0, atol=1e-12 * scale)
+    jacobian = run.jacobian()
+    for name in ("crank.tip.x", "crank.theta_dot"):
+        exact = complex_step.derivatives(run, name)
+        for k, output in enumerate(run.outputs):
+            limit = 1e-9 * np.abs(exact[:, k]).max()
+            np.testing.assert_allclose(jacobian[output, name], exact[:, k], rtol=0, atol=limit)
+
+
+def test_outputs_are_those_of_the_simulation(built_in: Load) -> None:
+    model = built_in("four_bar")
+    names = ["coupler.theta", "crank.theta_dot", "rocker.theta_ddot", "kinetic"]
+    names += [f"{model.joints[0]}.force_x", f"lam.{model.constraints[0]}"]
+    found = output_jacobian(model, names, ["crank.mass"], t_end=0.05, save_every=50)
+    whole = simulate(model, t_end=0.05, save_every=50)
+    np.testing.assert_allclose(found.t, whole.t, rtol=1e-15)
+    for k, name in enumerate(names):
+        expected = whole.energy["kinetic"] if name == "kinetic" else whole[name]
+        np.testing.assert_allclose(found.values[:, k], expected, rtol=1e-10, atol=1e-10 * np.abs(expected).max())
+
+
+def test_the_assembly_of_the_start_is_differentiated(built_in: Load) -> None:
+    """Four-bar with the rocker's angle and rate given, which the crank follows: against differences of simulations."""
+    model = built_in("four_bar")
+    by = ["coupler.tip.x", "rocker.theta", "rocker.theta_dot"]
+    run = DifferentiableRun(model, ["crank.theta"], by, t_end=0.05, save_every=50)
+    found = run.gradient(End("crank.theta"))
+
+    def end(x: np.ndarray) -> float:
+        given = {"rocker.theta": x[1], "rocker.theta_dot": x[2]}
+        done = simulate(model, t_end=0.05, save_every=50, parameters={"coupler.tip.x": x[0]}, initial=given)
+        return float(done["crank.theta"][-1])
+
+    for k in range(3):
+        ends = {n: end(run.x0 + 1e-4 * n * np.eye(3)[k]) for n in (-2, -1, 1, 2)}
+        difference = (8 * (ends[1] - ends[-1]) - (ends[2] - ends[-2])) / 12e-4
+        assert found.derivatives[k] == pytest.approx(difference, rel=1e-7)
+
+
+def test_a_long_run_keeps_the_square_root_of_its_steps(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In segments from kept states, the same derivatives bit for bit; four times the steps, twice the memory."""
+    model, by = built_in("hub_beam"), ["beam.youngs_modulus", "hub.inertia", "hub.theta_dot"]
+    objective = Integral("tip_y", squared=True)
+    whole = gradient(model, objective, by, mode="reverse", t_end=0.3, save_every=7)
+    monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
+    kept = []
+    for steps in (100, 400, 1600):
+        run = DifferentiableRun(model, ["tip_y"], by, t_end=steps * 1e-3, save_every=7)
+        backward = run._backward
+        kept.append(len(backward.parts) * run.program.active.z_size + backward.longest * backward.stepping.records)
+        if steps == 400:
+            again = DifferentiableRun(model, ["tip_y"], by, t_end=0.3, save_every=7).gradient(objective, mode="reverse")
+            np.testing.assert_array_equal(again.derivatives, whole.derivatives)
+            assert len(backward.parts) > 3
+    assert kept[1] < 2.2 * kept[0] and kept[2] < 2.2 * kept[1]
+
+
+def test_objectives_have_the_derivatives_of_their_values() -> None:
+    """By differences, of every ready-made objective."""
+    rng = np.random.default_rng(1)
+    t, y = np.linspace(0.0, 2.0, 9), rng.normal(size=(9, 1))
+    data = np.where(np.arange(9) == 4, np.nan, rng.normal(size=9))
+    smooth = Largest("y", sharpness=20.0)
+    for one in (End("y"), Integral("y"), Integral("y", True), SquaredError("y", data, 0.3), Largest("y"), smooth):
+        value, slope = one.weighed(t, y)
+        for k in range(9):
+            moved = [one.weighed(t, y + s * 1e-6 * np.eye(9)[:, k : k + 1])[0] for s in (-1, 1)]
+            assert slope[k, 0] == pytest.approx((moved[1] - moved[0]) / 2e-6, rel=1e-6, abs=1e-8), one
+    assert smooth.weighed(t, y)[0] <= Largest("y").weighed(t, y)[0]
+    assert Integral("y").weighed(t, t[:, None])[0] == pytest.approx(2.0)

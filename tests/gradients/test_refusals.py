@@ -1,0 +1,91 @@
+"""What has no derivative is refused by name; what has one is not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import DifferentiableRun, InitialStateError, Model, ModelError, SymgenError, gradient
+from runtime.contract.errors import ArgumentError, NoResult
+from runtime.gradients.objectives import End, SquaredError
+from symgen.scene import Scene
+from tests.gradients.test_gradients import sliding
+
+Build = Callable[[Scene], Model]
+Load = Callable[[str], Model]
+
+
+def test_a_jump_whose_time_moves_is_refused(model_of: Build) -> None:
+    """v(1) = f (1 - T): the derivative by f is that of the branches, by T it would be missed."""
+    model = model_of(sliding("where(t < T, 0, f)", T=0.5, f=2.0))
+    run = {"scheme": "rk4", "dt": 0.01}
+    assert gradient(model, End("mass.x_dot"), ["f"], **run)["f"] == pytest.approx(0.5, abs=0.01)
+    for mode in ("forward", "reverse"):
+        with pytest.raises(NoResult, match=r"jumps by 2 at t = 0\.5 s, a time that depends on"):
+            gradient(model, End("mass.x_dot"), ["f", "T"], mode=mode, **run)
+    later = gradient(model, End("mass.x_dot"), ["T"], parameters={"T": 3.0}, **run)
+    assert later["T"] == 0.0  # it does not switch in this run
+
+
+def test_a_jump_that_the_motion_decides_is_refused_and_a_bend_is_not(model_of: Build) -> None:
+    """x'' = 1 until x = 0.1, then more: by a jump of the force, or by a spring that begins there."""
+    run = {"scheme": "rk4", "dt": 0.01}
+    jump = model_of(sliding("where(place < 0.1, 1, k)", k=5.0))
+    with pytest.raises(NoResult, match="force on mass.x jumps by 4"):
+        gradient(jump, End("mass.x_dot"), ["k"], **run)
+    bend = model_of(sliding("where(place < 0.1, 1, 1 - k * (place - 0.1))", k=5.0))
+    t1, w = np.sqrt(0.2), np.sqrt(5.0)  # then x - 0.1 = (1 - cos w s) / k + v1 / w sin w s
+
+    def exact(k: float) -> float:
+        w = np.sqrt(k)
+        return float(np.sin(w * (1 - t1)) / w + t1 * np.cos(w * (1 - t1)))
+
+    found = gradient(bend, End("mass.x_dot"), ["k"], **run)
+    difference = (exact(5.0 + 1e-5) - exact(5.0 - 1e-5)) / 2e-5
+    assert found["k"] == pytest.approx(difference, rel=2e-3)
+    assert found.value == pytest.approx(exact(w**2), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    "outputs, by, error, text",
+    [
+        (["tip_y"], ["hub.inertai"], ModelError, "did you mean 'hub.inertia'"),
+        (["tip_z"], ["hub.inertia"], ModelError, "no output 'tip_z'.*did you mean 'tip_y'"),
+        ("tip_y", ["hub.inertia"], ModelError, "outputs must be a list"),
+        (["tip_y"], [], ModelError, "by must be a list"),
+        (["tip_y"], ["hub.inertia", "hub.inertia"], ModelError, "names something twice"),
+        (["tip_y"], ["beam.modes"], ModelError, "structure"),
+        (["tip_y"], ["beam/clamped-free3@0.0625.at[0,0]"], ArgumentError, "only as structure or as drawing"),
+    ],
+)
+def test_names_that_cannot_be_used(built_in: Load, outputs, by, error: type[SymgenError], text: str) -> None:
+    with pytest.raises(error, match=text):
+        DifferentiableRun(built_in("hub_beam"), outputs, by)
+
+
+def test_values_that_cannot_be_used(built_in: Load) -> None:
+    model = built_in("hub_beam")
+    run = DifferentiableRun(model, ["tip_y"], ["hub.inertia", "torque"], t_end=0.02)
+    for x, text in (([1.0], "has shape"), ([np.nan, 1.0], "value of hub.inertia is nan"), ({"torque": 1.0}, "missing")):
+        with pytest.raises(ArgumentError, match=text):
+            run.values(x)
+    with pytest.raises(ModelError, match="must be at least zero"):
+        run.values([-1.0, 1.0])
+    with pytest.raises(ArgumentError, match="needs the output 'tip_x'"):
+        run.gradient(End("tip_x"))
+    with pytest.raises(ArgumentError, match="one value for each of the 3 saved times"):
+        run.gradient(SquaredError("tip_y", np.zeros(2)))
+    with pytest.raises(ArgumentError, match="mode"):
+        run.gradient(End("tip_y"), mode="sideways")
+
+
+def test_runs_without_a_derivative(built_in: Load) -> None:
+    with pytest.raises(NoResult, match="step_too_long"):
+        gradient(built_in("hub_beam"), End("tip_y"), ["torque"], dt=0.1, t_end=1.0)
+    with pytest.raises(InitialStateError, match="quasi_static"):
+        gradient(built_in("hub_beam"), End("tip_y"), ["torque"], t_end=0.02, start="quasi_static")
+    with pytest.raises(InitialStateError, match="the assembly moves crank.theta"):
+        short = {"coupler.tip.x": 0.52}
+        gradient(built_in("four_bar"), End("crank.theta"), ["crank.mass"], t_end=0.02, parameters=short)
