@@ -92,6 +92,12 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("Q_hat_L", "Q^_L", "39", "n_L", "N, N m", "part of Q_hat of the slower groups"),
     Notation("Q_hat_S", "Q^_S", "39", "n_S", "N, N m", "part of Q_hat of the groups that take a sub-step"),
     Notation("rhs_S", "Q^_S - M^_SL q_L''", "64", "n_S", "N, N m", "right-hand side of a sub-step, slow q'' given"),
+    Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS: what q_L does when q_S is pushed"),
+    Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
+    Notation("M_bar_SS", "", "", "n_S x n_S", "SI", "M_hat_SS - M_hat_SL N: inertia of q_S with q_L free"),
+    Notation(
+        "crossing", "", "", "n_X (1 + n_S)", "mixed", "q'' that the rows of q_S see: of forces, of each unit q_S''"
+    ),
     Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),
     Notation("dt_L", "Delta t_L", "40-43", "1", "s", "major step: step of the slowest group"),
     Notation("m", "m", "72", "groups - 1", "1", "ratio of each next group's step; in templates a body's mass"),
@@ -165,8 +171,12 @@ FIELDS: tuple[Notation, ...] = (
     ),
     Notation("x_last", "", "", "n_i", "mixed", "x at the last hold: the secant's other end"),
     Notation("v_last", "", "", "n_i", "mixed", "v at the last hold"),
+    Notation("hold_v", "", "", "n_i", "mixed", "rates there, as the rows of q_S of a large tree see them"),
     Notation("N", "", "", "n_L x n_S", "SI", "M_hat_LL^-1 M_hat_LS at the middle"),
     Notation("y_ddot", "", "", "n_L", "mixed", "acceleration of q_L + N q_S, M_hat_LL^-1 Q_hat_L"),
+    Notation(
+        "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
+    ),
     # linearised, exponential; M and lu_k also radau
     Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
     Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),

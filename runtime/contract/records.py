@@ -20,7 +20,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "closure": ("c", "t", "q_i", "q_d"),
     "velocities": ("q_i_dot",),
     "condensed": ("q_d_dot", "q", "q_dot"),
-    "accelerations": ("q_i_ddot", "q_L_ddot"),
+    "accelerations": ("q_i_ddot", "q_L_ddot", "crossing"),
     "reactions": ("q_ddot", "lam_R"),
     "report": (),
 }

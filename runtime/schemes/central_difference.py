@@ -78,8 +78,8 @@ class CentralDifference(Scheme):
 
     @property
     def by_tree(self) -> bool:
-        """A large tree in one group: its accelerations come from the O(N) elimination."""
-        large = len(self.model.q_i) > LARGE_SYSTEM and len(self.grid.groups) == 1
+        """A large tree: its accelerations come from the O(N) elimination."""
+        large = len(self.model.q_i) > LARGE_SYSTEM
         return large and self.model.has("forward_dynamics") and not self.solves_velocity
 
     # ---- one update -----------------------------------------------------------------------------------------

@@ -1,21 +1,39 @@
 """Inertially decoupled sub-steps: y = q_L + M_LL^-1 M_LS q_S moves with M_LL^-1 Q_L, renewed each major step.
 
-The sub-steps evaluate the rows of q_S only: (M_SS - M_SL N) a_S = Q_S - M_SL y_ddot, N = M_LL^-1 M_LS, and q_L follows
-from a_L = y_ddot - N a_S. So Q_L must not change much with q_S inside a major step.
+Over a major step H the sub-steps see q_L and q_L' where they will be at the middle, and evaluate the rows of q_S only:
+
+    (M_SS - M_SL N) q_S'' = Q_S - M_SL y'',   N = M_LL^-1 M_LS,   y'' = M_LL^-1 Q_L.
+
+With N and y'' held, q_L'' = y'' - N q_S'' has an integral, so q_L is moved once, exactly:
+
+    q_L' <- q_L' + H y'' - N (change of q_S'),
+    q_L  <- q_L + H q_L' + H^2/2 y'' - N (change of q_S - H q_S').
+
+The same motion over half a step, with N and y'' of the last one, predicts the middle; q_S goes there along the secant
+of its last step, which is second order for what the step resolves and bounded for what it does not. Q_L must not change
+much with q_S inside a major step.
+
+On large trees N and y'' come from one O(N) elimination, and the rows of q_S see the few accelerations that cross to
+them and q_L' of the middle: the price of a sub-step does not grow with the mechanism. Elsewhere they see q_L' as it is.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import casadi as ca
+import numpy as np
 
 from runtime.contract.model import Model
 from runtime.engine.program import Fields
+from runtime.schemes.differences import replaced
 from runtime.schemes.grid import Grid
 from runtime.schemes.held_slow import HeldSlow
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.options import ClosureOptions, SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
-from runtime.schemes.state_fields import StateField, work
+from runtime.schemes.state_fields import StateField, state, work
+from runtime.schemes.step_limit import StepLimit, restarted_limit
 
 
 class Decoupled(HeldSlow):
@@ -26,31 +44,120 @@ class Decoupled(HeldSlow):
             raise SchemeError(f"decoupled works on two groups, not {len(grid.groups)}; use coupled")
         super().__init__(model, grid, options)
 
-    def further_fields(self) -> dict[str, StateField]:
-        """And N, column by column, and y_ddot."""
-        slow = len(self.slow)
-        return {**super().further_fields(), "N": work(slow * (len(self.model.q_i) - slow)), "y_ddot": work(slow)}
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Of sub-steps with predicted velocities that begin anew every major step."""
+        return restarted_limit(A_q, A_v, self.grid.m[0]) if self.slow else super().step_limit(A_q, A_v)
 
-    def renewed(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
-        """N and y_ddot at the state ahead."""
+    @property
+    def by_tree(self) -> bool:
+        """Are there kernels for the response of the slow coordinates along a tree? They are of the model's groups."""
+        return bool(self.slow) and self.model.has("slow_response")
+
+    def further_fields(self) -> dict[str, StateField]:
+        """N column by column and y_ddot; what is held and, along a tree, what of it crosses to the rows of q_S."""
+        if not self.slow:
+            return super().further_fields()
+        n, loops, slow, fast = len(self.model.q_i), len(self.model.loop_unknowns), len(self.slow), len(self.fast)
+        found = {"s": work(1), "a": work(n), "hold_q": work(n), "hold_v": work(n)}
+        found |= {"x_last": state(n), "v_last": state(n), "N": state(slow * fast), "y_ddot": state(slow)}
+        found |= {"loop_old": state(loops), "loop_dot": state(loops)}
+        if self.by_tree:
+            found["crossing"] = work(self.model.kernel("slow_response").numel_out("crossing"))
+        return found
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """N and y_ddot at the start."""
+        fields = super().started(t0, q_i, q_i_dot, loop, equations)
+        if not self.slow:
+            return fields
+        response = self._response(equations, equations.close(q_i, fields["loop"], t0, 1), q_i_dot)
+        return {**fields, **{name: response[name] for name in ("N", "y_ddot")}}
+
+    def _hold(self, z: Fields, equations: StageEquations, level: int) -> Mapping[str, ca.SX]:
+        """The state at the middle, N and y_ddot there, and the acceleration that the first sub-step begins with."""
+        if not self.slow:
+            return super()._hold(z, equations, level)
+        L, S, H = self.slow, self.fast, equations.h[0]
+        N = ca.reshape(z["N"], len(L), len(S))
+        x_rise, v_rise = (z["x"] - z["x_last"])[S] / 2, (z["v"] - z["v_last"])[S] / 2
+        x_L = z["x"][L] + H / 2 * z["v"][L] + H * H / 8 * z["y_ddot"] - ca.mtimes(N, x_rise - H / 2 * z["v"][S])
+        v_L = z["v"][L] + H / 2 * z["y_ddot"] - ca.mtimes(N, v_rise)
+        x, v = (
+            replaced(replaced(z[name], L, one), S, z[name][S] + rise)
+            for name, one, rise in (("x", x_L, x_rise), ("v", v_L, v_rise))
+        )
+        guess = z["loop_old"] + 3 / 2 * H * z["loop_dot"]
+        motion = equations.close(x, guess, self.now(z, equations) + H / 2, self.options.closure_iterations)
+        out = {**self._response(equations, motion, v), "hold_q": x, "hold_v": v, "x_last": z["x"], "v_last": z["v"]}
+        if equations.loops:
+            out |= {"loop_old": z["loop"], "loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
+            out["loop_dot"] = equations.loop_part(equations.rates(motion, v))
+        first, _ = self._fast_accelerations({**z, **out}, equations, z["x"][S], z["v"][S], ca.SX(0))
+        return {**out, "a": replaced(z["a"], S, first)}
+
+    def _response(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
+        """N, y_ddot and, along a tree, crossing."""
+        if self.by_tree:
+            return {name: ca.vec(value) for name, value in equations.slow_response(motion, v).items()}
         L, S = self.slow, self.fast
-        if not L:
-            return {}
         M_hat, Q_hat = equations.condensed(motion, v)
         columns = [solve_symmetric(M_hat[L, L], M_hat[L, k]) for k in S]
         return {"N": ca.vertcat(*columns), "y_ddot": solve_symmetric(M_hat[L, L], Q_hat[L])}
 
-    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
-        """The rows of q_S, then q_L."""
+    def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        if not self.slow:
+            return super()._sub_step(z, equations)
+        S, h, s = self.fast, equations.h[-1], z["s"] + equations.h[-1]
+        half = z["v"][S] + h / 2 * z["a"][S]
+        x, v = z["x"][S] + h * half, half + h / 2 * z["a"][S]
+        a, motion = self._fast_accelerations(z, equations, x, v, s)
+        out = {"x": x, "v": half + h / 2 * a, "a": a}
+        out = {name: replaced(z[name], S, value) for name, value in out.items()} | {"s": s}
+        if equations.loops:
+            out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
+        return out
+
+    def _fast_accelerations(
+        self, z: Fields, equations: StageEquations, x: ca.SX, v: ca.SX, s: ca.SX
+    ) -> tuple[ca.SX, ClosedConfiguration]:
+        """q_S'' at q_S = x and q_S' = v, s after the start of the major step, and the configuration there."""
+        S, t, iterations = self.fast, self.now(z, equations) + s, self.options.closure_iterations
+        motion = equations.close(replaced(z["hold_q"], S, x), z["loop"], t, iterations)
+        return solve_symmetric(*self._rows(z, equations, motion, self._rates(z, v, s))), motion
+
+    def _rates(self, z: Fields, v: ca.SX, s: ca.SX) -> ca.SX:
+        """q_i_dot as the rows of q_S see it."""
         L, S = self.slow, self.fast
-        M_hat, Q_hat = equations.condensed(motion, v)
-        if not L:
-            return solve_symmetric(M_hat, Q_hat)
+        if self.by_tree:
+            return replaced(z["hold_v"], S, v)
         N = ca.reshape(z["N"], len(L), len(S))
+        v_L = z["v_last"][L] + s * z["y_ddot"] - ca.mtimes(N, v - z["v_last"][S])
+        return replaced(replaced(z["v_last"], L, v_L), S, v)
+
+    def _rows(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """M_SS - M_SL N and Q_S - M_SL y''."""
+        L, S = self.slow, self.fast
+        if self.by_tree:
+            return equations.fast_rows(motion, v, z["crossing"])
+        M_hat, Q_hat = equations.condensed(motion, v)
         M_SL = M_hat[S, L]
-        a_S = solve_symmetric(M_hat[S, S] - ca.mtimes(M_SL, N), Q_hat[S] - ca.mtimes(M_SL, z["y_ddot"]))
-        a_L, a = z["y_ddot"] - ca.mtimes(N, a_S), ca.SX(len(self.model.q_i), 1)
-        for part, members in ((a_L, L), (a_S, S)):
-            for position, k in enumerate(members):
-                a[k] = part[position]
-        return a
+        N = ca.reshape(z["N"], len(L), len(S))
+        return M_hat[S, S] - ca.mtimes(M_SL, N), Q_hat[S] - ca.mtimes(M_SL, z["y_ddot"])
+
+    def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+        """Without slow coordinates: of all."""
+        return equations.accelerations(motion, v)
+
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """q_L at the end of the major step; x_last and v_last hold what q_S began with."""
+        L, S, H = self.slow, self.fast, equations.h[0]
+        if not L:
+            return super()._finish(z, equations)
+        N, y_ddot = ca.reshape(z["N"], len(L), len(S)), z["y_ddot"]
+        rise = z["x"][S] - z["x_last"][S] - H * z["v_last"][S]
+        x = z["x"][L] + H * z["v"][L] + H * H / 2 * y_ddot - ca.mtimes(N, rise)
+        v = z["v"][L] + H * y_ddot - ca.mtimes(N, z["v"][S] - z["v_last"][S])
+        moved = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v)}
+        return {**super()._finish(z, equations), **moved}

@@ -40,9 +40,17 @@ def chord(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca
     return (1 - weight) * q + weight * q_next, (q_next - q) / H
 
 
+def held_at_the_middle(
+    q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """(59) at the middle of the slow step: what depends on slow variables only is the same in all sub-steps."""
+    return q + H / 2 * v + H * H / 8 * a, v + H / 2 * a
+
+
 INTERPOLATIONS: dict[str, Interpolation] = {
     "end_point_sum": end_point_sum,
     "constant_acceleration": constant_acceleration,
     "chord_ahead": chord_ahead,
     "chord": chord,
+    "held_at_the_middle": held_at_the_middle,
 }

@@ -88,16 +88,30 @@ class StageEquations:
 
     def accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot by the shorter of two routes: O(N) elimination along a tree, or a factorisation of M_hat."""
-        n, counts = len(self.model.q_i), self.model.operations
-        if self.model.has("forward_dynamics") and (
-            not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2
-        ):
+        if self.tree_is_shorter:
             return self.tree_accelerations(motion, q_i_dot)
         return solve_symmetric(*self.condensed(motion, q_i_dot))
+
+    @property
+    def tree_is_shorter(self) -> bool:
+        """Is there an elimination along a tree, and is it shorter than a factorisation of M_hat?"""
+        n, counts = len(self.model.q_i), self.model.operations
+        return self.model.has("forward_dynamics") and (
+            not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2
+        )
 
     def tree_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
+
+    def slow_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
+        """y_ddot, N and crossing of a large tree in two groups: q_L'' = y'' - N q_S'' by one elimination."""
+        return self.call("slow_response", **self._arguments(motion, q_i_dot))
+
+    def fast_rows(self, motion: ClosedConfiguration, q_i_dot: ca.SX, crossing: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """(M_SS - M_SL N, Q_S - M_SL y''), the accelerations that cross to these rows given."""
+        found = self.call("fast_rows", **self._arguments(motion, q_i_dot), crossing=crossing)
+        return found["M_bar_SS"], found["rhs_S"]
 
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""

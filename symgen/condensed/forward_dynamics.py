@@ -3,11 +3,15 @@
 Eliminating a body's dependent coordinates carries its inertia to its parent; eliminating its independent ones right
 after that (block L D L^T in topological order) leaves fill on the parent only. M_hat is never formed. This is the
 articulated-body recursion, obtained from the same substitutions as the condensed form.
+
+One elimination serves several right-hand sides, each some operations a body more: M_hat^-1 B for the columns of B, and
+what the slow coordinates do when the fast ones are given, q_L'' = M_LL^-1 Q_L - M_LL^-1 M_LS q_S''.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -19,6 +23,27 @@ from symgen.system.topology import Topology
 
 class NoInertia(Exception):
     """An independent coordinate (its column) has no inertia at all."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """A right-hand side: a force on q, and c of x_d'' = sum e_j x_j'' + c by the column of each substitution.
+
+    given: accelerations of those independent coordinates that are not solved for, by column; zero where not named.
+    """
+
+    force: Row
+    constants: Row
+    given: Row
+
+
+@dataclass
+class _Pivot:
+    """An eliminated coordinate: its row, 1 / pivot, and its force in each right-hand side, for the way back."""
+
+    row: Row
+    inverse: ca.SX
+    forces: list[ca.SX]
 
 
 def is_tree(system: Condensed, topology: Topology) -> bool:
@@ -39,74 +64,115 @@ def is_tree(system: Condensed, topology: Topology) -> bool:
     )
 
 
+def forces_side(system: Condensed) -> Side:
+    """Q*, and the accelerations that the constraints impose: the right-hand side of the motion itself."""
+    constants = {s.column: s.c_acceleration for s in system.substitutions}
+    return Side(dict(enumerate(system.equations.Q_star)), constants, {})
+
+
+def force_side(force: Row) -> Side:
+    """A force on q alone: its solution is M_hat^-1 S^T force."""
+    return Side(force, {}, {})
+
+
+def given_side(column: int) -> Side:
+    """Unit acceleration of a coordinate that is not solved for: it stays in the rows of the others."""
+    return Side({}, {}, {column: ONE})
+
+
 def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
     """q_ddot of every coordinate of a tree, by column."""
+    return tree_solutions(system, topology, [forces_side(system)])[0]
+
+
+def tree_solutions(
+    system: Condensed, topology: Topology, sides: Sequence[Side], given: frozenset[int] = frozenset()
+) -> list[dict[int, ca.SX]]:
+    """q_ddot of every coordinate of a tree, by column, for each right-hand side, from one elimination.
+
+    given: columns of q_i that are not solved for. Raises NoInertia.
+    """
     eq = system.equations
     M = [dict(row) for row in eq.M]
-    force: Row = dict(enumerate(eq.Q_star))
+    forces = [dict(side.force) for side in sides]
     by_column = {substitution.column: substitution for substitution in system.substitutions}
     evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
-    pivots: list[tuple[int, Row, ca.SX, ca.SX]] = []
+    pivots: dict[int, _Pivot] = {}
     order: list[int] = []
     for body in sorted(eq.body_columns, key=lambda name: -topology.distance_of(name)):
         columns = eq.body_columns[body]
         dependent = sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c])
         own = {other for c in dependent for other in by_column[c].e}
-        independent = [c for c in reversed(columns) if c not in by_column]
+        independent = [c for c in reversed(columns) if c not in by_column and c not in given]
         # what the body's place does not depend on has no neighbours on the parent yet: its pivots are short
         for column in (*(c for c in independent if c not in own), *dependent, *(c for c in independent if c in own)):
             if column in by_column:
-                _substitute(M, force, by_column[column])
+                _substitute(M, forces, sides, by_column[column])
             else:
-                pivots.append(_pivot(M, force, column))
+                pivots[column] = _eliminate(M, forces, column)
             order.append(column)
-    return _back_substitute(order, by_column, {pivot[0]: pivot for pivot in pivots})
+    starts = [{column: side.given.get(column, ZERO) for column in given} for side in sides]
+    return [
+        _back_substitute(order, by_column, pivots, k, side, start)
+        for k, (side, start) in enumerate(zip(sides, starts, strict=True))
+    ]
 
 
-def _substitute(M: list[Row], force: Row, substitution: Substitution) -> None:
+def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitution: Substitution) -> None:
     """x_d'' = sum e_j x_j'' + c: rows j lose M_jd c and gain e_j times row d."""
-    d, c = substitution.column, substitution.c_acceleration
-    if not c.is_zero():
-        for column, value in M[d].items():
-            force[column] = sub(force[column], mul(value, c))
-    value = force.pop(d)
-    for column, factor in substitution.e.items():
-        force[column] = add(force[column], mul(factor, value))
+    d = substitution.column
+    for force, side in zip(forces, sides, strict=True):
+        c = side.constants.get(d, ZERO)
+        if not c.is_zero():
+            for column, value in M[d].items():
+                force[column] = sub(force.get(column, ZERO), mul(value, c))
+        value = force.pop(d, ZERO)
+        if not value.is_zero():
+            for column, factor in substitution.e.items():
+                force[column] = add(force.get(column, ZERO), mul(factor, value))
     congruence(M, d, substitution.e)
 
 
-def _pivot(M: list[Row], force: Row, k: int) -> tuple[int, Row, ca.SX, ca.SX]:
-    """Gauss elimination of column k: (k, its row, 1 / pivot, its force) for the way back."""
+def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:
+    """Gauss elimination of column k."""
     row = M[k]
     M[k] = {}
     if k not in row:
         raise NoInertia(k)
     inverse = div(ONE, row.pop(k))
-    value = force.pop(k)
+    values = [force.pop(k, ZERO) for force in forces]
     for column in row:
         M[column].pop(k, None)
     columns = sorted(row)
     for position, i in enumerate(columns):
         factor = neg(mul(row[i], inverse))
-        force[i] = add(force[i], mul(factor, value))
+        for force, value in zip(forces, values, strict=True):
+            if not value.is_zero():
+                force[i] = add(force.get(i, ZERO), mul(factor, value))
         for j in columns[position:]:
             add_to(M[i], j, mul(factor, row[j]))
             if i != j and j in M[i]:
                 M[j][i] = M[i][j]
-    return k, row, inverse, value
+    return _Pivot(row, inverse, values)
 
 
 def _back_substitute(
-    order: list[int], by_column: Mapping[int, Substitution], pivots: Mapping[int, tuple[int, Row, ca.SX, ca.SX]]
+    order: list[int],
+    by_column: Mapping[int, Substitution],
+    pivots: Mapping[int, _Pivot],
+    k: int,
+    side: Side,
+    start: Mapping[int, ca.SX],
 ) -> dict[int, ca.SX]:
-    found: dict[int, ca.SX] = {}
+    """The solution of right-hand side k, from the root to the tips."""
+    found = dict(start)
     for column in reversed(order):
         if column in pivots:
-            _, row, inverse, value = pivots[column]
-            rest = dot(list(row.values()), [found[c] for c in row])
-            found[column] = mul(sub(value, rest), inverse)
+            pivot = pivots[column]
+            rest = dot(list(pivot.row.values()), [found[c] for c in pivot.row])
+            found[column] = mul(sub(pivot.forces[k], rest), pivot.inverse)
         else:
             substitution = by_column[column]
             known = [found.get(c, ZERO) for c in substitution.e]
-            found[column] = add(substitution.c_acceleration, dot(list(substitution.e.values()), known))
+            found[column] = add(side.constants.get(column, ZERO), dot(list(substitution.e.values()), known))
     return found

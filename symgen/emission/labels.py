@@ -13,7 +13,7 @@ from symgen.notation import BY_NAME
 from symgen.pipeline import Derived
 
 # what the emitted functions call their own: temporaries, arguments, outputs
-RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$")
+RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$")
 
 
 def local_names(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
@@ -46,6 +46,9 @@ class Labels:
             self.arguments[f"{source}_ddot"] = [f"{name}_ddot" for name in self.arguments[source]]
         self.arguments["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
         self.arguments["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]
+        if "slow_response" in derived.tapes:
+            crossing = derived.functions["slow_response"].outputs[-1].size[0]
+            self.arguments["crossing"] = [f"crossing{k}" for k in range(crossing)]
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
         self.arguments["c"] = self._constants(derived.tapes["constants"])

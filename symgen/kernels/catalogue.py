@@ -21,11 +21,17 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
+from symgen.kernels.partition_kernels import partition_kernels
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
 
-TREES_ONLY = {"forward_dynamics", "blocks"}  # may be asked for of any scene, and be left out
+TREES_ONLY = {
+    "forward_dynamics",
+    "blocks",
+    "slow_response",
+    "fast_rows",
+}  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = ("closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses")
 
 
@@ -54,6 +60,8 @@ def build_kernels(
         builders[name] = build
     if is_tree(system, topology):
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
+        if len(groups) == 2:
+            builders |= partition_kernels(system, topology, arguments, *groups)
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):

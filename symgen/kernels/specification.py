@@ -58,6 +58,22 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "q_i_ddot",
         ),
         _spec(
+            "slow_response",
+            "39",
+            "What the slow coordinates of a large tree do, q_L'' = y_ddot - N q_S'', by one elimination along it",
+            "condensed",
+            f"{STATE} t c",
+            "y_ddot N crossing",
+        ),
+        _spec(
+            "fast_rows",
+            "39",
+            "Rows of the fast coordinates of a large tree, slow ones moving with q_L'' = y_ddot - N q_S''",
+            "accelerations",
+            f"{STATE} crossing t c",
+            "M_bar_SS rhs_S",
+        ),
+        _spec(
             "constraints",
             "21-27",
             "Constraints and their derivatives in all coordinates",

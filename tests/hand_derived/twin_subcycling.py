@@ -3,17 +3,22 @@
 Model: M a = -K x - D v with x = (x_L, x_S), M = [[1, c], [c, 1]], K = diag(k_L, w^2), D = diag(0, 2 zeta w).
 Every scheme is linear here, so its action on unit states is its matrix.
 
-Held slow coordinate (`coupled`, `decoupled`), dt = m h, state y = (x, v, a, x_last, v_last), each of two numbers:
+Held slow coordinate (`coupled`), dt = m h, state y = (x, v, a, x_last, v_last), each of two numbers:
   once a major step, with ahead = (dt + h) / 2 = (1 + 1/m) / 2 of dt,
     x* = x + (1 + 1/m) / 2 (x - x_last),   v* = v + (1 + 1/m) / 2 (v - v_last),
     then x_last = x, v_last = v;
   m times, with u = v + h a / 2:
     x <- x + h u,   a <- from the rows below at velocity u + h a / 2 (the old a),   v <- u + h a / 2 (the new a).
-  coupled: both rows at once, x_L replaced by x_L* in them:
-    M a = (-k_L x_L*,  -w^2 x_S - 2 zeta w v_S).
-  decoupled: from the first row, at the starred values, N = c and y'' = -k_L x_L*; then
-    (1 - c N) a_S = -w^2 x_S - 2 zeta w v_S - c y'',   a_L = y'' - N a_S.
-  With m = 1 nothing is held: x_L itself stands in the rows.
+    both rows at once, x_L replaced by x_L* in them: M a = (-k_L x_L*,  -w^2 x_S - 2 zeta w v_S).
+  With m = 1 nothing is held: x_L itself stands in the rows. `decoupled` with m = 1 is that too.
+
+Decoupled, dt = m h: Y = x_L + c x_S has Y'' = Q_L, which is constant over a major step. State (x, v, x_last, v_last,
+Y''):
+  half a step of Y with the last Y'', and x_S on its secant, say where x_L is in the middle,
+    x* = Y + dt/2 Y' + dt^2/8 Y'' - c (x_S + (x_S - x_last_S) / 2);   then Y'' = -k_L x*, x_last = x, v_last = v;
+  x_S by m steps of (1 - c^2) a_S = -w^2 x_S - 2 zeta w v_S - c Y'', the first a_S at the start of the major step,
+    u = v_S + h a_S / 2,   x_S <- x_S + h u,   a_S <- at velocity u + h a_S / 2 (the old a_S),   v_S <- u + h a_S / 2;
+  at the end Y <- Y + dt Y' + dt^2/2 Y'', Y' <- Y' + dt Y'' and x_L = Y - c x_S.
 
 Linearised, a linear system: y = (x, v) is carried by m sub-steps h = dt / m of the system itself.
   rational: R(h A)^m, A = [0 1; -M^-1 K, -M^-1 D], R(z) = P(z) / P(-z) with P = 1 + z/2 + z^2/10 + z^3/120, the
@@ -43,8 +48,8 @@ def generator(p: Params) -> Array:
     return np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
 
 
-def held_slow_matrix(p: Params, dt: float, m: int, decoupled: bool = False) -> Array:
-    """One major step dt of `coupled` or `decoupled` on (x, v, a, x_last, v_last)."""
+def held_slow_matrix(p: Params, dt: float, m: int) -> Array:
+    """One major step dt of `coupled` on (x, v, a, x_last, v_last)."""
     M, _, _ = matrices(p)
     h, share = dt / m, (1 + 1 / m) / 2
     x, v, a, x_last, v_last = np.eye(10).reshape(5, 2, 10)
@@ -56,13 +61,32 @@ def held_slow_matrix(p: Params, dt: float, m: int, decoupled: bool = False) -> A
         velocity = u + h / 2 * old
         force_L = -p.k_L * (x_star[0] if m > 1 else x[0])
         force_S = -(p.w**2) * x[1] - 2 * p.zeta * p.w * velocity[1]
-        if decoupled:
-            a_S = (force_S - p.c * force_L) / (1 - p.c**2)
-            a = np.array([force_L - p.c * a_S, a_S])
-        else:
-            a = np.linalg.solve(M, np.array([force_L, force_S]))
+        a = np.linalg.solve(M, np.array([force_L, force_S]))
         v = u + h / 2 * a
     return np.concatenate([x, v, a, x_last, v_last])
+
+
+def decoupled_matrix(p: Params, dt: float, m: int) -> Array:
+    """One major step dt of `decoupled`, m > 1, on (x, v, x_last, v_last, Y'')."""
+    h, c = dt / m, p.c
+    unit = np.eye(9)
+    (x_L, x_S), (v_L, v_S), last_S = unit[:2], unit[2:4], unit[5]
+    start = unit[:4]
+    Y, Y_dot, Y_ddot = x_L + c * x_S, v_L + c * v_S, unit[8]
+    x_star = Y + dt / 2 * Y_dot + dt**2 / 8 * Y_ddot - c * (x_S + (x_S - last_S) / 2)
+    Y_ddot = -p.k_L * x_star
+
+    def acceleration(position: Array, velocity: Array) -> Array:
+        return np.asarray((-(p.w**2) * position - 2 * p.zeta * p.w * velocity - c * Y_ddot) / (1 - c**2))
+
+    a_S = acceleration(x_S, v_S)
+    for _ in range(m):
+        u = v_S + h / 2 * a_S
+        x_S = x_S + h * u
+        a_S = acceleration(x_S, u + h / 2 * a_S)
+        v_S = u + h / 2 * a_S
+    Y, Y_dot = Y + dt * Y_dot + dt**2 / 2 * Y_ddot, Y_dot + dt * Y_ddot
+    return np.vstack([Y - c * x_S, x_S, Y_dot - c * v_S, v_S, start, Y_ddot])
 
 
 def pade(z: Array) -> Array:

@@ -14,6 +14,8 @@ from runtime.schemes.turns import watch_turns
 from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation import FIELDS, SYMBOLS, Notation, table
+from symgen.scene import Scene
+from symgen.scenes.arm import arm
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "theory" / "names.md"
@@ -93,9 +95,11 @@ def test_blocks_of_the_mass_matrix_are_symbols() -> None:
     assert not found - codes(SYMBOLS), found - codes(SYMBOLS)
 
 
-def test_fields_of_z_are_the_table(built_in: Load) -> None:
+def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[Scene], Model]) -> None:
     """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
-    found = set().union(*(fields_of_z(built_in(name)) for name in MODELS))
+    models = [*(built_in(name) for name in MODELS), model_of(arm(10))]
+    found = set().union(*map(fields_of_z, models))
+    assert not emitted_names(models[-1]) - codes(SYMBOLS)
     assert found == codes(FIELDS)
 
 

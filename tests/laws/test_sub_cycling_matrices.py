@@ -16,6 +16,7 @@ from runtime.studies.stability.spectrum import ExactMotion
 from runtime.studies.stability.tangent import TangentStep
 from tests.hand_derived.twin_oscillators import Params
 from tests.hand_derived.twin_subcycling import (
+    decoupled_matrix,
     held_slow_matrix,
     linearised_central_matrix,
     modes,
@@ -30,13 +31,15 @@ REST = State(0.0, np.zeros(2), np.zeros(2), np.zeros(0))
 UNDAMPED, DAMPED = Params(c=0.5, w=20.0, k_L=1.7, zeta=0.0), Params(c=-0.6, w=15.0, k_L=0.9, zeta=0.07)
 
 # scheme, m, options, fields of its memory that act, the twin's matrix of (parameters, dt)
+DECOUPLED = ("x", "v", "x_last", "v_last", "y_ddot")
 HELD, ONE_STEP = ("x", "v", "a", "x_last", "v_last"), ("x", "v")
 CASES: dict[str, tuple[str, list[int] | None, dict[str, Any], tuple[str, ...], Callable[[Params, float], Array]]] = {
     **{f"coupled {m}": ("coupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m)) for m in range(1, 51)},
     **{
-        f"decoupled {m}": ("decoupled", [m], {}, HELD, lambda p, dt, m=m: held_slow_matrix(p, dt, m, decoupled=True))
-        for m in (1, 2, 3, 7, 20)
+        f"decoupled {m}": ("decoupled", [m], {}, DECOUPLED, lambda p, dt, m=m: decoupled_matrix(p, dt, m))
+        for m in (2, 3, 7, 20)
     },
+    "decoupled 1": ("decoupled", [1], {}, HELD, lambda p, dt: held_slow_matrix(p, dt, 1)),
     **{
         f"linearised {m}": ("linearised", [m], {}, ONE_STEP, lambda p, dt, m=m: rational_matrix(p, dt, m))
         for m in (2, 4, 10)
@@ -67,7 +70,8 @@ class Amplification:
         self.model, self.scheme = model, scheme_kind(name).build(name, model, 1.0, m, options)
         self.tangent, self.start = TangentStep(self.scheme), self.scheme.start()
         layout, columns = self.scheme.layout, list(self.tangent.columns)
-        self.entries = [columns.index(layout.slice(name).start + k) for name in fields for k in range(2)]
+        positions = [k for name in fields for k in range(layout.slice(name).start, layout.slice(name).stop)]
+        self.entries = [columns.index(k) for k in positions]
 
     def __call__(self, p: Params, dt: float) -> tuple[Array, Array]:
         """(whole matrix of a major step, its block of the fields that the twin has)."""

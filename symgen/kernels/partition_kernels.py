@@ -1,0 +1,72 @@
+"""Kernels of the partition of large trees (Eqs. 39, 64): what crosses between slow and fast coordinates, in O(N).
+
+M_hat_LL^-1 costs the cube of the slow coordinates, and along a tree it is not needed: one elimination with the fast
+accelerations given has q_L'' = y'' - N q_S'' as its solution, y'' for the forces and a column of -N for each unit
+acceleration of q_S. The rows of q_S then see a few accelerations only, those of the bodies that q_S belongs to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import casadi as ca
+
+from symgen.algebra.scalar import ZERO, neg
+from symgen.condensed.condensation import Condensed
+from symgen.condensed.forward_dynamics import forces_side, given_side, tree_solutions
+from symgen.kernels.arguments import Arguments
+from symgen.kernels.kernel import Kernel
+from symgen.system.equations import matrix_times
+from symgen.system.topology import Topology
+
+LARGE_TREE = 8  # independent coordinates from which these are shorter than a factorisation of M_hat
+
+
+def partition_kernels(
+    system: Condensed, topology: Topology, arguments: Arguments, slow: list[int], fast: list[int]
+) -> dict[str, Callable[[], Kernel]]:
+    """Builders by name for two groups of a large tree, positions in q_i; none for a small one."""
+    if len(system.choice.independent) <= LARGE_TREE:
+        return {}
+    return {
+        "slow_response": lambda: _slow_response(system, topology, arguments, slow, fast),
+        "fast_rows": lambda: _fast_rows(system, arguments, fast),
+    }
+
+
+def _slow_response(system: Condensed, topology: Topology, a: Arguments, slow: list[int], fast: list[int]) -> Kernel:
+    """y'' = M_hat_LL^-1 Q_hat_L, N = M_hat_LL^-1 M_hat_LS, and the accelerations that cross to the rows of q_S."""
+    columns = system.choice.independent
+    given = frozenset(columns[k] for k in fast)
+    sides = [forces_side(system), *(given_side(columns[k]) for k in fast)]
+    forced, *responses = solutions = tree_solutions(system, topology, sides, given)
+    seen = _columns_seen(system, fast)
+    outputs = {
+        "y_ddot": ca.vertcat(*(forced[columns[k]] for k in slow)),
+        "N": ca.horzcat(*(ca.vertcat(*(neg(found[columns[k]]) for k in slow)) for found in responses)),
+        "crossing": ca.vertcat(*(found.get(c, ZERO) for found in solutions for c in seen)),
+    }
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return Kernel(inputs, {name: ca.densify(value) for name, value in outputs.items()})
+
+
+def _fast_rows(system: Condensed, a: Arguments, fast: list[int]) -> Kernel:
+    """M_hat_SS - M_hat_SL N and Q_hat_S - M_hat_SL y'': the rows of q_S with q_L'' = y'' - N q_S''."""
+    seen = _columns_seen(system, fast)
+    crossing = ca.SX.sym("crossing", len(seen) * (1 + len(fast)))
+    forces = system.project(dict(enumerate(system.equations.Q_star)))[fast]
+    sides = []
+    for j in range(1 + len(fast)):
+        moving = {column: crossing[j * len(seen) + k] for k, column in enumerate(seen)}
+        sides.append(system.project(matrix_times(system.equations.M, moving))[fast])
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", crossing=crossing)
+    return Kernel(inputs, {"M_bar_SS": ca.densify(ca.horzcat(*sides[1:])), "rhs_S": ca.densify(forces - sides[0])})
+
+
+def _columns_seen(system: Condensed, fast: list[int]) -> list[int]:
+    """Coordinates whose accelerations stand in the rows of q_S of S^T M q''."""
+    columns = range(len(system.equations.names))
+    accelerations = ca.SX.sym("q_ddot", len(columns))
+    inertia = matrix_times(system.equations.M, {column: accelerations[column] for column in columns})
+    pattern = ca.jacobian_sparsity(system.project(inertia)[fast], accelerations)
+    return sorted(set(pattern.get_triplet()[1]))
