@@ -43,7 +43,7 @@ def chord(q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca
 def held_at_the_middle(
     q: ca.SX, v: ca.SX, a: ca.SX, s: ca.SX, h: ca.SX, H: ca.SX, q_next: ca.SX
 ) -> tuple[ca.SX, ca.SX]:
-    """(59) at the middle of the slow step: what depends on slow variables only is the same in all sub-steps."""
+    """At the middle of the slow step: what depends on slow variables only is then the same in all sub-steps."""
     return q + H / 2 * v + H * H / 8 * a, v + H / 2 * a
 
 
