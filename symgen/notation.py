@@ -45,6 +45,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("q_i_ddot", "q_i''", "35", "n_i", "mixed", "accelerations of the independent coordinates"),
     Notation("q_d_ddot", "q_d''", "35", "n_d", "mixed", "accelerations of the dependent coordinates"),
     Notation("t", "t", "21", "1", "s", "time"),
+    Notation("u", "", "", "n_u", "SI", "inputs: what comes from outside during a run, with rates where they have them"),
     Notation("p", "", "", "n_p", "SI", "parameters: every physical number of a scene that is not zero"),
     Notation("c", "", "", "n_const", "SI", "what depends on p only, computed once a run: c = constants(p)"),
     # bodies
@@ -139,6 +140,9 @@ FIELDS: tuple[Notation, ...] = (
         "q_i reached: of fast groups at their sub-step, of slow ones at their step's end",
     ),
     Notation("loop", "q_d", "31", "loops", "mixed", "guess of the loop unknowns"),
+    Notation(
+        "inputs", "", "", "numbers of inputs", "SI", "the numbers that the inputs u are made of, as they are held"
+    ),
     Notation("closure_error", "", "", "1", "m, rad", "largest C_loop so far"),
     Notation("iterations", "", "", "1", "1", "sweeps or Newton iterations done"),
     Notation("failures", "", "", "1", "1", "steps whose iteration did not converge"),

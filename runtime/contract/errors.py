@@ -33,5 +33,9 @@ class ArgumentError(SymgenError, ValueError):
     """An argument of a function that cannot be used."""
 
 
+class ModelError(SymgenError, ValueError):
+    """A generated model that cannot be used: missing, edited, stale, or asked for something it does not have."""
+
+
 class NoResult(SymgenError, RuntimeError):
     """A study that came to no result, for a numerical reason that the message names."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,15 +11,11 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.doors import OPENS
-from runtime.contract.errors import SymgenError
+from runtime.contract.errors import ModelError as ModelError
 from runtime.contract.model_card import model_card
-from runtime.contract.records import Bound, Coordinate, Description, Group, Parameter
-
-WORDS = {"positive": "positive", "not negative": "at least zero"}
-
-
-class ModelError(SymgenError, ValueError):
-    """A generated model that cannot be used: missing, edited, stale, or asked for something it does not have."""
+from runtime.contract.parameter_values import changed_vector, checked_inputs, require_bounds
+from runtime.contract.records import Coordinate, Description, Group, Parameter
+from runtime.contract.signals import Signals, with_signals
 
 
 @dataclass(frozen=True, repr=False)
@@ -30,7 +26,7 @@ class Model:
     initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; "" if
-    not known.
+    not known. input_values, sources: constants and functions of time given for inputs (see `with_inputs`).
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -41,6 +37,8 @@ class Model:
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     digest: str = ""
     scene_toml: str = ""
+    input_values: Mapping[str, float] = field(default_factory=dict)
+    sources: Mapping[str, ca.Function] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 
@@ -112,10 +110,35 @@ class Model:
             "loads": [{"name": load.name, "type": load.type, **load.markers} for load in described.loads],
         }
 
-    @property
+    @cached_property
     def parameters(self) -> list[Parameter]:
-        """Entries of p."""
-        return self.description.parameters
+        """Entries of p, and behind them the numbers that inputs are made of (kind `input`)."""
+        return [*self.description.parameters, *self.signals.parameters]
+
+    @cached_property
+    def inputs(self) -> list[str]:
+        """Names of the inputs: what comes from outside during a run."""
+        return [entry.name for entry in self.description.inputs]
+
+    @cached_property
+    def signals(self) -> Signals:
+        """The inputs as functions of time; see runtime.contract.signals."""
+        return Signals(self.description.inputs, self.sources)
+
+    def with_inputs(self, values: Mapping[str, float | Callable[[Any], Any]]) -> Model:
+        """The model with inputs given by name: constants, or functions of time, which are called with a symbolic t.
+
+        Raises ModelError or ArgumentError for an unknown input or a value that cannot be used.
+        """
+        numbers, functions = checked_inputs(self.name, self.description.inputs, self.signals.parameters, values)
+        kept = {name: source for name, source in self.sources.items() if name not in numbers}
+        return replace(
+            self,
+            input_values={**self.input_values, **numbers},
+            sources={**kept, **functions},
+            _kernels={},
+            _derived={},
+        )
 
     @property
     def redundant(self) -> list[str]:
@@ -156,7 +179,10 @@ class Model:
                     f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
                     + ("Regenerate the scene with that function" if self.q_i else driven)
                 )
-            self._kernels[name] = self.builders[name]()
+            kernel = self.builders[name]()
+            if self.inputs:
+                kernel = with_signals(kernel, self.signals, self._emitted_c_size)
+            self._kernels[name] = kernel
         return self._kernels[name]
 
     def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
@@ -216,8 +242,12 @@ class Model:
         return OPENS["stepper"](self, **settings)
 
     @cached_property
+    def _emitted_c_size(self) -> int:
+        return int(self.builders["constants"]().size1_out(0))
+
+    @cached_property
     def c_size(self) -> int:
-        """Length of c."""
+        """Length of c, the numbers of inputs at its end included."""
         return int(self.kernel("constants").size1_out(0))
 
     @cached_property
@@ -246,33 +276,11 @@ class Model:
         return np.setdiff1d(np.arange(len(self.constraints)), self.redundant_rows)
 
     def parameter_vector(self, changes: Mapping[str, float] | None = None) -> np.ndarray:
-        """p with some entries changed by name. Raises ModelError for a name the model does not have."""
-        p = np.array([parameter.default for parameter in self.parameters])
-        index = {parameter.name: k for k, parameter in enumerate(self.parameters)}
-        for name, value in (changes or {}).items():
-            if name not in index:
-                known = ", ".join(q.name for q in self.parameters if q.kind != "data")
-                zero = (
-                    "; a number that is zero in the scene is left out of the code: to keep it, declare it in "
-                    "[parameters] with default 0 and write its name there"
-                    if "." in name
-                    else ""
-                )
-                raise ModelError(f"model {self.name} has no parameter {name!r}; it has {known}{zero}")
-            p[index[name]] = _checked_value(self.parameters[index[name]], value)
+        """p (n_p,) with some entries changed by name. Raises ModelError for a name the model does not have."""
+        p = changed_vector(self.name, self.parameters, {**self.input_values, **(changes or {})})
         if changes and self.description.bounded:
-            self._require_bounds(p)
+            require_bounds(self.description.bounded, np.asarray(self.kernel("bounded")(p)).ravel())
         return p
-
-    def _require_bounds(self, p: np.ndarray) -> None:
-        """Raises ModelError if an expression of the scene has lost the sign that its use asks for."""
-        values = np.asarray(self.kernel("bounded")(p)).ravel()
-        for quantity, value in zip(self.description.bounded, values, strict=True):
-            if not _within(quantity.bound, value):
-                raise ModelError(
-                    f"{quantity.item} = {quantity.expression!r} would be {value:.6g} but must be "
-                    f"{WORDS[quantity.bound]}: choose other values of its parameters"
-                )
 
     def constants(self, p: np.ndarray) -> np.ndarray:
         """c (c_size,) for a parameter vector p (n_p,). Raises ModelError if one of them is infinite or NaN."""
@@ -280,16 +288,3 @@ class Model:
         if not np.all(np.isfinite(c)):
             raise ModelError(f"model {self.name}: a parameter makes the constants infinite (division by zero?)")
         return c
-
-
-def _checked_value(parameter: Parameter, value: float) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
-        raise ModelError(f"parameter {parameter.name!r} must be a finite number, not {value!r}")
-    if not _within(parameter.bound, float(value)):
-        raise ModelError(f"parameter {parameter.name!r} must be {WORDS[parameter.bound]}, not {value}")
-    return float(value)
-
-
-def _within(bound: Bound, value: float) -> bool:
-    """Has a value the sign that a bound asks for?"""
-    return bool({"any": True, "positive": value > 0, "not negative": value >= 0}[bound])

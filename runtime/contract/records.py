@@ -12,12 +12,12 @@ from typing import Any, Literal
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
-ParameterKind = Literal["declared", "scene", "data"]
+ParameterKind = Literal["declared", "scene", "data", "input"]
 Bound = Literal["any", "positive", "not negative"]
 # A ladder: what a function takes is known at its stage. Stage -> the arguments that are known from there on.
 STAGES: dict[str, tuple[str, ...]] = {
     "constants": ("p",),
-    "closure": ("c", "t", "q_i", "q_d"),
+    "closure": ("c", "t", "u", "q_i", "q_d"),
     "velocities": ("q_i_dot",),
     "condensed": ("q_d_dot", "q", "q_dot"),
     "accelerations": ("q_i_ddot", "q_L_ddot", "crossing"),
@@ -84,6 +84,22 @@ class Parameter:
     default: float
     bound: Bound = "any"
     array: str = ""
+
+
+@dataclass(frozen=True)
+class InputRecord:
+    """A number that comes from outside during a run: SI unit, meaning, default.
+
+    rates: its rate and acceleration are entries of u behind it; filter [rad/s]: of the law that gives all three from a
+    target, 0 for none (runtime/contract/signals.py).
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    default: float
+    rates: bool = False
+    filter: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -213,7 +229,7 @@ class Description:
     """All that is said of a model in words: everything but its functions and its numbers.
 
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
-    components [m/s^2] at default parameters; simulation: what runs use where nothing else is said.
+    components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u.
     """
 
     name: str
@@ -235,6 +251,7 @@ class Description:
     bounded: list[BoundedQuantity]
     functions: list[FunctionSpec]
     simulation: Mapping[str, Any]
+    inputs: list[InputRecord] = field(default_factory=list)
 
 
 _TABLES: dict[str, type] = {
@@ -247,20 +264,24 @@ _TABLES: dict[str, type] = {
     "measures": Measure,
     "parameters": Parameter,
     "bounded": BoundedQuantity,
+    "inputs": InputRecord,
 }
+_MAY_LACK = ("inputs",)  # tables that are not written where they are empty
 
 
 def as_plain(description: Description) -> dict[str, Any]:
-    """The description as plain values for JSON; a model without shapes has no entry for them."""
+    """The description as plain values for JSON; a model without shapes or inputs has no entry for them."""
     plain = asdict(description)
     if not plain["drawing"]["shapes"]:
         del plain["drawing"]["shapes"]
-    return plain
+    return {key: value for key, value in plain.items() if value or key not in _MAY_LACK}
 
 
 def description(plain: Mapping[str, Any]) -> Description:
     """The description that `as_plain` wrote. Raises KeyError or TypeError for anything else."""
-    values: dict[str, Any] = {key: plain[key] for key in Description.__dataclass_fields__}
+    values: dict[str, Any] = {
+        key: plain.get(key, []) if key in _MAY_LACK else plain[key] for key in Description.__dataclass_fields__
+    }
     for key, record in _TABLES.items():
         values[key] = [record(**entry) for entry in values[key]]
     values["functions"] = [

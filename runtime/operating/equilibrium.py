@@ -86,7 +86,7 @@ def equilibrium(
     """The equilibrium reached from the model's initial state: Q_hat = 0 at constant rates.
 
     held: coordinates clamped at a value [m, rad]; rates: coordinates that go on at a constant rate [m/s, rad/s], from
-    their held or initial position; inputs: parameters that loads depend on, set to a value, or None: solved for, so
+    their held or initial position; inputs: inputs or parameters of the scene, set to a value, or None: solved for, so
     that no held or turning coordinate needs a force (there must be as many); parameters, initial: changes by name;
     t [s]: the time at which loads and prescribed motions are taken. Newton with exact derivatives, led away from
     unstable equilibria unless it starts in one. Raises NoEquilibrium, InitialStateError and ModelError.

@@ -35,7 +35,7 @@ def given_state(
     """
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
-    if not changes and t0 == 0 and np.array_equal(p, defaults):
+    if not changes and t0 == 0 and np.array_equal(p, defaults) and not model.sources:
         return ConsistentState(model.initial_q, model.initial_q_dot, dict(model.initial_changes))
     if not model.constraints:
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()

@@ -13,7 +13,7 @@ from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, 
 from runtime.operating.functions import PointFunctions
 from runtime.operating.given_state import given_state
 from runtime.operating.linearisation import Linearisation
-from runtime.operating.mode_solver import State, state_at
+from runtime.operating.mode_solver import State, parameters_at, state_at
 from runtime.operating.outputs import output_slopes
 from runtime.operating.trim import force_by_parameters
 from runtime.results.solution import Solution
@@ -35,11 +35,11 @@ def linearise(
 
     at: an `equilibrium(...)`; coordinates and rates by name (`_dot`), taken as they are; (solution, sample); or None:
     the equilibrium reached from the initial state at the rigid rates that it has. inputs: coordinates (a generalised
-    force [N, N m]) or parameters; all independent coordinates by default. outputs: measures, coordinates, or rates
-    (`_dot`); the scene's measures by default, else the independent coordinates. parameters: changes by name, not with
-    an equilibrium or a solution, which have their own. locked: coordinates that stay as they are; those that the
-    equilibrium holds by default; t [s]: the time, if `at` does not say it. Raises ModelError, InitialStateError and
-    NoEquilibrium.
+    force [N, N m]), inputs or parameters of the scene; all independent coordinates by default. outputs: measures,
+    coordinates, or rates (`_dot`); the scene's measures by default, else the independent coordinates. parameters:
+    changes by name, not with an equilibrium or a solution, which have their own. locked: coordinates that stay as
+    they are; those that the equilibrium holds by default; t [s]: the time, if `at` does not say it. Raises
+    ModelError, InitialStateError and NoEquilibrium.
     """
     point = _point(model, at, parameters, t)
     locked = tuple(named(model, name) for name in (point.held if locked is None else locked))
@@ -104,7 +104,7 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
     if isinstance(at, State):
         return _Point(at, p)
     if isinstance(at, tuple):
-        return _Point(state_at(*at), at[0].parameters)
+        return _Point(state_at(*at), parameters_at(*at))
     found = given_state(model, p, model.constants(p), t, at)
     columns = model.independent_columns
     return _Point(State(t, found.q[columns], found.q_dot[columns], found.q[model.loop_columns]), p)

@@ -111,10 +111,24 @@ def state_at(solution: Solution, k: int) -> State:
     )
 
 
+def parameters_at(solution: Solution, k: int) -> np.ndarray:
+    """p (n_p,) at sample k: what the inputs were then is in it."""
+    model, p = solution.model, np.array(solution.parameters)
+    if model.inputs:
+        u = {name: float(solution.measures[k, position]) for position, name in enumerate(model.measures)}
+        p[-model.signals.size :] = model.signals.held_as(u, float(solution.t[k]))
+    return p
+
+
 def modes_at(solution: Solution, samples: Iterable[int]) -> list[Modes]:
     """Modes at some samples of a solution. Raises ModelError if the model was generated without its Jacobians."""
-    solver = ModeSolver(solution.model, solution.model.constants(solution.parameters))
-    return [solver(state_at(solution, k)) for k in samples]
+    model = solution.model
+    found, solver = [], None
+    for k in samples:
+        if solver is None or model.inputs:
+            solver = ModeSolver(model, model.constants(parameters_at(solution, k)))
+        found.append(solver(state_at(solution, k)))
+    return found
 
 
 def _one_of_each(values: np.ndarray, n: int) -> np.ndarray:

@@ -32,6 +32,9 @@ def observe_samples(
 ) -> Solution:
     """Solution of the samples (N, len(z)) of a scheme's state between major steps."""
     observed = evaluate(scheme.observer, {"z": samples}, scheme.constants(c))
+    if "inputs" in scheme.layout.sizes:  # each sample has its own
+        c = np.tile(c, (len(samples), 1))
+        c[:, -model.signals.size :] = samples[:, scheme.layout.slice("inputs")]
     if scheme.closes and model.loop_unknowns:
         _close_tightly(model, observed, c)
     q = join(model, observed["q_i"], observed["q_d"])
@@ -55,7 +58,8 @@ def _close_tightly(model: Model, observed: dict[str, np.ndarray], c: np.ndarray)
             return
         observed["q_d"][open_] = found["q_d_next"][open_]
         rows = {name: values[open_] for name, values in observed.items()}
-        observed["q_d_dot"][open_] = evaluate(model.kernel("velocities"), rows, c)["q_d_dot"]
+        own = c if c.ndim == 1 else c[open_]
+        observed["q_d_dot"][open_] = evaluate(model.kernel("velocities"), rows, own)["q_d_dot"]
 
 
 def assemble_solution(
@@ -72,7 +76,10 @@ def assemble_solution(
     stats: dict[str, float | int | str],
     status: Status,
 ) -> Solution:
-    """Solution from full coordinate histories (N, n): what any integrator on the emitted functions can call."""
+    """Solution from full coordinate histories (N, n): what any integrator on the emitted functions can call.
+
+    c: the model's constants (c_size,), or those of each sample (N, c_size).
+    """
     values = {"q": q, "q_dot": q_dot, "q_ddot": q_ddot, "t": t[:, None]}
     energy = {key: column[:, 0] for key, column in evaluate(model.kernel("energy"), values, c).items()}
     n = len(t)

@@ -17,6 +17,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
+from runtime.running.inputs import Schedule
 
 SCHEME = "driven"
 CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed
@@ -27,7 +28,14 @@ MOST_HALVINGS = 12  # of the time from one instant to the next
 
 
 def driven_solution(
-    model: Model, p: np.ndarray, state: ConsistentState, t0: float, t_end: float, dt: float, save_every: int
+    model: Model,
+    p: np.ndarray,
+    state: ConsistentState,
+    t0: float,
+    t_end: float,
+    dt: float,
+    save_every: int,
+    schedule: Schedule,
 ) -> Solution:
     """The motion of a model without independent coordinates, from its state at t0 until t_end [s].
 
@@ -37,10 +45,14 @@ def driven_solution(
     step = dt * save_every
     times = t0 + step * np.arange(int(np.ceil((t_end - t0) / step * (1 - 1e-12))) + 1)
     c = model.constants(p)
+    if schedule.samples:
+        w = model.signals.size
+        c = np.tile(c, (len(times), 1))
+        c[:, -w:] = schedule.rows(times, dt, p[-w:])
     follower = _Follower(model, c)
     q_d = follower.along(times, state.q[model.dependent_columns])
     lost = len(q_d) < len(times)
-    times = times[: len(q_d)]
+    times, c = times[: len(q_d)], c if c.ndim == 1 else c[: len(q_d)]
     values = {"q_d": q_d, "t": times[:, None], "q_i": np.zeros((len(times), 0)), "q_i_dot": np.zeros((len(times), 0))}
     values["q_d_dot"] = evaluate(model.kernel("velocities"), values, c)["q_d_dot"]
     values["q_i_ddot"] = np.zeros((len(times), 0))
@@ -73,10 +85,12 @@ class _Follower:
         if not self.model.loop_unknowns:
             values = {"q_d": np.tile(q_d, (len(times), 1)), "t": times[:, None], "q_i": np.zeros((len(times), 0))}
             return evaluate(self.model.kernel("closure"), values, self.c)["q_d_next"]
+        rows = np.broadcast_to(self.c, (len(times), self.c.shape[-1]))  # what is held from each instant on
+        self.c = rows[0]
         found = [self._closed(q_d, float(times[0]))]
         if found[0] is None:
             found = [q_d]
-        for before, t in zip(times, times[1:], strict=False):
+        for before, t, self.c in zip(times, times[1:], rows, strict=False):
             following = self._next(np.asarray(found[-1]), float(before), float(t), MOST_HALVINGS)
             if following is None:
                 break

@@ -15,11 +15,13 @@ from runtime.results.stream import StreamFile
 from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint
 from runtime.running.header import CheckpointHeader
+from runtime.running.inputs import Schedule
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.record import Record
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import FLOOR, Guard
 from runtime.running.singular.passage import Passage, locate
+from runtime.schemes.work import begin_account, work_of
 
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
@@ -50,6 +52,7 @@ class Run:
     engine: str = "auto"
     guard: Guard = field(default_factory=Guard)
     accuracy: Accuracy = field(default_factory=lambda: Accuracy(0))
+    schedule: Schedule | None = None
     earlier: np.ndarray | None = None  # a state of this segment at least a step before z, if there is one
 
     @property
@@ -107,6 +110,7 @@ class Run:
     def _loop(self, interrupts: Interrupts) -> None:
         per_call = 1
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
+            self._take_inputs()
             self.accuracy.look(self.segment, self.z, self.guard)
             n = self._batch(per_call)
             began = time.perf_counter()
@@ -117,6 +121,20 @@ class Run:
                 self._write_checkpoint()
             if self.progress is not None:
                 self.progress(self.segment.plan.time(self.step), self.segment.plan.t_end)
+
+    def _take_inputs(self) -> None:
+        """What is sampled at this step."""
+        if self.schedule is None:
+            return
+        plan, layout = self.segment.plan, self.segment.plan.scheme.layout
+        own = layout.slice("inputs")
+        w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
+        if w is not None:
+            self.z[own] = w
+            for segment in self.record.segments:
+                segment.take_inputs(w)
+            scheme = plan.scheme  # powers jump with the inputs: count anew from here
+            begin_account(scheme, self.z, scheme.constants(self.segment.c), work_of(scheme, self.z))
 
     def _advance(self, n: int) -> None:
         before = self.z.copy()
@@ -182,6 +200,8 @@ class Run:
         plan, done = self.segment.plan, self.step
         n = min(plan.save_every - done % plan.save_every, plan.steps - done, per_call)
         n = min(n, self.accuracy.until_next(done) or n)
+        if self.schedule is not None:
+            n = min(n, self.schedule.until_next(done) or n)
         return n if self.rule.every is None else min(n, self.rule.every - done % self.rule.every)
 
     def _keep(self, z: np.ndarray | None = None) -> None:

@@ -35,7 +35,7 @@ class Segment:
     @classmethod
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
-        c = model.constants(p)
+        p, c = p.copy(), model.constants(p)
         account_for_work(plan.scheme)
         watch_turns(plan.scheme)
         stepper = Stepper(plan.scheme, engine)
@@ -53,6 +53,10 @@ class Segment:
         begin_turns(self.plan.scheme, z)
         begin_account(self.plan.scheme, z, self.plan.scheme.constants(self.c), work)
         return z
+
+    def take_inputs(self, w: np.ndarray) -> None:
+        """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
+        self.p[-len(w) :] = self.c[-len(w) :] = w
 
     def step_of(self, z: np.ndarray) -> int:
         """Major steps that were made when z was reached."""

@@ -17,6 +17,7 @@ from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint, claim, read_checkpoint
 from runtime.running.driven import driven_solution
+from runtime.running.inputs import InputValue, Schedule, bound, reads_of, scheduled, started
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan, make_plan, whole_number
 from runtime.running.record import record_of
@@ -57,6 +58,7 @@ class RunArguments(FurtherArguments, total=False):
     options: Mapping[str, Any] | None
     t0: float
     start: str | None
+    inputs: Mapping[str, InputValue] | None
 
 
 @dataclass(frozen=True)
@@ -112,6 +114,7 @@ def simulate(
     initial: Mapping[str, float] | None = None,
     start: str | None = None,
     t0: float = 0.0,
+    inputs: Mapping[str, InputValue] | None = None,
     **further: Unpack[FurtherArguments],
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
@@ -121,23 +124,34 @@ def simulate(
 
     scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name.
     parameters and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
-    (elastic coordinates in equilibrium). further: see `Further`.
+    (elastic coordinates in equilibrium). inputs: by name a number, a function of time (called once with a symbol),
+    (times, values) held in between, or a `Sampled` controller. further: see `Further`.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
     """
-    more = Further(**further)
+    more, model = Further(**further), bound(model, inputs)
     if not model.q_i:
-        return _driven(model, t_end, dt, parameters, initial, t0, more)
+        return _driven(model, t_end, dt, parameters, initial, t0, more, inputs)
     plan = make_plan(model, t_end, dt, m, scheme, more.save_every, options, t0, more.bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
     rule = more.rule()
-    p = model.parameter_vector(parameters)
+    schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
+    p = started(model, model.parameter_vector(parameters), schedule, t0)
     state = start_state(model, p, model.constants(p), t0, initial, start)
     events = check_time_functions(model, model.constants(p), plan, state)
     run, set_up = _begun(model, plan, p, state, more, rule)
     run.events += events
+    run.schedule = _with_reads(schedule, inputs, run)
     return finished(run, set_up)
+
+
+def _with_reads(schedule: Schedule, inputs: Mapping[str, InputValue] | None, run: Run) -> Schedule | None:
+    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with a controller."""
+    if schedule.controllers and run.rule.path is not None:
+        raise SchemeError("checkpoint", "a controller's memory cannot be kept", "leave the checkpoint out")
+    reads_of(schedule, inputs, run.segment.model, run.segment.plan.scheme, run.segment.c)
+    return schedule if schedule.samples or schedule.controllers else None
 
 
 def _begun(
@@ -175,6 +189,7 @@ def _driven(
     initial: Mapping[str, float] | None,
     t0: float,
     more: Further,
+    inputs: Mapping[str, InputValue] | None,
 ) -> Solution:
     """The motion of a model in which every coordinate is driven: nothing is stepped, whatever the scheme."""
     if more.outputs is not None or more.stream is not None or more.checkpoint is not None:
@@ -188,8 +203,14 @@ def _driven(
     every = int(settings["save_every"] if more.save_every is None else more.save_every)
     if not (np.isfinite([end, step]).all() and step > 0 and end > t0 and every >= 1):
         raise SchemeError("t_end, dt, save_every", "do not make a motion", "take t_end > t0, dt > 0, save_every >= 1")
-    p = model.parameter_vector(parameters)
-    return driven_solution(model, p, given_state(model, p, model.constants(p), t0, initial), t0, end, step, every)
+    schedule = scheduled(model, inputs, t0, step)
+    if schedule.controllers:
+        raise SchemeError(
+            "inputs", "a controller has nothing to act on where every coordinate is driven", "give samples"
+        )
+    p = started(model, model.parameter_vector(parameters), schedule, t0)
+    state = given_state(model, p, model.constants(p), t0, initial)
+    return driven_solution(model, p, state, t0, end, step, every, schedule)
 
 
 def _differ(given: float, used: float) -> bool:
@@ -210,14 +231,16 @@ def resume(
     dt: float | None = None,
     m: list[int] | None = None,
     options: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, InputValue] | None = None,
 ) -> Solution:
     """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
 
     stream: the run's own folder where it has moved. checkpoint: where further ones go (the same file by default).
+    inputs: those of the run, where they are functions of time or samples.
     scheme, dt [s], m and options need not be said again; they are compared with the run's own. Raises ModelError for a
     checkpoint of another model or a damaged file, SchemeError for other settings, and what `simulate` raises.
     """
-    kept = read_checkpoint(path)
+    kept, model = read_checkpoint(path), bound(model, inputs)
     header = kept.header
     header.check_model(model, path)
     header.check_settings({"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
@@ -246,6 +269,9 @@ def resume(
         accuracy=accuracy,
         earlier=kept.arrays.get("earlier"),
     )
+    schedule = scheduled(model, inputs, header.t0, header.dt)
+    schedule.done = run.step - 1
+    run.schedule = _with_reads(schedule, inputs, run)
     return finished(run, set_up)
 
 

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
+from runtime.contract.signals import SINCE
 from runtime.contract.status import Status
 from runtime.operating.equilibrium import Equilibrium
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
 from runtime.running.plan import make_plan
+from runtime.running.reading import reading
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 
@@ -68,6 +70,9 @@ class ModelStepper:
         # these arrays stay where they are: compiled code and readers know their addresses
         self._z = self._stepper.start(0.0, state.q, state.q_dot, self._c, self.dt).copy()
         self._advance = self._stepper.engine.bound(self._z, self._ready)
+        w = model.signals
+        self._own_inputs = self._z[plan.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
+        self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
 
     # ---- stepping -------------------------------------------------------------------------------------------
 
@@ -80,21 +85,50 @@ class ModelStepper:
     ) -> None:
         """Go to a state: coordinates and rates (`_dot`) by name, an equilibrium, or None for the model's own start.
 
-        An equilibrium brings its time; its parameters are taken over. Raises InitialStateError and ModelError.
+        An equilibrium brings its time; its parameters are taken over. Inputs are again what the parameters say.
+        Raises InitialStateError and ModelError.
         """
         if isinstance(state, Equilibrium):
             self._take(state.parameters)
             q, q_dot, t = state.q, state.q_dot, state.state.t
         else:
+            if SINCE in self.model.signals.names:
+                self._take(np.append(self.parameters[:-1], t))  # rates count from here
             found = start_state(self.model, self.parameters, self._c, t, state, start)
             q, q_dot = found.q, found.q_dot
         self._z[:] = self._stepper.start(t, q, q_dot, self._c, self.dt)
         self._sample = None
 
-    def step(self, n: int = 1) -> None:
-        """Make n major steps. Bit for bit the same in one call or in many."""
+    def step(self, u: int | Mapping[str, float] | Sequence[float] | None = None, n: int = 1) -> None:
+        """Make n major steps with the inputs u: by name, or one number for each of model.inputs; None: as they are.
+
+        `step(n)` with a whole number leaves the inputs as they are, too. They are held; those with rates go on with
+        the rate and acceleration given. Bit for bit the same in one call or in many. Raises ArgumentError.
+        """
+        if u is not None:
+            if isinstance(u, int | np.integer):
+                n = int(u)
+            else:
+                self._hold(u)
         self._advance(n)
         self._sample = None
+
+    def _hold(self, u: Mapping[str, float] | Sequence[float]) -> None:
+        """From now on these inputs."""
+        names, own = self.model.inputs, self._own_inputs
+        if not isinstance(u, Mapping):
+            if len(u) != len(names):
+                raise ArgumentError(f"{len(u)} numbers for {len(names)} inputs: {', '.join(names) or 'none'}")
+            u = dict(zip(names, u, strict=True))
+        if not self._plain_inputs:
+            own[:] = self.model.signals.changed(own, self.time, u)
+            return
+        for name, value in u.items():
+            k = self._plain_inputs.get(name)
+            if k is None or not isfinite(value):
+                self.model.signals.changed(own, 0.0, u)  # says what is wrong
+                return
+            own[k] = value
 
     def run(self, n: int, call: Callable[[ModelStepper], Any], every: int = 1) -> None:
         """Make n major steps, call(self) before each block of `every`. Raises ArgumentError for counts below 1."""
@@ -105,12 +139,20 @@ class ModelStepper:
             self.step(min(every, n - first))
 
     def change(self, parameters: Mapping[str, float]) -> None:
-        """Change parameters by name from the next step on; the others stay as they are. Raises ModelError."""
+        """Change parameters by name from the next step on; the others stay as they are. Raises ModelError.
+
+        Inputs are given to `step`, which costs less.
+        """
         p, index = self.parameters.copy(), self._index
         checked = self.model.parameter_vector(parameters)
         for name in parameters:
             p[index[name]] = checked[index[name]]
-        self._take(p)
+        own = {name: value for name, value in parameters.items() if name in self.model.signals.names}
+        if own:
+            self._hold(own)
+        if len(own) < len(parameters):
+            self._take(p)
+        self._sample = None
 
     def save(self) -> SteppedState:
         """What `restore` goes back to."""
@@ -164,7 +206,7 @@ class ModelStepper:
 
         The array is the same at each call. Raises ModelError for an unknown name.
         """
-        function = _reading(self, names)
+        function = reading(self.model, self.scheme, len(self._z), names)
         evaluation: tuple[Any, Any] = function.buffer()
         buffer, evaluate = evaluation
         values = np.zeros(len(names))
@@ -197,24 +239,3 @@ class ModelStepper:
         self._ready[:] = self._stepper.ready(self._c, self.dt)
         self._constants[:] = self.scheme.constants(self._c, self.dt)
         self._sample = None
-
-
-def _reading(stepper: ModelStepper, names: Sequence[str]) -> ca.Function:
-    """(z, c) -> the named values."""
-    model, scheme = stepper.model, stepper.scheme
-    z, c = ca.SX.sym("z", len(stepper._z)), ca.SX.sym("c", scheme.c_size)
-    seen = scheme.observer(z=z[: scheme.layout.size], c=c)
-    where = {name: (kind, k) for kind, names in (("i", model.q_i), ("d", model.q_d)) for k, name in enumerate(names)}
-    q, q_dot = (
-        ca.vertcat(*(seen[f"q_{where[name][0]}{suffix}"][where[name][1]] for name in model.coordinates))
-        for suffix in ("", "_dot")
-    )
-    known = {name: q[k] for k, name in enumerate(model.coordinates)}
-    known |= {f"{name}_dot": q_dot[k] for k, name in enumerate(model.coordinates)}
-    if model.measures:
-        measured = model.evaluate("measures", q=q, q_dot=q_dot, t=seen["t"], c=c[: model.c_size])["measures"]
-        known |= {name: measured[k] for k, name in enumerate(model.measures)}
-    for name in names:
-        if name not in known:
-            raise ModelError(f"model {model.name} has no coordinate, rate or measure {name!r}")
-    return ca.Function("reading", [z, c], [ca.densify(ca.vertcat(*(known[name] for name in names)))])

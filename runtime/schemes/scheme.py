@@ -19,7 +19,7 @@ from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import ClosureOptions, Options
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
-from runtime.schemes.state_fields import Lasting, StateField, account, state
+from runtime.schemes.state_fields import Lasting, StateField, account, given, state
 from runtime.schemes.step_limit import StepLimit
 
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
@@ -31,7 +31,8 @@ class Scheme(ABC):
 
     Common fields: t0, n (major steps done), x (q_i reached), loop (guess of the loop unknowns), closure_error (largest
     C before the last Newton step), iterations and failures of iterative updates; det_low and det_high, the smallest
-    and the largest determinant of each loop block since whoever runs the scheme reset them.
+    and the largest determinant of each loop block since whoever runs the scheme reset them; inputs, the numbers that
+    they are made of, where there are any.
     """
 
     order: int = 2
@@ -54,6 +55,8 @@ class Scheme(ABC):
             "det_low": account(blocks),
             "det_high": account(blocks),
         }
+        if model.inputs:
+            common["inputs"] = given(model.signals.size)
         self._fields = {**common, **self.fields()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
         self.c_size = model.c_size + len(grid.h)
@@ -119,7 +122,7 @@ class Scheme(ABC):
     @property
     def bookkeeping(self) -> list[str]:
         """The fields of z that do not act on any value of the motion."""
-        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT)
+        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT, Lasting.GIVEN)
 
     def _lasting(self, *kinds: Lasting) -> list[str]:
         return [name for name, one in self._fields.items() if one.lasting in kinds]
@@ -148,13 +151,20 @@ class Scheme(ABC):
                 low, high = ca.fmin(low, motion.det_loop), ca.fmax(high, motion.det_loop)
         return {"closure_error": error, "det_low": low, "det_high": high}
 
-    def equations(self, c: ca.SX) -> StageEquations:
-        """The model's equations on a symbolic vector of constants."""
-        return StageEquations(self.model, c)
+    def constants_at(self, z: Fields, c: ca.SX) -> ca.SX:
+        """c (of the model or of the stages) with the inputs as z holds them."""
+        if "inputs" not in z:
+            return c
+        end = self.model.c_size
+        return ca.vertcat(c[: end - z["inputs"].numel()], z["inputs"], c[end:])
+
+    def equations(self, c: ca.SX, z: Fields | None = None) -> StageEquations:
+        """The model's equations on a symbolic vector of constants, with the inputs that z holds."""
+        return StageEquations(self.model, c if z is None else self.constants_at(z, c))
 
     def stage(self, name: str, body: Body) -> Call:
         """A stage from a function of the fields of z to those it changes."""
-        return make_stage(name, self.layout, self.c_size, lambda z, c: body(z, self.equations(c)))
+        return make_stage(name, self.layout, self.c_size, lambda z, c: body(z, self.equations(c, z)))
 
     def group_of(self, k: int) -> int:
         """Group of the independent coordinate k."""
@@ -173,15 +183,19 @@ class Scheme(ABC):
         t0, c = ca.SX.sym("t0"), ca.SX.sym("c", self.c_size)
         q_i, q_i_dot = ca.SX.sym("q_i", len(self.model.q_i)), ca.SX.sym("q_i_dot", len(self.model.q_i))
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
-        fields = body(t0, q_i, q_i_dot, loop, self.equations(c))
+        equations = self.equations(c)
+        fields = body(t0, q_i, q_i_dot, loop, equations)
+        if self.model.inputs:
+            fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
         z = self.layout.pack({**self.zeros(), "t0": t0, "x": q_i, **fields})
         return ca.Function("start", [t0, q_i, q_i_dot, loop, c], [z])
 
     def observe_function(self, body: Callable[..., tuple[ClosedConfiguration, ca.SX, ca.SX]]) -> ca.Function:
         """observe() from a body (fields, equations) -> (motion, q_i_dot, q_i_ddot)."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
-        equations = self.equations(c)
-        motion, v, a = body(self.layout.unpack(z), equations)
+        fields = self.layout.unpack(z)
+        equations = self.equations(c, fields)
+        motion, v, a = body(fields, equations)
         v_d = equations.rates(motion, v)
         a_d = ca.SX(0, 1)
         if self.model.q_d:

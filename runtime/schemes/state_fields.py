@@ -13,6 +13,7 @@ class Lasting(Enum):
     STATE = "one major step acts on the next through it"
     HISTORY = "state, too: what each coordinate of q_i remembers of earlier steps"
     CONTROL = "steers an iteration; what it converges to does not depend on it"
+    GIVEN = "from outside: steps read it and leave it as it is"
     ACCOUNT = "for whoever runs the scheme; no step reads it"
 
 
@@ -42,6 +43,11 @@ def work(size: int) -> StateField:
 def account(size: int) -> StateField:
     """A field for whoever runs the scheme."""
     return StateField(size, Lasting.ACCOUNT)
+
+
+def given(size: int) -> StateField:
+    """A field of numbers from outside."""
+    return StateField(size, Lasting.GIVEN)
 
 
 def control(size: int) -> StateField:

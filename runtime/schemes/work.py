@@ -70,7 +70,7 @@ def _power_function(scheme: Scheme) -> ca.Function:
     """(z, c) -> P, built once for a scheme."""
     if scheme.power_function is None:
         z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        power = _power(scheme, scheme.layout.unpack(z), scheme.equations(c), c)
+        power = _power(scheme, scheme.layout.unpack(z), scheme.equations(c, scheme.layout.unpack(z)), c)
         scheme.power_function = ca.Function("power", [z, c], [power])
     return scheme.power_function
 

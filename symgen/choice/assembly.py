@@ -18,7 +18,7 @@ SINGULAR = 1e-6  # sine of the angle between the first and the last axis of Eule
 
 
 class ConstraintNumbers:
-    """C, C_q and C_t of all rows at a position and a time, with default parameters."""
+    """C, C_q and C_t of all rows at a position and a time, with default parameters and inputs."""
 
     def __init__(self, equations: Equations, table: ParameterTable) -> None:
         rows = equations.constraints
@@ -27,8 +27,10 @@ class ConstraintNumbers:
             ca.densify(constraint_jacobian(equations)),
             ca.densify(ca.vertcat(*(row.C_t for row in rows))),
         ]
-        self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, table.vector()], outputs)
-        self._defaults = np.array([entry.default for entry in table.entries])
+        known = ca.vertcat(table.vector(), *equations.u.values())
+        self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, known], outputs)
+        defaults = [entry.default for entry in table.entries]
+        self._defaults = np.array([*defaults, *equations.input_defaults])
         self._shape = (len(rows), len(equations.names))
 
     def position(self, q: np.ndarray, t: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

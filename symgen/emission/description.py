@@ -44,6 +44,7 @@ def describe(derived: Derived) -> Description:
         parameters=derived.parameters,
         bounded=derived.bounded,
         functions=list(derived.functions.values()),
+        inputs=eq.inputs,
         simulation=scene.simulation.model_dump(mode="json"),
     )
 

@@ -51,6 +51,7 @@ class Labels:
             self.arguments["crossing"] = [f"crossing{k}" for k in range(crossing)]
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
+        self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])
         self.arguments["c"] = self._constants(derived.tapes["constants"])
         independent = [eq.names[c] for c in choice.independent]
         self.rows: dict[str, list[str]] = {

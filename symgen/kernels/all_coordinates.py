@@ -16,7 +16,7 @@ from symgen.system.equations import Equations, matrix_times
 def constraints(system: Condensed) -> Kernel:
     """C, C_q, C_t, nu = -C_t and gamma in all coordinates (Eqs. 21-27)."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     outputs = {
         "C": ca.vertcat(*(row.C for row in eq.constraints)),
         "C_q": constraint_jacobian(eq),
@@ -33,7 +33,7 @@ def augmented(system: Condensed) -> Kernel:
     gamma_b = gamma - 2 alpha (C_q q_dot + C_t) - beta^2 C with the scene's Baumgarte terms, gamma without.
     """
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     outputs = {
         "M": to_matrix(eq.M),
         "K": to_matrix(eq.K),
@@ -76,7 +76,7 @@ def reactions(system: Condensed) -> Kernel:
                 rest = rest - eq.constraints[other].C_q[column] * value
         lam[row] = rest / eq.constraints[row].C_q[column]
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
-    inputs |= {"lam_R": lam_R, "t": eq.t} if given else {"t": eq.t}
+    inputs |= {"lam_R": lam_R, **eq.signals} if given else eq.signals
     lam |= given
     forces = ca.SX(max((len(row.on_b) for row in eq.constraints), default=3), len(eq.joints))
     for row, constraint in enumerate(eq.constraints):
@@ -105,7 +105,7 @@ def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
 def energy(system: Condensed) -> Kernel:
     """Energies [J] and powers [W]: kinetic, elastic, potential, dissipated (>= 0), applied by loads."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     return Kernel(
         inputs,
         {
@@ -121,6 +121,6 @@ def energy(system: Condensed) -> Kernel:
 def measures(system: Condensed) -> Kernel:
     """The scene's measures and their rates, in scene order."""
     eq = system.equations
-    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "t": eq.t}
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     values = list(eq.measures.values())
     return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})

@@ -18,13 +18,13 @@ class Arguments:
     q_i_dot: ca.SX
     q_d_dot: ca.SX
     q_i_ddot: ca.SX
-    t: ca.SX
+    signals: dict[str, ca.SX]
     dependent: list[int]
 
     def select(self, *names: str, **extra: ca.SX) -> dict[str, ca.SX]:
-        """Named inputs in the common order, extras before t."""
+        """Named inputs in the common order, extras before t and u."""
         inputs = {name: getattr(self, name) for name in names}
-        return {**inputs, **extra, "t": self.t}
+        return {**inputs, **extra, **self.signals}
 
 
 def arguments_of(system: Condensed) -> Arguments:
@@ -41,6 +41,6 @@ def arguments_of(system: Condensed) -> Arguments:
         stack(eq.q_dot, independent),
         stack(eq.q_dot, dependent),
         ca.SX.sym("q_i_ddot", len(independent)),
-        eq.t,
+        eq.signals,
         dependent,
     )

@@ -27,7 +27,9 @@ def _spec(name: str, equation: str, meaning: str, stage: str, inputs: str, outpu
 
 
 _BLOCKS = replace(
-    _spec("blocks", "39", "Blocks of M_hat and Q_hat by the groups of the partition", "condensed", f"{STATE} t c", ""),
+    _spec(
+        "blocks", "39", "Blocks of M_hat and Q_hat by the groups of the partition", "condensed", f"{STATE} t u c", ""
+    ),
     outputs=[
         Signal("M_hat_LS", "n_L x n_S", "SI", "block of M_hat: rows of one group, columns of another"),
         Signal("Q_hat_L", "n_L", "N, N m", "part of Q_hat of a group"),
@@ -43,18 +45,20 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "31",
             "One Newton step on the loop unknowns, then q_d; C_loop before the step",
             "closure",
-            "q_i q_d t c",
+            "q_i q_d t u c",
             "q_d_next C_loop det_loop",
         ),
-        _spec("velocities", "36", "Rates of the dependent coordinates", "velocities", "q_i q_d q_i_dot t c", "q_d_dot"),
-        _spec("condensed", "38", "Condensed mass matrix and force", "condensed", f"{STATE} t c", "M_hat Q_hat"),
+        _spec(
+            "velocities", "36", "Rates of the dependent coordinates", "velocities", "q_i q_d q_i_dot t u c", "q_d_dot"
+        ),
+        _spec("condensed", "38", "Condensed mass matrix and force", "condensed", f"{STATE} t u c", "M_hat Q_hat"),
         _BLOCKS,
         _spec(
             "forward_dynamics",
             "38",
             "Accelerations of a tree by topology-ordered elimination, without M_hat",
             "condensed",
-            f"{STATE} t c",
+            f"{STATE} t u c",
             "q_i_ddot",
         ),
         _spec(
@@ -62,7 +66,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "39",
             "What the slow coordinates of a large tree do, q_L'' = y_ddot - N q_S'', by one elimination along it",
             "condensed",
-            f"{STATE} t c",
+            f"{STATE} t u c",
             "y_ddot N crossing",
         ),
         _spec(
@@ -70,7 +74,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "39",
             "Rows of the fast coordinates of a large tree, slow ones moving with q_L'' = y_ddot - N q_S''",
             "accelerations",
-            f"{STATE} crossing t c",
+            f"{STATE} crossing t u c",
             "M_bar_SS rhs_S",
         ),
         _spec(
@@ -78,7 +82,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "21-27",
             "Constraints and their derivatives in all coordinates",
             "condensed",
-            "q q_dot t c",
+            "q q_dot t u c",
             "C C_q C_t nu gamma",
         ),
         _spec(
@@ -86,7 +90,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "28",
             "Parts of the augmented form; Q_star = Q_F + Q_v - K q, gamma_b with Baumgarte terms",
             "condensed",
-            "q q_dot t c",
+            "q q_dot t u c",
             "M K Q_v Q_F Q_star C_q gamma_b",
         ),
         _spec(
@@ -94,7 +98,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "",
             "Total derivative of Q_hat by q_i, through q_d = f(q_i, t)",
             "condensed",
-            f"{STATE} t c",
+            f"{STATE} t u c",
             "dQ_hat_dq_i",
         ),
         _spec(
@@ -102,7 +106,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "",
             "Total derivative of Q_hat by q_i_dot, through q_d_dot",
             "condensed",
-            f"{STATE} t c",
+            f"{STATE} t u c",
             "dQ_hat_dq_i_dot",
         ),
         _spec(
@@ -110,7 +114,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "",
             "Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot",
             "accelerations",
-            "q_i q_d q_i_ddot t c",
+            "q_i q_d q_i_ddot t u c",
             "dMa_dq_i",
         ),
         _spec(
@@ -118,7 +122,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "64",
             "Sub-step: M_hat of the active groups and their right-hand side with slower accelerations given",
             "accelerations",
-            f"{STATE} q_L_ddot t c",
+            f"{STATE} q_L_ddot t u c",
             "M_hat_SS rhs_S",
         ),
         _spec(
@@ -126,7 +130,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "35",
             "Accelerations of the dependent coordinates",
             "accelerations",
-            f"{STATE} q_i_ddot t c",
+            f"{STATE} q_i_ddot t u c",
             "q_d_ddot",
         ),
         _spec(
@@ -134,7 +138,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "37",
             "Multipliers, and what the joints do to their bodies b",
             "reactions",
-            "q q_dot q_ddot lam_R t c",
+            "q q_dot q_ddot lam_R t u c",
             "lam joint_forces",
         ),
         _spec(
@@ -142,10 +146,10 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "",
             "Energies and powers",
             "report",
-            "q q_dot t c",
+            "q q_dot t u c",
             "kinetic elastic potential power_dissipated power_applied",
         ),
-        _spec("measures", "", "The scene's measures and their rates", "report", "q q_dot t c", "measures"),
+        _spec("measures", "", "The scene's measures and their rates", "report", "q q_dot t u c", "measures"),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(
             "geometry",

@@ -23,6 +23,7 @@ from symgen.scene.errors import SceneError
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Quantity
 from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody
+from symgen.scene.inputs import DeclaredInput
 from symgen.scene.joints import (
     CylindricalJoint,
     DistanceJoint,
@@ -64,7 +65,7 @@ __all__ = [
     "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
     "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
-    "DeclaredParameter", "Partition", "Placement", "PlanarJoint",
+    "DeclaredInput", "DeclaredParameter", "Partition", "Placement", "PlanarJoint",
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",

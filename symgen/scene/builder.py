@@ -29,6 +29,14 @@ class SceneBuilder:
         parameters[name] = _plain({"default": default, "unit": unit, "description": description}, "parameters")
         return self
 
+    def input(self, name: str, default: float = 0.0, unit: str = "", description: str = "", **fields: Any) -> Self:
+        """Declare a number that comes from outside during a run; fields: `rates`, `filter` of `DeclaredInput`."""
+        inputs = self._data.setdefault("inputs", {})
+        if name in inputs:
+            raise SceneError(f"inputs.{name}", "is declared twice", "remove one of them")
+        inputs[name] = _plain({"default": default, "unit": unit, "description": description, **fields}, "inputs")
+        return self
+
     def gravity(self, *components: float | str) -> Self:
         """Acceleration of gravity [m/s^2] in world axes: x, y and, in a spatial scene, z."""
         return self._set("gravity", list(components))

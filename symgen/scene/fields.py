@@ -65,8 +65,8 @@ class Scope(Enum):
     """The names an expression may use."""
 
     PARAMETERS = "parameters"
-    TIME = "parameters and t"
-    MEASURES = "parameters, t, measures and their rates"
+    TIME = "parameters, inputs and t"
+    MEASURES = "parameters, inputs, t, measures and their rates"
 
 
 @dataclass(frozen=True)

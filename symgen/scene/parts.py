@@ -13,6 +13,7 @@ from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
 from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
+from symgen.scene.inputs import DeclaredInput
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.measures import Measure
@@ -45,6 +46,7 @@ class SceneParts(StrictModel):
         0.0,
     )
     parameters: dict[Name, DeclaredParameter] = Field(default_factory=dict)
+    inputs: dict[Name, DeclaredInput] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     loads: tuple[Load, ...] = ()
@@ -131,6 +133,11 @@ class SceneParts(StrictModel):
     def parameter_defaults(self) -> dict[str, float]:
         """DeclaredParameter names and their default values, in SI units."""
         return {name: parameter.default for name, parameter in self.parameters.items()}
+
+    def input_defaults(self) -> dict[str, float]:
+        """The entries of u by name and what they are at rest: defaults, rates zero."""
+        names = {name: entry.names(name) for name, entry in self.inputs.items()}
+        return {part: self.inputs[name].default if part == name else 0.0 for name in names for part in names[name]}
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
         """Parse a quantity that may use the parameters and ``extra_names`` ("t"); raises SceneError."""

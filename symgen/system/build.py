@@ -10,6 +10,7 @@ from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
 from symgen.system.requested import Requested, requested_by
+from symgen.system.signals import input_units
 from symgen.system.spatial import SpatialSpace
 from symgen.system.structure import structure_equations
 from symgen.system.topology import Topology, topology_of
@@ -29,14 +30,17 @@ def build_system(scene: Scene) -> System:
     """The system of a scene. Raises SceneError for quantities that cannot be read."""
     scene = with_ends(scene)
     table, topology = ParameterTable(scene), topology_of(scene)
-    return System(_equations(scene, table, topology), table, topology, requested_by(scene))
+    equations = _equations(scene, table, topology)
+    equations.measures |= equations.u
+    equations.measure_units |= input_units(scene)
+    return System(equations, table, topology, requested_by(scene))
 
 
 def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equations:
     """Equations (20)-(28) of bodies in two or three dimensions, or (3)-(14) of a linear structure."""
     if scene.structure is not None:
         return structure_equations(scene, table)
-    equations = blank_equations(scene.coordinate_records())
+    equations = blank_equations(scene)
     if scene.space == "spatial":
         space = SpatialSpace(scene, table, equations, topology)
         return Mechanism(scene, table, space, equations, topology).equations

@@ -11,11 +11,13 @@ from functools import cached_property
 
 import casadi as ca
 
-from runtime.contract.records import Coordinate
+from runtime.contract.records import Coordinate, InputRecord
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
+from symgen.scene import Scene
+from symgen.system.signals import input_records, input_symbols
 
 
 @dataclass
@@ -26,6 +28,7 @@ class Equations:
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
     joint_columns: coordinates of joints; gravity: its components [m/s^2]; measure_units: SI unit of each measure.
+    u: the entries of the inputs by name, each a symbol.
     """
 
     coordinates: list[Coordinate]
@@ -47,6 +50,8 @@ class Equations:
     gravity: list[ca.SX] = field(default_factory=list)
     measure_units: dict[str, str] = field(default_factory=dict)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
+    u: dict[str, ca.SX] = field(default_factory=dict)
+    inputs: list[InputRecord] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
 
     @cached_property
@@ -69,6 +74,17 @@ class Equations:
         ]
 
     @property
+    def signals(self) -> dict[str, ca.SX]:
+        """Arguments that come from outside: t, and u where there are inputs."""
+        return {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
+
+    @property
+    def input_defaults(self) -> list[float]:
+        """u where nothing else is given: defaults, rates zero."""
+        at = {entry.name: entry.default for entry in self.inputs}
+        return [at.get(name, 0.0) for name in self.u]
+
+    @property
     def joints(self) -> list[str]:
         """Names of the joints, in the order of their first constraint row."""
         return list(dict.fromkeys(row.joint for row in self.constraints if row.joint))
@@ -79,13 +95,24 @@ class Equations:
         return dot(self.q_dot, momenta) / 2
 
 
-def blank_equations(coordinates: list[Coordinate]) -> Equations:
-    """Equations of these coordinates with nothing in them yet."""
+def blank_equations(scene: Scene) -> Equations:
+    """Equations of a scene's coordinates and inputs with nothing in them yet."""
+    coordinates = scene.coordinate_records()
     q = [ca.SX.sym(coordinate.name) for coordinate in coordinates]
     q_dot = [ca.SX.sym(f"{coordinate.name}_dot") for coordinate in coordinates]
     n = len(coordinates)
     return Equations(
-        coordinates, q, q_dot, ca.SX.sym("t"), [{} for _ in q], [{} for _ in q], [ZERO] * n, [ZERO] * n, []
+        coordinates,
+        q,
+        q_dot,
+        ca.SX.sym("t"),
+        [{} for _ in q],
+        [{} for _ in q],
+        [ZERO] * n,
+        [ZERO] * n,
+        [],
+        u=input_symbols(scene),
+        inputs=input_records(scene),
     )
 
 

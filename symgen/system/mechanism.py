@@ -20,6 +20,7 @@ from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.system.equations import Equations
+from symgen.system.signals import motion_derivatives
 from symgen.system.topology import Topology
 
 
@@ -98,7 +99,7 @@ class Mechanism(Generic[Marker]):
         for joint in scene.joints:
             self._add_joint(joint)
         equations.constraints += space.body_rows()
-        self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t}
+        self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
         for load in scene.loads:
             self._add_effect(space.load(load, self._expression))
@@ -157,10 +158,9 @@ class Mechanism(Generic[Marker]):
         motion = [ca.SX(0)] * 3
         text = getattr(joint, "motion", None)
         if text is not None:
-            env: Mapping[str, ca.SX] = {**self.table.environment(), "t": eq.t}
-            f = self.scene.expression(text, f"joints.{joint.name}.motion", ("t",)).to_casadi(env)
-            f_t = ca.jacobian(f, eq.t)
-            motion = [f, f_t, ca.jacobian(f_t, eq.t)]
+            env: Mapping[str, ca.SX] = {**self.table.environment(), "t": eq.t, **eq.u}
+            f = self.scene.expression(text, f"joints.{joint.name}.motion", ("t", *eq.u)).to_casadi(env)
+            motion = [*motion_derivatives(self.scene, f, eq.t, eq.u, joint.name)]
         length = getattr(joint, "length", None)
         if length is not None:
             motion[0] = self.table.of(joint, "length")
@@ -191,7 +191,7 @@ class Mechanism(Generic[Marker]):
     def _expression(self, text: float | str, item: str) -> ca.SX:
         if not isinstance(text, str):
             return self.table.quantity(text, item, "N or N m")
-        names = ("t", *self.equations.measures)
+        names = ("t", *self.equations.u, *self.equations.measures)
         return self.scene.expression(text, item, names).to_casadi(self.environment)
 
 

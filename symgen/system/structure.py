@@ -17,8 +17,8 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
     """(3), and (9) with its blocks in the order of the partition; the damping of (3), dropped there, stays."""
     structure = scene.structure
     assert structure is not None
-    eq = blank_equations(scene.coordinate_records())
-    env = {**table.environment(), "t": eq.t}
+    eq = blank_equations(scene)
+    env = {**table.environment(), "t": eq.t, **eq.u}
 
     def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
         return [
@@ -40,7 +40,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
         damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
         load = ca.SX(0)
         if structure.force is not None:
-            load = scene.expression(structure.force[row], f"force[{row}]", ("t",)).to_casadi(env)
+            load = scene.expression(structure.force[row], f"force[{row}]", ("t", *eq.u)).to_casadi(env)
         eq.Q_F[row] = load - damper
         eq.elastic = eq.elastic + eq.q[row] * spring / 2
         eq.dissipated = eq.dissipated + eq.q_dot[row] * damper

@@ -14,7 +14,7 @@ from runtime.schemes.turns import watch_turns
 from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
 from symgen.notation import FIELDS, SYMBOLS, Notation, table
-from symgen.scene import Scene
+from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.arm import arm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -97,7 +97,9 @@ def test_blocks_of_the_mass_matrix_are_symbols() -> None:
 
 def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[Scene], Model]) -> None:
     """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
-    models = [*(built_in(name) for name in MODELS), model_of(arm(10))]
+    pushed = SceneBuilder("pushed").input("push").rigid("block", mass=1.0, inertia=1.0, free=True)
+    pushed.force("force", "block.origin", "push", 0.0)
+    models = [*(built_in(name) for name in MODELS), model_of(pushed.build()), model_of(arm(10))]
     found = set().union(*map(fields_of_z, models))
     assert not emitted_names(models[-1]) - codes(SYMBOLS)
     assert found == codes(FIELDS)

@@ -97,8 +97,13 @@ def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) ->
         for position, column in enumerate(columns):
             q[int(column)] = seen[f"q_{suffix}"][position]
             q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
-    found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=c[: model.c_size])
+    found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
     return ca.Function(f"observed_{name}", [z, c], [found[output] for output in outputs])
+
+
+def observed_constants(scheme: Scheme, z: ca.SX, c: ca.SX) -> ca.SX:
+    """The model's constants at a state, with the inputs that it holds."""
+    return scheme.constants_at(scheme.layout.unpack(z[: scheme.layout.size]), c[: scheme.model.c_size])
 
 
 def _constrained(model: Model) -> bool:

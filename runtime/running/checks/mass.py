@@ -7,7 +7,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.contract.status import Status
-from runtime.running.checks.check import Check, Subject
+from runtime.running.checks.check import Check, Subject, observed_constants
 from runtime.schemes.scheme import Scheme
 
 NEARLY_LOST = 0.1  # of M_hat at the start: below this a breakdown of the numbers is laid to it
@@ -61,5 +61,5 @@ class Mass(Check):
 def _mass(model: Model, scheme: Scheme) -> ca.Function:
     """(z, c) -> M_hat."""
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-    seen = {**scheme.observer(z=z, c=c), "c": c[: model.c_size]}
+    seen = {**scheme.observer(z=z, c=c), "c": observed_constants(scheme, z, c)}
     return ca.Function("mass", [z, c], [model.evaluate("condensed", **seen)["M_hat"]])

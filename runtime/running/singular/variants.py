@@ -11,6 +11,7 @@ import inspect
 import json
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from importlib.metadata import entry_points
 from pathlib import Path
 
@@ -66,7 +67,7 @@ def variant_of(model: Model, q_i: Sequence[str], q: np.ndarray) -> Model:
             f"the variant of {model.name} with q_i = {', '.join(q_i)} does not match the model; "
             "regenerate the model with the installed version"
         )
-    return found
+    return replace(found, input_values=model.input_values, sources=model.sources)
 
 
 def _loaded(folder: Path) -> Model | None:

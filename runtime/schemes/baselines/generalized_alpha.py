@@ -201,7 +201,8 @@ class AlphaMethod(Scheme):
     def observe(self) -> ca.Function:
         """(z, c) -> OBSERVED between two major steps, as the state holds it: q' satisfies C_q q' + C_t = 0 to h^2."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
-        fields, equations = self.layout.unpack(z), self.equations(c)
+        fields = self.layout.unpack(z)
+        equations = self.equations(c, fields)
         dependent = [int(column) for column in self.model.dependent_columns]
         parts = [
             fields[name][columns] for name in ("q", "q_dot", "q_ddot") for columns in (self._independent, dependent)

@@ -45,6 +45,7 @@ def _duplicates(section: str, names: Iterable[str]) -> Iterator[SceneError]:
 def _expression_names(scene: SceneParts) -> Iterator[SceneError]:
     taken = {name: "the expression language" for name in RESERVED}
     entries = [(f"parameters.{name}", name) for name in scene.parameters]
+    entries += [(f"inputs.{name}", part) for name, entry in scene.inputs.items() for part in entry.names(name)]
     for index, measure in enumerate(scene.measures):
         path = item_path("measures", index, measure.name)
         entries += [(path, measure.name), (path, f"{measure.name}_dot")]

@@ -32,17 +32,18 @@ def scene_quantities(scene: SceneParts) -> Iterator[tuple[str, float | str, Mean
 
 class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
-        self.defaults = scene.parameter_defaults()
+        self.defaults, inputs = scene.parameter_defaults(), scene.input_defaults()
+        self.inputs = inputs
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
         self.names = {
             Scope.PARAMETERS: frozenset(self.defaults),
-            Scope.TIME: frozenset((*self.defaults, "t")),
-            Scope.MEASURES: frozenset((*self.defaults, "t", *measured)),
+            Scope.TIME: frozenset((*self.defaults, *inputs, "t")),
+            Scope.MEASURES: frozenset((*self.defaults, *inputs, "t", *measured)),
         }
 
     def check(self, path: str, value: float | str, meaning: Meaning) -> None:
         expression = parse_expression(value, self.names[meaning.scope], path)
-        env = {**self.defaults, "t": 0.0}
+        env = {**self.defaults, **self.inputs, "t": 0.0}
         if not expression.names <= env.keys():
             return  # it uses measures, whose values are not known before the motion is
         number = expression.evaluate(env)

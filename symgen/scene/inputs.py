@@ -1,0 +1,42 @@
+"""Inputs: named numbers that come from outside during a run, arguments u of the emitted functions."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import AfterValidator
+
+from symgen.scene.fields import Flag, Number, StrictModel, Text, refuse
+
+
+def _positive(value: float) -> float:
+    if value <= 0:
+        raise refuse(f"the filter's frequency {value:g} is not positive", "give rad/s, or leave the filter out")
+    return value
+
+
+Frequency = Annotated[Number, AfterValidator(_positive)]
+
+
+class DeclaredInput(StrictModel):
+    """A number that may change during a run; expressions of loads and prescribed motions use it by its name.
+
+    ``default`` is in SI units (``unit`` names them for people). With ``rates`` it comes with its rate and acceleration,
+    ``<name>_dot`` and ``<name>_ddot``, as a prescribed motion needs. With ``filter`` [rad/s] what is given from outside
+    is the target r of x'' = filter^2 (r - x) - 2 filter x', and the name stands for x, with x' and x''.
+    """
+
+    default: Number = 0.0
+    unit: Text = ""
+    description: Text = ""
+    rates: Flag = False
+    filter: Frequency | None = None
+
+    def names(self, name: str) -> list[str]:
+        """The entries of u: the value, then rate and acceleration where it has them."""
+        return [name, f"{name}_dot", f"{name}_ddot"] if self.has_rates else [name]
+
+    @property
+    def has_rates(self) -> bool:
+        """Does it come with its rate and acceleration, given or filtered?"""
+        return self.rates or self.filter is not None

@@ -1,0 +1,62 @@
+"""Inputs u as symbols, and time derivatives along them: what a prescribed motion does is f(t, u(t))."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+
+from runtime.contract.records import RATES, InputRecord
+from symgen.scene import Scene
+from symgen.system.errors import DerivationError
+
+
+def input_records(scene: Scene) -> list[InputRecord]:
+    """The inputs that a scene declares."""
+    return [
+        InputRecord(name, entry.unit, entry.description, entry.default, entry.has_rates, entry.filter or 0.0)
+        for name, entry in scene.inputs.items()
+    ]
+
+
+def input_units(scene: Scene) -> dict[str, str]:
+    """SI unit of each entry of u: inputs are measures, so that a solution holds them."""
+    return {
+        part: (entry.unit or "1") + rate if rate else entry.unit
+        for name, entry in scene.inputs.items()
+        for part, rate in zip(entry.names(name), RATES, strict=False)
+    }
+
+
+def input_symbols(scene: Scene) -> dict[str, ca.SX]:
+    """A symbol for each entry of u, by name."""
+    return {name: ca.SX.sym(name) for name in scene.input_defaults()}
+
+
+def motion_derivatives(
+    scene: Scene, f: ca.SX, t: ca.SX, u: Mapping[str, ca.SX], joint: str
+) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """(f, f', f'') of a prescribed motion f(t, u(t)). Raises DerivationError for an input without rates in it."""
+    for name, symbol in u.items():
+        if not ca.depends_on(f, symbol):
+            continue
+        if name not in scene.inputs:
+            raise DerivationError(
+                f"joints.{joint}.motion",
+                f"uses '{name}', whose own rate and acceleration are not known",
+                "use the input itself: its rate and acceleration follow",
+            )
+        if not scene.inputs[name].has_rates:
+            raise DerivationError(
+                f"joints.{joint}.motion",
+                f"uses the input '{name}', which may jump, and a motion needs a rate and an acceleration",
+                f"give inputs.{name} rates = true, or a filter = ... [rad/s]",
+            )
+    rated = [name for name, entry in scene.inputs.items() if entry.has_rates]
+    values = ca.vertcat(t, *(u[name] for name in rated), *(u[f"{name}_dot"] for name in rated))
+    rates = ca.vertcat(1, *(u[f"{name}_dot"] for name in rated), *(u[f"{name}_ddot"] for name in rated))
+    if not rated:
+        f_t = ca.jacobian(f, t)
+        return f, f_t, ca.jacobian(f_t, t)
+    f_t = ca.jtimes(f, values, rates)
+    return f, f_t, ca.jtimes(f_t, values, rates)

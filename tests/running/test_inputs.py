@@ -1,0 +1,270 @@
+"""Inputs from outside: constants, functions, held samples, controllers, motions with rates and behind filters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from runtime import SCHEMES, Sampled, SchemeError, SymgenError, equilibrium, linearise, resume, simulate
+from runtime.contract.model import Model
+from symgen.scene import Scene, SceneBuilder, SceneError
+
+Build = Callable[[Scene], Model]
+
+
+def cart(**simulation: Any) -> Scene:
+    """2 kg on a rail, pushed by an input."""
+    return (
+        SceneBuilder("cart")
+        .input("force", 0.0, "N", "push")
+        .rigid("cart", mass=2.0, inertia=0.1)
+        .prismatic("rail", "ground.origin", "cart.origin")
+        .force("push", "cart.origin", "force", 0.0)
+        .simulation(**{"t_end": 1.0, "dt": 1e-3, "scheme": "rk4", **simulation})
+        .build()
+    )
+
+
+def crane(**declared: Any) -> Scene:
+    """A pendulum of 1 m on a trolley that goes where an input says."""
+    return (
+        SceneBuilder("crane")
+        .input("way", 0.0, "m", "of the trolley", **declared)
+        .gravity(0, -9.81)
+        .rigid("trolley", mass=2.0, inertia=0.1)
+        .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0))
+        .prismatic("rail", "ground.origin", "trolley.origin")
+        .prescribed_displacement("drive", "ground.origin", "trolley.origin", motion="way")
+        .revolute("hook", "trolley.origin", "load.origin")
+        .simulation(t_end=1.0, dt=1e-3, scheme="rk4")
+        .build()
+    )
+
+
+def wave(t: Any) -> Any:
+    """Way of the trolley [m]."""
+    return 0.1 * np.sin(3 * t)
+
+
+# ---- loads --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_every_scheme_takes_inputs(model_of: Build, scheme: str) -> None:
+    """x = (t - sin(w t) / w) / (m w) for a force sin(w t) from rest."""
+    run = simulate(model_of(cart()), scheme=scheme, inputs={"force": lambda t: np.sin(2 * t)}, save_every=100)
+    exact = (run.t - np.sin(2 * run.t) / 2) / 4
+    assert np.abs(run["cart.x"] - exact).max() < (2e-7 if SCHEMES[scheme].make.order == 2 else 1e-11)
+    np.testing.assert_allclose(run["force"], np.sin(2 * run.t), atol=1e-15)
+    assert np.abs(run.energy_balance()).max() < 1e-6
+
+
+def test_held_samples_act_from_their_time_on(model_of: Build) -> None:
+    """1 N for half a second, then -1 N: x = 1/16 m then, 1/8 m at the end, at rest."""
+    model = model_of(cart())
+    samples = ([0.0, 0.5], [1.0, -1.0])
+    run = simulate(model, inputs={"force": samples}, save_every=500)
+    np.testing.assert_allclose(run["cart.x"], [0, 0.0625, 0.125], atol=1e-14)
+    np.testing.assert_allclose(run["cart.x_dot"], [0, 0.25, 0], atol=1e-14)
+    assert list(run["force"]) == [1.0, 1.0, -1.0]  # at a change: what was until then
+    assert np.abs(run.energy_balance()).max() < 1e-13  # 1 N over 1/16 m and back
+    stepper = model.stepper()
+    stepper.step({"force": 1.0}, 500)
+    for _ in range(500):
+        stepper.step([-1.0])
+    np.testing.assert_array_equal(stepper.sample.q[0], run.q[-1])
+    assert stepper.measures["force"] == -1.0
+
+
+def test_a_run_with_samples_is_gone_on_with(model_of: Build, tmp_path: Any) -> None:
+    model, inputs = model_of(cart()), {"force": ([0.0, 0.25, 0.5], [1.0, 3.0, -1.0])}
+    kept = tmp_path / "run.npz"
+    whole = simulate(model, inputs=inputs, checkpoint=kept, checkpoint_every=400)
+    np.testing.assert_array_equal(resume(model, kept, inputs=inputs).q, whole.q)
+    with pytest.raises(SymgenError, match="belongs to model cart"):
+        resume(model, kept, inputs={"force": ([0.0], [1.0])})
+
+
+@pytest.mark.parametrize("engine", ["interpreted", "auto"])
+def test_a_sampled_controller_is_the_discrete_loop(model_of: Build, engine: str) -> None:
+    """State feedback held for 20 ms: x_k+1 = (Phi - Gamma k) x_k + Gamma r with the exact Phi and Gamma of the mass."""
+    K, wanted, T = np.array([8.0, 6.0]), 2.0, 0.02
+    inputs = {"force": Sampled(lambda t, x: K[0] * wanted - K @ x, T, ["cart.x", "cart.x_dot"])}
+    run = simulate(model_of(cart()), inputs=inputs, save_every=20, engine=engine)
+    x = np.zeros(2)
+    for k in range(len(run.t)):
+        np.testing.assert_allclose([run["cart.x"][k], run["cart.x_dot"][k]], x, atol=1e-13)
+        push = K[0] * wanted - K @ x
+        x = np.array([x[0] + T * x[1] + T**2 / 4 * push, x[1] + T / 2 * push])
+
+
+# ---- prescribed motions -------------------------------------------------------------------------------------
+
+
+def test_a_function_brings_rate_and_acceleration(model_of: Build) -> None:
+    """The trolley is where, as fast and as much accelerated as the function says; the motor pulls both masses."""
+    run = simulate(model_of(crane(rates=True)), inputs={"way": wave})
+    t = run.t
+    np.testing.assert_allclose(run["trolley.x"], wave(t), atol=1e-15)
+    np.testing.assert_allclose(run["trolley.x_dot"], 0.3 * np.cos(3 * t), atol=1e-15)
+    np.testing.assert_allclose(run["trolley.x_ddot"], -0.9 * np.sin(3 * t), atol=1e-14)
+    angle, rate, acceleration = (run[f"load.theta{end}"] for end in ("", "_dot", "_ddot"))
+    load = run["trolley.x_ddot"] + np.cos(angle) * acceleration - np.sin(angle) * rate**2
+    np.testing.assert_allclose(run.motor("drive"), 2 * run["trolley.x_ddot"] + load, atol=1e-12)
+
+
+def test_samples_of_a_motion_are_smooth(model_of: Build) -> None:
+    """Through every sample, position, rate and acceleration without a jump, at rest at both ends."""
+    times = np.linspace(0, 1, 11)
+    run = simulate(model_of(crane(rates=True)), t_end=1.2, inputs={"way": (times, wave(times) * times)})
+    np.testing.assert_allclose(run["trolley.x"][:1001:100], wave(times) * times, atol=1e-14)
+    assert run["trolley.x_dot"][0] == 0 and np.abs(run["trolley.x_dot"][1000:]).max() < 1e-15
+    inside = slice(1, 1000)  # at the ends the acceleration begins and stops
+    assert np.abs(np.diff(run["trolley.x_dot"])).max() < 2e-3 * np.abs(run["trolley.x_ddot"]).max()
+    assert np.abs(np.diff(run["trolley.x_ddot"][inside])).max() < 0.02 * np.abs(run["trolley.x_ddot"]).max()
+
+
+def test_a_filter_answers_a_step_as_its_law_says(model_of: Build) -> None:
+    """x = 1 - (1 + w t) exp(-w t), and back from where it is when the target goes back (by superposition)."""
+    w = 12.0
+    run = simulate(model_of(crane(filter=w)), inputs={"way": ([0.0, 0.4], [1.0, 0.0])})
+
+    def step(t: np.ndarray) -> np.ndarray:
+        return np.where(t < 0, 0.0, 1 - (1 + w * t) * np.exp(-w * np.maximum(t, 0)))
+
+    np.testing.assert_allclose(run["trolley.x"], step(run.t) - step(run.t - 0.4), atol=1e-13)
+    np.testing.assert_allclose(run["way_ddot"][0], w**2, rtol=1e-14)
+
+
+def test_a_stepper_takes_rate_and_acceleration(model_of: Build) -> None:
+    stepper = model_of(crane(rates=True)).stepper()
+    stepper.reset(t=3.0)
+    stepper.step({"way": 0.0, "way_dot": 0.3, "way_ddot": 0.1}, 100)
+    assert stepper.state["trolley.x"] == pytest.approx(0.0305, abs=1e-15)
+    assert stepper.state["trolley.x_dot"] == pytest.approx(0.31, abs=1e-15)
+
+
+def test_driven_mechanisms_follow_samples(model_of: Build) -> None:
+    scene = (
+        SceneBuilder("slide")
+        .input("way", 0.0, "m", rates=True)
+        .rigid("cart", mass=2.0, inertia=0.1)
+        .prismatic("rail", "ground.origin", "cart.origin")
+        .prescribed_displacement("drive", "ground.origin", "cart.origin", motion="way")
+        .simulation(t_end=1.0, dt=0.01)
+        .build()
+    )
+    model = model_of(scene)
+    free = simulate(model, inputs={"way": wave})
+    np.testing.assert_allclose(free.motor("drive"), -1.8 * np.sin(3 * free.t), atol=1e-14)
+    times = np.linspace(0, 1, 21)
+    held = simulate(model, inputs={"way": (times, wave(times))})
+    np.testing.assert_allclose(held["cart.x"][::5], wave(times), atol=1e-14)
+
+
+# ---- operating points ---------------------------------------------------------------------------------------
+
+
+def test_trim_and_columns_of_inputs(model_of: Build) -> None:
+    """A pendulum held at an angle while its trolley accelerates by -g tan(angle); columns of B by hand."""
+    model = model_of(crane(rates=True))
+    found = equilibrium(model, inputs={"way_ddot": None}, held={"load.theta": 0.1})
+    assert found.trimmed["way_ddot"] == pytest.approx(-9.81 * np.tan(0.1), rel=1e-12)
+    np.testing.assert_allclose(linearise(model, at={"load.theta": 0.3}, inputs=["way_ddot"]).B_state[1], -np.cos(0.3))
+    system = linearise(model_of(cart()), at={"cart.x": 0.0}, inputs=["force"], outputs=["cart.x", "force"])
+    np.testing.assert_array_equal(system.B_state, [[0.0], [0.5]])
+    np.testing.assert_array_equal(system.D_state, [[0.0], [1.0]])
+
+
+def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> None:
+    """K = m L (g cos th - x'' sin th) of the crane, with x'' of that time."""
+    model = model_of(crane(rates=True))
+    run = simulate(model, inputs={"way": wave})
+    angle, pull = run["load.theta"][700], run["trolley.x_ddot"][700]
+    K = linearise(model, at=(run, 700)).K[0, 0]
+    assert K == pytest.approx(9.81 * np.cos(angle) - pull * np.sin(angle), rel=1e-12)
+
+
+def test_the_linear_system_is_the_slope_of_the_simulation(model_of: Build) -> None:
+    """exp(A T) and its integral against central differences of runs over T: a PD loop about a bent crane."""
+    scene = (
+        SceneBuilder("arm")
+        .input("torque", 0.0, "N m")
+        .gravity(0, -9.81)
+        .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
+        .revolute("joint", "ground.origin", "arm.origin")
+        .measure("angle", "angle", "arm.origin")
+        .torque("motor", "arm.origin", "torque - 6 * angle - 0.8 * angle_dot")
+        .simulation(t_end=1.0, dt=1e-3, scheme="dop853")
+        .build()
+    )
+    model, T = model_of(scene), 0.2
+    rest = equilibrium(model, inputs={"torque": 3.0})
+    system = linearise(model, rest, inputs=["torque"])
+    exact = expm(np.block([[system.A_state, system.B_state], [np.zeros((1, 3))]]) * T)[:2]
+    stepper, found, e = model.stepper(), [], 1e-5
+    for k in range(3):
+        ends = []
+        for sign in (e, -e):
+            x = np.array([rest["arm.theta"], 0.0]) + sign * (np.arange(2) == k)
+            stepper.reset({"arm.theta": x[0], "arm.theta_dot": x[1]})
+            stepper.step({"torque": 3.0 + sign * (k == 2)}, 200)
+            ends.append([stepper.state["arm.theta"], stepper.state["arm.theta_dot"]])
+        found.append((np.array(ends[0]) - np.array(ends[1])) / (2 * e))
+    np.testing.assert_allclose(np.array(found).T, exact, rtol=1e-7, atol=1e-8)
+
+
+# ---- what cannot be -----------------------------------------------------------------------------------------
+
+
+def test_what_a_scene_does_not_use_costs_nothing(model_of: Build) -> None:
+    """An input that nothing takes is in no function but the one that shows it."""
+    plain = crane(rates=True).to_dict()
+    plain["joints"][1]["motion"] = "0.1 * sin(3 * t)"
+    model = model_of(Scene.from_dict(plain))
+    assert [name for name, build in model.builders.items() if "u" in build().name_in()] == ["measures"]
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"rates": False}, "may jump"),
+        ({"motion": "way_dot"}, "own rate"),
+        ({"filter": -1.0}, "filter"),
+    ],
+)
+def test_motions_need_rates(model_of: Build, change: dict[str, Any], words: str) -> None:
+    data = crane(rates=True).to_dict()
+    data["joints"][1]["motion"] = change.pop("motion", "way")
+    data["inputs"]["way"] |= change
+    with pytest.raises(SceneError, match=words):
+        model_of(Scene.from_dict(data))
+
+
+@pytest.mark.parametrize(
+    "inputs, words",
+    [
+        ({"fork": 1.0}, "no input 'fork'"),
+        ({"force": np.nan}, "finite"),
+        ({"force": ([0.0, 0.00015], [1.0, 2.0])}, "within a step"),
+        ({"force": ([0.0, 0.0], [1.0, 2.0])}, "do not rise"),
+        ({"force": ([0.0], [1.0, 2.0])}, "shapes"),
+        ({"force": lambda t: 1.0 if t < 0.5 else 0.0}, "cannot be traced"),
+        ({"force": lambda t: np.array([t, t])}, "one number"),
+        ({"force": Sampled(lambda t, x: 0.0, 0.0)}, "every dt"),
+        ({"force": Sampled(lambda t, x: 0.0, 0.01, ["cart.z"])}, "'cart.z'"),
+        ({"force": Sampled(lambda t, x: np.inf, 0.01)}, "finite"),
+    ],
+)
+def test_what_cannot_be_an_input_is_refused_by_name(model_of: Build, inputs: dict[str, Any], words: str) -> None:
+    with pytest.raises(SymgenError, match=words):
+        simulate(model_of(cart()), inputs=inputs)
+
+
+def test_a_controller_has_no_checkpoint(model_of: Build, tmp_path: Any) -> None:
+    with pytest.raises(SchemeError, match="memory"):
+        simulate(model_of(cart()), inputs={"force": Sampled(lambda t, x: 0.0, 0.01)}, checkpoint=tmp_path / "run.npz")
