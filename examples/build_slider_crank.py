@@ -1,11 +1,10 @@
-"""A flexible slider-crank in Python: build the scene, generate its code, load it, simulate, look.
-
-    python examples/build_slider_crank.py [FOLDER]      with FOLDER: keep the code and leave pictures there
-"""
+"""A flexible slider-crank in Python: build the scene, generate its code, load it, simulate, look."""
 
 import sys
 import tempfile
 from pathlib import Path
+
+from matplotlib.figure import Figure
 
 from runtime import load_model, plots, simulate
 from symgen.generate import generate
@@ -35,20 +34,21 @@ def build():
     )
 
 
-def main(folder: Path) -> None:
-    """Generate into the folder, simulate with the scene's own settings, print the end."""
-    model = load_model(generate(build(), folder / "model"))
+def main(picture: Path | None = None) -> None:
+    """Generate code, simulate with the scene's own settings, print the end."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = load_model(generate(build(), folder))
     solution = simulate(model)
     print(solution.status)
     for name in (*model.q_i, "stroke"):
         print(f"{name:12} {solution[name][-1]: .6e}")
     print(f"largest energy balance error {abs(solution.energy_balance()).max():.2e} J")
-    plots.coordinates(solution, folder / "coordinates.png")
+    if picture:
+        left, right = (figure := Figure(figsize=(10, 4), layout="constrained", dpi=120)).subplots(1, 2)
+        plots.snapshots(solution, ax=left, instants=[0.03, 0.035, 0.04, 0.045, 0.05], traces=["crank.tip"])
+        plots.coordinates(solution, ax=right, names=["rod.q1", "rod.q2"])
+        figure.savefig(picture)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        main(Path(sys.argv[1]))
-    else:
-        with tempfile.TemporaryDirectory() as temporary:
-            main(Path(temporary))
+    main(*map(Path, sys.argv[1:]))

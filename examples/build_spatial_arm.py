@@ -1,12 +1,12 @@
 """A two-link arm in space: a turning base, an elbow, and a flexible forearm that bends in both planes."""
 
-from __future__ import annotations
-
+import sys
 import tempfile
+from pathlib import Path
 
 import numpy as np
 
-from runtime import load_model, simulate
+from runtime import load_model, plots, simulate
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
 
@@ -33,7 +33,7 @@ def arm() -> Scene:
     )
 
 
-def main() -> None:
+def main(picture: Path | None = None) -> None:
     """Simulate it and say where the load ends and how well the energy balances."""
     with tempfile.TemporaryDirectory() as folder:
         solution = simulate(load_model(generate(arm(), folder)))
@@ -45,7 +45,9 @@ def main() -> None:
         print(f"energy balance within {np.abs(solution.energy_balance()).max():.1e} J")
         force, moment = np.split(solution.joint_force("elbow")[-1], 2)
         print(f"force in the elbow {np.round(force, 2)} N, moment {np.round(moment, 2)} N m")
+        if picture:
+            plots.snapshots(solution, picture, instants=[0.0, 0.15, 0.3, 0.45, 0.6], traces=["load.origin"])
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(Path, sys.argv[1:]))

@@ -1,11 +1,13 @@
 """Single-rate central difference, the paper's sub-cycling and other sub-stepping on two coupled oscillators (case L1).
 
 The oscillators are coupled by inertia and not damped. Errors are taken against DOP853 at 1e-11.
-
-    python examples/compare_schemes.py
 """
 
 import math
+import sys
+from pathlib import Path
+
+from matplotlib.figure import Figure
 
 from runtime import load_model, reference_solution, simulate
 from symgen.scenes import generated_folder
@@ -17,13 +19,14 @@ RUNS = {"single_rate": None, "printed m=2": [2], "printed m=4": [4], "printed m=
         "coupled m=4": [4], "decoupled m=4": [4], "linearised m=2": [2], "exponential m=1": [1], "rk4": None}
 
 
-def main() -> None:
+def main(picture: Path | None = None) -> None:
     """Errors of x_S at the end, the observed order, and the growth of the fast amplitude."""
     model = load_model(generated_folder("two_oscillators"))
     exact = reference_solution(model, t_end=T_END, parameters=PARAMETERS)["x_S"][-1]
     print("error of x_S for dt_L =      " + "".join(f"{dt:<11g}" for dt in STEPS) + "order")
+    curves = {}
     for label, m in RUNS.items():
-        errors = []
+        errors = curves[label] = []
         for dt in STEPS:
             run = simulate(model, t_end=T_END, dt=dt, m=m, scheme=label.split()[0], parameters=PARAMETERS)
             errors.append(abs(run["x_S"][-1] - exact))
@@ -38,7 +41,14 @@ def main() -> None:
     envelope = [math.hypot(x, v / w_c) for x, v in zip(run["x_S"], run.rate("x_S"), strict=True)]
     print(f"{math.log(envelope[-1] / envelope[0]) / run.t[-1]:.4f}, {c**2 / 4 * (1 - 1 / m) * w_c**2 * dt:.4f}")
     print(run.status)
+    if picture:
+        ax = (figure := Figure(figsize=(8, 4), layout="constrained", dpi=120)).subplots()
+        for label, errors in curves.items():
+            ax.loglog(STEPS, errors, "o-", label=label)
+        ax.set(xlabel="large step [s]", ylabel="error of x_S", title="two oscillators coupled by inertia")
+        figure.legend(loc="outside right center", frameon=False)
+        figure.savefig(picture)
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(Path, sys.argv[1:]))

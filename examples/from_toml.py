@@ -1,8 +1,10 @@
 """A scene from TOML text: read, check, derive, simulate, and what an error looks like."""
 
+import sys
 import tempfile
+from pathlib import Path
 
-from runtime import load_model, simulate
+from runtime import load_model, plots, simulate
 from symgen.generate import generate
 from symgen.scene import Scene, SceneError
 
@@ -37,23 +39,25 @@ marker_b = "rod.tip"
 [simulation]
 t_end = 2.0
 scheme = "single_rate"
-save_every = 500
+save_every = 50
 """
 
 
-def main() -> None:
+def main(picture: Path | None = None) -> None:
     """The scene survives the way to TOML and back; a misspelt key is refused with a suggestion."""
     scene = Scene.from_toml_text(TEXT)
     assert Scene.from_toml_text(scene.to_toml()) == scene
     with tempfile.TemporaryDirectory() as folder:
         solution = simulate(load_model(generate(scene, folder)))
-    for t, height in zip(solution.t, solution["height"], strict=True):
-        print(f"t = {t:.1f} s   height {height: .4f} m")
+    for t in (0.0, 0.5, 1.0, 1.5, 2.0):
+        print(f"t = {t:.1f} s   height {solution.interpolate(t, 'height'): .4f} m")
     try:
         Scene.from_toml_text(TEXT.replace("mass = 2.0", "mas = 2.0"))
     except SceneError as error:
         print(error)
+    if picture:
+        plots.snapshots(solution, picture, instants=[0.0, 0.1, 0.2, 0.3, 0.4, 0.5], traces=["rod.tip"])
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(Path, sys.argv[1:]))

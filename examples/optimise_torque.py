@@ -1,12 +1,14 @@
 """Minimum-effort rest-to-rest swing of a hub with a flexible beam: a generated model in a CasADi Opti problem.
 
-Trapezoidal collocation; the torque, an entry of p, is a decision variable. Argument: number of intervals.
+Trapezoidal collocation; the torque, an entry of p, is a decision variable.
 """
 
 import sys
 import tempfile
+from pathlib import Path
 
 import casadi as ca
+from matplotlib.figure import Figure
 
 from runtime import Model, load_model
 from symgen.generate import generate
@@ -34,8 +36,8 @@ def residual(model: Model, q: ca.MX, v: ca.MX, a: ca.MX, torque: ca.MX) -> ca.MX
     return ca.mtimes(values["M_hat"], a) - rest[0]  # rest of condensed: Q_hat
 
 
-def main(intervals: int) -> None:
-    """Solve with IPOPT (exact second derivatives), print the torque, and differentiate twice by hand."""
+def main(picture: Path | None = None, intervals: int = 60) -> None:
+    """Solve with IPOPT (exact second derivatives), print the torque."""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(build(), folder))
     n, h, opti = len(model.q_i), T_END / intervals, ca.Opti()
@@ -50,10 +52,16 @@ def main(intervals: int) -> None:
     print(solution.stats()["return_status"], f"effort {solution.value(opti.f):.6f} N^2 m^2 s")
     for k in range(0, intervals + 1, intervals // 4):
         print(f"t = {k * h:.3f} s   theta {solution.value(q[0, k]):.4f} rad   torque {solution.value(u[k]): .4f} N m")
-    x = ca.MX.sym("x", n)
-    twice = ca.Function("twice", [x], [ca.hessian(residual(model, x, x, x, ca.MX(0))[0], x)[0]])
-    print("second derivatives of the hub's equation:", twice(ca.DM([0.5, 0.1, 0.01])))
+    if picture:
+        ax = (figure := Figure(figsize=(8, 3.5), layout="constrained", dpi=120)).subplots()
+        times = [k * h for k in range(intervals + 1)]
+        ax.plot(times, ca.DM(solution.value(u)).full().ravel(), label="torque [N m]")
+        ax.plot(times, ca.DM(solution.value(q[0, :])).full().ravel(), label="angle of the hub [rad]")
+        ax.plot(times, 10 * ca.DM(solution.value(q[1, :])).full().ravel(), label="10 x deflection of the tip [m]")
+        ax.set(xlabel="time [s]", title="from rest to rest with the least torque")
+        ax.legend(frameon=False)
+        figure.savefig(picture)
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 60)
+    main(*map(Path, sys.argv[1:]))

@@ -36,6 +36,9 @@ def generate_variant(
         "independent": list(independent),
         "groups": [{"name": name, "coordinates": list(names)} for name, names in groups],
     }
+    simulation = data.setdefault("simulation", {})
+    if len(simulation.get("m", ())) != len(groups) - 1:  # the scene named no groups, so it needed no ratios
+        simulation["m"] = [1] * (len(groups) - 1)
     at = None
     if state is not None:
         data["initial"] = {"coordinates": dict(state)}

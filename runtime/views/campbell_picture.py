@@ -31,7 +31,7 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
     ax.set_ylabel("frequency [rad/s]")
     ax.set_ylim(bottom=0.0)
     ax.set_title(found.model.title or found.model.name, fontsize=10, loc="left")
-    ax.legend(fontsize=8)
+    figure.legend(*ax.get_legend_handles_labels(), fontsize=8, frameon=False, loc="outside right center")
     ax.grid(True, color="0.92")
     if path is not None:
         with replacing(path) as temporary:

@@ -67,9 +67,14 @@ def film(solution: Solution, frames: int = 60, exaggeration: float | None = None
     """
     if not 1 <= frames <= MAX_FRAMES:
         raise ArgumentError(f"frames must be 1 to {MAX_FRAMES}, not {frames}")
+    return film_at(solution, np.linspace(solution.t[0], solution.t[-1], frames), exaggeration)
+
+
+def film_at(solution: Solution, times: np.ndarray, exaggeration: float | None = None) -> Film:
+    """The same at times (N,) [s]."""
     if exaggeration is not None and not np.isfinite(exaggeration):
         raise ArgumentError(f"exaggeration must be finite, not {exaggeration}")
-    scene = scenery(solution, np.linspace(solution.t[0], solution.t[-1], frames))
+    scene = scenery(solution, times)
     factor = scene.automatic() if exaggeration is None else float(exaggeration)
     lines = [*_bodies(scene, factor), *_between(scene, factor)]
     return Film(scene.t, lines, factor, axis_labels(solution.model))

@@ -1,4 +1,4 @@
-"""Pictures of a run: motion, deformation, forces, energy, coordinates, constraint error, phase plane, two runs.
+"""Pictures of a run: motion, deformation, forces, energy, snapshots, coordinates, constraints, phase plane, two runs.
 
 Every function takes (solution, path or None) and returns the figure; with a path it also writes the file, whose ending
 chooses the format (png, svg, pdf). Units get a prefix and angles degrees in pictures only: data stay in SI. No pyplot,
@@ -19,6 +19,7 @@ from runtime.views import curves
 from runtime.views.curves import Curves
 from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
 from runtime.views.frequencies_picture import frequencies as frequencies
+from runtime.views.snapshots import snapshots as snapshots
 from runtime.views.style import COLOURS
 
 if TYPE_CHECKING:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from pkgutil import resolve_name
@@ -66,6 +67,16 @@ def test_groups_and_functions_are_those_asked_for(tmp_path: Path) -> None:
         ("fast", list(range(1, 1 + len(elastic)))),
     ]
     assert set(model.builders) == {"constants", "condensed", "closure", "velocities"}
+
+
+def test_a_scene_without_ratios_has_variants_with_groups(tmp_path: Path) -> None:
+    """A scene that names no groups needs no ratios m; its variants have the groups that the run found."""
+    source = generated_folder("flexible_four_bar")
+    text = re.sub(r"^m = .*\n", "", (source / "scene.toml").read_text(encoding="utf-8"), flags=re.MULTILINE)
+    q_i = load_model(source).q_i
+    groups = [("slow", q_i[:1]), ("fast", q_i[1:])]
+    folder = generate_variant(text, q_i, groups, tmp_path / "bare", functions=["condensed", "closure", "velocities"])
+    assert [group.name for group in load_model(folder).groups] == ["slow", "fast"]
 
 
 def test_a_variant_beyond_a_singular_position(tmp_path: Path) -> None:

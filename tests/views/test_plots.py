@@ -17,6 +17,7 @@ from runtime.contract.model import ModelError
 from runtime.contract.records import Coordinate
 from runtime.contract.status import Status
 from runtime.results.solution import Solution
+from runtime.running.simulate import simulate
 from runtime.views import plots
 from runtime.views.animation import animate
 from runtime.views.film import film
@@ -185,3 +186,20 @@ def test_what_cannot_be_animated_is_refused(tmp_path) -> None:
         animate(solution, tmp_path / "a.gif", fps=1000)
     with pytest.raises(OutputError, match="gif"):
         animate(solution, tmp_path / "a.avi")
+
+
+def test_snapshots_are_the_film_at_their_times_with_paths(built_in, tmp_path) -> None:
+    """A pendulum: the tip's path is a circle about the hinge, and each instant ends on it at the angle of the run."""
+    run = simulate(built_in("pendulum"), t_end=0.5)
+    ax = Figure().subplots()
+    plots.snapshots(run, tmp_path / "few.png", instants=3, traces=["rod.tip"], ax=ax)
+    path, *lines = ax.lines
+    length = np.hypot(*path.get_xydata().T)
+    assert np.ptp(length) < 1e-9
+    rods = [line.get_xydata()[-1] for line in lines if len(line.get_xydata()) == 2]
+    angles = [run.interpolate(t, "rod.theta") for t in (0.0, 0.25, 0.5)]
+    assert np.allclose(rods, length[0] * np.column_stack([np.cos(angles), np.sin(angles)]), atol=1e-6)
+    with pytest.raises(ModelError, match="rod.tip"):
+        plots.snapshots(run, traces=["rod.end"])
+    with pytest.raises(ArgumentError):
+        plots.snapshots(run, instants=[0.6])

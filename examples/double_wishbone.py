@@ -1,0 +1,70 @@
+"""A double-wishbone suspension meets a bump: travel of the body, camber of the wheel, force of the tyre."""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from runtime import load_model, plots, simulate
+from symgen.generate import generate
+from symgen.scene import SceneBuilder
+
+MASSES = {"chassis": 350.0, "lower": 6.0, "upper": 4.0, "upright": 25.0}  # kg on this corner; the wheel on the upright
+ARMS = {"lower": (0.3, 0.20, 0.70, 0.18), "upper": (0.35, 0.50, 0.66, 0.52)}  # m: y, z inside and outside
+HUB, BUMP = (0.74, 0.30), "where(1.5 <= t < 1.7, 0.05 * sin(5 * pi * (t - 1.5))**2, 0)"  # m
+
+
+def at(y, z, x=0.0):
+    """A marker with its axis along the car."""
+    return {"position": (x, y, z), "axis": (1, 0, 0)}
+
+
+def build():
+    """One corner of a car: two arms hinged to the body, an upright on two balls, a tie rod, a strut, a tyre."""
+    builder = SceneBuilder("double_wishbone", space="spatial", title="Double wishbone").gravity(0, 0, -9.81)
+    rail = {"rail": {"position": (0, 0.2, 0.35)}}
+    rim = {f"rim{k}": at(0.04, 0.3 * np.sin(k * np.pi / 12), 0.3 * np.cos(k * np.pi / 12)) for k in range(24)}
+    balls = {name: at(y - HUB[0], z - HUB[1]) for name, (_, _, y, z) in ARMS.items()}
+    builder.ground(markers=rail).rigid("chassis", mass=MASSES["chassis"], inertia=[20, 20, 20], markers={
+        **{name: at(*ends[:2]) for name, ends in ARMS.items()}, **rail,
+        "strut": at(0.42, 0.68), "rack": at(0.32, 0.27, -0.12)})
+    builder.rigid("upright", mass=MASSES["upright"], inertia=[0.5, 0.8, 0.5],
+                  markers={**balls, "arm": at(-0.06, -0.04, -0.12), **rim})
+    builder.prismatic("body", "ground.rail", "chassis.rail").initial({"upright.y": HUB[0], "upright.z": HUB[1]})
+    for name, (y, z, out, up) in ARMS.items():
+        builder.rigid(name, mass=MASSES[name], inertia=[0.1, 0.02, 0.1], center_of_mass=(0, 0.2, 0), markers={
+            "hinge": at(0, 0), "front": at(0, 0, 0.15), "rear": at(0, 0, -0.15), "strut": at(0.25, 0),
+            "ball": at(out - y, up - z)})
+        builder.revolute(f"{name}_hinge", f"chassis.{name}", f"{name}.hinge")
+        builder.spherical(f"{name}_ball", f"{name}.ball", f"upright.{name}")
+    builder.distance("tie_rod", "chassis.rack", "upright.arm", length=0.36)
+    builder.spring_damper("strut", "chassis.strut", "lower.strut", stiffness=60e3, damping=1e4, free_length=0.58)
+    builder.measure("hub", "z", marker_b="upright.origin")
+    builder.force("tyre", "upright.origin", 0, 0, f"max(0, 2e5 * ({BUMP} + {HUB[1]} - hub) - 500 * hub_dot)")
+    return builder.simulation(t_end=2.5, dt=1e-3, scheme="rk4", save_every=5).build()
+
+
+def main(picture: Path | None = None) -> None:
+    """Compare the force of the tyre at rest with the weight, and say how much the wheel leans."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = simulate(load_model(generate(build(), folder)))
+    camber = -np.degrees(2 * (run["upright.e0"] * run["upright.e1"] + run["upright.e2"] * run["upright.e3"]))
+    print(f"{run.status}, energy and work agree to {np.abs(run.energy_balance()).max():.1e} J")
+    tyre = 2e5 * (HUB[1] - run["hub"][run.t < 1.5][-1])
+    print(f"tyre at rest {tyre:.1f} N, weight {9.81 * sum(MASSES.values()):.1f} N")
+    print(f"camber between {camber[run.t > 1.5].min():.2f} and {camber[run.t > 1.5].max():.2f} deg")
+    if picture:
+        left, right = (figure := Figure(figsize=(10, 4.5), layout="constrained", dpi=120)).subplots(1, 2)
+        plots.snapshots(run, ax=left, instants=[1.5, 1.6])
+        right.plot(run.t, 1e3 * (run["hub"] - HUB[1]), label="wheel [mm]")
+        right.plot(run.t, 1e3 * run["body.travel"], label="body [mm]")
+        right.plot(run.t, camber, label="camber [deg]")
+        right.set(xlabel="time [s]", title="a bump of 50 mm after settling")
+        right.legend(frameon=False)
+        figure.savefig(picture)
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))
