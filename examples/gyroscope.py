@@ -20,9 +20,9 @@ def build():
     """A disk on a massless arm, free to turn about the foot; Euler angles: precession, nutation, spin."""
     builder = SceneBuilder("gyroscope", space="spatial", title="Gyroscope").gravity(0, 0, -GRAVITY)
     builder.rigid("disk", mass=MASS, inertia=[MASS * RADIUS**2 / 4, MASS * RADIUS**2 / 4, AXIAL],
-                  center_of_mass=(0, 0, ARM), orientation="zxz", markers={
-                      "hub": {"position": (0, 0, ARM)}, "a": {"position": (RADIUS, 0, ARM)},
-                      "b": {"position": (0, RADIUS, ARM)}, "c": {"position": (-RADIUS, 0, ARM)}})
+                  center_of_mass=(0, 0, ARM), orientation="zxz", markers={"hub": {"position": (0, 0, ARM)}}, shape=[
+                      {"type": "cylinder", "radius": RADIUS, "length": 0.01, "position": (0, 0, ARM)},
+                      {"type": "cylinder", "radius": 0.003, "length": ARM, "position": (0, 0, ARM / 2)}])
     builder.spherical("foot", "ground.origin", "disk.origin")
     builder.initial({"disk.theta2": TILT}).rates({"disk.theta3": SPIN})
     return builder.simulation(t_end=1.5, dt=5e-4, scheme="rk4", save_every=2).build()

@@ -21,7 +21,7 @@ def build():
     builder = SceneBuilder("satellite", space="spatial", title="Spinning satellite with flexible panels")
     builder.rigid("ring", mass=1, inertia=[0, 0, 0], markers={"y": y})
     builder.rigid("fork", mass=1, inertia=[0, 0, 0], markers={"y": y, "x": x})
-    builder.rigid("hub", mass=60.0, inertia=list(HUB), markers={
+    builder.rigid("hub", mass=60.0, inertia=list(HUB), shape={"type": "box", "size": (0.6, 0.6, 0.8)}, markers={
         "x": x, "nose": {"position": (0, 0, 0.8)}, "left": {"position": (0, ROOT, 0), "x_axis": (0, 1, 0)},
         "right": {"position": (0, -ROOT, 0), "x_axis": (0, -1, 0)}})
     builder.revolute("yaw", "ground.origin", "ring.origin").revolute("pitch", "ring.y", "fork.y")

@@ -87,7 +87,7 @@ def _path(solution: Solution, name: str, factor: float) -> np.ndarray:
 def _style(line: Line, frame: int, count: int) -> dict[str, Any]:
     share = (frame + 1) / count
     style = dict(STYLES[line.kind])
-    if line.kind in ("beam", "body"):
+    if line.kind in ("beam", "body", "outline") and line.colour >= 0:
         style["color"] = COLOURS[line.colour % len(COLOURS)]
         if line.xy.shape[2] == 1:
             style |= {"marker": "s", "ms": 8, "mec": "white", "mew": 0.8}
