@@ -38,7 +38,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
 from runtime.contract.tape import Tape
 from symgen.choice.assembly import ConstraintNumbers, assembled
-from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, structural_pivots
+from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, row_scales, structural_pivots
 from symgen.choice.groups import choose_groups
 from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
@@ -108,7 +108,7 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
     numbers = ConstraintNumbers(equations, table)
     initial = assembled(system, numbers) if at is None else _state_at(at, equations)
     choice = _choice(system, numbers, initial.q, at)
-    condensed = condense(equations, choice)
+    condensed = condense(equations, system.reduced, choice)
     groups = choose_groups(system, choice.independent)
     try:
         kernels = build_kernels(condensed, system.topology, groups, functions)
@@ -138,16 +138,19 @@ def _choice(system: System, numbers: ConstraintNumbers, q: np.ndarray, at: Confi
     """Redundant rows first (known for a given configuration, found otherwise), then the dependent coordinates."""
     equations = system.equations
     _, jacobian = numbers.position(q)
+    scales = row_scales(jacobian)
+    if system.reduced is not equations:
+        _, jacobian = ConstraintNumbers(system.reduced, system.parameters).position(q)
     if at is not None:
         redundant = [k for k, row in enumerate(equations.constraints) if row.label in at.redundant]
         structural, loop_rows = structural_pivots(system, frozenset(redundant))
-        return choose_loops(system, structural, loop_rows, jacobian, redundant)
+        return choose_loops(system, structural, loop_rows, jacobian, scales, redundant)
     structural, loop_rows = structural_pivots(system)
-    redundant = dependent_rows(equations, structural, loop_rows, jacobian)
+    redundant = dependent_rows(equations, structural, loop_rows, jacobian, scales)
     if redundant:
         require_redundant(equations, numbers.position, q, redundant)
     kept = [row for row in loop_rows if row not in redundant]
-    return choose_loops(system, structural, kept, jacobian, redundant)
+    return choose_loops(system, structural, kept, jacobian, scales, redundant)
 
 
 def __getattr__(name: str) -> type[Configuration]:

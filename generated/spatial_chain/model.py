@@ -19,8 +19,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 19) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
-    132 operations.
+    gives c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
+    116 operations.
     """
     p = ca.SX.sym("p", 19)
     gravity_z = p[0]
@@ -41,85 +41,70 @@ def constants() -> ca.Function:
     link3_inertia_zz = p[15]
     link1_end_x = p[16]
     link2_end_x = p[17]
-    # intermediate terms (26)
+    # intermediate terms (19)
     w0 = (link1_inertia_xx + link1_inertia_yy + link1_inertia_zz) / 2.0
     w1 = w0 - link1_inertia_yy
     w2 = w0 - link1_inertia_zz
     w3 = w1 + w2
     w4 = w0 - link1_inertia_xx + link1_mass * link1_center_of_mass_x**2
-    w5 = w2 + w4
-    w6 = w1 + w4
-    w7 = link2_mass + link3_mass
-    w8 = link2_mass * link2_center_of_mass_x
-    w9 = link3_mass * link3_center_of_mass_x
-    w10 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
-    w11 = w10 - link2_inertia_yy
-    w12 = w10 - link2_inertia_zz
-    w13 = w11 + w12
-    w14 = w10 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
-    w15 = w12 + w14
-    w16 = w11 + w14
-    w17 = link3_mass * link2_end_x
-    w18 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
-    w19 = w18 - link3_inertia_yy
-    w20 = w18 - link3_inertia_zz
-    w21 = w19 + w20
-    w22 = w18 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
-    w23 = w20 + w22
-    w24 = w19 + w22
-    w25 = link1_mass * link1_center_of_mass_x
+    w5 = link2_mass + link3_mass
+    w6 = link2_mass * link2_center_of_mass_x
+    w7 = (link2_inertia_xx + link2_inertia_yy + link2_inertia_zz) / 2.0
+    w8 = w7 - link2_inertia_yy
+    w9 = w7 - link2_inertia_zz
+    w10 = w8 + w9
+    w11 = w7 - link2_inertia_xx + link2_mass * link2_center_of_mass_x**2
+    w12 = link3_mass * link2_end_x
+    w13 = (link3_inertia_xx + link3_inertia_yy + link3_inertia_zz) / 2.0
+    w14 = w13 - link3_inertia_yy
+    w15 = w13 - link3_inertia_zz
+    w16 = w14 + w15
+    w17 = w13 - link3_inertia_xx + link3_mass * link3_center_of_mass_x**2
+    w18 = link1_mass * link1_center_of_mass_x
     # outputs
     c = ca.vertcat(
         w1,  # c0
         w2,  # c1
         w3,  # c2
         w4,  # c3
-        w5,  # c4
-        w6,  # c5
+        w2 + w4,  # c4
+        w1 + w4,  # c5
         link1_end_x,  # link1_end_x
         link2_mass,  # link2_mass
         link3_mass,  # link3_mass
-        w7,  # c9
-        link1_end_x * (link1_end_x * w7),  # c10
-        -w3,  # c11
-        w8,  # c12
+        w5,  # c9
+        link1_end_x * (link1_end_x * w5),  # c10
+        w6,  # c11
         link2_end_x,  # link2_end_x
-        w9,  # c14
-        w11,  # c15
-        w12,  # c16
-        w13,  # c17
-        w14,  # c18
-        w15,  # c19
-        w16,  # c20
-        link2_end_x * w17,  # c21
-        -w13,  # c22
-        w19,  # c23
-        w20,  # c24
-        w21,  # c25
-        w22,  # c26
-        w23,  # c27
-        w24,  # c28
-        -w21,  # c29
+        link3_mass * link3_center_of_mass_x,  # c13
+        w8,  # c14
+        w9,  # c15
+        w10,  # c16
+        w11,  # c17
+        w9 + w11,  # c18
+        w8 + w11,  # c19
+        link2_end_x * w12,  # c20
+        w14,  # c21
+        w15,  # c22
+        w16,  # c23
+        w17,  # c24
+        w15 + w17,  # c25
+        w14 + w17,  # c26
         gravity_z,  # gravity_z
-        w25 * gravity_z,  # c31
-        link2_mass * gravity_z,  # c32
-        link3_mass * gravity_z,  # c33
+        gravity_z * w18,  # c28
         link1_mass,  # link1_mass
-        w25,  # c35
-        link1_mass * gravity_z,  # c36
-        w8 + w17,  # c37
+        w18,  # c30
+        -w3,  # c31
+        -w10,  # c32
+        -w16,  # c33
+        link1_mass * gravity_z,  # c34
+        link2_mass * gravity_z,  # c35
+        link3_mass * gravity_z,  # c36
+        w6 + w12,  # c37
         2.0,  # c38
-        2 * w8,  # c39
-        2 * w9,  # c40
-        2 * w3,  # c41
-        2 * w5,  # c42
-        2 * w6,  # c43
-        2 * w13,  # c44
-        2 * w15,  # c45
-        2 * w16,  # c46
-        2 * w21,  # c47
-        2 * w23,  # c48
-        2 * w24,  # c49
+        -w1,  # c39
+        -w8,  # c40
+        -w14,  # c41
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -130,14 +115,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 9 x 9) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 9) [N, N m]: condensed force S^T (Q* - M s)
-    737 operations.
+    723 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -168,8 +153,8 @@ def condensed() -> ca.Function:
     c9 = c[9]
     c10 = c[10]
     c11 = c[11]
-    c12 = c[12]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
@@ -183,259 +168,259 @@ def condensed() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
+    gravity_z = c[27]
     c28 = c[28]
-    c29 = c[29]
-    gravity_z = c[30]
-    c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
-    # intermediate terms (179)
+    # intermediate terms (184)
     w0 = ca.sin(link1_theta2)
-    w1 = ca.cos(link1_theta2)
-    w2 = ca.sin(link1_theta3)
-    w3 = w1 * w2
-    w4 = ca.cos(link1_theta3)
-    w5 = w1 * w4
-    w6 = ca.cos(link1_theta1)
-    w7 = w1 * w6
-    w8 = w7 * link1_end_x
-    w9 = ca.sin(link1_theta1)
-    w10 = w1 * w9
+    w1 = w0 * c2
+    w2 = ca.cos(link1_theta2)
+    w3 = ca.sin(link1_theta3)
+    w4 = w2 * w3
+    w5 = w4 * c4
+    w6 = ca.cos(link1_theta3)
+    w7 = w2 * w6
+    w8 = w7 * c5
+    w9 = ca.cos(link1_theta1)
+    w10 = w2 * w9
     w11 = w10 * link1_end_x
-    w12 = w4 * c4
-    w13 = w2 * c5
-    w14 = w0 * link1_end_x
-    w15 = w9 * w14
-    w16 = w6 * w14
-    w17 = w3 * w12 - w5 * w13 - w8 * (w15 * c9) + w11 * (w16 * c9)
-    w18 = w0 * c11
-    w19 = ca.cos(link2_theta1)
-    w20 = ca.cos(link2_theta2)
-    w21 = w19 * w20
-    w22 = w21 * c12
-    w23 = w21 * link2_end_x
-    w24 = w22 + w23 * link3_mass
-    w25 = ca.sin(link2_theta1)
-    w26 = w20 * w25
-    w27 = w26 * c12
-    w28 = w26 * link2_end_x
-    w29 = w27 + w28 * link3_mass
-    w30 = w8 * w24 + w11 * w29
-    w31 = ca.sin(link2_theta2)
-    w32 = w31 * c12
-    w33 = w19 * w32
-    w34 = w31 * link2_end_x
-    w35 = w19 * w34
-    w36 = w35 * link3_mass
-    w37 = w33 + w36
-    w38 = w25 * w32
-    w39 = w25 * w34
-    w40 = w39 * link3_mass
-    w41 = w38 + w40
-    w42 = w11 * w37 - w8 * w41
-    w43 = ca.cos(link3_theta1)
-    w44 = ca.cos(link3_theta2)
-    w45 = w43 * w44
-    w46 = w45 * c14
-    w47 = ca.sin(link3_theta1)
-    w48 = w44 * w47
-    w49 = w48 * c14
-    w50 = w8 * w46 + w11 * w49
-    w51 = ca.sin(link3_theta2)
-    w52 = w51 * c14
-    w53 = w43 * w52
-    w54 = w47 * w52
-    w55 = w11 * w53 - w8 * w54
-    w56 = w1 * link1_end_x
-    w57 = w16 * w29 - w15 * w24
-    w58 = w20 * c12
-    w59 = w20 * link2_end_x
-    w60 = w56 * (w58 + w59 * link3_mass) + w15 * w41 + w16 * w37
-    w61 = w16 * w49 - w15 * w46
-    w62 = w44 * c14
-    w63 = w56 * w62 + w15 * w54 + w16 * w53
-    w64 = ca.sin(link2_theta3)
-    w65 = w20 * w64
-    w66 = ca.cos(link2_theta3)
-    w67 = w20 * w66
-    w68 = w66 * c19
-    w69 = w64 * c20
-    w70 = w65 * w68 - w67 * w69 - w23 * w40 + w28 * w36
-    w71 = w31 * c22
-    w72 = w23 * w46 + w28 * w49
-    w73 = w28 * w53 - w23 * w54
-    w74 = w35 * w49 - w39 * w46
-    w75 = w59 * w62 + w39 * w54 + w35 * w53
-    w76 = ca.sin(link3_theta3)
-    w77 = w44 * w76
-    w78 = ca.cos(link3_theta3)
-    w79 = w44 * w78
-    w80 = w78 * c27
-    w81 = w76 * c28
-    w82 = w77 * w80 - w79 * w81
-    w83 = w51 * c29
-    w84 = link1_theta3_dot - w0 * link1_theta1_dot
-    w85 = w84 * c3
-    w86 = w5 * link1_theta1_dot - w2 * link1_theta2_dot
-    w87 = w86 * c1
-    w88 = w1 * link1_theta3_dot
-    w89 = link1_theta3_dot * link1_theta2_dot
-    w90 = link1_theta1_dot * (w4 * w88 - w2 * (w0 * link1_theta2_dot)) - w2 * w89
-    w91 = w85 * w86 - w84 * w87 - w90 * c4
-    w92 = w4 * link1_theta2_dot
-    w93 = w3 * link1_theta1_dot + w92
-    w94 = w93 * c0
-    w95 = w1 * (link1_theta1_dot * link1_theta2_dot)
-    w96 = w87 * w93 - w86 * w94 + w95 * c2
-    w97 = link1_theta1_dot * (w2 * w88 + w0 * w92) + w4 * w89
-    w98 = w84 * w94 - w85 * w93 + w97 * c5
-    w99 = w67 * link2_theta1_dot - w64 * link2_theta2_dot
-    w100 = w99 * c12
-    w101 = w66 * link2_theta2_dot
-    w102 = w65 * link2_theta1_dot + w101
-    w103 = w102 * c12
-    w104 = w99 * w100 + w102 * w103
-    w105 = w19 * w66
-    w106 = w105 + w64 * (w25 * w31)
-    w107 = w20 * link2_theta3_dot
-    w108 = link2_theta2_dot * link2_theta3_dot
-    w109 = link2_theta1_dot * (w64 * w107 + w31 * w101) + w66 * w108
-    w110 = link2_theta3_dot - w31 * link2_theta1_dot
-    w111 = w109 * c12 - w103 * w110
-    w112 = w25 * w66
-    w113 = w31 * w112 - w19 * w64
-    w114 = link2_theta1_dot * (w66 * w107 - w64 * (w31 * link2_theta2_dot)) - w64 * w108
-    w115 = w114 * c12 - w100 * w110
-    w116 = w0 * w95 + w3 * w90 - w5 * w97
-    w117 = w4 * w9
-    w118 = w4 * w6
-    w119 = w90 * (w2 * (w0 * w6) - w117) - w7 * w95 - w97 * (w2 * w9 + w0 * w118)
-    w120 = link1_theta1_dot - w0 * link1_theta3_dot
-    w121 = w6 * link1_theta2_dot + w10 * link1_theta3_dot
-    w122 = w14 * w121 + w11 * w120
-    w123 = w7 * link1_theta3_dot - w9 * link1_theta2_dot
-    w124 = w11 * w123 - w8 * w121
-    w125 = w8 * w116 + w14 * w119 - (w120 * w122 + w123 * w124)
-    w126 = w79 * link3_theta1_dot - w76 * link3_theta2_dot
-    w127 = w126 * c14
-    w128 = w78 * link3_theta2_dot
-    w129 = w77 * link3_theta1_dot + w128
-    w130 = w129 * c14
-    w131 = w126 * w127 + w129 * w130
-    w132 = w43 * w78
-    w133 = w44 * link3_theta3_dot
-    w134 = link3_theta2_dot * link3_theta3_dot
-    w135 = link3_theta1_dot * (w76 * w133 + w51 * w128) + w78 * w134
-    w136 = link3_theta3_dot - w51 * link3_theta1_dot
-    w137 = w135 * c14 - w130 * w136
-    w138 = w47 * w78
-    w139 = link3_theta1_dot * (w78 * w133 - w76 * (w51 * link3_theta2_dot)) - w76 * w134
-    w140 = w139 * c14 - w127 * w136
-    w141 = w20 * (link2_theta1_dot * link2_theta2_dot)
-    w142 = w31 * w141 + w65 * w114 - w67 * w109
-    w143 = w64 * (w19 * w31) - w112
-    w144 = w25 * w64 + w31 * w105
-    w145 = w114 * w143 - w21 * w141 - w109 * w144
-    w146 = link2_theta1_dot - w31 * link2_theta3_dot
-    w147 = w19 * link2_theta2_dot + w26 * link2_theta3_dot
-    w148 = w34 * w147 + w28 * w146
-    w149 = w21 * link2_theta3_dot - w25 * link2_theta2_dot
-    w150 = w28 * w149 - w23 * w147
-    w151 = w125 + (w23 * w142 + w34 * w145 - (w146 * w148 + w149 * w150))
-    w152 = w48 * w131 + (w132 + w76 * (w47 * w51)) * w137 + (w51 * w138 - w43 * w76) * w140 - w151 * link3_mass
-    w153 = w26 * w104 + w106 * w111 + w113 * w115 - w125 * link2_mass + w152
-    w154 = w8 * w120 + w14 * w123
-    w155 = w90 * (w118 + w2 * (w0 * w9)) - w10 * w95 - w97 * (w0 * w117 - w2 * w6)
-    w156 = w121 * w124 - w120 * w154 - (w14 * w155 + w11 * w116)
-    w157 = w23 * w146 + w34 * w149
-    w158 = w106 * w114 - w26 * w141 - w109 * w113
-    w159 = w156 + (w147 * w150 - w146 * w157 - (w34 * w158 + w28 * w142))
-    w160 = w45 * w131 + w137 * (w76 * (w43 * w51) - w138) + w140 * (w47 * w76 + w51 * w132) - w159 * link3_mass
-    w161 = w21 * w104 + w111 * w143 + w115 * w144 - w156 * link2_mass + w160
-    w162 = w123 * w154 + w121 * w122 + (w11 * w119 - w8 * w155)
-    w163 = w162 + (w149 * w157 + w147 * w148 + (w28 * w145 - w23 * w158))
-    w164 = w77 * w137 - w51 * w131 + w79 * w140 + c33 - w163 * link3_mass
-    w165 = w4 * w91 - w2 * w98 - w1 * c31 - w56 * (w65 * w111 - w31 * w104 + w67 * w115 + c32 - w162 * link2_mass + w164)
-    w166 = w110 * c18
-    w167 = w99 * c16
-    w168 = w99 * w166 - w110 * w167 - w114 * c19
-    w169 = w102 * c15
-    w170 = w102 * w167 - w99 * w169 + w141 * c17
-    w171 = w110 * w169 - w102 * w166 + w109 * c20
-    w172 = w66 * w168 - w64 * w171 - w58 * gravity_z + (w33 * w156 + w38 * w125 + w58 * w162) - w59 * w164 - w39 * w152
-    w173 = w136 * c26
-    w174 = w126 * c24
-    w175 = w126 * w173 - w136 * w174 - w139 * c27
-    w176 = w129 * c23
-    w177 = w129 * w174 - w126 * w176 + w44 * (link3_theta1_dot * link3_theta2_dot) * c25
-    w178 = w136 * w176 - w129 * w173 + w135 * c28
+    w12 = ca.sin(link1_theta1)
+    w13 = w2 * w12
+    w14 = w13 * link1_end_x
+    w15 = w0 * link1_end_x
+    w16 = w12 * w15
+    w17 = w9 * w15
+    w18 = w5 * w6 - w3 * w8 - w11 * (w16 * c9) + w14 * (w17 * c9)
+    w19 = -w1
+    w20 = ca.cos(link2_theta1)
+    w21 = ca.cos(link2_theta2)
+    w22 = w20 * w21
+    w23 = w22 * c11
+    w24 = w22 * link2_end_x
+    w25 = w23 + w24 * link3_mass
+    w26 = ca.sin(link2_theta1)
+    w27 = w21 * w26
+    w28 = w27 * c11
+    w29 = w27 * link2_end_x
+    w30 = w28 + w29 * link3_mass
+    w31 = w11 * w25 + w14 * w30
+    w32 = ca.sin(link2_theta2)
+    w33 = w32 * c11
+    w34 = w20 * w33
+    w35 = w32 * link2_end_x
+    w36 = w20 * w35
+    w37 = w36 * link3_mass
+    w38 = w34 + w37
+    w39 = w26 * w33
+    w40 = w26 * w35
+    w41 = w40 * link3_mass
+    w42 = w39 + w41
+    w43 = w14 * w38 - w11 * w42
+    w44 = ca.cos(link3_theta1)
+    w45 = ca.cos(link3_theta2)
+    w46 = w44 * w45
+    w47 = w46 * c13
+    w48 = ca.sin(link3_theta1)
+    w49 = w45 * w48
+    w50 = w49 * c13
+    w51 = w11 * w47 + w14 * w50
+    w52 = ca.sin(link3_theta2)
+    w53 = w52 * c13
+    w54 = w44 * w53
+    w55 = w48 * w53
+    w56 = w14 * w54 - w11 * w55
+    w57 = w2 * link1_end_x
+    w58 = w17 * w30 - w16 * w25
+    w59 = w21 * c11
+    w60 = w21 * link2_end_x
+    w61 = w57 * (w59 + w60 * link3_mass) + w16 * w42 + w17 * w38
+    w62 = w17 * w50 - w16 * w47
+    w63 = w45 * c13
+    w64 = w57 * w63 + w16 * w55 + w17 * w54
+    w65 = w32 * c16
+    w66 = ca.sin(link2_theta3)
+    w67 = w21 * w66
+    w68 = w67 * c18
+    w69 = ca.cos(link2_theta3)
+    w70 = w21 * w69
+    w71 = w70 * c19
+    w72 = w68 * w69 - w66 * w71 - w24 * w41 + w29 * w37
+    w73 = -w65
+    w74 = w24 * w47 + w29 * w50
+    w75 = w29 * w54 - w24 * w55
+    w76 = w36 * w50 - w40 * w47
+    w77 = w60 * w63 + w40 * w55 + w36 * w54
+    w78 = w52 * c23
+    w79 = ca.sin(link3_theta3)
+    w80 = w45 * w79
+    w81 = w80 * c25
+    w82 = ca.cos(link3_theta3)
+    w83 = w45 * w82
+    w84 = w83 * c26
+    w85 = w81 * w82 - w79 * w84
+    w86 = -w78
+    w87 = w26 * w69
+    w88 = w66 * (w20 * w32) - w87
+    w89 = link2_theta3_dot - w32 * link2_theta1_dot
+    w90 = w69 * link2_theta2_dot
+    w91 = w67 * link2_theta1_dot + w90
+    w92 = w89 * w91
+    w93 = w21 * link2_theta3_dot
+    w94 = link2_theta3_dot * link2_theta2_dot
+    w95 = link2_theta1_dot * (w66 * w93 + w32 * w90) + w69 * w94
+    w96 = w92 - w95
+    w97 = w96 * c11
+    w98 = w70 * link2_theta1_dot - w66 * link2_theta2_dot
+    w99 = (w91**2 + w98**2) * c11
+    w100 = w20 * w69
+    w101 = w26 * w66 + w32 * w100
+    w102 = w89 * w98
+    w103 = link2_theta1_dot * (w69 * w93 - w66 * (w32 * link2_theta2_dot)) - w66 * w94
+    w104 = w102 - w103
+    w105 = w104 * c11
+    w106 = w9 * link1_theta2_dot + w13 * link1_theta3_dot
+    w107 = w10 * link1_theta3_dot - w12 * link1_theta2_dot
+    w108 = w14 * w107 - w11 * w106
+    w109 = link1_theta1_dot - w0 * link1_theta3_dot
+    w110 = w11 * w109 + w15 * w107
+    w111 = w6 * w9
+    w112 = w2 * link1_theta3_dot
+    w113 = link1_theta2_dot * link1_theta3_dot
+    w114 = link1_theta1_dot * (w6 * w112 - w3 * (w0 * link1_theta2_dot)) - w3 * w113
+    w115 = w2 * (link1_theta2_dot * link1_theta1_dot)
+    w116 = w6 * w12
+    w117 = w6 * link1_theta2_dot
+    w118 = link1_theta1_dot * (w3 * w112 + w0 * w117) + w6 * w113
+    w119 = (w111 + w3 * (w0 * w12)) * w114 - w13 * w115 - (w0 * w116 - w3 * w9) * w118
+    w120 = w0 * w115 + w4 * w114 - w7 * w118
+    w121 = w106 * w108 - w109 * w110 - (w15 * w119 + w14 * w120)
+    w122 = w48 * w82
+    w123 = link3_theta3_dot - w52 * link3_theta1_dot
+    w124 = w82 * link3_theta2_dot
+    w125 = w80 * link3_theta1_dot + w124
+    w126 = w123 * w125
+    w127 = w45 * link3_theta3_dot
+    w128 = link3_theta3_dot * link3_theta2_dot
+    w129 = link3_theta1_dot * (w79 * w127 + w52 * w124) + w82 * w128
+    w130 = w126 - w129
+    w131 = w130 * c13
+    w132 = w83 * link3_theta1_dot - w79 * link3_theta2_dot
+    w133 = (w125**2 + w132**2) * c13
+    w134 = w44 * w82
+    w135 = w123 * w132
+    w136 = link3_theta1_dot * (w82 * w127 - w79 * (w52 * link3_theta2_dot)) - w79 * w128
+    w137 = w135 - w136
+    w138 = w137 * c13
+    w139 = w20 * link2_theta2_dot + w27 * link2_theta3_dot
+    w140 = w22 * link2_theta3_dot - w26 * link2_theta2_dot
+    w141 = w29 * w140 - w24 * w139
+    w142 = link2_theta1_dot - w32 * link2_theta3_dot
+    w143 = w24 * w142 + w35 * w140
+    w144 = w100 + w66 * (w26 * w32)
+    w145 = w21 * (link2_theta1_dot * link2_theta2_dot)
+    w146 = w32 * w87 - w20 * w66
+    w147 = w103 * w144 - w27 * w145 - w95 * w146
+    w148 = w32 * w145 + w67 * w103 - w70 * w95
+    w149 = w121 + (w139 * w141 - w142 * w143 - (w35 * w147 + w29 * w148))
+    w150 = (w79 * (w44 * w52) - w122) * w131 - w46 * w133 + (w48 * w79 + w52 * w134) * w138 + w149 * link3_mass
+    w151 = w88 * w97 - w22 * w99 + w101 * w105 + w121 * link2_mass + w150
+    w152 = link1_theta3_dot - w0 * link1_theta1_dot
+    w153 = w7 * link1_theta1_dot - w3 * link1_theta2_dot
+    w154 = w152 * w153
+    w155 = (w114 + w154) * c1 - (w154 - w114) * c3
+    w156 = w117 + w4 * link1_theta1_dot
+    w157 = w153 * w156
+    w158 = (w157 - w115) * c0 - (w115 + w157) * c1
+    w159 = w152 * w156
+    w160 = (w159 - w118) * c3 - (w118 + w159) * c0
+    w161 = w114 * (w3 * (w0 * w9) - w116) - w10 * w115 - w118 * (w3 * w12 + w0 * w111)
+    w162 = w15 * w106 + w14 * w109
+    w163 = w11 * w120 + w15 * w161 - (w109 * w162 + w107 * w108)
+    w164 = w88 * w103 - w22 * w145 - w95 * w101
+    w165 = w35 * w139 + w29 * w142
+    w166 = w163 + (w24 * w148 + w35 * w164 - (w142 * w165 + w140 * w141))
+    w167 = w131 * (w134 + w79 * (w48 * w52)) - w49 * w133 + w138 * (w52 * w122 - w44 * w79) + w166 * link3_mass
+    w168 = w97 * w144 - w27 * w99 + w105 * w146 + w163 * link2_mass + w167
+    w169 = w14 * w161 - w11 * w119 + (w107 * w110 + w106 * w162)
+    w170 = w169 - gravity_z
+    w171 = w169 + (w29 * w164 - w24 * w147 + (w140 * w143 + w139 * w165)) - gravity_z
+    w172 = w52 * w133 + w80 * w131 + w83 * w138 + w171 * link3_mass
+    w173 = w57 * (w32 * w99 + w67 * w97 + w70 * w105 + w170 * link2_mass + w172) - (w6 * w155 - w3 * w160 + w2 * c28)
+    w174 = (w102 + w103) * c15 - w104 * c17
+    w175 = w91 * w98
+    w176 = (w175 - w145) * c14 - (w145 + w175) * c15
+    w177 = w96 * c17 - (w92 + w95) * c14
+    w178 = w60 * w172 - (w69 * w174 - w66 * w177 - (w34 * w121 + w39 * w163 + w59 * w170)) + w40 * w167 + w36 * w150
+    w179 = (w135 + w136) * c22 - w137 * c24
+    w180 = w125 * w132
+    w181 = w45 * (link3_theta1_dot * link3_theta2_dot)
+    w182 = (w180 - w181) * c21 - (w180 + w181) * c22
+    w183 = w130 * c24 - (w126 + w129) * c21
     # outputs
     M_hat = ca.SX(9, 9)
     # link1.theta1
-    M_hat[0, 0] = w5 * (w5 * c5) + (w3 * (w3 * c4) + (w0 * (w0 * c2) + w1**2 * c10))
-    M_hat[0, 1] = w17
-    M_hat[0, 2] = w18
-    M_hat[0, 3] = w30
-    M_hat[0, 4] = w42
-    M_hat[0, 6] = w50
-    M_hat[0, 7] = w55
+    M_hat[0, 0] = w7 * w8 + (w4 * w5 + (w0 * w1 + w2**2 * c10))
+    M_hat[0, 1] = w18
+    M_hat[0, 2] = w19
+    M_hat[0, 3] = w31
+    M_hat[0, 4] = w43
+    M_hat[0, 6] = w51
+    M_hat[0, 7] = w56
     # link1.theta2
-    M_hat[1, 0] = w17
-    M_hat[1, 1] = w2 * w13 + (c10 + w4 * w12)
-    M_hat[1, 3] = w57
-    M_hat[1, 4] = w60
-    M_hat[1, 6] = w61
-    M_hat[1, 7] = w63
+    M_hat[1, 0] = w18
+    M_hat[1, 1] = w3 * (w3 * c5) + (c10 + w6 * (w6 * c4))
+    M_hat[1, 3] = w58
+    M_hat[1, 4] = w61
+    M_hat[1, 6] = w62
+    M_hat[1, 7] = w64
     # link1.theta3
-    M_hat[2, 0] = w18
+    M_hat[2, 0] = w19
     M_hat[2, 2] = c2
     # link2.theta1
-    M_hat[3, 0] = w30
-    M_hat[3, 1] = w57
-    M_hat[3, 3] = w67 * (w67 * c20) + (w65 * (w65 * c19) + (w31 * (w31 * c17) + w20**2 * c21))
-    M_hat[3, 4] = w70
-    M_hat[3, 5] = w71
-    M_hat[3, 6] = w72
-    M_hat[3, 7] = w73
+    M_hat[3, 0] = w31
+    M_hat[3, 1] = w58
+    M_hat[3, 3] = w70 * w71 + (w67 * w68 + (w32 * w65 + w21**2 * c20))
+    M_hat[3, 4] = w72
+    M_hat[3, 5] = w73
+    M_hat[3, 6] = w74
+    M_hat[3, 7] = w75
     # link2.theta2
-    M_hat[4, 0] = w42
-    M_hat[4, 1] = w60
-    M_hat[4, 3] = w70
-    M_hat[4, 4] = w64 * w69 + (c21 + w66 * w68)
-    M_hat[4, 6] = w74
-    M_hat[4, 7] = w75
+    M_hat[4, 0] = w43
+    M_hat[4, 1] = w61
+    M_hat[4, 3] = w72
+    M_hat[4, 4] = w66 * (w66 * c19) + (c20 + w69 * (w69 * c18))
+    M_hat[4, 6] = w76
+    M_hat[4, 7] = w77
     # link2.theta3
-    M_hat[5, 3] = w71
-    M_hat[5, 5] = c17
+    M_hat[5, 3] = w73
+    M_hat[5, 5] = c16
     # link3.theta1
-    M_hat[6, 0] = w50
-    M_hat[6, 1] = w61
-    M_hat[6, 3] = w72
-    M_hat[6, 4] = w74
-    M_hat[6, 6] = w51 * (w51 * c25) + w77 * (w77 * c27) + w79 * (w79 * c28)
-    M_hat[6, 7] = w82
-    M_hat[6, 8] = w83
+    M_hat[6, 0] = w51
+    M_hat[6, 1] = w62
+    M_hat[6, 3] = w74
+    M_hat[6, 4] = w76
+    M_hat[6, 6] = w52 * w78 + w80 * w81 + w83 * w84
+    M_hat[6, 7] = w85
+    M_hat[6, 8] = w86
     # link3.theta2
-    M_hat[7, 0] = w55
-    M_hat[7, 1] = w63
-    M_hat[7, 3] = w73
-    M_hat[7, 4] = w75
-    M_hat[7, 6] = w82
-    M_hat[7, 7] = w78 * w80 + w76 * w81
+    M_hat[7, 0] = w56
+    M_hat[7, 1] = w64
+    M_hat[7, 3] = w75
+    M_hat[7, 4] = w77
+    M_hat[7, 6] = w85
+    M_hat[7, 7] = w82 * (w82 * c25) + w79 * (w79 * c26)
     # link3.theta3
-    M_hat[8, 6] = w83
-    M_hat[8, 8] = c25
+    M_hat[8, 6] = w86
+    M_hat[8, 8] = c23
     Q_hat = ca.vertcat(
-        w3 * w91 - w0 * w96 + w5 * w98 + w8 * w153 - w11 * w161,  # link1.theta1
-        w165 - w15 * w153 - w16 * w161,  # link1.theta2
-        w96,  # link1.theta3
-        w65 * w168 - w31 * w170 + w67 * w171 - (w22 * w125 - w27 * w156) + w23 * w152 - w28 * w160,  # link2.theta1
-        w172 - w35 * w160,  # link2.theta2
-        w170,  # link2.theta3
-        w77 * w175 - w51 * w177 + w79 * w178 - (w46 * w151 - w49 * w159),  # link3.theta1
-        w78 * w175 - w76 * w178 - w62 * gravity_z + (w53 * w159 + w54 * w151 + w62 * w163),  # link3.theta2
-        w177,  # link3.theta3
+        w14 * w151 - (w4 * w155 - w0 * w158 + w7 * w160 + w11 * w168),  # link1.theta1
+        w173 + w16 * w168 + w17 * w151,  # link1.theta2
+        -w158,  # link1.theta3
+        w29 * w150 - (w67 * w174 - w32 * w176 + w70 * w177 + (w23 * w163 - w28 * w121) + w24 * w167),  # link2.theta1
+        w178,  # link2.theta2
+        -w176,  # link2.theta3
+        -(w80 * w179 - w52 * w182 + w83 * w183 + (w47 * w166 - w50 * w149)),  # link3.theta1
+        -(w82 * w179 - w79 * w183 - (w54 * w149 + w55 * w166 + w63 * w171)),  # link3.theta2
+        -w182,  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(M_hat), ca.densify(Q_hat)]
     return ca.Function("condensed", inputs, outputs, ["q_i", "q_i_dot", "c"], ["M_hat", "Q_hat"])
@@ -445,18 +430,18 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 9) [mixed]: dependent coordinates after one Newton step
     39 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
     link2_theta2 = q_i[4]
     link1_end_x = c[6]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
     # intermediate terms (5)
     w0 = ca.cos(link1_theta2)
     w1 = ca.cos(link1_theta1) * w0 * link1_end_x
@@ -484,13 +469,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     65 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link2_theta1 = q_i[3]
@@ -500,7 +485,7 @@ def velocities() -> ca.Function:
     link2_theta1_dot = q_i_dot[3]
     link2_theta2_dot = q_i_dot[4]
     link1_end_x = c[6]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
     # intermediate terms (11)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
@@ -535,14 +520,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 9) [mixed]: accelerations of the dependent coordinates
     253 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -560,7 +545,7 @@ def accelerations() -> ca.Function:
     link2_theta1_ddot = q_i_ddot[3]
     link2_theta2_ddot = q_i_ddot[4]
     link1_end_x = c[6]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
     # intermediate terms (60)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -591,7 +576,7 @@ def accelerations() -> ca.Function:
     w26 = w19 * (w16 * (w0 * w10) - w21) - w5 * w20 - w22 * (w2 * w16 + w10 * w15)
     w27 = w4 * w12 + w7 * w11
     w28 = w8 * w24 + w12 * w26 - (w11 * w27 + w6 * w9) + w8 * link1_theta1_ddot - link1_theta2_ddot * (w2 * w12)
-    w29 = w6 * w13 + w4 * w27 + (w7 * w26 - w8 * w23) - link1_theta2_ddot * (w1 * link1_end_x)
+    w29 = w7 * w26 - w8 * w23 + (w6 * w13 + w4 * w27) - link1_theta2_ddot * (w1 * link1_end_x)
     w30 = ca.cos(link2_theta1)
     w31 = ca.cos(link2_theta2)
     w32 = ca.sin(link2_theta1)
@@ -621,7 +606,7 @@ def accelerations() -> ca.Function:
     w56 = w49 * (w46 * (w30 * w40) - w51) - w35 * w50 - w52 * (w32 * w46 + w40 * w45)
     w57 = w34 * w42 + w37 * w41
     w58 = w28 + (w38 * w54 + w42 * w56 - (w41 * w57 + w36 * w39)) + w38 * link2_theta1_ddot - link2_theta2_ddot * (w32 * w42)
-    w59 = w29 + (w36 * w43 + w34 * w57 + (w37 * w56 - w38 * w53)) - link2_theta2_ddot * (w31 * link2_end_x)
+    w59 = w29 + (w37 * w56 - w38 * w53 + (w36 * w43 + w34 * w57)) - link2_theta2_ddot * (w31 * link2_end_x)
     # outputs
     q_d_ddot = ca.vertcat(
         0.0,  # link1.x
@@ -643,7 +628,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 9) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 9 x 18) [SI]: constraint Jacobian
     gives C_t (n_c = 9) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -653,7 +638,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_x = q[0]
     link1_y = q[1]
     link1_z = q[2]
@@ -676,7 +661,7 @@ def constraints() -> ca.Function:
     link2_theta2_dot = q_dot[10]
     link2_theta3_dot = q_dot[11]
     link1_end_x = c[6]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
     # intermediate terms (54)
     w0 = ca.cos(link1_theta1)
     w1 = ca.cos(link1_theta2)
@@ -801,7 +786,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 18 x 18) [SI]: mass matrix in all coordinates
     gives K (n x n = 18 x 18) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 18) [N, N m]: quadratic velocity force in all coordinates
@@ -813,7 +798,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -842,42 +827,42 @@ def augmented() -> ca.Function:
     link2_mass = c[7]
     link3_mass = c[8]
     c11 = c[11]
-    c12 = c[12]
-    link2_end_x = c[13]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    c21 = c[21]
     c22 = c[22]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
-    c28 = c[28]
-    c29 = c[29]
-    gravity_z = c[30]
+    gravity_z = c[27]
+    link1_mass = c[29]
+    c30 = c[30]
+    c31 = c[31]
     c32 = c[32]
     c33 = c[33]
-    link1_mass = c[34]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     # intermediate terms (178)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
     w2 = w0 * w1
-    w3 = -(w2 * c35)
+    w3 = -(w2 * c30)
     w4 = ca.cos(link1_theta1)
     w5 = ca.sin(link1_theta2)
-    w6 = w5 * c35
+    w6 = w5 * c30
     w7 = -(w4 * w6)
     w8 = w0 * w4
-    w9 = w8 * c35
+    w9 = w8 * c30
     w10 = -(w1 * w6)
-    w11 = w0 * c35
+    w11 = w0 * c30
     w12 = -w11
     w13 = ca.sin(link1_theta3)
     w14 = w0 * w13
@@ -886,54 +871,54 @@ def augmented() -> ca.Function:
     w17 = w15 * c4
     w18 = w13 * c5
     w19 = w14 * w17 - w16 * w18
-    w20 = w5 * c11
+    w20 = w5 * c31
     w21 = ca.cos(link2_theta2)
     w22 = ca.sin(link2_theta1)
     w23 = w21 * w22
-    w24 = -(w23 * c12)
+    w24 = -(w23 * c11)
     w25 = ca.cos(link2_theta1)
     w26 = ca.sin(link2_theta2)
-    w27 = w26 * c12
+    w27 = w26 * c11
     w28 = -(w25 * w27)
     w29 = w21 * w25
-    w30 = w29 * c12
+    w30 = w29 * c11
     w31 = -(w22 * w27)
-    w32 = w21 * c12
+    w32 = w21 * c11
     w33 = -w32
     w34 = ca.sin(link2_theta3)
     w35 = w21 * w34
     w36 = ca.cos(link2_theta3)
     w37 = w21 * w36
-    w38 = w36 * c19
-    w39 = w34 * c20
+    w38 = w36 * c18
+    w39 = w34 * c19
     w40 = w35 * w38 - w37 * w39
-    w41 = w26 * c22
+    w41 = w26 * c32
     w42 = ca.cos(link3_theta2)
     w43 = ca.sin(link3_theta1)
     w44 = w42 * w43
-    w45 = -(w44 * c14)
+    w45 = -(w44 * c13)
     w46 = ca.cos(link3_theta1)
     w47 = ca.sin(link3_theta2)
-    w48 = w47 * c14
+    w48 = w47 * c13
     w49 = -(w46 * w48)
     w50 = w42 * w46
-    w51 = w50 * c14
+    w51 = w50 * c13
     w52 = -(w43 * w48)
-    w53 = w42 * c14
+    w53 = w42 * c13
     w54 = -w53
     w55 = ca.sin(link3_theta3)
     w56 = w42 * w55
     w57 = ca.cos(link3_theta3)
     w58 = w42 * w57
-    w59 = w57 * c27
-    w60 = w55 * c28
+    w59 = w57 * c25
+    w60 = w55 * c26
     w61 = w56 * w59 - w58 * w60
-    w62 = w47 * c29
+    w62 = w47 * c33
     w63 = w16 * link1_theta1_dot - w13 * link1_theta2_dot
-    w64 = w63 * c35
+    w64 = w63 * c30
     w65 = w15 * link1_theta2_dot
     w66 = w14 * link1_theta1_dot + w65
-    w67 = w66 * c35
+    w67 = w66 * c30
     w68 = w63 * w64 + w66 * w67
     w69 = w1 * w15
     w70 = w13 * (w4 * w5) - w69
@@ -941,11 +926,11 @@ def augmented() -> ca.Function:
     w72 = link1_theta2_dot * link1_theta3_dot
     w73 = link1_theta1_dot * (w13 * w71 + w5 * w65) + w15 * w72
     w74 = link1_theta3_dot - w5 * link1_theta1_dot
-    w75 = w73 * c35 - w67 * w74
+    w75 = w73 * c30 - w67 * w74
     w76 = w4 * w15
     w77 = w1 * w13 + w5 * w76
     w78 = link1_theta1_dot * (w15 * w71 - w13 * (w5 * link1_theta2_dot)) - w13 * w72
-    w79 = w78 * c35 - w64 * w74
+    w79 = w78 * c30 - w64 * w74
     w80 = w8 * w68 + w70 * w75 + w77 * w79
     w81 = w76 + w13 * (w1 * w5)
     w82 = w5 * w69 - w4 * w13
@@ -961,10 +946,10 @@ def augmented() -> ca.Function:
     w92 = w14 * w87 - w5 * w90 + w16 * w91
     w93 = w15 * w87 - w13 * w91
     w94 = w37 * link2_theta1_dot - w34 * link2_theta2_dot
-    w95 = w94 * c12
+    w95 = w94 * c11
     w96 = w36 * link2_theta2_dot
     w97 = w35 * link2_theta1_dot + w96
-    w98 = w97 * c12
+    w98 = w97 * c11
     w99 = w94 * w95 + w97 * w98
     w100 = w22 * w36
     w101 = w34 * (w25 * w26) - w100
@@ -972,49 +957,49 @@ def augmented() -> ca.Function:
     w103 = link2_theta2_dot * link2_theta3_dot
     w104 = link2_theta1_dot * (w34 * w102 + w26 * w96) + w36 * w103
     w105 = link2_theta3_dot - w26 * link2_theta1_dot
-    w106 = w104 * c12 - w98 * w105
+    w106 = w104 * c11 - w98 * w105
     w107 = w25 * w36
     w108 = w22 * w34 + w26 * w107
     w109 = link2_theta1_dot * (w36 * w102 - w34 * (w26 * link2_theta2_dot)) - w34 * w103
-    w110 = w109 * c12 - w95 * w105
+    w110 = w109 * c11 - w95 * w105
     w111 = w29 * w99 + w101 * w106 + w108 * w110
     w112 = w107 + w34 * (w22 * w26)
     w113 = w26 * w100 - w25 * w34
     w114 = w23 * w99 + w106 * w112 + w110 * w113
     w115 = w35 * w106 - w26 * w99 + w37 * w110
-    w116 = w105 * c18
-    w117 = w94 * c16
-    w118 = w94 * w116 - w105 * w117 - w109 * c19
-    w119 = w97 * c15
+    w116 = w105 * c17
+    w117 = w94 * c15
+    w118 = w94 * w116 - w105 * w117 - w109 * c18
+    w119 = w97 * c14
     w120 = w21 * (link2_theta1_dot * link2_theta2_dot)
-    w121 = w97 * w117 - w94 * w119 + w120 * c17
-    w122 = w105 * w119 - w97 * w116 + w104 * c20
+    w121 = w97 * w117 - w94 * w119 + w120 * c16
+    w122 = w105 * w119 - w97 * w116 + w104 * c19
     w123 = w35 * w118 - w26 * w121 + w37 * w122
     w124 = w36 * w118 - w34 * w122
     w125 = w58 * link3_theta1_dot - w55 * link3_theta2_dot
-    w126 = w125 * c14
+    w126 = w125 * c13
     w127 = w57 * link3_theta2_dot
     w128 = w56 * link3_theta1_dot + w127
-    w129 = w128 * c14
+    w129 = w128 * c13
     w130 = w125 * w126 + w128 * w129
     w131 = w43 * w57
     w132 = w42 * link3_theta3_dot
     w133 = link3_theta2_dot * link3_theta3_dot
     w134 = link3_theta1_dot * (w55 * w132 + w47 * w127) + w57 * w133
     w135 = link3_theta3_dot - w47 * link3_theta1_dot
-    w136 = w134 * c14 - w129 * w135
+    w136 = w134 * c13 - w129 * w135
     w137 = w46 * w57
     w138 = link3_theta1_dot * (w57 * w132 - w55 * (w47 * link3_theta2_dot)) - w55 * w133
-    w139 = w138 * c14 - w126 * w135
+    w139 = w138 * c13 - w126 * w135
     w140 = w50 * w130 + (w55 * (w46 * w47) - w131) * w136 + (w43 * w55 + w47 * w137) * w139
     w141 = w44 * w130 + w136 * (w137 + w55 * (w43 * w47)) + w139 * (w47 * w131 - w46 * w55)
     w142 = w56 * w136 - w47 * w130 + w58 * w139
-    w143 = w135 * c26
-    w144 = w125 * c24
-    w145 = w125 * w143 - w135 * w144 - w138 * c27
-    w146 = w128 * c23
-    w147 = w128 * w144 - w125 * w146 + w42 * (link3_theta1_dot * link3_theta2_dot) * c25
-    w148 = w135 * w146 - w128 * w143 + w134 * c28
+    w143 = w135 * c24
+    w144 = w125 * c22
+    w145 = w125 * w143 - w135 * w144 - w138 * c25
+    w146 = w128 * c21
+    w147 = w128 * w144 - w125 * w146 + w42 * (link3_theta1_dot * link3_theta2_dot) * c23
+    w148 = w135 * w146 - w128 * w143 + w134 * c26
     w149 = w56 * w145 - w47 * w147 + w58 * w148
     w150 = w57 * w145 - w55 * w148
     w151 = w11 * gravity_z
@@ -1086,7 +1071,7 @@ def augmented() -> ca.Function:
     # link2.theta1
     M[9, 6] = w24
     M[9, 7] = w30
-    M[9, 9] = w26 * (w26 * c17) + w35 * (w35 * c19) + w37 * (w37 * c20)
+    M[9, 9] = w26 * (w26 * c16) + w35 * (w35 * c18) + w37 * (w37 * c19)
     M[9, 10] = w40
     M[9, 11] = w41
     # link2.theta2
@@ -1097,7 +1082,7 @@ def augmented() -> ca.Function:
     M[10, 10] = w36 * w38 + w34 * w39
     # link2.theta3
     M[11, 9] = w41
-    M[11, 11] = c17
+    M[11, 11] = c16
     # link3.x
     M[12, 12] = link3_mass
     M[12, 15] = w45
@@ -1112,7 +1097,7 @@ def augmented() -> ca.Function:
     # link3.theta1
     M[15, 12] = w45
     M[15, 13] = w51
-    M[15, 15] = w47 * (w47 * c25) + w56 * (w56 * c27) + w58 * (w58 * c28)
+    M[15, 15] = w47 * (w47 * c23) + w56 * (w56 * c25) + w58 * (w58 * c26)
     M[15, 16] = w61
     M[15, 17] = w62
     # link3.theta2
@@ -1123,7 +1108,7 @@ def augmented() -> ca.Function:
     M[16, 16] = w57 * w59 + w55 * w60
     # link3.theta3
     M[17, 15] = w62
-    M[17, 17] = c25
+    M[17, 17] = c23
     K = ca.SX(18, 18)
     Q_v = ca.vertcat(
         w80,  # link1.x
@@ -1146,28 +1131,28 @@ def augmented() -> ca.Function:
         w147,  # link3.theta3
     )
     Q_F = ca.SX(18, 1)
-    Q_F[2] = c36  # link1.z
+    Q_F[2] = c34  # link1.z
     Q_F[4] = -w151  # link1.theta2
-    Q_F[8] = c32  # link2.z
+    Q_F[8] = c35  # link2.z
     Q_F[10] = -w152  # link2.theta2
-    Q_F[14] = c33  # link3.z
+    Q_F[14] = c36  # link3.z
     Q_F[16] = -w153  # link3.theta2
     Q_star = ca.vertcat(
         w80,  # link1.x
         w83,  # link1.y
-        w84 + c36,  # link1.z
+        w84 + c34,  # link1.z
         w92,  # link1.theta1
         w93 - w151,  # link1.theta2
         w90,  # link1.theta3
         w111,  # link2.x
         w114,  # link2.y
-        c32 + w115,  # link2.z
+        w115 + c35,  # link2.z
         w123,  # link2.theta1
         w124 - w152,  # link2.theta2
         w121,  # link2.theta3
         w140,  # link3.x
         w141,  # link3.y
-        c33 + w142,  # link3.z
+        w142 + c36,  # link3.z
         w149,  # link3.theta1
         w150 - w153,  # link3.theta2
         w147,  # link3.theta3
@@ -1228,7 +1213,7 @@ def reactions() -> ca.Function:
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
     takes q_ddot (n = 18) [mixed]: accelerations of all coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 9) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 3) [N, N m]: world force and moment of a joint on its body b, at b
     373 operations.
@@ -1236,7 +1221,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
     q_ddot = ca.SX.sym("q_ddot", 18)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q[3]
     link1_theta2 = q[4]
     link1_theta3 = q[5]
@@ -1272,11 +1257,11 @@ def reactions() -> ca.Function:
     link3_theta2_ddot = q_ddot[16]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    c14 = c[14]
-    c32 = c[32]
-    c33 = c[33]
-    link1_mass = c[34]
+    c11 = c[11]
+    c13 = c[13]
+    link1_mass = c[29]
+    c30 = c[30]
+    c34 = c[34]
     c35 = c[35]
     c36 = c[36]
     # intermediate terms (87)
@@ -1287,11 +1272,11 @@ def reactions() -> ca.Function:
     w4 = w1 * w3
     w5 = ca.sin(link1_theta3)
     w6 = link1_theta1_dot * w4 - link1_theta2_dot * w5
-    w7 = w6 * c35
+    w7 = w6 * c30
     w8 = w1 * w5
     w9 = w3 * link1_theta2_dot
     w10 = link1_theta1_dot * w8 + w9
-    w11 = w10 * c35
+    w11 = w10 * c30
     w12 = w6 * w7 + w10 * w11
     w13 = ca.sin(link1_theta2)
     w14 = ca.sin(link1_theta1)
@@ -1299,12 +1284,12 @@ def reactions() -> ca.Function:
     w16 = w1 * link1_theta3_dot
     w17 = link1_theta2_dot * link1_theta3_dot
     w18 = link1_theta3_dot - link1_theta1_dot * w13
-    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c35 - w11 * w18
+    w19 = (link1_theta1_dot * (w5 * w16 + w9 * w13) + w3 * w17) * c30 - w11 * w18
     w20 = w0 * w3
-    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c35 - w7 * w18
+    w21 = (link1_theta1_dot * (w3 * w16 - w5 * (link1_theta2_dot * w13)) - w5 * w17) * c30 - w7 * w18
     w22 = w1 * w14
-    w23 = w13 * c35
-    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * link1_mass - w22 * c35 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
+    w23 = w13 * c30
+    w24 = w2 * w12 + (w5 * (w0 * w13) - w15) * w19 + (w5 * w14 + w13 * w20) * w21 - (link1_x_ddot * link1_mass - w22 * c30 * link1_theta1_ddot - w0 * w23 * link1_theta2_ddot)
     w25 = ca.cos(link2_theta1)
     w26 = ca.cos(link2_theta2)
     w27 = w25 * w26
@@ -1312,11 +1297,11 @@ def reactions() -> ca.Function:
     w29 = w26 * w28
     w30 = ca.sin(link2_theta3)
     w31 = link2_theta1_dot * w29 - link2_theta2_dot * w30
-    w32 = w31 * c12
+    w32 = w31 * c11
     w33 = w26 * w30
     w34 = w28 * link2_theta2_dot
     w35 = link2_theta1_dot * w33 + w34
-    w36 = w35 * c12
+    w36 = w35 * c11
     w37 = w31 * w32 + w35 * w36
     w38 = ca.sin(link2_theta2)
     w39 = ca.sin(link2_theta1)
@@ -1324,12 +1309,12 @@ def reactions() -> ca.Function:
     w41 = w26 * link2_theta3_dot
     w42 = link2_theta2_dot * link2_theta3_dot
     w43 = link2_theta3_dot - link2_theta1_dot * w38
-    w44 = (link2_theta1_dot * (w30 * w41 + w34 * w38) + w28 * w42) * c12 - w36 * w43
+    w44 = (link2_theta1_dot * (w30 * w41 + w34 * w38) + w28 * w42) * c11 - w36 * w43
     w45 = w25 * w28
-    w46 = (link2_theta1_dot * (w28 * w41 - w30 * (link2_theta2_dot * w38)) - w30 * w42) * c12 - w32 * w43
+    w46 = (link2_theta1_dot * (w28 * w41 - w30 * (link2_theta2_dot * w38)) - w30 * w42) * c11 - w32 * w43
     w47 = w26 * w39
-    w48 = w38 * c12
-    w49 = w27 * w37 + (w30 * (w25 * w38) - w40) * w44 + (w30 * w39 + w38 * w45) * w46 - (link2_x_ddot * link2_mass - w47 * c12 * link2_theta1_ddot - w25 * w48 * link2_theta2_ddot)
+    w48 = w38 * c11
+    w49 = w27 * w37 + (w30 * (w25 * w38) - w40) * w44 + (w30 * w39 + w38 * w45) * w46 - (link2_x_ddot * link2_mass - w47 * c11 * link2_theta1_ddot - w25 * w48 * link2_theta2_ddot)
     w50 = ca.cos(link3_theta1)
     w51 = ca.cos(link3_theta2)
     w52 = w50 * w51
@@ -1337,11 +1322,11 @@ def reactions() -> ca.Function:
     w54 = w51 * w53
     w55 = ca.sin(link3_theta3)
     w56 = link3_theta1_dot * w54 - link3_theta2_dot * w55
-    w57 = w56 * c14
+    w57 = w56 * c13
     w58 = w51 * w55
     w59 = w53 * link3_theta2_dot
     w60 = link3_theta1_dot * w58 + w59
-    w61 = w60 * c14
+    w61 = w60 * c13
     w62 = w56 * w57 + w60 * w61
     w63 = ca.sin(link3_theta2)
     w64 = ca.sin(link3_theta1)
@@ -1349,22 +1334,22 @@ def reactions() -> ca.Function:
     w66 = w51 * link3_theta3_dot
     w67 = link3_theta2_dot * link3_theta3_dot
     w68 = link3_theta3_dot - link3_theta1_dot * w63
-    w69 = (link3_theta1_dot * (w55 * w66 + w59 * w63) + w53 * w67) * c14 - w61 * w68
+    w69 = (link3_theta1_dot * (w55 * w66 + w59 * w63) + w53 * w67) * c13 - w61 * w68
     w70 = w50 * w53
-    w71 = (link3_theta1_dot * (w53 * w66 - w55 * (link3_theta2_dot * w63)) - w55 * w67) * c14 - w57 * w68
+    w71 = (link3_theta1_dot * (w53 * w66 - w55 * (link3_theta2_dot * w63)) - w55 * w67) * c13 - w57 * w68
     w72 = w51 * w64
-    w73 = w63 * c14
-    w74 = w52 * w62 + (w55 * (w50 * w63) - w65) * w69 + (w55 * w64 + w63 * w70) * w71 - (link3_x_ddot * link3_mass - w72 * c14 * link3_theta1_ddot - w50 * w73 * link3_theta2_ddot)
+    w73 = w63 * c13
+    w74 = w52 * w62 + (w55 * (w50 * w63) - w65) * w69 + (w55 * w64 + w63 * w70) * w71 - (link3_x_ddot * link3_mass - w72 * c13 * link3_theta1_ddot - w50 * w73 * link3_theta2_ddot)
     w75 = w49 + w74
     w76 = w24 + w75
-    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * link1_mass + link1_theta1_ddot * (w2 * c35) - link1_theta2_ddot * (w14 * w23))
-    w78 = w37 * w47 + w44 * (w45 + w30 * (w38 * w39)) + w46 * (w38 * w40 - w25 * w30) - (link2_y_ddot * link2_mass + link2_theta1_ddot * (w27 * c12) - link2_theta2_ddot * (w39 * w48))
-    w79 = w62 * w72 + w69 * (w70 + w55 * (w63 * w64)) + w71 * (w63 * w65 - w50 * w55) - (link3_y_ddot * link3_mass + link3_theta1_ddot * (w52 * c14) - link3_theta2_ddot * (w64 * w73))
+    w77 = w12 * w22 + w19 * (w20 + w5 * (w13 * w14)) + w21 * (w13 * w15 - w0 * w5) - (link1_y_ddot * link1_mass + link1_theta1_ddot * (w2 * c30) - link1_theta2_ddot * (w14 * w23))
+    w78 = w37 * w47 + w44 * (w45 + w30 * (w38 * w39)) + w46 * (w38 * w40 - w25 * w30) - (link2_y_ddot * link2_mass + link2_theta1_ddot * (w27 * c11) - link2_theta2_ddot * (w39 * w48))
+    w79 = w62 * w72 + w69 * (w70 + w55 * (w63 * w64)) + w71 * (w63 * w65 - w50 * w55) - (link3_y_ddot * link3_mass + link3_theta1_ddot * (w52 * c13) - link3_theta2_ddot * (w64 * w73))
     w80 = w78 + w79
     w81 = w77 + w80
-    w82 = c36 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * link1_mass - link1_theta2_ddot * (w1 * c35))
-    w83 = c32 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * link2_mass - link2_theta2_ddot * (w26 * c12))
-    w84 = c33 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * link3_mass - link3_theta2_ddot * (w51 * c14))
+    w82 = c34 + (w8 * w19 - w12 * w13 + w4 * w21) - (link1_z_ddot * link1_mass - link1_theta2_ddot * (w1 * c30))
+    w83 = c35 + (w33 * w44 - w37 * w38 + w29 * w46) - (link2_z_ddot * link2_mass - link2_theta2_ddot * (w26 * c11))
+    w84 = c36 + (w58 * w69 - w62 * w63 + w54 * w71) - (link3_z_ddot * link3_mass - link3_theta2_ddot * (w51 * c13))
     w85 = w83 + w84
     w86 = w82 + w85
     # outputs
@@ -1398,7 +1383,7 @@ def energy() -> ca.Function:
 
     takes q (n = 18) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 18) [mixed]: rates of all coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -1408,7 +1393,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 18)
     q_dot = ca.SX.sym("q_dot", 18)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_z = q[2]
     link1_theta1 = q[3]
     link1_theta2 = q[4]
@@ -1444,29 +1429,29 @@ def energy() -> ca.Function:
     c5 = c[5]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    c14 = c[14]
-    c17 = c[17]
+    c11 = c[11]
+    c13 = c[13]
+    c16 = c[16]
+    c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    c23 = c[23]
     c25 = c[25]
-    c27 = c[27]
-    c28 = c[28]
-    gravity_z = c[30]
-    link1_mass = c[34]
-    c35 = c[35]
+    c26 = c[26]
+    gravity_z = c[27]
+    link1_mass = c[29]
+    c30 = c[30]
     # intermediate terms (70)
     w0 = ca.cos(link1_theta2)
     w1 = ca.sin(link1_theta1)
-    w2 = w0 * w1 * c35
+    w2 = w0 * w1 * c30
     w3 = ca.cos(link1_theta1)
     w4 = ca.sin(link1_theta2)
-    w5 = w4 * c35
+    w5 = w4 * c30
     w6 = w3 * w5
-    w7 = w0 * w3 * c35
+    w7 = w0 * w3 * c30
     w8 = w1 * w5
     w9 = link1_x_dot * (link1_x_dot * link1_mass - w2 * link1_theta1_dot - w6 * link1_theta2_dot) + link1_y_dot * (link1_y_dot * link1_mass + link1_theta1_dot * w7 - link1_theta2_dot * w8)
-    w10 = w0 * c35
+    w10 = w0 * c30
     w11 = w4 * c2
     w12 = ca.sin(link1_theta3)
     w13 = w0 * w12
@@ -1481,50 +1466,50 @@ def energy() -> ca.Function:
     w22 = w20 + link1_theta2_dot * w21 + link1_theta3_dot * (link1_theta3_dot * c2 - link1_theta1_dot * w11)
     w23 = ca.cos(link2_theta2)
     w24 = ca.sin(link2_theta1)
-    w25 = w23 * w24 * c12
+    w25 = w23 * w24 * c11
     w26 = ca.cos(link2_theta1)
     w27 = ca.sin(link2_theta2)
-    w28 = w27 * c12
+    w28 = w27 * c11
     w29 = w26 * w28
-    w30 = w23 * w26 * c12
+    w30 = w23 * w26 * c11
     w31 = w24 * w28
     w32 = w22 + link2_x_dot * (link2_x_dot * link2_mass - w25 * link2_theta1_dot - w29 * link2_theta2_dot) + link2_y_dot * (link2_y_dot * link2_mass + link2_theta1_dot * w30 - link2_theta2_dot * w31)
-    w33 = w23 * c12
-    w34 = w27 * c17
+    w33 = w23 * c11
+    w34 = w27 * c16
     w35 = ca.sin(link2_theta3)
     w36 = w23 * w35
     w37 = ca.cos(link2_theta3)
     w38 = w23 * w37
-    w39 = link2_y_dot * w30 - link2_x_dot * w25 + link2_theta1_dot * (w27 * w34 + w36 * (w36 * c19) + w38 * (w38 * c20))
-    w40 = w37 * c19
-    w41 = w35 * c20
+    w39 = link2_y_dot * w30 - link2_x_dot * w25 + link2_theta1_dot * (w27 * w34 + w36 * (w36 * c18) + w38 * (w38 * c19))
+    w40 = w37 * c18
+    w41 = w35 * c19
     w42 = w36 * w40 - w38 * w41
     w43 = w32 + link2_z_dot * (link2_z_dot * link2_mass - link2_theta2_dot * w33) + link2_theta1_dot * (w39 + link2_theta2_dot * w42 - w34 * link2_theta3_dot)
     w44 = link2_theta1_dot * w42 - (link2_x_dot * w29 + link2_y_dot * w31 + link2_z_dot * w33) + link2_theta2_dot * (w37 * w40 + w35 * w41)
-    w45 = w43 + link2_theta2_dot * w44 + link2_theta3_dot * (link2_theta3_dot * c17 - link2_theta1_dot * w34)
+    w45 = w43 + link2_theta2_dot * w44 + link2_theta3_dot * (link2_theta3_dot * c16 - link2_theta1_dot * w34)
     w46 = ca.cos(link3_theta2)
     w47 = ca.sin(link3_theta1)
-    w48 = w46 * w47 * c14
+    w48 = w46 * w47 * c13
     w49 = ca.cos(link3_theta1)
     w50 = ca.sin(link3_theta2)
-    w51 = w50 * c14
+    w51 = w50 * c13
     w52 = w49 * w51
-    w53 = w46 * w49 * c14
+    w53 = w46 * w49 * c13
     w54 = w47 * w51
     w55 = w45 + link3_x_dot * (link3_x_dot * link3_mass - w48 * link3_theta1_dot - w52 * link3_theta2_dot) + link3_y_dot * (link3_y_dot * link3_mass + link3_theta1_dot * w53 - link3_theta2_dot * w54)
-    w56 = w46 * c14
-    w57 = w50 * c25
+    w56 = w46 * c13
+    w57 = w50 * c23
     w58 = ca.sin(link3_theta3)
     w59 = w46 * w58
     w60 = ca.cos(link3_theta3)
     w61 = w46 * w60
-    w62 = link3_y_dot * w53 - link3_x_dot * w48 + link3_theta1_dot * (w50 * w57 + w59 * (w59 * c27) + w61 * (w61 * c28))
-    w63 = w60 * c27
-    w64 = w58 * c28
+    w62 = link3_y_dot * w53 - link3_x_dot * w48 + link3_theta1_dot * (w50 * w57 + w59 * (w59 * c25) + w61 * (w61 * c26))
+    w63 = w60 * c25
+    w64 = w58 * c26
     w65 = w59 * w63 - w61 * w64
     w66 = w55 + link3_z_dot * (link3_z_dot * link3_mass - link3_theta2_dot * w56) + link3_theta1_dot * (w62 + link3_theta2_dot * w65 - w57 * link3_theta3_dot)
     w67 = link3_theta1_dot * w65 - (link3_x_dot * w52 + link3_y_dot * w54 + link3_z_dot * w56) + link3_theta2_dot * (w60 * w63 + w58 * w64)
-    w68 = w66 + link3_theta2_dot * w67 + link3_theta3_dot * (link3_theta3_dot * c25 - link3_theta1_dot * w57)
+    w68 = w66 + link3_theta2_dot * w67 + link3_theta3_dot * (link3_theta3_dot * c23 - link3_theta1_dot * w57)
     w69 = (link1_z * link1_mass - w5) * gravity_z + (link2_z * link2_mass - w28) * gravity_z + (link3_z * link3_mass - w51) * gravity_z
     # outputs
     kinetic = ca.vertcat(w68 / 2.0)
@@ -1611,13 +1596,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i, through q_d
-    1702 operations.
+    1643 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -1638,478 +1623,475 @@ def dQ_hat_dq_i() -> ca.Function:
     link3_theta3_dot = q_i_dot[8]
     c0 = c[0]
     c1 = c[1]
-    c2 = c[2]
     c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    link2_end_x = c[13]
+    c11 = c[11]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
     c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c23 = c[23]
+    c21 = c[21]
+    c22 = c[22]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    c27 = c[27]
+    gravity_z = c[27]
     c28 = c[28]
-    gravity_z = c[30]
-    c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
     c37 = c[37]
     c38 = c[38]
-    c39 = c[39]
-    c40 = c[40]
-    # intermediate terms (395)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
+    # intermediate terms (405)
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
     w2 = w0 * w1
     w3 = w2 * link1_end_x
-    w4 = ca.sin(link1_theta2)
-    w5 = w4 * link1_end_x
-    w6 = link1_theta1_dot * link1_theta2_dot
-    w7 = w1 * w6
-    w8 = ca.sin(link1_theta1)
-    w9 = w1 * w8
-    w10 = w7 * w9
-    w11 = w1 * link1_theta3_dot
-    w12 = ca.cos(link1_theta3)
-    w13 = w11 * w12
-    w14 = w4 * link1_theta2_dot
-    w15 = ca.sin(link1_theta3)
-    w16 = link1_theta2_dot * link1_theta3_dot
-    w17 = w15 * w16
-    w18 = link1_theta1_dot * (w13 - w14 * w15) - w17
-    w19 = w4 * w8
-    w20 = w0 * w12
-    w21 = w15 * w19 + w20
-    w22 = w18 * w21
-    w23 = w11 * w15
-    w24 = link1_theta2_dot * w12
-    w25 = w12 * w16
-    w26 = link1_theta1_dot * (w23 + w4 * w24) + w25
-    w27 = w0 * w15
-    w28 = w8 * w12
-    w29 = w4 * w28
-    w30 = w10 - w22 - w26 * (w27 - w29)
-    w31 = w1 * w15
-    w32 = w1 * w12
-    w33 = w4 * w7 + w18 * w31 - w26 * w32
-    w34 = w9 * link1_end_x
-    w35 = w33 * w34
-    w36 = w4 * link1_theta3_dot
-    w37 = link1_theta1_dot - w36
-    w38 = w2 * link1_theta3_dot - link1_theta2_dot * w8
-    w39 = w5 * w38 + w3 * w37
-    w40 = w37 * w39
-    w41 = w9 * link1_theta3_dot + w0 * link1_theta2_dot
-    w42 = w34 * w38 - w3 * w41
-    w43 = w41 * w42
-    w44 = w5 * w30 - w35 - (w40 - w43)
-    w45 = w44 * link3_mass
-    w46 = w44 * link2_mass + w45
-    w47 = ca.cos(link2_theta2)
-    w48 = ca.sin(link2_theta1)
-    w49 = w47 * w48
-    w50 = ca.cos(link2_theta3)
-    w51 = w47 * w50
-    w52 = ca.sin(link2_theta3)
-    w53 = link2_theta2_dot * w52
-    w54 = link2_theta1_dot * w51 - w53
-    w55 = w54 * c12
-    w56 = w47 * w52
-    w57 = w50 * link2_theta2_dot
-    w58 = link2_theta1_dot * w56 + w57
-    w59 = w58 * c12
-    w60 = w54 * w55 + w58 * w59
-    w61 = ca.cos(link2_theta1)
-    w62 = w50 * w61
-    w63 = ca.sin(link2_theta2)
-    w64 = w48 * w63
-    w65 = w62 + w52 * w64
-    w66 = w47 * link2_theta3_dot
-    w67 = w52 * w66
-    w68 = link2_theta2_dot * link2_theta3_dot
-    w69 = w50 * w68
-    w70 = link2_theta1_dot * (w67 + w57 * w63) + w69
-    w71 = link2_theta3_dot - link2_theta1_dot * w63
-    w72 = w59 * w71
-    w73 = w70 * c12 - w72
-    w74 = w49 * w60 + w65 * w73
-    w75 = w48 * w50
-    w76 = w63 * w75
-    w77 = w52 * w61
-    w78 = w76 - w77
-    w79 = w50 * w66
-    w80 = link2_theta2_dot * w63
-    w81 = w52 * w68
-    w82 = link2_theta1_dot * (w79 - w52 * w80) - w81
-    w83 = w55 * w71
-    w84 = w82 * c12 - w83
-    w85 = w0 * w4
-    w86 = w15 * w85 - w28
-    w87 = w8 * w15
-    w88 = w87 + w4 * w20
-    w89 = w18 * w86 - w2 * w7 - w26 * w88
-    w90 = w3 * w33 + w5 * w89
-    w91 = w5 * w41 + w34 * w37
-    w92 = w37 * w91 + w38 * w42
-    w93 = w90 - w92
-    w94 = ca.cos(link3_theta2)
-    w95 = ca.sin(link3_theta1)
-    w96 = w94 * w95
-    w97 = ca.cos(link3_theta3)
-    w98 = w94 * w97
+    w4 = ca.cos(link1_theta1)
+    w5 = w0 * w4
+    w6 = link1_theta3_dot * w5 - w1 * link1_theta2_dot
+    w7 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
+    w8 = w5 * link1_end_x
+    w9 = w3 * w6 - w7 * w8
+    w10 = ca.sin(link1_theta2)
+    w11 = link1_theta3_dot * w10
+    w12 = link1_theta1_dot - w11
+    w13 = w10 * link1_end_x
+    w14 = w3 * w12 + w7 * w13
+    w15 = w6 * w9 + w12 * w14
+    w16 = w0 * link1_theta3_dot
+    w17 = ca.cos(link1_theta3)
+    w18 = w16 * w17
+    w19 = link1_theta2_dot * w10
+    w20 = ca.sin(link1_theta3)
+    w21 = link1_theta3_dot * link1_theta2_dot
+    w22 = w20 * w21
+    w23 = link1_theta1_dot * (w18 - w19 * w20) - w22
+    w24 = w4 * w10
+    w25 = w1 * w17
+    w26 = w20 * w24 - w25
+    w27 = link1_theta2_dot * link1_theta1_dot
+    w28 = w0 * w27
+    w29 = w16 * w20
+    w30 = link1_theta2_dot * w17
+    w31 = w17 * w21
+    w32 = link1_theta1_dot * (w29 + w10 * w30) + w31
+    w33 = w4 * w17
+    w34 = w1 * w20
+    w35 = w10 * w33 + w34
+    w36 = w23 * w26 - w5 * w28 - w32 * w35
+    w37 = w0 * w20
+    w38 = w0 * w17
+    w39 = w10 * w28 + w23 * w37 - w32 * w38
+    w40 = w13 * w36 + w8 * w39
+    w41 = w15 - w40
+    w42 = w41 * link3_mass
+    w43 = w41 * link2_mass + w42
+    w44 = ca.cos(link2_theta1)
+    w45 = ca.sin(link2_theta2)
+    w46 = w44 * w45
+    w47 = ca.sin(link2_theta3)
+    w48 = ca.cos(link2_theta3)
+    w49 = ca.sin(link2_theta1)
+    w50 = w48 * w49
+    w51 = w46 * w47 - w50
+    w52 = link2_theta3_dot - w45 * link2_theta1_dot
+    w53 = ca.cos(link2_theta2)
+    w54 = w47 * w53
+    w55 = w48 * link2_theta2_dot
+    w56 = link2_theta1_dot * w54 + w55
+    w57 = w52 * w56
+    w58 = link2_theta3_dot * w53
+    w59 = w47 * w58
+    w60 = link2_theta3_dot * link2_theta2_dot
+    w61 = w48 * w60
+    w62 = link2_theta1_dot * (w59 + w45 * w55) + w61
+    w63 = w57 - w62
+    w64 = w63 * c11
+    w65 = w44 * w53
+    w66 = w56**2
+    w67 = w48 * w53
+    w68 = w47 * link2_theta2_dot
+    w69 = link2_theta1_dot * w67 - w68
+    w70 = w69**2
+    w71 = (w66 + w70) * c11
+    w72 = w47 * w49
+    w73 = w44 * w48
+    w74 = w72 + w45 * w73
+    w75 = w52 * w69
+    w76 = w48 * w58
+    w77 = w45 * link2_theta2_dot
+    w78 = w47 * w60
+    w79 = link2_theta1_dot * (w76 - w47 * w77) - w78
+    w80 = w75 - w79
+    w81 = w80 * c11
+    w82 = w51 * w64 - w65 * w71 + w74 * w81
+    w83 = w7 * w9
+    w84 = w8 * w12 + w6 * w13
+    w85 = w12 * w84
+    w86 = w1 * w10
+    w87 = w33 + w20 * w86
+    w88 = w23 * w87
+    w89 = w2 * w28
+    w90 = w10 * w25
+    w91 = w4 * w20
+    w92 = w90 - w91
+    w93 = w88 - w89 - w32 * w92
+    w94 = w3 * w39
+    w95 = w83 - w85 - (w13 * w93 + w94)
+    w96 = ca.cos(link3_theta1)
+    w97 = ca.sin(link3_theta2)
+    w98 = w96 * w97
     w99 = ca.sin(link3_theta3)
-    w100 = link3_theta2_dot * w99
-    w101 = link3_theta1_dot * w98 - w100
-    w102 = w101 * c14
-    w103 = w94 * w99
-    w104 = w97 * link3_theta2_dot
-    w105 = link3_theta1_dot * w103 + w104
-    w106 = w105 * c14
-    w107 = w101 * w102 + w105 * w106
-    w108 = ca.cos(link3_theta1)
-    w109 = w97 * w108
-    w110 = ca.sin(link3_theta2)
-    w111 = w95 * w110
-    w112 = w109 + w99 * w111
-    w113 = w94 * link3_theta3_dot
-    w114 = w99 * w113
-    w115 = link3_theta2_dot * link3_theta3_dot
-    w116 = w97 * w115
-    w117 = link3_theta1_dot * (w114 + w104 * w110) + w116
-    w118 = link3_theta3_dot - link3_theta1_dot * w110
-    w119 = w106 * w118
-    w120 = w117 * c14 - w119
-    w121 = w96 * w107 + w112 * w120
-    w122 = w95 * w97
-    w123 = w110 * w122
-    w124 = w99 * w108
-    w125 = w123 - w124
-    w126 = w97 * w113
-    w127 = link3_theta2_dot * w110
-    w128 = w99 * w115
-    w129 = link3_theta1_dot * (w126 - w99 * w127) - w128
-    w130 = w102 * w118
-    w131 = w129 * c14 - w130
-    w132 = link2_theta1_dot * link2_theta2_dot
-    w133 = w47 * w132
-    w134 = w63 * w133 + w56 * w82 - w51 * w70
-    w135 = w47 * w61
-    w136 = w135 * link2_end_x
-    w137 = w61 * w63
-    w138 = w52 * w137 - w75
-    w139 = w48 * w52
-    w140 = w139 + w62 * w63
-    w141 = w82 * w138 - w133 * w135 - w70 * w140
-    w142 = w63 * link2_end_x
-    w143 = w134 * w136 + w141 * w142
-    w144 = w63 * link2_theta3_dot
-    w145 = link2_theta1_dot - w144
-    w146 = link2_theta2_dot * w61 + w49 * link2_theta3_dot
-    w147 = w49 * link2_end_x
-    w148 = w142 * w146 + w145 * w147
-    w149 = link2_theta3_dot * w135 - w48 * link2_theta2_dot
-    w150 = w147 * w149 - w136 * w146
-    w151 = w145 * w148 + w149 * w150
-    w152 = w93 + (w143 - w151)
-    w153 = w121 + w125 * w131 - w152 * link3_mass
-    w154 = w74 + w78 * w84 - w93 * link2_mass + w153
-    w155 = w60 * w135 + w73 * w138 + w84 * w140
-    w156 = w29 - w27
-    w157 = w22 - w10 - w26 * w156
-    w158 = w43 - w40 - (w35 + w5 * w157)
-    w159 = w94 * w108
-    w160 = w108 * w110
-    w161 = w99 * w160 - w122
-    w162 = w95 * w99
-    w163 = w162 + w109 * w110
-    w164 = w107 * w159 + w120 * w161 + w131 * w163
-    w165 = w146 * w150
-    w166 = w136 * w145 + w142 * w149
-    w167 = w145 * w166
-    w168 = w65 * w82
-    w169 = w49 * w133
-    w170 = w168 - w169 - w70 * w78
-    w171 = w134 * w147
-    w172 = w158 + (w165 - w167 - (w142 * w170 + w171))
-    w173 = w164 - w172 * link3_mass
-    w174 = w155 - w158 * link2_mass + w173
-    w175 = w92 - w90
-    w176 = w175 * link3_mass
-    w177 = w175 * link2_mass + w176
-    w178 = w0 * w5
-    w179 = w5 * w8
-    w180 = w38 * w39 + w41 * w91 + (w34 * w89 - w3 * w157)
-    w181 = w180 + (w149 * w166 + w146 * w148 + (w141 * w147 - w136 * w170))
-    w182 = c33 + (w103 * w120 - w107 * w110 + w98 * w131) - w181 * link3_mass
-    w183 = w1 * link1_end_x
-    w184 = w3 * w89
-    w185 = w30 * w34 + w184 - (w184 - w34 * w157)
-    w186 = w177 * w178 + w174 * w179 - (w154 * w178 - w46 * w179 - w183 * (w185 * link2_mass + w185 * link3_mass))
-    w187 = w135 * c12
-    w188 = w49 * c12
-    w189 = w63 * c12
-    w190 = w61 * w189
-    w191 = w48 * w189
-    w192 = w47 * c12
-    w193 = w47 * link2_end_x
-    w194 = w48 * w142
-    w195 = w61 * w142
-    w196 = w159 * c14
-    w197 = w96 * c14
-    w198 = w110 * c14
-    w199 = w108 * w198
-    w200 = w95 * w198
-    w201 = w94 * c14
-    w202 = link1_theta3_dot - w4 * link1_theta1_dot
-    w203 = w4 * w12
-    w204 = link1_theta1_dot * w203
-    w205 = w204 * c1
-    w206 = link1_theta2_dot * w15
-    w207 = link1_theta1_dot * w32 - w206
-    w208 = w207 * c1
-    w209 = w1 * link1_theta1_dot
-    w210 = w209 * c3
-    w211 = w202 * c3
-    w212 = link1_theta1_dot * (w12 * w36 + w15 * (w1 * link1_theta2_dot))
-    w213 = w202 * w205 + w208 * w209 - (w207 * w210 + w204 * w211) + w212 * c4
-    w214 = w207 * w211
-    w215 = w214 - w202 * w208 - w18 * c4
-    w216 = w4 * w15
-    w217 = w24 + link1_theta1_dot * w31
-    w218 = w217 * c0
-    w219 = link1_theta1_dot * w216
-    w220 = w219 * c0
-    w221 = w4 * w6
-    w222 = w207 * w220 + w204 * w218 - (w205 * w217 + w208 * w219) - w221 * c2
-    w223 = link1_theta1_dot * (w1 * w24 - w15 * w36)
-    w224 = w210 * w217 + w211 * w219 - (w202 * w220 + w209 * w218) + w223 * c5
-    w225 = w211 * w217
-    w226 = w202 * w218 - w225 + w26 * c5
-    w227 = w31 * w213 - w215 * w216 - (w1 * (w208 * w217 - w207 * w218 + w7 * c2) + w4 * w222) + (w32 * w224 - w203 * w226)
-    w228 = w1 * w7 - w4 * w221 - (w18 * w216 + w31 * w212) - (w32 * w223 - w26 * w203)
-    w229 = w85 * link1_end_x
-    w230 = w18 * (w2 * w15) - w86 * w212 + link1_theta2_dot * (link1_theta1_dot * (w2 * w4)) * c38 - (w26 * (w1 * w20) + w88 * w223)
-    w231 = link1_theta3_dot * w19
-    w232 = w19 * link1_end_x
-    w233 = w41 * w183 - w5 * w231 - (w11 * w34 + w37 * w232)
-    w234 = link1_theta3_dot * w85
-    w235 = w3 * w231 + w41 * w229 - (w34 * w234 + w38 * w232)
-    w236 = w3 * w228 - w33 * w229 + (w5 * w230 + w89 * w183) - (w37 * w233 - w11 * w91 + (w38 * w235 - w42 * w234))
-    w237 = w236 * link3_mass
-    w238 = w236 * link2_mass + w237
-    w239 = w38 * w183 - w5 * w234 - (w3 * w11 + w37 * w229)
-    w240 = w18 * (w9 * w15) - w21 * w212 + w8 * (link1_theta2_dot * (link1_theta1_dot * (w1 * w4))) * c38 - (w26 * (w1 * w28) + w156 * w223)
-    w241 = w41 * w235 - w42 * w231 - (w37 * w239 - w11 * w39) - (w5 * w240 + w157 * w183 + (w34 * w228 - w33 * w232))
-    w242 = w241 * link3_mass
-    w243 = w241 * link2_mass + w242
-    w244 = w38 * w239 - w39 * w234 + (w41 * w233 - w91 * w231) + (w34 * w230 - w89 * w232 - (w3 * w240 - w157 * w229))
-    w245 = w183 * (w244 * link2_mass + w244 * link3_mass) + w5 * (c32 + (w56 * w73 - w60 * w63 + w51 * w84) - w180 * link2_mass + w182)
-    w246 = w12 * w213 - w15 * w224 + w4 * c31 + w245 - (w154 * (w8 * w183) - w179 * w238) - (w174 * (w0 * w183) - w178 * w243)
-    w247 = w217 * c1
-    w248 = w25 + link1_theta1_dot * (w23 + w12 * w14)
-    w249 = w202 * w247 - w225 + w248 * c4
-    w250 = w207 * c0
-    w251 = w207 * w208 - w217 * w247 - (w207 * w250 - w217 * w218)
-    w252 = link1_theta1_dot * (w13 - w4 * w206) - w17
-    w253 = w202 * w250 - w214 + w252 * c5
-    w254 = w18 * w32 - w31 * w248 - (w32 * w252 - w26 * w31)
-    w255 = w18 * (w87 + w12 * w85) - w86 * w248 - (w26 * (w28 - w4 * w27) + w88 * w252)
-    w256 = w3 * w254 + w5 * w255
+    w100 = ca.cos(link3_theta3)
+    w101 = ca.sin(link3_theta1)
+    w102 = w100 * w101
+    w103 = w98 * w99 - w102
+    w104 = link3_theta3_dot - w97 * link3_theta1_dot
+    w105 = ca.cos(link3_theta2)
+    w106 = w99 * w105
+    w107 = w100 * link3_theta2_dot
+    w108 = link3_theta1_dot * w106 + w107
+    w109 = w104 * w108
+    w110 = link3_theta3_dot * w105
+    w111 = w99 * w110
+    w112 = link3_theta3_dot * link3_theta2_dot
+    w113 = w100 * w112
+    w114 = link3_theta1_dot * (w111 + w97 * w107) + w113
+    w115 = w109 - w114
+    w116 = w115 * c13
+    w117 = w96 * w105
+    w118 = w108**2
+    w119 = w100 * w105
+    w120 = w99 * link3_theta2_dot
+    w121 = link3_theta1_dot * w119 - w120
+    w122 = w121**2
+    w123 = (w118 + w122) * c13
+    w124 = w99 * w101
+    w125 = w96 * w100
+    w126 = w124 + w97 * w125
+    w127 = w104 * w121
+    w128 = w100 * w110
+    w129 = w97 * link3_theta2_dot
+    w130 = w99 * w112
+    w131 = link3_theta1_dot * (w128 - w99 * w129) - w130
+    w132 = w127 - w131
+    w133 = w132 * c13
+    w134 = w103 * w116 - w117 * w123 + w126 * w133
+    w135 = w49 * w53
+    w136 = w44 * link2_theta2_dot + link2_theta3_dot * w135
+    w137 = link2_theta3_dot * w65 - w49 * link2_theta2_dot
+    w138 = w135 * link2_end_x
+    w139 = w65 * link2_end_x
+    w140 = w137 * w138 - w136 * w139
+    w141 = w136 * w140
+    w142 = w45 * link2_theta3_dot
+    w143 = link2_theta1_dot - w142
+    w144 = w45 * link2_end_x
+    w145 = w139 * w143 + w137 * w144
+    w146 = w143 * w145
+    w147 = w45 * w49
+    w148 = w73 + w47 * w147
+    w149 = w79 * w148
+    w150 = link2_theta1_dot * link2_theta2_dot
+    w151 = w53 * w150
+    w152 = w135 * w151
+    w153 = w45 * w50
+    w154 = w44 * w47
+    w155 = w153 - w154
+    w156 = w149 - w152 - w62 * w155
+    w157 = w45 * w151 + w54 * w79 - w62 * w67
+    w158 = w138 * w157
+    w159 = w95 + (w141 - w146 - (w144 * w156 + w158))
+    w160 = w134 + w159 * link3_mass
+    w161 = w82 + w95 * link2_mass + w160
+    w162 = w89 - w88 - w32 * (w91 - w90)
+    w163 = w13 * w162 - w94 - (w85 - w83)
+    w164 = w163 * link3_mass
+    w165 = w163 * link2_mass + w164
+    w166 = w64 * w148
+    w167 = w71 * w135
+    w168 = w40 - w15
+    w169 = w97 * w101
+    w170 = w125 + w99 * w169
+    w171 = w116 * w170
+    w172 = w101 * w105
+    w173 = w123 * w172
+    w174 = w97 * w102
+    w175 = w96 * w99
+    w176 = w174 - w175
+    w177 = w51 * w79 - w65 * w151 - w62 * w74
+    w178 = w139 * w157 + w144 * w177
+    w179 = w136 * w144 + w138 * w143
+    w180 = w143 * w179 + w137 * w140
+    w181 = w168 + (w178 - w180)
+    w182 = w171 - w173 + w133 * w176 + w181 * link3_mass
+    w183 = w166 - w167 + w81 * w155 + w168 * link2_mass + w182
+    w184 = w0 * link1_end_x
+    w185 = w8 * w36
+    w186 = w3 * w162 + w185 - (w185 - w3 * w93)
+    w187 = w3 * w36 - w8 * w93 + (w6 * w84 + w7 * w14)
+    w188 = w187 - gravity_z
+    w189 = w187 + (w138 * w177 - w139 * w156 + (w137 * w145 + w136 * w179)) - gravity_z
+    w190 = w97 * w123 + w106 * w116 + w119 * w133 + w189 * link3_mass
+    w191 = w1 * w13
+    w192 = w4 * w13
+    w193 = w184 * (w186 * link2_mass + w186 * link3_mass) + (w165 * w191 + w183 * w192) + (w43 * w192 - w161 * w191)
+    w194 = w65 * c11
+    w195 = w135 * c11
+    w196 = w53 * link2_end_x
+    w197 = w45 * c11
+    w198 = w44 * w197
+    w199 = w49 * w197
+    w200 = w53 * c11
+    w201 = w49 * w144
+    w202 = w44 * w144
+    w203 = w117 * c13
+    w204 = w172 * c13
+    w205 = w97 * c13
+    w206 = w96 * w205
+    w207 = w101 * w205
+    w208 = w105 * c13
+    w209 = link1_theta3_dot * w86
+    w210 = w24 * link1_end_x
+    w211 = link1_theta3_dot * w24
+    w212 = w86 * link1_end_x
+    w213 = w8 * w209 + w7 * w210 - (w3 * w211 + w6 * w212)
+    w214 = w6 * w184 - w13 * w211 - (w8 * w16 + w12 * w210)
+    w215 = link1_theta1_dot * (w11 * w17 + w20 * (w0 * link1_theta2_dot))
+    w216 = w10 * w27
+    w217 = link1_theta1_dot * (w0 * w30 - w11 * w20)
+    w218 = w23 * (w2 * w20) - w87 * w215 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w32 * (w0 * w25) + w92 * w217)
+    w219 = w10 * w20
+    w220 = w10 * w17
+    w221 = w0 * w28 - w10 * w216 - (w23 * w219 + w37 * w215) - (w38 * w217 - w32 * w220)
+    w222 = w7 * w213 - w9 * w209 - (w12 * w214 - w16 * w84) - (w13 * w218 + w93 * w184 + (w3 * w221 - w39 * w212))
+    w223 = w222 * link3_mass
+    w224 = w222 * link2_mass + w223
+    w225 = w23 * (w5 * w20) - w26 * w215 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w32 * (w0 * w33) + w35 * w217)
+    w226 = w7 * w184 - w13 * w209 - (w3 * w16 + w12 * w212)
+    w227 = w8 * w221 - w39 * w210 + (w13 * w225 + w36 * w184) - (w12 * w226 - w14 * w16 + (w6 * w213 - w9 * w211))
+    w228 = w227 * link3_mass
+    w229 = w227 * link2_mass + w228
+    w230 = link1_theta3_dot - link1_theta1_dot * w10
+    w231 = link1_theta2_dot * w20
+    w232 = link1_theta1_dot * w38 - w231
+    w233 = w230 * w232
+    w234 = (w23 + w233) * c1 - (w233 - w23) * c3
+    w235 = w0 * link1_theta1_dot
+    w236 = link1_theta1_dot * w220
+    w237 = w232 * w235 + w230 * w236
+    w238 = (w215 + w237) * c1 + (w215 - w237) * c3
+    w239 = w30 + link1_theta1_dot * w37
+    w240 = w232 * w239
+    w241 = link1_theta1_dot * w219
+    w242 = w232 * w241 + w236 * w239
+    w243 = (w216 - w242) * c0 + (w216 + w242) * c1
+    w244 = w230 * w239
+    w245 = (w244 - w32) * c3 - (w32 + w244) * c0
+    w246 = w235 * w239 + w230 * w241
+    w247 = (w217 + w246) * c3 + (w217 - w246) * c0
+    w248 = w219 * w234 + w37 * w238 + (w0 * ((w240 - w28) * c0 - (w28 + w240) * c1) + w10 * w243) + (w220 * w245 + w38 * w247)
+    w249 = w3 * w225 - w36 * w212 - (w8 * w218 - w93 * w210) + (w6 * w214 - w84 * w211 + (w7 * w226 - w14 * w209))
+    w250 = w184 * (w249 * link2_mass + w249 * link3_mass) - w13 * (w45 * w71 + w54 * w64 + w67 * w81 + w188 * link2_mass + w190)
+    w251 = w250 - (w20 * w247 - w17 * w238 - w10 * c28) + (w191 * w229 + w183 * (w1 * w184)) + (w192 * w224 + w161 * (w4 * w184))
+    w252 = w31 + link1_theta1_dot * (w29 + w17 * w19)
+    w253 = link1_theta1_dot * (w18 - w10 * w231) - w22
+    w254 = w23 * (w17 * w86 - w91) - w87 * w252 - (w92 * w253 - w32 * (w33 + w10 * w34))
+    w255 = w23 * w38 - w37 * w252 - (w38 * w253 - w32 * w37)
+    w256 = w13 * w254 + w3 * w255
     w257 = w256 * link3_mass
     w258 = w256 * link2_mass + w257
-    w259 = w18 * (w12 * w19 - w27) - w21 * w248 - (w156 * w252 - w26 * (w20 + w4 * w87))
-    w260 = w5 * w259 + w34 * w254
-    w261 = w260 * link3_mass
-    w262 = w260 * link2_mass + w261
-    w263 = w34 * w255 - w3 * w259
-    w264 = w12 * w249 - w15 * w215 - (w12 * w226 + w15 * w253) + w183 * (w263 * link2_mass + w263 * link3_mass)
-    w265 = w77 - w76
-    w266 = w169 - w168 - w70 * w265
-    w267 = w142 * w266 - w171 - (w167 - w165)
-    w268 = w267 * link3_mass
-    w269 = w155 - w268
-    w270 = w151 - w143
+    w259 = (w244 + w252) * c1 + (w252 - w244) * c3
+    w260 = w232**2 - w239**2
+    w261 = w260 * c0 - w260 * c1
+    w262 = (w233 - w253) * c3 - (w233 + w253) * c0
+    w263 = w23 * (w34 + w17 * w24) - w26 * w252 - (w32 * (w25 - w10 * w91) + w35 * w253)
+    w264 = w8 * w255 + w13 * w263
+    w265 = w264 * link3_mass
+    w266 = w264 * link2_mass + w265
+    w267 = w3 * w263 - w8 * w254
+    w268 = w184 * (w267 * link2_mass + w267 * link3_mass) + (w20 * w234 + w17 * w259 + (w17 * w245 + w20 * w262))
+    w269 = w154 - w153
+    w270 = w180 - w178
     w271 = w270 * link3_mass
-    w272 = w84 * w265 - w74 - w271
-    w273 = w136 * w141
-    w274 = w147 * w266 + w273 - (w273 - w147 * w170)
+    w272 = w167 - w166 + w81 * w269 + w271
+    w273 = w152 - w149 - w62 * w269
+    w274 = w144 * w273 - w158 - (w146 - w141)
     w275 = w274 * link3_mass
-    w276 = w93 * w190 - w158 * w191 + w193 * w275 - (w153 * w195 - w194 * w268) + (w195 * w271 + w173 * w194)
-    w277 = w49 * w52
-    w278 = link2_theta1_dot * (w47 * w57 - w52 * w144)
-    w279 = w52 * w63
-    w280 = link2_theta1_dot * w279
-    w281 = w47 * link2_theta1_dot
-    w282 = w278 * c12 + (w71 * (w280 * c12) + w59 * w281)
-    w283 = w50 * w63
+    w276 = w82 + w275
+    w277 = w139 * w177
+    w278 = w138 * w273 + w277 - (w277 - w138 * w156)
+    w279 = w278 * link3_mass
+    w280 = w196 * w279 + (w168 * w198 - w95 * w199) + (w201 * w275 + w182 * w202) + (w202 * w271 - w160 * w201)
+    w281 = w47 * w65
+    w282 = link2_theta1_dot * w53
+    w283 = w45 * w47
     w284 = link2_theta1_dot * w283
-    w285 = w63 * (w54 * (link2_theta1_dot * w50)) * c39 + w63 * (w58 * (link2_theta1_dot * w52)) * c39
-    w286 = w47 * w75
-    w287 = link2_theta1_dot * (w50 * w144 + w52 * (w47 * link2_theta2_dot))
-    w288 = w71 * (w284 * c12) + w55 * w281 - w287 * c12
-    w289 = w63 * w132
-    w290 = w47 * w133 - w63 * w289 - (w82 * w279 + w56 * w287) - (w51 * w278 - w70 * w283)
-    w291 = w137 * link2_end_x
-    w292 = w52 * w135
-    w293 = w47 * w62
-    w294 = w82 * w292 - w138 * w287 + w63 * (w61 * (link2_theta2_dot * w281)) * c38 - (w70 * w293 + w140 * w278)
-    w295 = w64 * link2_theta3_dot
-    w296 = w64 * link2_end_x
-    w297 = w146 * w193 - w142 * w295 - (w66 * w147 + w145 * w296)
-    w298 = link2_theta3_dot * w137
-    w299 = w136 * w295 + w146 * w291 - (w147 * w298 + w149 * w296)
-    w300 = w136 * w290 - w134 * w291 + (w142 * w294 + w141 * w193) - (w145 * w297 - w66 * w148 + (w149 * w299 - w150 * w298))
-    w301 = w300 * link3_mass
-    w302 = w73 * w277 + w65 * w282 - (w60 * w64 + w49 * w285) + (w84 * w286 + w78 * w288) - w301
-    w303 = w149 * w193 - w142 * w298 - (w66 * w136 + w145 * w291)
-    w304 = w82 * w277 - w65 * w287 + w63 * (link2_theta2_dot * (w49 * link2_theta1_dot)) * c38 - (w70 * w286 + w78 * w278)
-    w305 = w146 * w299 - w150 * w295 - (w145 * w303 - w66 * w166) - (w142 * w304 + w170 * w193 + (w147 * w290 - w134 * w296))
-    w306 = w305 * link3_mass
-    w307 = w73 * w292 + w138 * w282 - (w60 * w137 + w135 * w285) + (w84 * w293 + w140 * w288) - w306
-    w308 = w149 * w303 - w166 * w298 + (w146 * w297 - w148 * w295) + (w147 * w294 - w141 * w296 - (w136 * w304 - w170 * w291))
-    w309 = w308 * link3_mass
-    w310 = w183 * (w56 * w282 - w73 * w279 - (w47 * w60 - w63 * w285) + (w51 * w288 - w84 * w283) - w309) + w179 * w302
-    w311 = w284 * c16
-    w312 = w54 * c16
-    w313 = w281 * c18
-    w314 = w71 * c18
-    w315 = w71 * w311 + w281 * w312 - (w54 * w313 + w284 * w314) + w287 * c19
-    w316 = w54 * w314
-    w317 = w316 - w71 * w312 - w82 * c19
-    w318 = w58 * c15
-    w319 = w280 * c15
-    w320 = w54 * w319 + w284 * w318 - (w58 * w311 + w280 * w312) - w289 * c17
-    w321 = w58 * w313 + w280 * w314 - (w71 * w319 + w281 * w318) + w278 * c20
-    w322 = w58 * w314
-    w323 = w71 * w318 - w322 + w70 * c20
-    w324 = w56 * w315 - w279 * w317 - (w47 * (w58 * w312 - w54 * w318 + w133 * c17) + w63 * w320) + (w51 * w321 - w283 * w323)
-    w325 = w324 - (w158 * (w64 * c12) - w93 * (w137 * c12)) - (w136 * w301 + w153 * w291) + (w147 * w306 + w173 * w296)
-    w326 = w50 * w315 - w52 * w321 + w189 * gravity_z + (w158 * (w61 * w192) + w93 * (w48 * w192) - w180 * w189)
-    w327 = w326 + (w193 * w309 + w142 * w182) - (w153 * (w48 * w193) - w194 * w301) - (w173 * (w61 * w193) - w195 * w306)
-    w328 = w50 * w64 - w77
-    w329 = link2_theta1_dot * (w79 - w53 * w63) - w81
-    w330 = w329 * c12 - w83
-    w331 = w69 + link2_theta1_dot * (w67 + w50 * w80)
-    w332 = w72 - w331 * c12
-    w333 = w62 + w63 * w139
-    w334 = w51 * w82 - w56 * w331 - (w51 * w329 - w56 * w70)
-    w335 = w139 + w50 * w137
-    w336 = w75 - w63 * w77
-    w337 = w82 * w335 - w138 * w331 - (w70 * w336 + w140 * w329)
-    w338 = w136 * w334 + w142 * w337
-    w339 = w338 * link3_mass
-    w340 = w73 * w328 + w65 * w330 + (w78 * w332 - w84 * w333) - w339
-    w341 = w82 * w328 - w65 * w331 - (w78 * w329 - w70 * w333)
-    w342 = w142 * w341 + w147 * w334
-    w343 = w342 * link3_mass
-    w344 = w73 * w335 + w138 * w330 + (w84 * w336 + w140 * w332) + w343
-    w345 = w147 * w337 - w136 * w341
-    w346 = w345 * link3_mass
-    w347 = w58 * c16
-    w348 = w71 * w347 - w322 + w331 * c19
-    w349 = w54 * c15
-    w350 = w54 * w312 - w58 * w347 - (w54 * w349 - w58 * w318)
-    w351 = w71 * w349 - w316 + w329 * c20
-    w352 = w131 * (w124 - w123) - w121
-    w353 = w110 * link3_theta3_dot
-    w354 = link3_theta1_dot * (w94 * w104 - w99 * w353)
-    w355 = w99 * w110
-    w356 = link3_theta1_dot * w355
-    w357 = w94 * link3_theta1_dot
-    w358 = w354 * c14 + (w118 * (w356 * c14) + w106 * w357)
-    w359 = w97 * w110
-    w360 = link3_theta1_dot * w359
-    w361 = w110 * (w101 * (link3_theta1_dot * w97)) * c40 + w110 * (w105 * (link3_theta1_dot * w99)) * c40
-    w362 = link3_theta1_dot * (w97 * w353 + w99 * (w94 * link3_theta2_dot))
-    w363 = w118 * (w360 * c14) + w102 * w357 - w362 * c14
-    w364 = w120 * (w96 * w99) + w112 * w358 - (w107 * w111 + w96 * w361) + (w131 * (w94 * w122) + w125 * w363)
-    w365 = w120 * (w99 * w159) + w161 * w358 - (w107 * w160 + w159 * w361) + (w131 * (w94 * w109) + w163 * w363)
-    w366 = w103 * w358 - w120 * w355 - (w94 * w107 - w110 * w361) + (w98 * w363 - w131 * w359)
-    w367 = w360 * c24
-    w368 = w101 * c24
-    w369 = w357 * c26
-    w370 = w118 * c26
-    w371 = w118 * w367 + w357 * w368 - (w101 * w369 + w360 * w370) + w362 * c27
-    w372 = w101 * w370
-    w373 = w372 - w118 * w368 - w129 * c27
-    w374 = w105 * c23
-    w375 = link3_theta1_dot * link3_theta2_dot
-    w376 = w356 * c23
-    w377 = w101 * w376 + w360 * w374 - (w105 * w367 + w356 * w368) - w110 * w375 * c25
-    w378 = w105 * w369 + w356 * w370 - (w118 * w376 + w357 * w374) + w354 * c28
-    w379 = w105 * w370
-    w380 = w118 * w374 - w379 + w117 * c28
-    w381 = w103 * w371 - w355 * w373 - (w94 * (w105 * w368 - w101 * w374 + w94 * w375 * c25) + w110 * w377) + (w98 * w378 - w359 * w380)
-    w382 = w97 * w371 - w99 * w378 + w198 * gravity_z + (w172 * (w108 * w201) + w152 * (w95 * w201) - w181 * w198)
-    w383 = link3_theta1_dot * (w126 - w100 * w110) - w128
-    w384 = w383 * c14 - w130
-    w385 = w116 + link3_theta1_dot * (w114 + w97 * w127)
-    w386 = w119 - w385 * c14
-    w387 = w120 * (w97 * w111 - w124) + w112 * w384 + (w125 * w386 - w131 * (w109 + w110 * w162))
-    w388 = w120 * (w162 + w97 * w160) + w161 * w384 + (w131 * (w122 - w110 * w124) + w163 * w386)
-    w389 = w98 * w120 + w103 * w384 + (w98 * w386 - w103 * w131)
-    w390 = w105 * c24
-    w391 = w118 * w390 - w379 + w385 * c27
-    w392 = w101 * c23
-    w393 = w101 * w368 - w105 * w390 - (w101 * w392 - w105 * w374)
-    w394 = w118 * w392 - w372 + w383 * c28
+    w285 = w56 * w282 + w52 * w284
+    w286 = link2_theta1_dot * (w53 * w55 - w47 * w142)
+    w287 = w285 + w286
+    w288 = w287 * c11
+    w289 = 2 * w56
+    w290 = 2 * w69
+    w291 = w45 * w48
+    w292 = link2_theta1_dot * w291
+    w293 = (w284 * w289 + w290 * w292) * c11
+    w294 = w53 * w73
+    w295 = link2_theta1_dot * (w48 * w142 + w47 * (w53 * link2_theta2_dot))
+    w296 = w69 * w282 + w52 * w292
+    w297 = w295 - w296
+    w298 = w297 * c11
+    w299 = link2_theta3_dot * w147
+    w300 = w46 * link2_end_x
+    w301 = w46 * link2_theta3_dot
+    w302 = w147 * link2_end_x
+    w303 = w139 * w299 + w136 * w300 - (w138 * w301 + w137 * w302)
+    w304 = w137 * w196 - w144 * w301 - (w58 * w139 + w143 * w300)
+    w305 = w47 * w135
+    w306 = w45 * w150
+    w307 = w50 * w53
+    w308 = w79 * w305 - w148 * w295 + link2_theta2_dot * (w53 * (link2_theta1_dot * w147)) * c38 - (w62 * w307 + w155 * w286)
+    w309 = w53 * w151 - w45 * w306 - (w79 * w283 + w54 * w295) - (w67 * w286 - w62 * w291)
+    w310 = w136 * w303 - w140 * w299 - (w143 * w304 - w58 * w145) - (w144 * w308 + w156 * w196 + (w138 * w309 - w157 * w302))
+    w311 = w310 * link3_mass
+    w312 = w64 * w281 - w51 * w288 + (w46 * w71 + w65 * w293) + (w81 * w294 + w74 * w298) + w311
+    w313 = w79 * w281 - w51 * w295 + link2_theta2_dot * (w53 * (w46 * link2_theta1_dot)) * c38 - (w62 * w294 + w74 * w286)
+    w314 = w136 * w196 - w144 * w299 - (w58 * w138 + w143 * w302)
+    w315 = w139 * w309 - w157 * w300 + (w144 * w313 + w177 * w196) - (w143 * w314 - w58 * w179 + (w137 * w303 - w140 * w301))
+    w316 = w315 * link3_mass
+    w317 = w64 * w305 - w148 * w288 + (w71 * w147 + w135 * w293) + (w81 * w307 + w155 * w298) + w316
+    w318 = w138 * w313 - w177 * w302 - (w139 * w308 - w156 * w300) + (w137 * w304 - w145 * w301 + (w136 * w314 - w179 * w299))
+    w319 = w318 * link3_mass
+    w320 = w184 * (w53 * w71 - w45 * w293 - (w64 * w283 + w54 * w288) + (w67 * w298 - w81 * w291) + w319) + w191 * w317
+    w321 = (w75 + w79) * c15 - w80 * c17
+    w322 = (w295 + w296) * c15 + w297 * c17
+    w323 = w56 * w69
+    w324 = w69 * w284 + w56 * w292
+    w325 = (w306 - w324) * c14 + (w306 + w324) * c15
+    w326 = w63 * c17 - (w57 + w62) * c14
+    w327 = w287 * c17 + (w286 - w285) * c14
+    w328 = w283 * w321 + w54 * w322 + (w53 * ((w323 - w151) * c14 - (w151 + w323) * c15) + w45 * w325) + (w291 * w326 + w67 * w327)
+    w329 = w138 * w311 - w160 * w302 - (w95 * (w147 * c11) - w168 * (w46 * c11) - w328 + (w139 * w316 - w182 * w300))
+    w330 = w196 * w319 - w144 * w190 - (w47 * w327 - w48 * w322 - (w95 * (w44 * w200) + w168 * (w49 * w200) - w188 * w197))
+    w331 = w72 + w46 * w48
+    w332 = link2_theta1_dot * (w76 - w45 * w68) - w78
+    w333 = w75 - w332
+    w334 = w333 * c11
+    w335 = (w69 * w289 - w56 * w290) * c11
+    w336 = w50 - w45 * w154
+    w337 = w61 + link2_theta1_dot * (w59 + w48 * w77)
+    w338 = w337 - w57
+    w339 = w338 * c11
+    w340 = w48 * w147 - w154
+    w341 = w73 + w45 * w72
+    w342 = w79 * w340 - w148 * w337 - (w155 * w332 - w62 * w341)
+    w343 = w67 * w79 - w54 * w337 - (w67 * w332 - w54 * w62)
+    w344 = w144 * w342 + w138 * w343
+    w345 = w344 * link3_mass
+    w346 = w64 * w331 + w51 * w334 - w65 * w335 + (w81 * w336 + w74 * w339) - w345
+    w347 = w79 * w331 - w51 * w337 - (w62 * w336 + w74 * w332)
+    w348 = w139 * w343 + w144 * w347
+    w349 = w348 * link3_mass
+    w350 = w64 * w340 + w148 * w334 - w135 * w335 + (w155 * w339 - w81 * w341) + w349
+    w351 = w138 * w347 - w139 * w342
+    w352 = w351 * link3_mass
+    w353 = w184 * (w45 * w335 + (w64 * w67 + w54 * w334) + (w67 * w339 - w54 * w81) + w352) + w191 * w350 + w192 * w346
+    w354 = (w57 + w337) * c15 + w338 * c17
+    w355 = w70 - w66
+    w356 = w355 * c14 - w355 * c15
+    w357 = w333 * c17 - (w75 + w332) * c14
+    w358 = -(w138 * w345 + (w67 * w321 - w54 * w354 - w45 * w356 + (w67 * w357 - w54 * w326) + w139 * w349))
+    w359 = w173 - w171 + w133 * (w175 - w174)
+    w360 = link3_theta1_dot * w105
+    w361 = w97 * w99
+    w362 = link3_theta1_dot * w361
+    w363 = w108 * w360 + w104 * w362
+    w364 = w97 * link3_theta3_dot
+    w365 = link3_theta1_dot * (w105 * w107 - w99 * w364)
+    w366 = w363 + w365
+    w367 = w366 * c13
+    w368 = 2 * w108
+    w369 = 2 * w121
+    w370 = w97 * w100
+    w371 = link3_theta1_dot * w370
+    w372 = (w362 * w368 + w369 * w371) * c13
+    w373 = link3_theta1_dot * (w100 * w364 + w99 * (w105 * link3_theta2_dot))
+    w374 = w121 * w360 + w104 * w371
+    w375 = w373 - w374
+    w376 = w375 * c13
+    w377 = w116 * (w99 * w117) - w103 * w367 + (w98 * w123 + w117 * w372) + (w133 * (w105 * w125) + w126 * w376)
+    w378 = w116 * (w99 * w172) - w170 * w367 + (w123 * w169 + w172 * w372) + (w133 * (w102 * w105) + w176 * w376)
+    w379 = w105 * w123 - w97 * w372 - (w116 * w361 + w106 * w367) + (w119 * w376 - w133 * w370)
+    w380 = (w127 + w131) * c22 - w132 * c24
+    w381 = (w373 + w374) * c22 + w375 * c24
+    w382 = w108 * w121
+    w383 = link3_theta1_dot * link3_theta2_dot
+    w384 = w105 * w383
+    w385 = w97 * w383
+    w386 = w121 * w362 + w108 * w371
+    w387 = (w385 - w386) * c21 + (w385 + w386) * c22
+    w388 = w115 * c24 - (w109 + w114) * c21
+    w389 = w366 * c24 + (w365 - w363) * c21
+    w390 = w361 * w380 + w106 * w381 + (w105 * ((w382 - w384) * c21 - (w382 + w384) * c22) + w97 * w387) + (w370 * w388 + w119 * w389)
+    w391 = link3_theta1_dot * (w128 - w97 * w120) - w130
+    w392 = w127 - w391
+    w393 = w392 * c13
+    w394 = (w121 * w368 - w108 * w369) * c13
+    w395 = w113 + link3_theta1_dot * (w111 + w100 * w129)
+    w396 = w395 - w109
+    w397 = w396 * c13
+    w398 = w116 * (w124 + w98 * w100) + w103 * w393 - w117 * w394 + (w133 * (w102 - w97 * w175) + w126 * w397)
+    w399 = w116 * (w100 * w169 - w175) + w170 * w393 - w172 * w394 + (w176 * w397 - w133 * (w125 + w97 * w124))
+    w400 = w97 * w394 + (w116 * w119 + w106 * w393) + (w119 * w397 - w106 * w133)
+    w401 = (w109 + w395) * c22 + w396 * c24
+    w402 = w122 - w118
+    w403 = w402 * c21 - w402 * c22
+    w404 = w392 * c24 - (w127 + w391) * c21
     # outputs
     dQ_hat_dq_i = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            -(w3 * w46 + w34 * w154 + (w3 * w174 - w34 * w177)),
-            w227 - (w3 * w238 + w154 * w229) + (w34 * w243 + w174 * w232),
-            w32 * w215 + w31 * w249 - w4 * w251 + (w32 * w253 - w31 * w226) - w3 * w258 - w34 * w262,
-            w3 * w269 - w34 * w272, w3 * w302 - w34 * w307, w3 * w340 - w34 * w344, w3 * w164 - w34 * w352,
-            w3 * w364 - w34 * w365, w3 * w387 - w34 * w388,
+            w3 * w43 + w8 * w161 - (w8 * w165 - w3 * w183),
+            w3 * w224 - w161 * w212 - (w8 * w229 - w183 * w210 - w248),
+            -(w3 * w258 + (w38 * w234 - w37 * w259 - w10 * w261 + (w38 * w262 - w37 * w245) + w8 * w266)),
+            w3 * w272 - w8 * w276, w3 * w312 - w8 * w317, w3 * w346 - w8 * w350, w3 * w359 - w8 * w134,
+            w3 * w377 - w8 * w378, w3 * w398 - w8 * w399,
         ),
         ca.horzcat(  # link1.theta2
-            w186, w246, w264 + w179 * w258 - w178 * w262, w183 * w275 - w179 * w269 - w178 * w272,
-            -(w310 + w178 * w307),
-            -(w183 * (w51 * w73 + w56 * w330 + (w51 * w332 - w56 * w84) - w346) + w179 * w340 + w178 * w344),
-            -(w164 * w179 + w178 * w352), -(w183 * w366 + w179 * w364 + w178 * w365),
-            -(w183 * w389 + w179 * w387 + w178 * w388),
+            w193, w251, w268 + w191 * w266 - w192 * w258, w184 * w279 + w191 * w276 + w192 * w272,
+            w320 + w192 * w312, w353, w134 * w191 + w192 * w359, w184 * w379 + w191 * w378 + w192 * w377,
+            w184 * w400 + w191 * w399 + w192 * w398,
         ),
-        ca.horzcat(0.0, w222, w251, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(0.0, -w243, -w261, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            w147 * w176 - (w44 * w187 - w175 * w188 + w45 * w136),
-            w147 * w242 - (w187 * w236 - w188 * w241 + w136 * w237), -(w135 * w256 * c37 + w49 * w260 * c37),
-            w93 * w188 + w158 * w187 - (w136 * w268 + w147 * w153) - (w136 * w173 - w147 * w271), w325,
-            w51 * w317 + w56 * w348 - w63 * w350 + (w51 * w351 - w56 * w323) - w136 * w339 - w147 * w343,
-            w136 * w164 - w147 * w352, w136 * w364 - w147 * w365, w136 * w387 - w147 * w388,
+            w42 * w138 - (w163 * w194 - w41 * w195 + w139 * w164),
+            w138 * w223 - (w194 * w227 - w195 * w222 + w139 * w228), -(w65 * w264 * c37 + w135 * w256 * c37),
+            w138 * w271 + w139 * w160 - (w139 * w275 - w138 * w182 - (w168 * w195 + w95 * w194)), w329, w358,
+            w138 * w359 - w134 * w139, w138 * w377 - w139 * w378, w138 * w398 - w139 * w399,
         ),
         ca.horzcat(  # link2.theta2
-            w63 * (w44 * w48) * c37 + (w47 * w185 * c37 + w137 * w175 * c37),
-            w64 * w236 * c37 + (w47 * w244 * c37 + w137 * w241 * c37),
-            w191 * w256 - w190 * w260 + w47 * w263 * c37 + w194 * w257 - w195 * w261, w276, w327,
-            w50 * w348 - w52 * w317 - (w50 * w323 + w52 * w351) + w193 * w346 + w194 * w339 - w195 * w343,
-            -(w164 * w194 + w195 * w352), -(w193 * w366 + w194 * w364 + w195 * w365),
-            -(w193 * w389 + w194 * w387 + w195 * w388),
+            w147 * w163 * c37 + (w53 * w186 * c37 + w45 * (w41 * w44) * c37),
+            w147 * w227 * c37 + (w53 * w249 * c37 + w46 * w222 * c37),
+            w199 * w264 - w198 * w256 + w53 * w267 * c37 + w201 * w265 - w202 * w257, w280,
+            w330 + (w201 * w316 + w182 * (w49 * w196)) + (w202 * w311 + w160 * (w44 * w196)),
+            w196 * w352 + (w47 * w321 + w48 * w354 + (w48 * w326 + w47 * w357)) + w201 * w349 - w202 * w345,
+            w134 * w201 + w202 * w359, w196 * w379 + w201 * w378 + w202 * w377,
+            w196 * w400 + w201 * w399 + w202 * w398,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, w320, w350, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w325, -w356, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            -(w44 * w196 - w175 * w197), -(w196 * w236 - w197 * w241), -(w196 * w256 + w197 * w260),
-            -(w196 * w267 - w197 * w270), -(w196 * w300 - w197 * w305), -(w196 * w338 + w197 * w342),
-            w152 * w197 + w172 * w196, w381 - (w172 * (w111 * c14) - w152 * (w160 * c14)),
-            w98 * w373 + w103 * w391 - w110 * w393 + (w98 * w394 - w103 * w380),
+            -(w163 * w203 - w41 * w204), -(w203 * w227 - w204 * w222), -(w203 * w264 + w204 * w256),
+            -(w203 * w274 - w204 * w270), -(w203 * w315 - w204 * w310), -(w203 * w348 + w204 * w344),
+            w181 * w204 + w159 * w203, -(w159 * (w169 * c13) - w181 * (w98 * c13) - w390),
+            -(w119 * w380 - w106 * w401 - w97 * w403 + (w119 * w404 - w106 * w388)),
         ),
         ca.horzcat(  # link3.theta2
-            w175 * w199 + w44 * w200 + w185 * w201, w199 * w241 + w200 * w236 + w201 * w244,
-            w200 * w256 - w199 * w260 + w201 * w263, w199 * w270 + w200 * w267 + w201 * w274,
-            w199 * w305 + w200 * w300 + w201 * w308, w200 * w338 - w199 * w342 + w201 * w345,
-            w152 * w199 - w172 * w200, w382, w97 * w391 - w99 * w373 - (w97 * w380 + w99 * w394),
+            w41 * w206 + w163 * w207 + w186 * w208, w206 * w222 + w207 * w227 + w208 * w249,
+            w207 * w264 - w206 * w256 + w208 * w267, w206 * w270 + w207 * w274 + w208 * w278,
+            w206 * w310 + w207 * w315 + w208 * w318, w207 * w348 - w206 * w344 + w208 * w351,
+            w181 * w206 - w159 * w207,
+            -(w99 * w389 - w100 * w381 - (w159 * (w96 * w208) + w181 * (w101 * w208) - w189 * w205)),
+            w99 * w380 + w100 * w401 + (w100 * w388 + w99 * w404),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, w377, w393),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w387, -w403),  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i)]
     return ca.Function("dQ_hat_dq_i", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i"])
@@ -2120,13 +2102,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
-    1230 operations.
+    1147 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2147,332 +2129,336 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     link3_theta3_dot = q_i_dot[8]
     c0 = c[0]
     c1 = c[1]
-    c2 = c[2]
     c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    link2_end_x = c[13]
+    c11 = c[11]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
     c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c23 = c[23]
+    c21 = c[21]
+    c22 = c[22]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
-    c27 = c[27]
-    c28 = c[28]
     c37 = c[37]
     c39 = c[39]
     c40 = c[40]
-    # intermediate terms (251)
+    c41 = c[41]
+    # intermediate terms (264)
     w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta3)
+    w1 = ca.sin(link1_theta1)
     w2 = w0 * w1
-    w3 = ca.sin(link1_theta2)
-    w4 = link1_theta3_dot - link1_theta1_dot * w3
-    w5 = w4 * c3
-    w6 = ca.cos(link1_theta3)
+    w3 = w2 * link1_end_x
+    w4 = ca.sin(link1_theta2)
+    w5 = link1_theta1_dot - link1_theta3_dot * w4
+    w6 = ca.cos(link1_theta1)
     w7 = w0 * w6
-    w8 = link1_theta1_dot * w7 - w1 * link1_theta2_dot
-    w9 = w3 * c3
-    w10 = w7 * c1
-    w11 = w8 * c1
-    w12 = w0 * link1_theta3_dot
-    w13 = w6 * w12 - w1 * (w3 * link1_theta2_dot)
-    w14 = w5 * w7 - w8 * w9 - (w4 * w10 - w3 * w11) - w13 * c4
-    w15 = w6 * link1_theta2_dot
-    w16 = w2 * link1_theta1_dot + w15
-    w17 = w2 * c0
-    w18 = w16 * c0
+    w8 = w7 * link1_end_x
+    w9 = w5 * w8
+    w10 = link1_theta3_dot * w7 - w1 * link1_theta2_dot
+    w11 = w4 * link1_end_x
+    w12 = w9 + w10 * w11
+    w13 = ca.cos(link1_theta3)
+    w14 = w6 * w13
+    w15 = ca.sin(link1_theta3)
+    w16 = w14 + w1 * w4 * w15
+    w17 = w0 * link1_theta3_dot
+    w18 = w13 * w17 - w15 * (w4 * link1_theta2_dot)
     w19 = w0 * link1_theta2_dot
-    w20 = w10 * w16 + w2 * w11 - (w8 * w17 + w7 * w18) + w19 * c2
-    w21 = w1 * w12 + w3 * w15
-    w22 = w4 * w17 - w3 * w18 - (w2 * w5 - w9 * w16) + w21 * c5
-    w23 = ca.cos(link1_theta1)
-    w24 = w0 * w23
-    w25 = w24 * link1_end_x
-    w26 = w3 * w19 + w2 * w13 - w7 * w21
-    w27 = w3 * link1_end_x
-    w28 = ca.sin(link1_theta1)
-    w29 = w6 * w28
-    w30 = w1 * (w3 * w23) - w29
-    w31 = w6 * w23
-    w32 = w1 * w28 + w3 * w31
-    w33 = w13 * w30 - w19 * w24 - w21 * w32
-    w34 = w0 * w28
-    w35 = link1_theta2_dot * w23 + link1_theta3_dot * w34
-    w36 = link1_theta1_dot - link1_theta3_dot * w3
-    w37 = w34 * link1_end_x
-    w38 = w36 * w37
-    w39 = w27 * w35 + w38
-    w40 = w25 * w26 + w27 * w33 - (w38 + w39)
-    w41 = w40 * link3_mass
-    w42 = w40 * link2_mass + w41
-    w43 = w25 * w36
-    w44 = link1_theta3_dot * w24 - link1_theta2_dot * w28
-    w45 = w43 + w27 * w44
-    w46 = w31 + w1 * (w3 * w28)
-    w47 = w3 * w29 - w1 * w23
-    w48 = w13 * w46 - w19 * w34 - w21 * w47
-    w49 = w43 + w45 + (w27 * w48 + w26 * w37)
-    w50 = w49 * link3_mass
-    w51 = w49 * link2_mass + w50
-    w52 = w0 * link1_end_x
-    w53 = w25 * w44 + w35 * w37 + (w33 * w37 - w25 * w48)
-    w54 = w27 * w28
-    w55 = w23 * w27
-    w56 = ca.cos(link2_theta1)
-    w57 = ca.cos(link2_theta2)
-    w58 = w56 * w57
-    w59 = w58 * c12
-    w60 = ca.sin(link2_theta1)
-    w61 = w57 * w60
-    w62 = w61 * c12
-    w63 = w58 * link2_end_x
-    w64 = w61 * link2_end_x
+    w20 = w1 * w13
+    w21 = w4 * w20 - w6 * w15
+    w22 = link1_theta2_dot * w13
+    w23 = w15 * w17 + w4 * w22
+    w24 = w16 * w18 - w2 * w19 - w21 * w23
+    w25 = w0 * w15
+    w26 = w0 * w13
+    w27 = w4 * w19 + w18 * w25 - w23 * w26
+    w28 = w9 + w12 + (w11 * w24 + w3 * w27)
+    w29 = w28 * link3_mass
+    w30 = w28 * link2_mass + w29
+    w31 = link1_theta3_dot - link1_theta1_dot * w4
+    w32 = link1_theta1_dot * w26 - link1_theta2_dot * w15
+    w33 = w26 * w31 - w4 * w32
+    w34 = (w18 + w33) * c1 - (w33 - w18) * c3
+    w35 = w25 * w32
+    w36 = w22 + link1_theta1_dot * w25
+    w37 = w26 * w36
+    w38 = w35 + w37
+    w39 = (w38 - w19) * c0 - (w19 + w38) * c1
+    w40 = w25 * w31 - w4 * w36
+    w41 = (w40 - w23) * c3 - (w23 + w40) * c0
+    w42 = w15 * (w4 * w6) - w20
+    w43 = w1 * w15 + w4 * w14
+    w44 = w18 * w42 - w7 * w19 - w23 * w43
+    w45 = w6 * link1_theta2_dot + w2 * link1_theta3_dot
+    w46 = w3 * w5
+    w47 = w11 * w45 + w46
+    w48 = w8 * w27 + w11 * w44 - (w46 + w47)
+    w49 = w48 * link3_mass
+    w50 = w48 * link2_mass + w49
+    w51 = w0 * link1_end_x
+    w52 = w3 * w44 - w8 * w24 + (w8 * w10 + w3 * w45)
+    w53 = w1 * w11
+    w54 = w6 * w11
+    w55 = ca.cos(link2_theta2)
+    w56 = ca.sin(link2_theta1)
+    w57 = w55 * w56
+    w58 = w57 * link2_end_x
+    w59 = ca.cos(link2_theta1)
+    w60 = w55 * w59
+    w61 = w60 * c11
+    w62 = w57 * c11
+    w63 = w60 * link2_end_x
+    w64 = w55 * link2_end_x
     w65 = ca.sin(link2_theta2)
-    w66 = w65 * c12
-    w67 = w57 * link2_end_x
-    w68 = w65 * link2_end_x
-    w69 = w60 * w68
-    w70 = w56 * w68
-    w71 = ca.cos(link3_theta1)
-    w72 = ca.cos(link3_theta2)
-    w73 = w71 * w72
-    w74 = w73 * c14
-    w75 = ca.sin(link3_theta1)
-    w76 = w72 * w75
-    w77 = w76 * c14
-    w78 = ca.sin(link3_theta2)
-    w79 = w78 * c14
-    w80 = w75 * w79
-    w81 = w71 * w79
-    w82 = w72 * c14
-    w83 = w1 * c1
-    w84 = link1_theta1_dot * (w1 * w3) + w1 * link1_theta3_dot
-    w85 = w4 * w83 - w1 * w5 + w84 * c4
-    w86 = w6 * c0
-    w87 = w0 * link1_theta1_dot
-    w88 = w6 * w11 - w16 * w83 - (w8 * w86 - w1 * w18) + w87 * c2
-    w89 = link1_theta1_dot * (w3 * w6) + link1_theta3_dot * w6
-    w90 = w4 * w86 - w5 * w6 + w89 * c5
-    w91 = w3 * w87 - w2 * w84 - w7 * w89
-    w92 = w30 * w84 + w24 * w87 + w32 * w89
-    w93 = w37 * w44 - w25 * w35
-    w94 = w25 * w91 - w27 * w92 - (w36 * w55 - (w28 * w93 + w44 * w52))
-    w95 = w94 * link3_mass
-    w96 = w94 * link2_mass + w95
-    w97 = w46 * w84 + w34 * w87 + w47 * w89
-    w98 = w23 * w93 - w35 * w52 + w36 * w54 - (w37 * w91 - w27 * w97)
+    w66 = w65 * c11
+    w67 = w65 * link2_end_x
+    w68 = w56 * w67
+    w69 = w59 * w67
+    w70 = ca.cos(link3_theta1)
+    w71 = ca.cos(link3_theta2)
+    w72 = w70 * w71
+    w73 = w72 * c13
+    w74 = ca.sin(link3_theta1)
+    w75 = w71 * w74
+    w76 = w75 * c13
+    w77 = ca.sin(link3_theta2)
+    w78 = w77 * c13
+    w79 = w74 * w78
+    w80 = w70 * w78
+    w81 = w71 * c13
+    w82 = w3 * w10 - w8 * w45
+    w83 = w0 * link1_theta1_dot
+    w84 = link1_theta1_dot * (w4 * w15) + link1_theta3_dot * w15
+    w85 = link1_theta1_dot * (w4 * w13) + link1_theta3_dot * w13
+    w86 = w4 * w83 - w25 * w84 - w26 * w85
+    w87 = w16 * w84 + w2 * w83 + w21 * w85
+    w88 = w6 * w82 - w45 * w51 + w5 * w53 - (w3 * w86 - w11 * w87)
+    w89 = w88 * link3_mass
+    w90 = w88 * link2_mass + w89
+    w91 = w13 * w31
+    w92 = (w91 - w85) * c3 - (w85 + w91) * c0
+    w93 = w15 * w31
+    w94 = (w84 + w93) * c1 + (w84 - w93) * c3
+    w95 = w13 * w32 - w15 * w36
+    w96 = (w95 - w83) * c0 - (w83 + w95) * c1
+    w97 = w42 * w84 + w7 * w83 + w43 * w85
+    w98 = w8 * w86 - w11 * w97 - (w5 * w54 - (w1 * w82 + w10 * w51))
     w99 = w98 * link3_mass
     w100 = w98 * link2_mass + w99
-    w101 = w23 * w39 + w35 * w55 - (w28 * w45 + w44 * w54) + (w25 * w97 - w37 * w92)
-    w102 = w60 * w65
-    w103 = w56 * w65
-    w104 = w8 * c3 - w11 - w8 * c4
-    w105 = w18 - w16 * c3 + w16 * c5
-    w106 = w2 * w8 - w7 * w16
-    w107 = w8 * w30 - w16 * w32
-    w108 = w27 * w34 - w3 * w37
-    w109 = w24 * w37 - w25 * w34
-    w110 = w25 * w106 + w27 * w107 - (w36 * w108 - w3 * w39 + (w24 * w93 + w44 * w109))
-    w111 = w110 * link3_mass
-    w112 = w110 * link2_mass + w111
-    w113 = w24 * w27 - w3 * w25
-    w114 = w8 * w46 - w16 * w47
-    w115 = w34 * w93 + w35 * w109 - (w36 * w113 - w3 * w45) - (w27 * w114 + w37 * w106)
+    w101 = w8 * w87 - w3 * w97 + (w6 * w47 + w45 * w54 - (w1 * w12 + w10 * w53))
+    w102 = w56 * w65
+    w103 = w59 * w65
+    w104 = w3 * w7 - w2 * w8
+    w105 = w7 * w11 - w4 * w8
+    w106 = w16 * w32 - w21 * w36
+    w107 = w35 - w37
+    w108 = w2 * w82 + w45 * w104 - (w5 * w105 - w4 * w12) - (w11 * w106 + w3 * w107)
+    w109 = w108 * link3_mass
+    w110 = w108 * link2_mass + w109
+    w111 = (w32 + w32) * c1
+    w112 = (w36 + w36) * c39
+    w113 = w32 * w42 - w36 * w43
+    w114 = w2 * w11 - w3 * w4
+    w115 = w8 * w107 + w11 * w113 - (w5 * w114 - w4 * w47 + (w7 * w82 + w10 * w104))
     w116 = w115 * link3_mass
     w117 = w115 * link2_mass + w116
-    w118 = w24 * w45 + w44 * w113 + (w34 * w39 + w35 * w108) + (w37 * w107 - w25 * w114)
-    w119 = ca.cos(link2_theta3)
-    w120 = w57 * w119
-    w121 = ca.sin(link2_theta3)
-    w122 = link2_theta1_dot * w120 - link2_theta2_dot * w121
-    w123 = w57 * w121
-    w124 = w119 * link2_theta2_dot
-    w125 = link2_theta1_dot * w123 + w124
-    w126 = w120 * w122 * c39 + w123 * w125 * c39
-    w127 = w56 * w119
-    w128 = w127 + w102 * w121
-    w129 = w57 * link2_theta3_dot
-    w130 = w121 * w129 + w65 * w124
-    w131 = link2_theta3_dot - w65 * link2_theta1_dot
-    w132 = w130 * c12 - (w123 * c12 * w131 - w65 * (w125 * c12))
-    w133 = w60 * w119
-    w134 = w65 * w133 - w56 * w121
-    w135 = w119 * w129 - w121 * (w65 * link2_theta2_dot)
-    w136 = w135 * c12 - (w120 * c12 * w131 - w65 * (w122 * c12))
-    w137 = w57 * link2_theta2_dot
-    w138 = w65 * w137 + w123 * w135 - w120 * w130
-    w139 = w103 * w121 - w133
-    w140 = w60 * w121 + w65 * w127
-    w141 = w135 * w139 - w58 * w137 - w130 * w140
-    w142 = w56 * link2_theta2_dot + w61 * link2_theta3_dot
-    w143 = link2_theta1_dot - w65 * link2_theta3_dot
-    w144 = w64 * w143
-    w145 = w68 * w142 + w144
-    w146 = w63 * w138 + w68 * w141 - (w144 + w145)
-    w147 = w146 * link3_mass
-    w148 = w61 * w126 + w128 * w132 + w134 * w136 - w147
-    w149 = w63 * w143
-    w150 = w58 * link2_theta3_dot - w60 * link2_theta2_dot
-    w151 = w149 + w68 * w150
-    w152 = w128 * w135 - w61 * w137 - w130 * w134
-    w153 = w149 + w151 + (w68 * w152 + w64 * w138)
+    w118 = w3 * w113 - w8 * w106 + (w7 * w12 + w10 * w105 + (w2 * w47 + w45 * w114))
+    w119 = w51 * (w118 * link2_mass + w118 * link3_mass) - (w13 * w111 - w15 * w112) + w53 * w117 + w54 * w110
+    w120 = ca.sin(link2_theta3)
+    w121 = ca.cos(link2_theta3)
+    w122 = w56 * w121
+    w123 = w103 * w120 - w122
+    w124 = link2_theta3_dot - w65 * link2_theta1_dot
+    w125 = w55 * w120
+    w126 = w121 * link2_theta2_dot
+    w127 = link2_theta1_dot * w125 + w126
+    w128 = w124 * w125 - w65 * w127
+    w129 = w55 * link2_theta3_dot
+    w130 = w120 * w129 + w65 * w126
+    w131 = w128 - w130
+    w132 = w131 * c11
+    w133 = 2 * w127
+    w134 = w55 * w121
+    w135 = link2_theta1_dot * w134 - w120 * link2_theta2_dot
+    w136 = 2 * w135
+    w137 = (w125 * w133 + w134 * w136) * c11
+    w138 = w59 * w121
+    w139 = w56 * w120 + w65 * w138
+    w140 = w124 * w134 - w65 * w135
+    w141 = w121 * w129 - w120 * (w65 * link2_theta2_dot)
+    w142 = w140 - w141
+    w143 = w142 * c11
+    w144 = link2_theta1_dot - w65 * link2_theta3_dot
+    w145 = w63 * w144
+    w146 = w60 * link2_theta3_dot - w56 * link2_theta2_dot
+    w147 = w145 + w67 * w146
+    w148 = w138 + w102 * w120
+    w149 = w55 * link2_theta2_dot
+    w150 = w65 * w122 - w59 * w120
+    w151 = w141 * w148 - w57 * w149 - w130 * w150
+    w152 = w65 * w149 + w125 * w141 - w130 * w134
+    w153 = w145 + w147 + (w67 * w151 + w58 * w152)
     w154 = w153 * link3_mass
-    w155 = w58 * w126 + w132 * w139 + w136 * w140 + w154
-    w156 = w63 * w150 + w64 * w142 + (w64 * w141 - w63 * w152)
-    w157 = w156 * link3_mass
-    w158 = w131 * c18
-    w159 = w65 * c18
-    w160 = w120 * c16
-    w161 = w122 * c16
-    w162 = w120 * w158 - w122 * w159 - (w131 * w160 - w65 * w161) - w135 * c19
-    w163 = w123 * c15
-    w164 = w125 * c15
-    w165 = w125 * w160 + w123 * w161 - (w122 * w163 + w120 * w164) + w137 * c17
-    w166 = w131 * w163 - w65 * w164 - (w123 * w158 - w125 * w159) + w130 * c20
-    w167 = w119 * w125 * c39 - w121 * w122 * c39
-    w168 = link2_theta1_dot * (w65 * w119) + w119 * link2_theta3_dot
-    w169 = w168 * c12 - w131 * (w119 * c12)
-    w170 = link2_theta1_dot * (w65 * w121) + w121 * link2_theta3_dot
-    w171 = w131 * (w121 * c12) - w170 * c12
-    w172 = w57 * link2_theta1_dot
-    w173 = w65 * w172 - w123 * w170 - w120 * w168
-    w174 = w139 * w170 + w58 * w172 + w140 * w168
-    w175 = w64 * w150 - w63 * w142
-    w176 = w63 * w173 - w68 * w174 - (w70 * w143 - (w60 * w175 + w67 * w150))
-    w177 = w176 * link3_mass
-    w178 = w61 * w167 + w128 * w169 + w134 * w171 - w177
-    w179 = w128 * w170 + w61 * w172 + w134 * w168
-    w180 = w56 * w175 - w67 * w142 + w69 * w143 - (w64 * w173 - w68 * w179)
-    w181 = w180 * link3_mass
-    w182 = w58 * w167 + w139 * w169 + w140 * w171 - w181
-    w183 = w56 * w145 + w70 * w142 - (w60 * w151 + w69 * w150) + (w63 * w179 - w64 * w174)
-    w184 = w183 * link3_mass
-    w185 = w121 * c16
-    w186 = w131 * w185 - w121 * w158 + w170 * c19
-    w187 = w119 * c15
-    w188 = w119 * w161 - w125 * w185 - (w122 * w187 - w121 * w164) + w172 * c17
-    w189 = w131 * w187 - w119 * w158 + w168 * c20
-    w190 = w122 * w123 - w120 * w125
-    w191 = w122 * w139 - w125 * w140
-    w192 = w61 * w68 - w64 * w65
-    w193 = w58 * w64 - w61 * w63
-    w194 = w63 * w190 + w68 * w191 - (w143 * w192 - w65 * w145 + (w58 * w175 + w150 * w193))
-    w195 = w194 * link3_mass
-    w196 = w58 * w68 - w63 * w65
-    w197 = w122 * w128 - w125 * w134
-    w198 = w61 * w175 + w142 * w193 - (w143 * w196 - w65 * w151) - (w68 * w197 + w64 * w190)
-    w199 = w198 * link3_mass
-    w200 = w58 * w151 + w150 * w196 + (w61 * w145 + w142 * w192) + (w64 * w191 - w63 * w197)
-    w201 = w200 * link3_mass
-    w202 = w122 * c18 - w161 - w122 * c19
-    w203 = w164 - w125 * c18 + w125 * c20
-    w204 = ca.cos(link3_theta3)
-    w205 = w72 * w204
-    w206 = ca.sin(link3_theta3)
-    w207 = link3_theta1_dot * w205 - link3_theta2_dot * w206
-    w208 = w72 * w206
-    w209 = w204 * link3_theta2_dot
-    w210 = link3_theta1_dot * w208 + w209
-    w211 = w205 * w207 * c40 + w208 * w210 * c40
-    w212 = w71 * w204
-    w213 = w212 + w206 * (w75 * w78)
-    w214 = w72 * link3_theta3_dot
-    w215 = w206 * w214 + w78 * w209
-    w216 = link3_theta3_dot - w78 * link3_theta1_dot
-    w217 = w215 * c14 - (w208 * c14 * w216 - w78 * (w210 * c14))
-    w218 = w75 * w204
-    w219 = w78 * w218 - w71 * w206
-    w220 = w204 * w214 - w206 * (w78 * link3_theta2_dot)
-    w221 = w220 * c14 - (w205 * c14 * w216 - w78 * (w207 * c14))
-    w222 = w76 * w211 + w213 * w217 + w219 * w221
-    w223 = w206 * (w71 * w78) - w218
-    w224 = w75 * w206 + w78 * w212
-    w225 = w73 * w211 + w217 * w223 + w221 * w224
-    w226 = w208 * w217 - w78 * w211 + w205 * w221
-    w227 = w216 * c26
-    w228 = w78 * c26
-    w229 = w205 * c24
-    w230 = w207 * c24
-    w231 = w205 * w227 - w207 * w228 - (w216 * w229 - w78 * w230) - w220 * c27
-    w232 = w208 * c23
-    w233 = w210 * c23
-    w234 = w210 * w229 + w208 * w230 - (w207 * w232 + w205 * w233) + w72 * link3_theta2_dot * c25
-    w235 = w216 * w232 - w78 * w233 - (w208 * w227 - w210 * w228) + w215 * c28
-    w236 = w204 * w210 * c40 - w206 * w207 * c40
-    w237 = link3_theta1_dot * (w78 * w204) + w204 * link3_theta3_dot
-    w238 = w237 * c14 - w216 * (w204 * c14)
-    w239 = link3_theta1_dot * (w78 * w206) + w206 * link3_theta3_dot
-    w240 = w216 * (w206 * c14) - w239 * c14
-    w241 = w76 * w236 + w213 * w238 + w219 * w240
-    w242 = w73 * w236 + w223 * w238 + w224 * w240
-    w243 = w208 * w238 - w78 * w236 + w205 * w240
-    w244 = w206 * c24
-    w245 = w216 * w244 - w206 * w227 + w239 * c27
-    w246 = w204 * c23
-    w247 = w204 * w230 - w210 * w244 - (w207 * w246 - w206 * w233) + w72 * link3_theta1_dot * c25
-    w248 = w216 * w246 - w204 * w227 + w237 * c28
-    w249 = w207 * c26 - w230 - w207 * c27
-    w250 = w233 - w210 * c26 + w210 * c28
+    w155 = w123 * w132 - w60 * w137 + w139 * w143 - w154
+    w156 = w123 * w141 - w60 * w149 - w130 * w139
+    w157 = w59 * link2_theta2_dot + w57 * link2_theta3_dot
+    w158 = w58 * w144
+    w159 = w67 * w157 + w158
+    w160 = w63 * w152 + w67 * w156 - (w158 + w159)
+    w161 = w160 * link3_mass
+    w162 = w132 * w148 - w57 * w137 + w143 * w150 + w161
+    w163 = w58 * w156 - w63 * w151 + (w63 * w146 + w58 * w157)
+    w164 = w163 * link3_mass
+    w165 = (w140 + w141) * c15 - w142 * c17
+    w166 = w125 * w135
+    w167 = w127 * w134
+    w168 = w166 + w167
+    w169 = (w168 - w149) * c14 - (w149 + w168) * c15
+    w170 = w131 * c17 - (w128 + w130) * c14
+    w171 = w121 * w124
+    w172 = link2_theta1_dot * (w65 * w121) + w121 * link2_theta3_dot
+    w173 = w171 - w172
+    w174 = w173 * c11
+    w175 = (w121 * w133 - w120 * w136) * c11
+    w176 = link2_theta1_dot * (w65 * w120) + w120 * link2_theta3_dot
+    w177 = w120 * w124
+    w178 = w176 - w177
+    w179 = w178 * c11
+    w180 = w58 * w146 - w63 * w157
+    w181 = w55 * link2_theta1_dot
+    w182 = w65 * w181 - w125 * w176 - w134 * w172
+    w183 = w148 * w176 + w57 * w181 + w150 * w172
+    w184 = w59 * w180 - w64 * w157 + w68 * w144 - (w58 * w182 - w67 * w183)
+    w185 = w184 * link3_mass
+    w186 = w123 * w174 - w60 * w175 + w139 * w179 + w185
+    w187 = w123 * w176 + w60 * w181 + w139 * w172
+    w188 = w63 * w182 - w67 * w187 - (w69 * w144 - (w56 * w180 + w64 * w146))
+    w189 = w188 * link3_mass
+    w190 = w148 * w174 - w57 * w175 + w150 * w179 + w189
+    w191 = w63 * w183 - w58 * w187 + (w59 * w159 + w69 * w157 - (w56 * w147 + w68 * w146))
+    w192 = w191 * link3_mass
+    w193 = w173 * c17 - (w171 + w172) * c14
+    w194 = (w176 + w177) * c15 + w178 * c17
+    w195 = w121 * w135 - w120 * w127
+    w196 = (w195 - w181) * c14 - (w181 + w195) * c15
+    w197 = w58 * w60 - w57 * w63
+    w198 = w60 * w67 - w63 * w65
+    w199 = w135 * w148 - w127 * w150
+    w200 = w166 - w167
+    w201 = w57 * w180 + w157 * w197 - (w144 * w198 - w65 * w147) - (w67 * w199 + w58 * w200)
+    w202 = w201 * link3_mass
+    w203 = w123 * w135 - w127 * w139
+    w204 = w57 * w67 - w58 * w65
+    w205 = w63 * w200 + w67 * w203 - (w144 * w204 - w65 * w159 + (w60 * w180 + w146 * w197))
+    w206 = w205 * link3_mass
+    w207 = w58 * w203 - w63 * w199 + (w60 * w147 + w146 * w198 + (w57 * w159 + w157 * w204))
+    w208 = w207 * link3_mass
+    w209 = (w135 + w135) * c15
+    w210 = (w127 + w127) * c40
+    w211 = ca.sin(link3_theta3)
+    w212 = ca.cos(link3_theta3)
+    w213 = w74 * w212
+    w214 = w70 * w77 * w211 - w213
+    w215 = link3_theta3_dot - w77 * link3_theta1_dot
+    w216 = w71 * w211
+    w217 = w212 * link3_theta2_dot
+    w218 = link3_theta1_dot * w216 + w217
+    w219 = w215 * w216 - w77 * w218
+    w220 = w71 * link3_theta3_dot
+    w221 = w211 * w220 + w77 * w217
+    w222 = w219 - w221
+    w223 = w222 * c13
+    w224 = 2 * w218
+    w225 = w71 * w212
+    w226 = link3_theta1_dot * w225 - w211 * link3_theta2_dot
+    w227 = 2 * w226
+    w228 = (w216 * w224 + w225 * w227) * c13
+    w229 = w70 * w212
+    w230 = w74 * w211 + w77 * w229
+    w231 = w215 * w225 - w77 * w226
+    w232 = w212 * w220 - w211 * (w77 * link3_theta2_dot)
+    w233 = w231 - w232
+    w234 = w233 * c13
+    w235 = w214 * w223 - w72 * w228 + w230 * w234
+    w236 = w229 + w211 * (w74 * w77)
+    w237 = w77 * w213 - w70 * w211
+    w238 = w223 * w236 - w75 * w228 + w234 * w237
+    w239 = w77 * w228 + w216 * w223 + w225 * w234
+    w240 = (w231 + w232) * c22 - w233 * c24
+    w241 = w216 * w226 + w218 * w225
+    w242 = w71 * link3_theta2_dot
+    w243 = (w241 - w242) * c21 - (w241 + w242) * c22
+    w244 = w222 * c24 - (w219 + w221) * c21
+    w245 = w212 * w215
+    w246 = link3_theta1_dot * (w77 * w212) + w212 * link3_theta3_dot
+    w247 = w245 - w246
+    w248 = w247 * c13
+    w249 = (w212 * w224 - w211 * w227) * c13
+    w250 = link3_theta1_dot * (w77 * w211) + w211 * link3_theta3_dot
+    w251 = w211 * w215
+    w252 = w250 - w251
+    w253 = w252 * c13
+    w254 = w214 * w248 - w72 * w249 + w230 * w253
+    w255 = w236 * w248 - w75 * w249 + w237 * w253
+    w256 = w77 * w249 + w216 * w248 + w225 * w253
+    w257 = w247 * c24 - (w245 + w246) * c21
+    w258 = (w250 + w251) * c22 + w252 * c24
+    w259 = w212 * w226 - w211 * w218
+    w260 = w71 * link3_theta1_dot
+    w261 = (w259 - w260) * c21 - (w259 + w260) * c22
+    w262 = (w226 + w226) * c22
+    w263 = (w218 + w218) * c41
     # outputs
     dQ_hat_dq_i_dot = ca.vertcat(
         ca.horzcat(  # link1.theta1
-            w2 * w14 - w3 * w20 + w7 * w22 - w25 * w42 - w37 * w51,
-            w2 * w85 - w3 * w88 + w7 * w90 - w25 * w96 + w37 * w100,
-            w2 * w104 + w7 * w105 - w25 * w112 + w37 * w117, w25 * w148 - w37 * w155, w25 * w178 - w37 * w182,
-            w37 * w199 - w25 * w195, w25 * w222 - w37 * w225, w25 * w241 - w37 * w242, 0.0,
+            -(w3 * w30 + (w25 * w34 - w4 * w39 + w26 * w41 + w8 * w50)),
+            w3 * w90 - (w26 * w92 - (w25 * w94 + w4 * w96) + w8 * w100),
+            w3 * w110 - (w25 * w111 + w26 * w112 + w8 * w117), w3 * w155 - w8 * w162, w3 * w186 - w8 * w190,
+            w3 * w202 - w8 * w206, w3 * w235 - w8 * w238, w3 * w254 - w8 * w255, 0.0,
         ),
         ca.horzcat(  # link1.theta2
-            w6 * w14 - w1 * w22 + w52 * (w53 * link2_mass + w53 * link3_mass) + w42 * w54 - w51 * w55,
-            w6 * w85 - w1 * w90 + w52 * (w101 * link2_mass + w101 * link3_mass) + w54 * w96 + w55 * w100,
-            w6 * w104 - w1 * w105 + w52 * (w118 * link2_mass + w118 * link3_mass) + w54 * w112 + w55 * w117,
-            -(w52 * (w123 * w132 - w65 * w126 + w120 * w136 - w157) + w54 * w148 + w55 * w155),
-            -(w52 * (w123 * w169 - w65 * w167 + w120 * w171 - w184) + w54 * w178 + w55 * w182),
-            w52 * w201 + w54 * w195 + w55 * w199, -(w52 * w226 + w54 * w222 + w55 * w225),
-            -(w52 * w243 + w54 * w241 + w55 * w242), 0.0,
+            w51 * (w52 * link2_mass + w52 * link3_mass) - (w13 * w34 - w15 * w41) + w50 * w53 - w30 * w54,
+            w51 * (w101 * link2_mass + w101 * link3_mass) + (w13 * w94 + w15 * w92) + w53 * w100 + w54 * w90, w119,
+            w51 * (w65 * w137 + w125 * w132 + w134 * w143 + w164) + w53 * w162 + w54 * w155,
+            w51 * (w65 * w175 + w125 * w174 + w134 * w179 + w192) + w53 * w190 + w54 * w186,
+            w51 * w208 + w53 * w206 + w54 * w202, w51 * w239 + w53 * w238 + w54 * w235,
+            w51 * w256 + w53 * w255 + w54 * w254, 0.0,
         ),
-        ca.horzcat(w20, w88, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(-w39, -w96, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
         ca.horzcat(  # link2.theta1
-            -(w57 * (w40 * w56) * c37 + w60 * (w49 * w57) * c37), w64 * w99 - (w59 * w94 - w62 * w98 + w63 * w95),
-            w64 * w116 - (w59 * w110 - w62 * w115 + w63 * w111),
-            w123 * w162 - w65 * w165 + w120 * w166 - w63 * w147 - w64 * w154,
-            w123 * w186 - w65 * w188 + w120 * w189 - w63 * w177 + w64 * w181,
-            w123 * w202 + w120 * w203 - w63 * w195 + w64 * w199, w63 * w222 - w64 * w225, w63 * w241 - w64 * w242,
+            -(w59 * (w48 * w55) * c37 + w56 * (w28 * w55) * c37), w58 * w89 - (w61 * w98 - w62 * w88 + w63 * w99),
+            w58 * w109 - (w61 * w115 - w62 * w108 + w63 * w116),
+            -(w58 * w154 + (w125 * w165 - w65 * w169 + w134 * w170 + w63 * w161)),
+            w58 * w185 - (w134 * w193 - (w125 * w194 + w65 * w196) + w63 * w189),
+            w58 * w202 - (w125 * w209 + w134 * w210 + w63 * w206), w58 * w235 - w63 * w238, w58 * w254 - w63 * w255,
             0.0,
         ),
         ca.horzcat(  # link2.theta2
-            w40 * (w60 * w66) - w49 * (w56 * w66) + w53 * w57 * c37 + w41 * w69 - w50 * w70,
-            w94 * w102 * c37 + (w57 * w101 * c37 + w98 * w103 * c37),
-            w102 * w110 * c37 + (w57 * w118 * c37 + w103 * w115 * c37),
-            w119 * w162 - w121 * w166 + w67 * w157 + w69 * w147 - w70 * w154,
-            w119 * w186 - w121 * w189 + w67 * w184 + w69 * w177 + w70 * w181,
-            w119 * w202 - w121 * w203 + w67 * w201 + w69 * w195 + w70 * w199,
-            -(w67 * w226 + w69 * w222 + w70 * w225), -(w67 * w243 + w69 * w241 + w70 * w242), 0.0,
+            w48 * (w56 * w66) - w28 * (w59 * w66) + w52 * w55 * c37 + w49 * w68 - w29 * w69,
+            w98 * w102 * c37 + (w55 * w101 * c37 + w88 * w103 * c37),
+            w102 * w115 * c37 + (w55 * w118 * c37 + w103 * w108 * c37),
+            w64 * w164 - (w121 * w165 - w120 * w170) + w68 * w161 - w69 * w154,
+            w64 * w192 + (w121 * w194 + w120 * w193) + w68 * w189 + w69 * w185,
+            w64 * w208 - (w121 * w209 - w120 * w210) + w68 * w206 + w69 * w202,
+            w64 * w239 + w68 * w238 + w69 * w235, w64 * w256 + w68 * w255 + w69 * w254, 0.0,
         ),
-        ca.horzcat(0.0, 0.0, 0.0, w165, w188, 0.0, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(0.0, 0.0, 0.0, -w169, -w196, 0.0, 0.0, 0.0, 0.0),  # link2.theta3
         ca.horzcat(  # link3.theta1
-            -(w40 * w74 + w49 * w77), -(w74 * w94 - w77 * w98), -(w74 * w110 - w77 * w115),
-            -(w74 * w146 + w77 * w153), -(w74 * w176 - w77 * w180), -(w74 * w194 - w77 * w198),
-            w208 * w231 - w78 * w234 + w205 * w235, w208 * w245 - w78 * w247 + w205 * w248,
-            w208 * w249 + w205 * w250,
+            -(w48 * w73 + w28 * w76), -(w73 * w98 - w76 * w88), -(w73 * w115 - w76 * w108),
+            -(w73 * w160 + w76 * w153), -(w73 * w188 - w76 * w184), -(w73 * w205 - w76 * w201),
+            -(w216 * w240 - w77 * w243 + w225 * w244), -(w225 * w257 - (w216 * w258 + w77 * w261)),
+            -(w216 * w262 + w225 * w263),
         ),
         ca.horzcat(  # link3.theta2
-            w40 * w80 - w49 * w81 + w53 * w82, w81 * w98 + w80 * w94 + w82 * w101,
-            w81 * w115 + w80 * w110 + w82 * w118, w80 * w146 - w81 * w153 + w82 * w156,
-            w81 * w180 + w80 * w176 + w82 * w183, w81 * w198 + w80 * w194 + w82 * w200, w204 * w231 - w206 * w235,
-            w204 * w245 - w206 * w248, w204 * w249 - w206 * w250,
+            w48 * w79 - w28 * w80 + w52 * w81, w80 * w88 + w79 * w98 + w81 * w101,
+            w80 * w108 + w79 * w115 + w81 * w118, w79 * w160 - w80 * w153 + w81 * w163,
+            w80 * w184 + w79 * w188 + w81 * w191, w80 * w201 + w79 * w205 + w81 * w207,
+            -(w212 * w240 - w211 * w244), w212 * w258 + w211 * w257, -(w212 * w262 - w211 * w263),
         ),
-        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, w234, w247, 0.0),  # link3.theta3
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w243, -w261, 0.0),  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(dQ_hat_dq_i_dot)]
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
@@ -2483,13 +2469,13 @@ def dMa_dq_i() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dMa_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    660 operations.
+    818 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2508,244 +2494,289 @@ def dMa_dq_i() -> ca.Function:
     link3_theta1_ddot = q_i_ddot[6]
     link3_theta2_ddot = q_i_ddot[7]
     link3_theta3_ddot = q_i_ddot[8]
+    c0 = c[0]
+    c1 = c[1]
     c2 = c[2]
+    c3 = c[3]
     c4 = c[4]
     c5 = c[5]
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    link2_end_x = c[13]
+    c11 = c[11]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
+    c15 = c[15]
+    c16 = c[16]
     c17 = c[17]
+    c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
     c25 = c[25]
-    c27 = c[27]
-    c28 = c[28]
+    c26 = c[26]
     c37 = c[37]
-    c41 = c[41]
-    c42 = c[42]
-    c43 = c[43]
-    c44 = c[44]
-    c45 = c[45]
-    c46 = c[46]
-    c47 = c[47]
-    c48 = c[48]
-    c49 = c[49]
-    # intermediate terms (156)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta1)
+    # intermediate terms (195)
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
     w2 = w0 * w1 * link1_end_x
-    w3 = ca.cos(link1_theta1)
-    w4 = w0 * w3 * link1_end_x
+    w3 = ca.sin(link1_theta1)
+    w4 = w1 * w3 * link1_end_x
     w5 = ca.sin(link1_theta2)
     w6 = w5 * link1_end_x
-    w7 = w1 * w6
-    w8 = link1_theta1_ddot * w4 - link1_theta2_ddot * w7
+    w7 = w0 * w6
+    w8 = link1_theta1_ddot * w4 + link1_theta2_ddot * w7
     w9 = w8 * link2_mass
     w10 = w8 * link3_mass
     w11 = w9 + w10
-    w12 = w3 * w6
-    w13 = w2 * link1_theta1_ddot + link1_theta2_ddot * w12
-    w14 = w13 * link2_mass
-    w15 = ca.cos(link2_theta2)
-    w16 = ca.sin(link2_theta1)
+    w12 = ca.cos(link2_theta1)
+    w13 = ca.cos(link2_theta3)
+    w14 = w12 * w13
+    w15 = ca.sin(link2_theta1)
+    w16 = ca.sin(link2_theta2)
     w17 = w15 * w16
-    w18 = w17 * c12
-    w19 = w18 * link2_theta1_ddot
-    w20 = ca.cos(link2_theta1)
-    w21 = ca.sin(link2_theta2)
-    w22 = w21 * c12
-    w23 = w20 * w22
-    w24 = w23 * link2_theta2_ddot
-    w25 = w17 * link2_end_x
-    w26 = link2_theta1_ddot * w25
-    w27 = w21 * link2_end_x
-    w28 = w20 * w27
-    w29 = link2_theta2_ddot * w28
-    w30 = w13 + w26 + w29
-    w31 = ca.cos(link3_theta2)
-    w32 = ca.sin(link3_theta1)
-    w33 = w31 * w32 * c14
-    w34 = w33 * link3_theta1_ddot
+    w18 = ca.sin(link2_theta3)
+    w19 = w14 + w17 * w18
+    w20 = ca.cos(link2_theta2)
+    w21 = w13 * w20
+    w22 = link2_theta1_ddot * w21 - w18 * link2_theta2_ddot
+    w23 = w22 * c11
+    w24 = w19 * w23
+    w25 = w13 * w15
+    w26 = w16 * w25
+    w27 = w12 * w18
+    w28 = w26 - w27
+    w29 = w18 * w20
+    w30 = link2_theta1_ddot * w29 + w13 * link2_theta2_ddot
+    w31 = w30 * c11
+    w32 = w3 * w6
+    w33 = w2 * link1_theta1_ddot - link1_theta2_ddot * w32
+    w34 = w33 * link2_mass
     w35 = ca.cos(link3_theta1)
-    w36 = ca.sin(link3_theta2)
-    w37 = w36 * c14
-    w38 = w35 * w37
-    w39 = w38 * link3_theta2_ddot
-    w40 = w30 * link3_mass + w34 + w39
-    w41 = w14 + w19 + w24 + w40
-    w42 = w13 * link3_mass
-    w43 = w14 + w42
-    w44 = w15 * w20
-    w45 = w44 * c12
-    w46 = link2_theta1_ddot * w45
-    w47 = w16 * w22
-    w48 = link2_theta2_ddot * w47
-    w49 = w44 * link2_end_x
-    w50 = link2_theta1_ddot * w49
-    w51 = w16 * w27
-    w52 = link2_theta2_ddot * w51
-    w53 = w8 + w50 - w52
-    w54 = w31 * w35 * c14
-    w55 = link3_theta1_ddot * w54
-    w56 = w32 * w37
-    w57 = link3_theta2_ddot * w56
-    w58 = w53 * link3_mass + w55 - w57
-    w59 = w9 + w46 - w48 + w58
-    w60 = w0 * link1_end_x
-    w61 = link1_theta2_ddot * w60
-    w62 = w15 * c12
-    w63 = w15 * link2_end_x
-    w64 = w61 + link2_theta2_ddot * w63
-    w65 = w31 * c14
-    w66 = w64 * link3_mass + link3_theta2_ddot * w65
-    w67 = w8 * w18
-    w68 = w13 * w45
-    w69 = w0 * c2
-    w70 = w0 * w5
-    w71 = ca.sin(link1_theta3)
-    w72 = w0 * w71
-    w73 = ca.cos(link1_theta3)
-    w74 = w0 * w73
-    w75 = w71 * c5
-    w76 = w73 * c4
-    w77 = w5 * w73 * w75 - w5 * w71 * w76
-    w78 = link1_theta1_ddot * (w70 * c41 - w71 * (w70 * w71) * c42 - w73 * (w70 * w73) * c43) + link1_theta2_ddot * w77
-    w79 = w3 * w5 * link1_end_x
-    w80 = w1 * w60
-    w81 = link1_theta1_ddot * w79 + link1_theta2_ddot * w80
-    w82 = w81 * link3_mass
-    w83 = w81 * link2_mass + w82
-    w84 = w3 * w60
-    w85 = w1 * w5 * link1_end_x
-    w86 = link1_theta2_ddot * w84 - link1_theta1_ddot * w85
-    w87 = w86 * link3_mass
-    w88 = w86 * link2_mass + w87
-    w89 = link1_theta2_ddot * w6
-    w90 = w89 * link3_mass
-    w91 = link1_theta1_ddot * w77 - (w60 * (w89 * link2_mass + w90) + w6 * (w61 * link2_mass + link2_theta2_ddot * w62 + w66))
-    w92 = w73 * (w71 * w0**2)
-    w93 = w74 * w76 - w72 * (w71 * c4) - (w74 * (w73 * c5) - w72 * w75)
-    w94 = w71 * w73
-    w95 = w50 - w52
-    w96 = w95 * link3_mass
-    w97 = w46 - w48 + w96
-    w98 = w26 + w29
-    w99 = w98 * link3_mass
-    w100 = w19 + w24 + w99
-    w101 = w20 * w62
-    w102 = w16 * w21
-    w103 = w102 * c12
-    w104 = w20 * w63
-    w105 = w102 * link2_end_x
-    w106 = link2_theta2_ddot * w104 - link2_theta1_ddot * w105
-    w107 = w106 * link3_mass
-    w108 = link2_theta2_ddot * w101 - link2_theta1_ddot * w103 + w107
-    w109 = w20 * w21
-    w110 = w109 * c12
-    w111 = w16 * w62
-    w112 = w109 * link2_end_x
-    w113 = w16 * w63
-    w114 = link2_theta1_ddot * w112 + link2_theta2_ddot * w113
-    w115 = w114 * link3_mass
-    w116 = link2_theta1_ddot * w110 + link2_theta2_ddot * w111 + w115
-    w117 = link2_theta2_ddot * w27
-    w118 = w117 * link3_mass
-    w119 = w15 * c17
-    w120 = w15 * w21
-    w121 = ca.sin(link2_theta3)
-    w122 = w15 * w121
-    w123 = ca.cos(link2_theta3)
-    w124 = w15 * w123
-    w125 = link2_theta1_ddot * (w120 * c44 - w121 * (w120 * w121) * c45 - w123 * (w120 * w123) * c46) - (w13 * w103 + w8 * w110)
-    w126 = w121 * c20
-    w127 = w123 * c19
-    w128 = w21 * w123 * w126 - w21 * w121 * w127
-    w129 = w125 + link2_theta2_ddot * w128 - w119 * link2_theta3_ddot - (w49 * w115 + w58 * w112) + (w25 * w107 - w40 * w105)
-    w130 = w13 * w101 - w8 * w111 - w22 * w61 + link2_theta1_ddot * w128 - (w63 * w118 + w27 * w66) - (w58 * w113 - w51 * w115)
-    w131 = w123 * (w121 * w15**2)
-    w132 = w124 * w127 - w122 * (w121 * c19) - (w124 * (w123 * c20) - w122 * w126)
-    w133 = w121 * w123
-    w134 = w55 - w57
-    w135 = w34 + w39
-    w136 = w35 * w65
-    w137 = w32 * w36 * c14
-    w138 = link3_theta2_ddot * w136 - link3_theta1_ddot * w137
-    w139 = w35 * w36 * c14
-    w140 = w32 * w65
-    w141 = link3_theta1_ddot * w139 + link3_theta2_ddot * w140
-    w142 = w37 * link3_theta2_ddot
-    w143 = w31 * c25
-    w144 = w31 * w36
-    w145 = ca.sin(link3_theta3)
-    w146 = w31 * w145
-    w147 = ca.cos(link3_theta3)
-    w148 = w31 * w147
-    w149 = link3_theta1_ddot * (w144 * c47 - w145 * (w144 * w145) * c48 - w147 * (w144 * w147) * c49) - (w30 * w137 + w53 * w139)
-    w150 = w145 * c28
-    w151 = w147 * c27
-    w152 = w36 * w147 * w150 - w36 * w145 * w151
-    w153 = w147 * (w145 * w31**2)
-    w154 = w148 * w151 - w146 * (w145 * c27) - (w148 * (w147 * c28) - w146 * w150)
-    w155 = w145 * w147
+    w36 = ca.cos(link3_theta3)
+    w37 = w35 * w36
+    w38 = ca.sin(link3_theta1)
+    w39 = ca.sin(link3_theta2)
+    w40 = w38 * w39
+    w41 = ca.sin(link3_theta3)
+    w42 = w37 + w40 * w41
+    w43 = ca.cos(link3_theta2)
+    w44 = w36 * w43
+    w45 = link3_theta1_ddot * w44 - w41 * link3_theta2_ddot
+    w46 = w45 * c13
+    w47 = w42 * w46
+    w48 = w36 * w38
+    w49 = w39 * w48
+    w50 = w35 * w41
+    w51 = w49 - w50
+    w52 = w41 * w43
+    w53 = link3_theta1_ddot * w52 + w36 * link3_theta2_ddot
+    w54 = w53 * c13
+    w55 = w12 * w20
+    w56 = w55 * link2_end_x
+    w57 = link2_theta1_ddot * w56
+    w58 = w16 * link2_end_x
+    w59 = w15 * w58
+    w60 = link2_theta2_ddot * w59
+    w61 = w33 + w57 - w60
+    w62 = w47 - w51 * w54 + w61 * link3_mass
+    w63 = w24 - w28 * w31 + w34 + w62
+    w64 = w12 * w16
+    w65 = w18 * w64 - w25
+    w66 = w15 * w18
+    w67 = w66 + w14 * w16
+    w68 = w23 * w65 - w31 * w67
+    w69 = w35 * w39
+    w70 = w41 * w69 - w48
+    w71 = w38 * w41
+    w72 = w71 + w37 * w39
+    w73 = w46 * w70 - w54 * w72
+    w74 = w15 * w20
+    w75 = w74 * link2_end_x
+    w76 = link2_theta1_ddot * w75
+    w77 = w12 * w58
+    w78 = link2_theta2_ddot * w77
+    w79 = w8 + w76 + w78
+    w80 = w73 - w79 * link3_mass
+    w81 = w68 - w9 + w80
+    w82 = w33 * link3_mass
+    w83 = w34 + w82
+    w84 = w1 * link1_end_x
+    w85 = link1_theta2_ddot * w84
+    w86 = w20 * link2_end_x
+    w87 = w85 + link2_theta2_ddot * w86
+    w88 = w46 * w52 - w44 * w54 - w87 * link3_mass
+    w89 = w74 * c11
+    w90 = w33 * w89
+    w91 = w55 * c11
+    w92 = w8 * w91
+    w93 = w16 * c11
+    w94 = w12 * w93
+    w95 = w15 * w93
+    w96 = w20 * c11
+    w97 = w38 * w43
+    w98 = w97 * c13
+    w99 = w35 * w43
+    w100 = w99 * c13
+    w101 = w39 * c13
+    w102 = w35 * w101
+    w103 = w38 * w101
+    w104 = w43 * c13
+    w105 = w0 * w84
+    w106 = w3 * w5 * link1_end_x
+    w107 = link1_theta2_ddot * w105 - link1_theta1_ddot * w106
+    w108 = w107 * link3_mass
+    w109 = w107 * link2_mass + w108
+    w110 = ca.sin(link1_theta3)
+    w111 = w1 * w110
+    w112 = ca.cos(link1_theta3)
+    w113 = link1_theta1_ddot * w111 + link1_theta2_ddot * w112
+    w114 = w113 * c3
+    w115 = w113 * c1 + w114
+    w116 = link1_theta1_ddot * w5
+    w117 = w110 * w116 * c4
+    w118 = w1 * link1_theta1_ddot * c2
+    w119 = w1 * w112
+    w120 = link1_theta1_ddot * w119 - link1_theta2_ddot * w110
+    w121 = w120 * c3
+    w122 = w121 + w120 * c0
+    w123 = w112 * w116 * c5
+    w124 = w115 * (w5 * w110) + w111 * w117 + (w1 * ((link1_theta3_ddot - w116) * c2) - w5 * w118) + (w122 * (w5 * w112) + w119 * w123)
+    w125 = w0 * w5 * link1_end_x
+    w126 = w3 * w84
+    w127 = link1_theta1_ddot * w125 + link1_theta2_ddot * w126
+    w128 = w127 * link3_mass
+    w129 = w127 * link2_mass + w128
+    w130 = link1_theta2_ddot * w6
+    w131 = w130 * link3_mass
+    w132 = w110 * w123 - w112 * w117 - (w84 * (w130 * link2_mass + w131) - w6 * (w23 * w29 - w21 * w31 - w85 * link2_mass + w88))
+    w133 = w121 + w120 * c1
+    w134 = w114 + w113 * c0
+    w135 = w76 + w78
+    w136 = w135 * link3_mass
+    w137 = w68 - w136
+    w138 = w57 - w60
+    w139 = w138 * link3_mass
+    w140 = w24 + w31 * (w27 - w26) + w139
+    w141 = w13 * w16
+    w142 = link2_theta1_ddot * w141
+    w143 = w142 * c11
+    w144 = w16 * w18
+    w145 = link2_theta1_ddot * w144
+    w146 = w145 * c11
+    w147 = w64 * link2_end_x
+    w148 = w15 * w86
+    w149 = link2_theta1_ddot * w147 + link2_theta2_ddot * w148
+    w150 = w149 * link3_mass
+    w151 = w23 * (w18 * w74) - w19 * w143 - (w31 * (w20 * w25) - w28 * w146) - w150
+    w152 = w12 * w86
+    w153 = w17 * link2_end_x
+    w154 = link2_theta2_ddot * w152 - link2_theta1_ddot * w153
+    w155 = w154 * link3_mass
+    w156 = w23 * (w18 * w55) - w65 * w143 - (w31 * (w14 * w20) - w67 * w146) - w155
+    w157 = link2_theta2_ddot * w58
+    w158 = w157 * link3_mass
+    w159 = w30 * c17
+    w160 = w30 * c15 + w159
+    w161 = w145 * c18
+    w162 = link2_theta1_ddot * w20 * c16
+    w163 = w144 * w160 + w29 * w161 + (w20 * ((link2_theta3_ddot - w16 * link2_theta1_ddot) * c16) - w16 * w162)
+    w164 = w22 * c17
+    w165 = w164 + w22 * c14
+    w166 = w142 * c19
+    w167 = w163 + (w141 * w165 + w21 * w166) + (w8 * (w17 * c11) + w33 * (w64 * c11)) + (w56 * w150 + w62 * w147)
+    w168 = w18 * w166 - w13 * w161 + (w8 * (w12 * w96) - w33 * (w15 * w96) - w85 * w93) - (w86 * w158 - w58 * w88)
+    w169 = w23 * (w13 * w17 - w27) - w19 * w31 - (w23 * w28 - w31 * (w14 + w16 * w66))
+    w170 = w23 * (w66 + w13 * w64) - w31 * w65 - (w31 * (w25 - w16 * w27) + w23 * w67)
+    w171 = w164 + w22 * c15
+    w172 = w159 + w30 * c14
+    w173 = w47 + w54 * (w50 - w49)
+    w174 = w36 * w39
+    w175 = link3_theta1_ddot * w174
+    w176 = w175 * c13
+    w177 = w39 * w41
+    w178 = link3_theta1_ddot * w177
+    w179 = w178 * c13
+    w180 = w46 * (w41 * w97) - w42 * w176 - (w54 * (w43 * w48) - w51 * w179)
+    w181 = w46 * (w41 * w99) - w70 * w176 - (w54 * (w37 * w43) - w72 * w179)
+    w182 = w54 * w174 + w44 * w179 - (w46 * w177 + w52 * w176)
+    w183 = w53 * c24
+    w184 = w53 * c22 + w183
+    w185 = w178 * c25
+    w186 = link3_theta1_ddot * w43 * c23
+    w187 = w177 * w184 + w52 * w185 + (w43 * ((link3_theta3_ddot - w39 * link3_theta1_ddot) * c23) - w39 * w186)
+    w188 = w45 * c24
+    w189 = w188 + w45 * c21
+    w190 = w175 * c26
+    w191 = w46 * (w36 * w40 - w50) - w42 * w54 - (w46 * w51 - w54 * (w37 + w39 * w71))
+    w192 = w46 * (w71 + w36 * w69) - w54 * w70 - (w54 * (w48 - w39 * w50) + w46 * w72)
+    w193 = w188 + w45 * c22
+    w194 = w183 + w53 * c21
     # outputs
     dMa_dq_i = ca.SX(9, 9)
     # link1.theta1
-    dMa_dq_i[0, 0] = w2 * w11 + w4 * w41 - (w4 * w43 + w2 * w59)
-    dMa_dq_i[0, 1] = w78 - w69 * link1_theta3_ddot - (w4 * w83 + w59 * w79) + (w2 * w88 - w41 * w85)
-    dMa_dq_i[0, 2] = link1_theta1_ddot * (w92 * c42 - w92 * c43) + link1_theta2_ddot * w93
-    dMa_dq_i[0, 3] = w2 * w97 - w4 * w100
-    dMa_dq_i[0, 4] = w2 * w108 - w4 * w116
-    dMa_dq_i[0, 6] = w2 * w134 - w4 * w135
-    dMa_dq_i[0, 7] = w2 * w138 - w4 * w141
+    dMa_dq_i[0, 0] = -(w2 * w11 + w4 * w63 + (w2 * w81 - w4 * w83))
+    dMa_dq_i[0, 1] = w4 * w109 + w81 * w106 - (w124 + (w2 * w129 + w63 * w125))
+    dMa_dq_i[0, 2] = w115 * w119 + w111 * w133 - (w111 * w122 + w119 * w134)
+    dMa_dq_i[0, 3] = w2 * w137 + w4 * w140
+    dMa_dq_i[0, 4] = w2 * w151 - w4 * w156
+    dMa_dq_i[0, 5] = w2 * w169 - w4 * w170
+    dMa_dq_i[0, 6] = w2 * w73 + w4 * w173
+    dMa_dq_i[0, 7] = w2 * w180 - w4 * w181
+    dMa_dq_i[0, 8] = w2 * w191 - w4 * w192
     # link1.theta2
-    dMa_dq_i[1, 0] = w11 * w12 - w7 * w41 - (w12 * w59 - w7 * w43)
-    dMa_dq_i[1, 1] = w91 - (w59 * w80 - w7 * w83) + (w12 * w88 + w41 * w84)
-    dMa_dq_i[1, 2] = link1_theta1_ddot * w93 + link1_theta2_ddot * (w94 * c43 - w94 * c42)
-    dMa_dq_i[1, 3] = w7 * w100 + w12 * w97
-    dMa_dq_i[1, 4] = w7 * w116 - w60 * (w22 * link2_theta2_ddot + w118) + w12 * w108
-    dMa_dq_i[1, 6] = w7 * w135 + w12 * w134
-    dMa_dq_i[1, 7] = w7 * w141 - w60 * w142 + w12 * w138
+    dMa_dq_i[1, 0] = w7 * w83 + w32 * w81 - (w7 * w63 - w11 * w32)
+    dMa_dq_i[1, 1] = w132 - (w63 * w126 - w32 * w129) - (w81 * w105 - w7 * w109)
+    dMa_dq_i[1, 2] = w112 * w133 - w110 * w115 - (w112 * w122 - w110 * w134)
+    dMa_dq_i[1, 3] = w7 * w140 - w32 * w137
+    dMa_dq_i[1, 4] = -(w84 * (w31 * w141 + w21 * w146 - (w23 * w144 + w29 * w143) + w158) + w32 * w151 + w7 * w156)
+    dMa_dq_i[1, 5] = -(w32 * w169 + w7 * w170)
+    dMa_dq_i[1, 6] = w7 * w173 - w32 * w73
+    dMa_dq_i[1, 7] = -(w84 * w182 + w32 * w180 + w7 * w181)
+    dMa_dq_i[1, 8] = -(w32 * w191 + w7 * w192)
     # link1.theta3
-    dMa_dq_i[2, 1] = -(link1_theta1_ddot * w69)
+    dMa_dq_i[2, 1] = -w118
     # link2.theta1
-    dMa_dq_i[3, 0] = w67 - w68 - w42 * w49 + w10 * w25
-    dMa_dq_i[3, 1] = w18 * w86 - w45 * w81 - w49 * w82 + w25 * w87
-    dMa_dq_i[3, 3] = w68 - w67 - (w49 * w99 + w25 * w58) + (w25 * w96 + w40 * w49)
-    dMa_dq_i[3, 4] = w129
-    dMa_dq_i[3, 5] = link2_theta1_ddot * (w131 * c45 - w131 * c46) + link2_theta2_ddot * w132
-    dMa_dq_i[3, 6] = w25 * w134 - w49 * w135
-    dMa_dq_i[3, 7] = w25 * w138 - w49 * w141
+    dMa_dq_i[3, 0] = w90 - w92 - w10 * w56 + w75 * w82
+    dMa_dq_i[3, 1] = w89 * w107 - w91 * w127 - w56 * w128 + w75 * w108
+    dMa_dq_i[3, 3] = w92 - w90 - (w56 * w136 + w62 * w75) - (w56 * w80 - w75 * w139)
+    dMa_dq_i[3, 4] = w75 * w155 + w80 * w153 - w167
+    dMa_dq_i[3, 5] = w21 * w160 + w29 * w171 - (w29 * w165 + w21 * w172)
+    dMa_dq_i[3, 6] = w56 * w73 + w75 * w173
+    dMa_dq_i[3, 7] = w56 * w180 - w75 * w181
+    dMa_dq_i[3, 8] = w56 * w191 - w75 * w192
     # link2.theta2
-    dMa_dq_i[4, 0] = w21 * (w13 * w16) * c37 + w21 * (w8 * w20) * c37
-    dMa_dq_i[4, 1] = w23 * w86 + w47 * w81 - w62 * w89 - w63 * w90 + w51 * w82 + w28 * w87
-    dMa_dq_i[4, 3] = w28 * w96 - w40 * w51 - (w8 * w23 + w13 * w47 + (w28 * w58 - w51 * w99))
-    dMa_dq_i[4, 4] = w130 + (w28 * w107 + w40 * w104)
-    dMa_dq_i[4, 5] = link2_theta1_ddot * w132 + link2_theta2_ddot * (w133 * c46 - w133 * c45)
-    dMa_dq_i[4, 6] = w51 * w135 + w28 * w134
-    dMa_dq_i[4, 7] = w51 * w141 - w63 * w142 + w28 * w138
+    dMa_dq_i[4, 0] = w16 * (w8 * w15) * c37 + w33 * w64 * c37
+    dMa_dq_i[4, 1] = w94 * w107 + w95 * w127 - w96 * w130 - w86 * w131 + w59 * w128 + w77 * w108
+    dMa_dq_i[4, 3] = w77 * w139 + w59 * w80 - (w33 * w94 + w8 * w95 + (w62 * w77 - w59 * w136))
+    dMa_dq_i[4, 4] = w168 - (w62 * w148 - w59 * w150) - (w80 * w152 - w77 * w155)
+    dMa_dq_i[4, 5] = w13 * w171 - w18 * w160 - (w13 * w165 - w18 * w172)
+    dMa_dq_i[4, 6] = w77 * w173 - w59 * w73
+    dMa_dq_i[4, 7] = -(w86 * w182 + w59 * w180 + w77 * w181)
+    dMa_dq_i[4, 8] = -(w59 * w191 + w77 * w192)
     # link2.theta3
-    dMa_dq_i[5, 4] = -(link2_theta1_ddot * w119)
+    dMa_dq_i[5, 4] = -w162
     # link3.theta1
-    dMa_dq_i[6, 0] = w8 * w33 - w13 * w54
-    dMa_dq_i[6, 1] = w33 * w86 - w54 * w81
-    dMa_dq_i[6, 3] = w33 * w95 - w54 * w98
-    dMa_dq_i[6, 4] = w33 * w106 - w54 * w114
-    dMa_dq_i[6, 6] = w30 * w54 - w33 * w53
-    dMa_dq_i[6, 7] = w149 + link3_theta2_ddot * w152 - w143 * link3_theta3_ddot
-    dMa_dq_i[6, 8] = link3_theta1_ddot * (w153 * c48 - w153 * c49) + link3_theta2_ddot * w154
+    dMa_dq_i[6, 0] = w33 * w98 - w8 * w100
+    dMa_dq_i[6, 1] = w98 * w107 - w100 * w127
+    dMa_dq_i[6, 3] = w98 * w138 - w100 * w135
+    dMa_dq_i[6, 4] = w98 * w154 - w100 * w149
+    dMa_dq_i[6, 6] = w79 * w100 - w61 * w98
+    dMa_dq_i[6, 7] = -(w187 + (w174 * w189 + w44 * w190) + (w79 * (w40 * c13) + w61 * (w69 * c13)))
+    dMa_dq_i[6, 8] = w44 * w184 + w52 * w193 - (w52 * w189 + w44 * w194)
     # link3.theta2
-    dMa_dq_i[7, 0] = w8 * w38 + w13 * w56
-    dMa_dq_i[7, 1] = w38 * w86 + w56 * w81 - w65 * w89
-    dMa_dq_i[7, 3] = w38 * w95 + w56 * w98
-    dMa_dq_i[7, 4] = w38 * w106 + w56 * w114 - w65 * w117
-    dMa_dq_i[7, 6] = -(w30 * w56 + w38 * w53)
-    dMa_dq_i[7, 7] = w30 * w136 - w53 * w140 - w37 * w64 + link3_theta1_ddot * w152
-    dMa_dq_i[7, 8] = link3_theta1_ddot * w154 + link3_theta2_ddot * (w155 * c49 - w155 * c48)
+    dMa_dq_i[7, 0] = w33 * w102 + w8 * w103
+    dMa_dq_i[7, 1] = w102 * w107 + w103 * w127 - w104 * w130
+    dMa_dq_i[7, 3] = w102 * w138 + w103 * w135
+    dMa_dq_i[7, 4] = w102 * w154 + w103 * w149 - w104 * w157
+    dMa_dq_i[7, 6] = -(w79 * w103 + w61 * w102)
+    dMa_dq_i[7, 7] = w41 * w190 - w36 * w185 + (w79 * (w35 * w104) - w61 * (w38 * w104) - w87 * w101)
+    dMa_dq_i[7, 8] = w36 * w193 - w41 * w184 - (w36 * w189 - w41 * w194)
     # link3.theta3
-    dMa_dq_i[8, 7] = -(link3_theta1_ddot * w143)
+    dMa_dq_i[8, 7] = -w186
     inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
@@ -2755,13 +2786,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
-    takes c (n_const = 50) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
-    853 operations.
+    844 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
     q_i_dot = ca.SX.sym("q_i_dot", 9)
-    c = ca.SX.sym("c", 50)
+    c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
     link1_theta2 = q_i[1]
     link1_theta3 = q_i[2]
@@ -2789,273 +2820,275 @@ def forward_dynamics() -> ca.Function:
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
-    c12 = c[12]
-    link2_end_x = c[13]
+    c11 = c[11]
+    link2_end_x = c[12]
+    c13 = c[13]
     c14 = c[14]
     c15 = c[15]
     c16 = c[16]
     c17 = c[17]
     c18 = c[18]
     c19 = c[19]
-    c20 = c[20]
+    c21 = c[21]
+    c22 = c[22]
     c23 = c[23]
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    c27 = c[27]
+    gravity_z = c[27]
     c28 = c[28]
-    gravity_z = c[30]
-    c31 = c[31]
-    c32 = c[32]
-    c33 = c[33]
-    # intermediate terms (236)
-    w0 = ca.cos(link1_theta2)
-    w1 = ca.sin(link1_theta3)
+    c35 = c[35]
+    c36 = c[36]
+    # intermediate terms (238)
+    w0 = ca.cos(link1_theta1)
+    w1 = ca.cos(link1_theta2)
     w2 = w0 * w1
-    w3 = ca.sin(link1_theta2)
-    w4 = link1_theta3_dot - link1_theta1_dot * w3
-    w5 = w4 * c3
-    w6 = ca.cos(link1_theta3)
-    w7 = w0 * w6
-    w8 = link1_theta1_dot * w7 - w1 * link1_theta2_dot
-    w9 = w8 * c1
-    w10 = w0 * link1_theta3_dot
-    w11 = link1_theta3_dot * link1_theta2_dot
-    w12 = link1_theta1_dot * (w6 * w10 - w1 * (w3 * link1_theta2_dot)) - w1 * w11
-    w13 = w5 * w8 - w4 * w9 - w12 * c4
-    w14 = w6 * link1_theta2_dot
-    w15 = w2 * link1_theta1_dot + w14
-    w16 = w15 * c0
-    w17 = w0 * (link1_theta1_dot * link1_theta2_dot)
-    w18 = w9 * w15 - w8 * w16 + w17 * c2
-    w19 = w3 * w18
-    w20 = link1_theta1_dot * (w1 * w10 + w3 * w14) + w6 * w11
-    w21 = w4 * w16 - w5 * w15 + w20 * c5
-    w22 = ca.cos(link1_theta1)
-    w23 = w0 * w22
-    w24 = w23 * link1_end_x
-    w25 = ca.cos(link2_theta2)
-    w26 = ca.sin(link2_theta1)
-    w27 = w25 * w26
-    w28 = ca.cos(link2_theta3)
-    w29 = w25 * w28
-    w30 = ca.sin(link2_theta3)
-    w31 = link2_theta1_dot * w29 - link2_theta2_dot * w30
-    w32 = w31 * c12
-    w33 = w25 * w30
-    w34 = w28 * link2_theta2_dot
-    w35 = link2_theta1_dot * w33 + w34
-    w36 = w35 * c12
-    w37 = w31 * w32 + w35 * w36
-    w38 = ca.cos(link2_theta1)
-    w39 = w28 * w38
-    w40 = ca.sin(link2_theta2)
-    w41 = w39 + w30 * (w26 * w40)
-    w42 = w25 * link2_theta3_dot
-    w43 = link2_theta2_dot * link2_theta3_dot
-    w44 = link2_theta1_dot * (w30 * w42 + w34 * w40) + w28 * w43
-    w45 = link2_theta3_dot - link2_theta1_dot * w40
-    w46 = w44 * c12 - w36 * w45
-    w47 = w26 * w28
-    w48 = w40 * w47 - w30 * w38
-    w49 = link2_theta1_dot * (w28 * w42 - w30 * (link2_theta2_dot * w40)) - w30 * w43
-    w50 = w49 * c12 - w32 * w45
-    w51 = ca.cos(link3_theta2)
-    w52 = ca.sin(link3_theta1)
-    w53 = w51 * w52
-    w54 = ca.cos(link3_theta3)
-    w55 = w51 * w54
-    w56 = ca.sin(link3_theta3)
-    w57 = link3_theta1_dot * w55 - link3_theta2_dot * w56
-    w58 = w57 * c14
-    w59 = w51 * w56
-    w60 = w54 * link3_theta2_dot
-    w61 = link3_theta1_dot * w59 + w60
-    w62 = w61 * c14
-    w63 = w57 * w58 + w61 * w62
-    w64 = ca.cos(link3_theta1)
-    w65 = w54 * w64
-    w66 = ca.sin(link3_theta2)
-    w67 = w51 * link3_theta3_dot
-    w68 = link3_theta2_dot * link3_theta3_dot
-    w69 = link3_theta1_dot * (w56 * w67 + w60 * w66) + w54 * w68
-    w70 = link3_theta3_dot - link3_theta1_dot * w66
-    w71 = w69 * c14 - w62 * w70
-    w72 = w52 * w54
-    w73 = link3_theta1_dot * (w54 * w67 - w56 * (link3_theta2_dot * w66)) - w56 * w68
-    w74 = w73 * c14 - w58 * w70
-    w75 = w66 * c14
-    w76 = w52 * w75
-    w77 = w54 * c27
-    w78 = w56 * c28
-    w79 = w54 * w77 + w56 * w78
-    w80 = w76 / w79
-    w81 = w70 * c26
-    w82 = w57 * c24
-    w83 = w57 * w81 - w70 * w82 - w73 * c27
-    w84 = w61 * c23
-    w85 = w70 * w84 - w61 * w81 + w69 * c28
-    w86 = w51 * w64
-    w87 = w51 * c14
-    w88 = w54 * w83 - w56 * w85 - w87 * gravity_z
-    w89 = w59 * w77 - w55 * w78
-    w90 = w86 * c14 + w80 * w89
-    w91 = w66 * c25
-    w92 = w66 * w91
-    w93 = w89 / w79
-    w94 = w92 + w59 * (w59 * c27) + w55 * (w55 * c28) - w92 - w89 * w93
-    w95 = w90 / w94
-    w96 = w61 * w82 - w57 * w84 + w51 * (link3_theta1_dot * link3_theta2_dot) * c25
-    w97 = w66 * w96
-    w98 = w97 + (w59 * w83 - w97 + w55 * w85) - w88 * w93
-    w99 = w53 * w63 + (w65 + w56 * (w52 * w66)) * w71 + (w66 * w72 - w56 * w64) * w74 + w80 * w88 - w95 * w98
-    w100 = w87 / w79
-    w101 = w89 * w100
-    w102 = w80 * w87 + w95 * w101
-    w103 = w25 * w38
-    w104 = link2_theta3_dot * w103 - w26 * link2_theta2_dot
-    w105 = link2_theta1_dot - w40 * link2_theta3_dot
-    w106 = w103 * link2_end_x
-    w107 = w40 * link2_end_x
-    w108 = w105 * w106 + w104 * w107
-    w109 = link2_theta2_dot * w38 + w27 * link2_theta3_dot
-    w110 = w27 * link2_end_x
-    w111 = w107 * w109 + w105 * w110
-    w112 = w30 * (w38 * w40) - w47
-    w113 = w25 * (link2_theta1_dot * link2_theta2_dot)
-    w114 = w26 * w30 + w39 * w40
-    w115 = w49 * w112 - w103 * w113 - w44 * w114
-    w116 = w41 * w49 - w27 * w113 - w44 * w48
-    w117 = w104 * w108 + w109 * w111 + (w110 * w115 - w106 * w116)
-    w118 = link3_mass - w76 * w80 - w90 * w95
-    w119 = w40 * w113 + w33 * w49 - w29 * w44
-    w120 = w104 * w110 - w106 * w109
-    w121 = w106 * w119 + w107 * w115 - (w105 * w111 + w104 * w120)
-    w122 = w99 + w102 * w117 - w118 * w121
-    w123 = w64 * w75
-    w124 = w123 / w79
-    w125 = w89 * w124 - w53 * c14
-    w126 = w125 / w94
-    w127 = w76 * w124 + w90 * w126
-    w128 = w109 * w120 - w105 * w108 - (w107 * w116 + w110 * w119)
-    w129 = w25 * link2_end_x
-    w130 = w102 * w129
-    w131 = w26 * w107
-    w132 = w130 - w118 * w131
-    w133 = w40 * c12
-    w134 = w38 * w107
-    w135 = w132 - w26 * w133 + w127 * w134
-    w136 = w28 * c19
-    w137 = w30 * c20
-    w138 = w101 / w94
-    w139 = link3_mass - w87 * w100 - w101 * w138
-    w140 = w129 * w139
-    w141 = w87 * w124 + w101 * w126
-    w142 = w129 * w141 + w127 * w131
-    w143 = link3_mass - w123 * w124 - w125 * w126
-    w144 = w142 - w134 * w143
-    w145 = w28 * w136 + w30 * w137 + w129 * w140 - (w131 * w132 + w130 * w131) - (w134 * w144 + w134 * w142)
-    w146 = w135 / w145
-    w147 = w45 * c18
-    w148 = w31 * c16
-    w149 = w31 * w147 - w45 * w148 - w49 * c19
-    w150 = w35 * c15
-    w151 = w45 * w150 - w35 * w147 + w44 * c20
-    w152 = w25 * c12
-    w153 = c33 + (w59 * w71 - w63 * w66 + w55 * w74) + w88 * w100 - w98 * w138 - w117 * w139
-    w154 = w28 * w149 - w30 * w151 - w152 * gravity_z - w129 * w153 - w121 * w130 - w122 * w131 - w128 * w142
-    w155 = w63 * w86 + w71 * (w56 * (w64 * w66) - w72) + w74 * (w52 * w56 + w65 * w66) + w88 * w124 - w98 * w126
-    w156 = w155 + w117 * w141 + w121 * w127 - w128 * w143
-    w157 = w154 - w134 * w156
-    w158 = w106 * w118
-    w159 = w106 * w127
-    w160 = w33 * w136 - w29 * w137 + w106 * w132 + (w134 * w159 - w110 * w144)
-    w161 = w103 * c12 + w158 + w110 * w127 - w146 * w160
-    w162 = w40 * c17
-    w163 = w40 * w162
-    w164 = w159 + w110 * w143
-    w165 = w160 / w145
-    w166 = w163 + w33 * (w33 * c19) + w29 * (w29 * c20) + w106 * w158 + (w110 * w164 + w110 * w159) - w163 - w160 * w165
-    w167 = w161 / w166
-    w168 = w35 * w148 - w31 * w150 + w113 * c17
-    w169 = w40 * w168
-    w170 = w169 + (w33 * w149 - w169 + w29 * w151 + w106 * w122 + w128 * w159 - w110 * w156) - w157 * w165
-    w171 = w102 * w131 - (w140 + w152) + w134 * w141
-    w172 = w171 / w145
-    w173 = w110 * w141 - w102 * w106 - w160 * w172
-    w174 = w102 + w146 * w171 + w167 * w173
-    w175 = ca.sin(link1_theta1)
-    w176 = link1_theta3_dot * w23 - link1_theta2_dot * w175
-    w177 = link1_theta1_dot - link1_theta3_dot * w3
-    w178 = w3 * link1_end_x
-    w179 = w24 * w177 + w176 * w178
-    w180 = w0 * w175
-    w181 = link1_theta2_dot * w22 + link1_theta3_dot * w180
-    w182 = w180 * link1_end_x
-    w183 = w178 * w181 + w177 * w182
-    w184 = w6 * w175
-    w185 = w6 * w22
-    w186 = w12 * (w1 * (w3 * w22) - w184) - w17 * w23 - w20 * (w1 * w175 + w3 * w185)
-    w187 = w12 * (w185 + w1 * (w3 * w175)) - w17 * w180 - w20 * (w3 * w184 - w1 * w22)
-    w188 = w176 * w179 + w181 * w183 + (w182 * w186 - w24 * w187)
-    w189 = link2_mass + w118 - w135 * w146 - w161 * w167
-    w190 = w3 * w17 + w2 * w12 - w7 * w20
-    w191 = w176 * w182 - w24 * w181
-    w192 = w24 * w190 + w178 * w186 - (w177 * w183 + w176 * w191)
-    w193 = w27 * w37 + w41 * w46 + w48 * w50 + w122 + w127 * w128 - w146 * w157 - w167 * w170 + w174 * w188 - w189 * w192
-    w194 = w144 - w38 * w133
-    w195 = w194 / w145
-    w196 = w27 * c12 + w164 + w160 * w195
-    w197 = w196 / w166
-    w198 = w161 * w197 - (w127 + w135 * w195)
-    w199 = w24 * w198
-    w200 = w181 * w191 - w177 * w179 - (w178 * w187 + w182 * w190)
-    w201 = w173 * w197 - (w141 + w171 * w195)
-    w202 = w156 + (w37 * w103 + w46 * w112 + w50 * w114) - w157 * w195 + w170 * w197 - w188 * w201 - w192 * w198
-    w203 = link2_mass + w143 - w194 * w195 - w196 * w197
-    w204 = w202 - w200 * w203
-    w205 = w6 * c4
-    w206 = w1 * c5
-    w207 = w0 * link1_end_x
-    w208 = w174 * w207
-    w209 = w175 * w178
-    w210 = w208 - w189 * w209
-    w211 = w201 * w207 + w198 * w209
-    w212 = w22 * w178
-    w213 = w211 + w203 * w212
-    w214 = w2 * w205 - w7 * w206 + w24 * w210 + (w182 * w213 - w199 * w212)
-    w215 = w173 / w166
-    w216 = link2_mass + w139 - w171 * w172 - w173 * w215
-    w217 = w6 * w205 + w1 * w206 + w207 * (w207 * w216) - (w209 * w210 + w208 * w209) + (w212 * w213 + w211 * w212)
-    w218 = w214 / w217
-    w219 = w153 + (c32 + (w33 * w46 - w37 * w40 + w29 * w50)) + w102 * w121 + w128 * w141 - w157 * w172 - w170 * w215
-    w220 = w6 * w13 - w1 * w21 - w0 * c31 - w207 * (w219 - w188 * w216) - w192 * w208 - w193 * w209 + w200 * w211
-    w221 = w220 - w204 * w212
-    w222 = w3 * c2
-    w223 = w3 * w222
-    w224 = w223 + w2 * (w2 * c4) + w7 * (w7 * c5) + w24 * (w24 * w189) - (w182 * (w199 - w182 * w203) + w182 * w199)
-    w225 = (w19 + (w2 * w13 - w19 + w7 * w21 + w24 * w193 - w199 * w200 - w182 * w204) - w218 * w221) / (w224 - w223 - w214 * w218)
-    w226 = (w221 - w214 * w225) / w217
-    w227 = w192 + (w24 * w225 - w209 * w226)
-    w228 = w200 - (w182 * w225 + w212 * w226)
-    w229 = w188 - w207 * w226
-    w230 = (w170 - (w161 * w227 - w196 * w228 + w173 * w229)) / w166
-    w231 = (w157 - (w194 * w228 + w135 * w227 + w171 * w229 + w160 * w230)) / w145
-    w232 = w128 + (w228 - w110 * w230 - w134 * w231)
-    w233 = w121 + (w227 + w106 * w230 - w131 * w231)
-    w234 = w117 + (w229 - w129 * w231)
-    w235 = (w98 - (w125 * w232 + w90 * w233 + w101 * w234)) / w94
+    w3 = w2 * link1_end_x
+    w4 = ca.sin(link3_theta1)
+    w5 = ca.sin(link3_theta2)
+    w6 = w5 * c13
+    w7 = w4 * w6
+    w8 = ca.cos(link3_theta3)
+    w9 = ca.sin(link3_theta3)
+    w10 = w8 * (w8 * c25) + w9 * (w9 * c26)
+    w11 = w7 / w10
+    w12 = ca.cos(link3_theta2)
+    w13 = w4 * w12
+    w14 = ca.cos(link3_theta1)
+    w15 = w12 * w14
+    w16 = w12 * c13
+    w17 = w9 * w12
+    w18 = w17 * c25
+    w19 = w8 * w12
+    w20 = w19 * c26
+    w21 = w8 * w18 - w9 * w20
+    w22 = w15 * c13 + w11 * w21
+    w23 = w5 * c23
+    w24 = w5 * w23
+    w25 = w21 / w10
+    w26 = w24 + w17 * w18 + w19 * w20 - w24 - w21 * w25
+    w27 = w22 / w26
+    w28 = w16 / w10
+    w29 = w21 * w28
+    w30 = w11 * w16 + w27 * w29
+    w31 = ca.cos(link2_theta1)
+    w32 = ca.sin(link2_theta2)
+    w33 = ca.sin(link2_theta3)
+    w34 = ca.cos(link2_theta3)
+    w35 = ca.sin(link2_theta1)
+    w36 = w34 * w35
+    w37 = w31 * w32 * w33 - w36
+    w38 = ca.cos(link2_theta2)
+    w39 = link2_theta3_dot * w38
+    w40 = link2_theta3_dot * link2_theta2_dot
+    w41 = link2_theta1_dot * (w34 * w39 - w33 * (w32 * link2_theta2_dot)) - w33 * w40
+    w42 = w31 * w38
+    w43 = w38 * (link2_theta1_dot * link2_theta2_dot)
+    w44 = w31 * w34
+    w45 = w33 * w35 + w32 * w44
+    w46 = w34 * link2_theta2_dot
+    w47 = link2_theta1_dot * (w33 * w39 + w32 * w46) + w34 * w40
+    w48 = w37 * w41 - w42 * w43 - w45 * w47
+    w49 = w35 * w38
+    w50 = w49 * link2_end_x
+    w51 = w44 + w33 * (w32 * w35)
+    w52 = w32 * w36 - w31 * w33
+    w53 = w41 * w51 - w43 * w49 - w47 * w52
+    w54 = w42 * link2_end_x
+    w55 = link2_theta3_dot * w42 - w35 * link2_theta2_dot
+    w56 = link2_theta1_dot - w32 * link2_theta3_dot
+    w57 = w32 * link2_end_x
+    w58 = w54 * w56 + w55 * w57
+    w59 = w31 * link2_theta2_dot + link2_theta3_dot * w49
+    w60 = w57 * w59 + w50 * w56
+    w61 = w48 * w50 - w53 * w54 + (w55 * w58 + w59 * w60)
+    w62 = w8 * w14
+    w63 = link3_theta3_dot - w5 * link3_theta1_dot
+    w64 = w8 * link3_theta2_dot
+    w65 = w17 * link3_theta1_dot + w64
+    w66 = w63 * w65
+    w67 = w12 * link3_theta3_dot
+    w68 = link3_theta3_dot * link3_theta2_dot
+    w69 = link3_theta1_dot * (w9 * w67 + w5 * w64) + w8 * w68
+    w70 = w66 - w69
+    w71 = w70 * c13
+    w72 = w19 * link3_theta1_dot - w9 * link3_theta2_dot
+    w73 = (w65**2 + w72**2) * c13
+    w74 = w4 * w8
+    w75 = w63 * w72
+    w76 = link3_theta1_dot * (w8 * w67 - w9 * (w5 * link3_theta2_dot)) - w9 * w68
+    w77 = w75 - w76
+    w78 = w77 * c13
+    w79 = (w75 + w76) * c22 - w77 * c24
+    w80 = w70 * c24 - (w66 + w69) * c21
+    w81 = w8 * w79 - w9 * w80 + w16 * gravity_z
+    w82 = w65 * w72
+    w83 = w12 * (link3_theta1_dot * link3_theta2_dot)
+    w84 = (w82 - w83) * c21 - (w82 + w83) * c22
+    w85 = w5 * w84
+    w86 = w25 * w81 - (w85 + (w17 * w79 - w85 + w19 * w80))
+    w87 = w30 * w61 - ((w62 + w9 * (w4 * w5)) * w71 - w13 * w73 + (w5 * w74 - w9 * w14) * w78 + w11 * w81 + w27 * w86)
+    w88 = link3_mass - w7 * w11 - w22 * w27
+    w89 = w33 * w38
+    w90 = w34 * w38
+    w91 = w32 * w43 + w41 * w89 - w47 * w90
+    w92 = w50 * w55 - w54 * w59
+    w93 = w54 * w91 + w48 * w57 - (w56 * w60 + w55 * w92)
+    w94 = w87 - w88 * w93
+    w95 = link2_theta3_dot - w32 * link2_theta1_dot
+    w96 = w46 + link2_theta1_dot * w89
+    w97 = w95 * w96
+    w98 = w97 - w47
+    w99 = w98 * c11
+    w100 = link2_theta1_dot * w90 - w33 * link2_theta2_dot
+    w101 = (w96**2 + w100**2) * c11
+    w102 = w95 * w100
+    w103 = w102 - w41
+    w104 = w103 * c11
+    w105 = w6 * w14
+    w106 = w105 / w10
+    w107 = w21 * w106 - w13 * c13
+    w108 = w107 / w26
+    w109 = w7 * w106 + w22 * w108
+    w110 = w59 * w92 - w56 * w58 - (w53 * w57 + w50 * w91)
+    w111 = w38 * link2_end_x
+    w112 = w30 * w111
+    w113 = w35 * w57
+    w114 = w112 - w88 * w113
+    w115 = w32 * c11
+    w116 = w31 * w57
+    w117 = w114 - w35 * w115 + w109 * w116
+    w118 = w29 / w26
+    w119 = link3_mass - w16 * w28 - w29 * w118
+    w120 = w111 * w119
+    w121 = w16 * w106 + w29 * w108
+    w122 = w111 * w121 + w109 * w113
+    w123 = link3_mass - w105 * w106 - w107 * w108
+    w124 = w122 - w116 * w123
+    w125 = w34 * (w34 * c18) + w33 * (w33 * c19) + w111 * w120 - (w113 * w114 + w112 * w113) - (w116 * w124 + w116 * w122)
+    w126 = w117 / w125
+    w127 = w5 * w73 + w17 * w71 + w19 * w78 - c36 + w28 * w81 + w86 * w118 + w61 * w119
+    w128 = (w41 + w102) * c15 - w103 * c17
+    w129 = w98 * c17 - (w47 + w97) * c14
+    w130 = w38 * c11
+    w131 = w111 * w127 - (w34 * w128 - w33 * w129 + w130 * gravity_z) - w93 * w112 - w94 * w113 - w110 * w122
+    w132 = w61 * w121 - (w71 * (w9 * (w5 * w14) - w74) - w15 * w73 + w78 * (w4 * w9 + w5 * w62) + w81 * w106 + w86 * w108)
+    w133 = w132 + w93 * w109 - w110 * w123
+    w134 = w131 - w116 * w133
+    w135 = w54 * w88
+    w136 = w89 * c18
+    w137 = w90 * c19
+    w138 = w54 * w109
+    w139 = w34 * w136 - w33 * w137 + w54 * w114 + (w116 * w138 - w50 * w124)
+    w140 = w42 * c11 + w135 + w50 * w109 - w126 * w139
+    w141 = w32 * c16
+    w142 = w32 * w141
+    w143 = w138 + w50 * w123
+    w144 = w139 / w125
+    w145 = w142 + w89 * w136 + w90 * w137 + w54 * w135 + (w50 * w143 + w50 * w138) - w142 - w139 * w144
+    w146 = w140 / w145
+    w147 = w96 * w100
+    w148 = (w147 - w43) * c14 - (w43 + w147) * c15
+    w149 = w32 * w148
+    w150 = w54 * w94 - (w89 * w128 - w149 + w90 * w129) + w110 * w138 - w50 * w133 - w149 - w134 * w144
+    w151 = w30 * w113 - (w120 + w130) + w116 * w121
+    w152 = w151 / w125
+    w153 = w50 * w121 - w30 * w54 - w139 * w152
+    w154 = w30 + w126 * w151 + w146 * w153
+    w155 = ca.sin(link1_theta2)
+    w156 = ca.sin(link1_theta3)
+    w157 = ca.cos(link1_theta3)
+    w158 = ca.sin(link1_theta1)
+    w159 = w157 * w158
+    w160 = w1 * link1_theta3_dot
+    w161 = link1_theta3_dot * link1_theta2_dot
+    w162 = link1_theta1_dot * (w157 * w160 - w156 * (w155 * link1_theta2_dot)) - w156 * w161
+    w163 = w1 * (link1_theta1_dot * link1_theta2_dot)
+    w164 = w0 * w157
+    w165 = w157 * link1_theta2_dot
+    w166 = link1_theta1_dot * (w156 * w160 + w155 * w165) + w157 * w161
+    w167 = (w0 * w155 * w156 - w159) * w162 - w2 * w163 - (w156 * w158 + w155 * w164) * w166
+    w168 = w1 * w158
+    w169 = w168 * link1_end_x
+    w170 = w162 * (w164 + w156 * (w155 * w158)) - w163 * w168 - w166 * (w155 * w159 - w0 * w156)
+    w171 = w2 * link1_theta3_dot - w158 * link1_theta2_dot
+    w172 = link1_theta1_dot - w155 * link1_theta3_dot
+    w173 = w155 * link1_end_x
+    w174 = w3 * w172 + w171 * w173
+    w175 = w0 * link1_theta2_dot + link1_theta3_dot * w168
+    w176 = w173 * w175 + w169 * w172
+    w177 = w167 * w169 - w3 * w170 + (w171 * w174 + w175 * w176)
+    w178 = w94 - (w51 * w99 - w49 * w101 + w52 * w104) + w109 * w110 - w126 * w134 - w146 * w150 + w154 * w177
+    w179 = link2_mass + w88 - w117 * w126 - w140 * w146
+    w180 = w1 * w156
+    w181 = w1 * w157
+    w182 = w155 * w163 + w162 * w180 - w166 * w181
+    w183 = w169 * w171 - w3 * w175
+    w184 = w3 * w182 + w167 * w173 - (w172 * w176 + w171 * w183)
+    w185 = w178 - w179 * w184
+    w186 = link1_theta3_dot - w155 * link1_theta1_dot
+    w187 = link1_theta1_dot * w181 - w156 * link1_theta2_dot
+    w188 = w186 * w187
+    w189 = (w162 + w188) * c1 - (w188 - w162) * c3
+    w190 = w165 + link1_theta1_dot * w180
+    w191 = w187 * w190
+    w192 = (w191 - w163) * c0 - (w163 + w191) * c1
+    w193 = w155 * w192
+    w194 = w186 * w190
+    w195 = (w194 - w166) * c3 - (w166 + w194) * c0
+    w196 = w124 - w31 * w115
+    w197 = w196 / w125
+    w198 = w49 * c11 + w143 + w139 * w197
+    w199 = w198 / w145
+    w200 = w140 * w199 - (w109 + w117 * w197)
+    w201 = w3 * w200
+    w202 = w175 * w183 - w172 * w174 - (w170 * w173 + w169 * w182)
+    w203 = w153 * w199 - (w121 + w151 * w197)
+    w204 = w133 - (w37 * w99 - w42 * w101 + w45 * w104) - w134 * w197 + w150 * w199 - w177 * w203 - w184 * w200
+    w205 = link2_mass + w123 - w196 * w197 - w198 * w199
+    w206 = w204 - w202 * w205
+    w207 = w180 * c4
+    w208 = w181 * c5
+    w209 = w1 * link1_end_x
+    w210 = w154 * w209
+    w211 = w158 * w173
+    w212 = w210 - w179 * w211
+    w213 = w203 * w209 + w200 * w211
+    w214 = w0 * w173
+    w215 = w213 + w205 * w214
+    w216 = w157 * w207 - w156 * w208 + w3 * w212 + (w169 * w215 - w201 * w214)
+    w217 = w153 / w145
+    w218 = link2_mass + w119 - w151 * w152 - w153 * w217
+    w219 = w157 * (w157 * c4) + w156 * (w156 * c5) + w209 * (w209 * w218) - (w211 * w212 + w210 * w211) + (w214 * w215 + w213 * w214)
+    w220 = w216 / w219
+    w221 = w30 * w93 - (w127 + (w32 * w101 + w89 * w99 + w90 * w104 - c35)) + w110 * w121 - w134 * w152 - w150 * w217
+    w222 = w202 * w213 - (w157 * w189 - w156 * w195 + w1 * c28 + w209 * (w221 - w177 * w218) + w184 * w210 + w185 * w211)
+    w223 = w222 - w206 * w214
+    w224 = w155 * c2
+    w225 = w155 * w224
+    w226 = w225 + w180 * w207 + w181 * w208 + w3 * (w3 * w179) - (w169 * (w201 - w169 * w205) + w169 * w201)
+    w227 = (w3 * w185 - (w180 * w189 - w193 + w181 * w195) - w201 * w202 - w169 * w206 - w193 - w220 * w223) / (w226 - w225 - w216 * w220)
+    w228 = (w223 - w216 * w227) / w219
+    w229 = w184 + (w3 * w227 - w211 * w228)
+    w230 = w202 - (w169 * w227 + w214 * w228)
+    w231 = w177 - w209 * w228
+    w232 = (w150 - (w140 * w229 - w198 * w230 + w153 * w231)) / w145
+    w233 = (w134 - (w139 * w232 + w196 * w230 + w117 * w229 + w151 * w231)) / w125
+    w234 = w110 + (w230 - w50 * w232 - w116 * w233)
+    w235 = w93 + (w229 + w54 * w232 - w113 * w233)
+    w236 = w61 + (w231 - w111 * w233)
+    w237 = (w86 - (w107 * w234 + w22 * w235 + w29 * w236)) / w26
     # outputs
     q_i_ddot = ca.vertcat(
-        w225,  # link1.theta1
-        w226,  # link1.theta2
-        (w18 + w222 * w225) / c2,  # link1.theta3
-        w230,  # link2.theta1
-        w231,  # link2.theta2
-        (w168 + w162 * w230) / c17,  # link2.theta3
-        w235,  # link3.theta1
-        (w88 - (w89 * w235 - (w123 * w232 + w76 * w233 + w87 * w234))) / w79,  # link3.theta2
-        (w96 + w91 * w235) / c25,  # link3.theta3
+        w227,  # link1.theta1
+        w228,  # link1.theta2
+        (w224 * w227 - w192) / c2,  # link1.theta3
+        w232,  # link2.theta1
+        w233,  # link2.theta2
+        (w141 * w232 - w148) / c16,  # link2.theta3
+        w237,  # link3.theta1
+        -((w81 + (w21 * w237 - w105 * w234 - w7 * w235 - w16 * w236)) / w10),  # link3.theta2
+        (w23 * w237 - w84) / c23,  # link3.theta3
     )
     inputs, outputs = [q_i, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_i", "q_i_dot", "c"], ["q_i_ddot"])

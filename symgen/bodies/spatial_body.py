@@ -8,9 +8,10 @@ from functools import cached_property
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_to, nonzero
-from symgen.algebra.scalar import ONE, ZERO, add, dot, mul, neg, sub
-from symgen.algebra.vectors import Vector, cross, minus, plus, product, scaled, times, zeros
+from symgen.algebra.scalar import ONE, ZERO, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, cross, minus, plus, scaled, times, zeros
 from symgen.bodies import spatial_template as template
+from symgen.bodies.deformation import Bent, Deformation
 from symgen.bodies.quaternion_motion import QuaternionMotion, fixed_quaternion, free_quaternion, small_turn
 from symgen.bodies.spatial_moments import LocalMotion, SpatialIntegrals, SpatialMoments, SpatialPoint
 from symgen.bodies.spatial_orientation import Orientation, fixed_orientation
@@ -219,11 +220,7 @@ class SpatialBody:
 
 
 class _MarkerSpin:
-    """Axes and angular velocity of a marker: the frame's, and the rotation by deformation psi (exactly a rotation).
-
-    The rotation has the quaternion (1, psi/2) of unit length: A_psi = 1 + (psi~ + psi~^2 / 2) / k and, in the frame's
-    axes, omega_psi = (psi_dot + psi x psi_dot / 2) / k with k = 1 + psi.psi / 4.
-    """
+    """Axes and angular velocity of a marker: the frame's, and the rotation by deformation."""
 
     def __init__(self, body: SpatialBody, point: SpatialPoint, local: LocalMotion) -> None:
         q, turning = body.coordinates, body.orientation
@@ -234,32 +231,18 @@ class _MarkerSpin:
         columns = LocalMotion.turn_rows(point, q.elastic)
         self.omega, self.bias, axes = turning.omega, turning.bias, point.axes
         if any(columns):
-            axes = self._deformed(turning, point, local, q.elastic)
+            axes = self._deformed(turning, Deformation(point, q.q_f, q.q_f_dot, q.elastic).now, q.elastic)
         self.axes = [turning.rotate([axes[i][j] for i in range(3)]) for j in range(3)]
         self.local = small_turn(local.psi, local.psi_dot, columns).times(fixed_quaternion(point.quaternion))
         whole = body.quaternion()
         self.quaternion = None if whole is None else whole.times(self.local)
 
-    def _deformed(
-        self, turning: Orientation, point: SpatialPoint, local: LocalMotion, elastic: list[int]
-    ) -> list[Vector]:
+    def _deformed(self, turning: Orientation, bent: Bent, elastic: list[int]) -> list[Vector]:
         """Add the deformation's share to omega, bias and rows; the marker's axes in the frame."""
-        psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
-        k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
-        turned = [scaled(1 / k, plus(turn, scaled(half, cross(psi, turn)))) for turn in point.turns]
-        own = scaled(1 / k, plus(rate, scaled(half, cross(psi, rate))))
         for a, column in enumerate(elastic):
-            for i, entry in enumerate(turning.rotate(turned[a])):
+            for i, entry in enumerate(turning.rotate(bent.turned[a])):
                 add_to(self.rows[i], column, entry)
-        world = turning.rotate(own)
-        fading = scaled(neg(mul(half, dot(psi, rate)) / k), world)
-        self.bias = plus(self.bias, cross(turning.omega, world), fading)
+        world = turning.rotate(bent.omega)
+        self.bias = plus(self.bias, cross(turning.omega, world), turning.rotate(bent.fading))
         self.omega = plus(self.omega, world)
-        x, y, z = psi
-        tilde = [[ZERO, neg(z), y], [z, ZERO, neg(x)], [neg(y), x, ZERO]]
-        square = product(tilde, tilde)
-        rotation = [
-            [add(ONE if i == j else ZERO, add(tilde[i][j], mul(half, square[i][j])) / k) for j in range(3)]
-            for i in range(3)
-        ]
-        return product(rotation, point.axes)
+        return bent.R

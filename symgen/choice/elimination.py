@@ -44,7 +44,7 @@ def structural_pivots(
 
     The rows and columns of U in (30) that are triangular by structure.
     """
-    equations, topology = system.equations, system.topology
+    equations, topology, placed = system.equations, system.topology, system.reduced.placed_columns
     column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
     keep = _requested_independent(system)
     joint_depth = topology.depth()
@@ -52,15 +52,20 @@ def structural_pivots(
         (r for r in range(len(equations.constraints)) if r not in left_out),
         key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r),
     )
+    placing = {joint: placement.child for joint, placement in topology.placements.items()} if placed else {}
+    rows.sort(key=lambda r: equations.constraints[r].joint not in placing)
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []
     for row in rows:
         entries = equations.constraints[row].C_q
+        child = placing.get(equations.constraints[row].joint)
+        own = placed & set(equations.body_columns[child]) if child is not None else None
         candidates = [
             c
             for c, value in entries.items()
             if value.is_constant()
+            and (c not in placed if own is None else c in own)
             and c not in depends_on
             and c not in equations.elastic_columns
             and c not in keep
@@ -104,13 +109,20 @@ def _requested_independent(system: System) -> set[int]:
 
 
 def dependent_rows(
-    equations: Equations, structural: list[tuple[int, int]], loop_rows: list[int], jacobian: np.ndarray
+    equations: Equations,
+    structural: list[tuple[int, int]],
+    loop_rows: list[int],
+    jacobian: np.ndarray,
+    scales: np.ndarray,
 ) -> list[int]:
-    """Loop rows of C_q (rows x columns) that depend on the others at this position, by pivoting on scaled rows."""
+    """Loop rows of C_q (rows x columns) that depend on the others at this position, by pivoting on scaled rows.
+
+    scales (rows): what is left of a row is judged against it.
+    """
     free = _free_columns(equations, structural)
     rigid = [k for k, c in enumerate(free) if c not in equations.elastic_columns]
     elastic = [k for k, c in enumerate(free) if c in equations.elastic_columns]
-    pairs = _pivot(_reduce(jacobian, structural, loop_rows, free), rigid, elastic, _row_scales(jacobian, loop_rows))
+    pairs = _pivot(_reduce(jacobian, structural, loop_rows, free), rigid, elastic, scales[loop_rows])
     picked = {row for row, _ in pairs}
     return [row for k, row in enumerate(loop_rows) if k not in picked]
 
@@ -120,12 +132,13 @@ def choose_loops(
     structural: list[tuple[int, int]],
     loop_rows: list[int],
     jacobian: np.ndarray,
+    scales: np.ndarray,
     redundant: list[int],
 ) -> Elimination:
     """Complete the choice with loop unknowns by pivoting on C_q (rows x columns) at the start: U, R of (29)-(30).
 
-    loop_rows: independent rows, without the `redundant` ones. Raises DerivationError when the user's q_i cannot be
-    independent.
+    loop_rows: independent rows, without the `redundant` ones. scales: as in `dependent_rows`. Raises
+    DerivationError when the user's q_i cannot be independent.
     """
     equations, requested = system.equations, system.requested.independent
     free = _free_columns(equations, structural)
@@ -133,7 +146,7 @@ def choose_loops(
     keep = _requested_independent(system)
     rigid = [k for k, c in enumerate(free) if c not in keep and c not in equations.elastic_columns]
     elastic = [k for k, c in enumerate(free) if c not in keep and c in equations.elastic_columns]
-    picked = [column for _, column in _pivot(reduced, rigid, elastic, _row_scales(jacobian, loop_rows))]
+    picked = [column for _, column in _pivot(reduced, rigid, elastic, scales[loop_rows])]
     if len(picked) < len(loop_rows):
         _refuse(equations, reduced, loop_rows)
     loop_columns = sorted(free[k] for k in picked)
@@ -151,9 +164,9 @@ def _free_columns(equations: Equations, structural: list[tuple[int, int]]) -> li
     return [c for c in range(len(equations.names)) if c not in columns]
 
 
-def _row_scales(jacobian: np.ndarray, rows: list[int]) -> np.ndarray:
-    """Largest entry of each row of C_q: what is left of a row is judged against it."""
-    return np.abs(jacobian[rows]).max(axis=1, initial=0.0)
+def row_scales(jacobian: np.ndarray) -> np.ndarray:
+    """Largest entry of each row of C_q in all coordinates, where a row has entries however redundant it is."""
+    return np.abs(jacobian).max(axis=1, initial=0.0)
 
 
 def _reduce(jacobian: np.ndarray, structural: list[tuple[int, int]], rows: list[int], free: list[int]) -> np.ndarray:

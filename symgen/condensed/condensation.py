@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -17,7 +18,7 @@ from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
 from symgen.choice.elimination import Elimination
 from symgen.condensed.loops import Loops, ReducedRow, order_blocks, solve_block
-from symgen.system.equations import Equations, matrix_times
+from symgen.system.equations import Equations
 
 
 @dataclass(frozen=True)
@@ -32,40 +33,38 @@ class Substitution:
 
 @dataclass(frozen=True)
 class Condensed:
-    """A system with its substitutions, in the order of evaluation (independent coordinates to the tips)."""
+    """A system with its substitutions, in the order of evaluation (independent coordinates to the tips).
+
+    equations: in all coordinates; reduced: without those of placed bodies' frames, which nothing below needs.
+    """
 
     equations: Equations
+    reduced: Equations
     choice: Elimination
     substitutions: list[Substitution]
     loops: Loops
 
+    @cached_property
+    def inner(self) -> list[Substitution]:
+        """The substitutions between coordinates that have masses or constraints."""
+        return [s for s in self.substitutions if s.column not in self.reduced.placed_columns]
+
     def dependent_velocities(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """q_dot of every coordinate from q_i_dot (Eq. 36)."""
-        return self._sweep(independent, [s.c_velocity for s in self.substitutions])
+        return _sweep(independent, self.substitutions, [s.c_velocity for s in self.substitutions])
 
     def accelerations(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """q_ddot of every coordinate from q_i_ddot (Eq. 35)."""
-        return self._sweep(independent, [s.c_acceleration for s in self.substitutions])
+        return _sweep(independent, self.substitutions, [s.c_acceleration for s in self.substitutions])
 
     def tangent(self, independent: Mapping[int, ca.SX]) -> dict[int, ca.SX]:
         """S v: the virtual displacement of every coordinate that goes with v of q_i (Eqs. 29-30)."""
-        return self._sweep(independent, [ca.SX(0)] * len(self.substitutions))
-
-    def _sweep(self, independent: Mapping[int, ca.SX], constants: list[ca.SX]) -> dict[int, ca.SX]:
-        values = dict(independent)
-        for substitution, constant in zip(self.substitutions, constants, strict=True):
-            total = constant
-            for column, factor in substitution.e.items():
-                if column in values:
-                    total = add(total, mul(factor, values[column]))
-            if not total.is_zero():
-                values[substitution.column] = total
-        return values
+        return _sweep(independent, self.inner, [ZERO] * len(self.inner))
 
     def M_hat(self) -> ca.SX:
         """M_hat = S^T M S of Eq. (38), dense n_i x n_i."""
-        M = [dict(row) for row in self.equations.M]
-        for substitution in reversed(self.substitutions):
+        M = [dict(row) for row in self.reduced.M]
+        for substitution in reversed(self.inner):
             congruence(M, substitution.column, substitution.e)
         independent = self.choice.independent
         columns = [M[row].get(column, ZERO) for column in independent for row in independent]
@@ -77,19 +76,31 @@ class Condensed:
         With the slow accelerations given, it is the right-hand side of a sub-step (Eq. 64) without forming
         M_hat_SL.
         """
-        eq = self.equations
-        inertia = matrix_times(eq.M, self.accelerations(accelerations))
-        force = {column: sub(eq.Q_star[column], inertia.get(column, ZERO)) for column in range(len(eq.names))}
-        return self.project(force)
+        constants = [s.c_acceleration for s in self.inner]
+        return self.project(dict(enumerate(self.reduced.force(_sweep(accelerations, self.inner, constants)))))
 
     def project(self, force: Row) -> ca.SX:
         """S^T force: a generalised force on q as one on q_i."""
         work = dict(force)
-        for substitution in reversed(self.substitutions):
+        for substitution in reversed(self.inner):
             value = work.pop(substitution.column, ZERO)
             if not value.is_zero():
                 add_scaled(work, value, substitution.e)
         return ca.densify(ca.vertcat(*(work.get(column, ZERO) for column in self.choice.independent)))
+
+
+def _sweep(
+    independent: Mapping[int, ca.SX], substitutions: list[Substitution], constants: list[ca.SX]
+) -> dict[int, ca.SX]:
+    values = dict(independent)
+    for substitution, constant in zip(substitutions, constants, strict=True):
+        total = constant
+        for column, factor in substitution.e.items():
+            if column in values:
+                total = add(total, mul(factor, values[column]))
+        if not total.is_zero():
+            values[substitution.column] = total
+    return values
 
 
 def congruence(M: list[Row], d: int, e: Row) -> None:
@@ -115,13 +126,16 @@ def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
         M[j][i] = M[i][j]
 
 
-def condense(equations: Equations, choice: Elimination) -> Condensed:
-    """Substitutions for every dependent coordinate of the choice: (34) solved for it, so that (32)-(33) become (38)."""
-    structural = [_structural(equations, row, column) for row, column in choice.structural]
-    rows = _reduced_rows(equations, choice, structural)
+def condense(equations: Equations, reduced: Equations, choice: Elimination) -> Condensed:
+    """Substitutions for every dependent coordinate of the choice: (34) solved for it, so that (32)-(33) become (38).
+
+    equations, reduced: as in `Condensed`.
+    """
+    structural = [_structural(reduced, row, column) for row, column in choice.structural]
+    rows = _reduced_rows(reduced, choice, structural)
     entries = {row: reduced.entries for row, reduced in rows.items()}
     loops = Loops(order_blocks(choice.loop_rows, choice.loop_columns, entries), rows)
-    return Condensed(equations, choice, _loop_substitutions(loops) + structural, loops)
+    return Condensed(equations, reduced, choice, _loop_substitutions(loops) + structural, loops)
 
 
 def _structural(equations: Equations, row: int, column: int) -> Substitution:

@@ -67,7 +67,7 @@ def is_tree(system: Condensed, topology: Topology) -> bool:
 def forces_side(system: Condensed) -> Side:
     """Q*, and the accelerations that the constraints impose: the right-hand side of the motion itself."""
     constants = {s.column: s.c_acceleration for s in system.substitutions}
-    return Side(dict(enumerate(system.equations.Q_star)), constants, {})
+    return Side(dict(enumerate(system.reduced.Q_star)), constants, {})
 
 
 def force_side(force: Row) -> Side:
@@ -92,7 +92,7 @@ def tree_solutions(
 
     given: columns of q_i that are not solved for. Raises NoInertia.
     """
-    eq = system.equations
+    eq = system.reduced
     M = [dict(row) for row in eq.M]
     forces = [dict(side.force) for side in sides]
     by_column = {substitution.column: substitution for substitution in system.substitutions}
@@ -130,7 +130,8 @@ def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitu
         if not value.is_zero():
             for column, factor in substitution.e.items():
                 force[column] = add(force.get(column, ZERO), mul(factor, value))
-    congruence(M, d, substitution.e)
+    if M[d]:
+        congruence(M, d, substitution.e)
 
 
 def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:

@@ -129,7 +129,7 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
 
     C_loop: the loop rows before the step; det_loop: the determinant of each block that the step solves.
     """
-    eq, choice = system.equations, system.choice
+    eq, choice = system.reduced, system.choice
     closed_form = _closed_form(system, a)
     outputs = {"q_d_next": closed_form}
     if choice.loop_rows:
@@ -161,7 +161,7 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
 
 def _structural_positions(system: Condensed, known: dict[int, ca.SX]) -> dict[int, ca.SX]:
     """Closed forms of the structural coordinates: each row is solved for its pivot, in order of evaluation."""
-    eq = system.equations
+    eq = system.reduced
     values = dict(known)
     for row, column in system.choice.structural:
         constraint = eq.constraints[row]

@@ -36,46 +36,47 @@ def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], 
 
 def _inertia_force(system: Condensed, a: Arguments) -> ca.SX:
     """M_hat q_i_ddot as S^T M S q_i_ddot."""
-    eq = system.equations
     values = {column: a.q_i_ddot[k] for k, column in enumerate(system.choice.independent)}
-    moved = system.tangent(values)
-    force = {}
-    for row, entries in enumerate(eq.M):
-        force[row] = sum((value * moved[c] for c, value in entries.items() if c in moved), ca.SX(0))
-    return system.project(force)
+    return system.project(system.reduced.inertia(system.tangent(values)))
 
 
-def _tangents(system: Condensed, a: Arguments) -> ca.SX:
-    """dq_d/dq_i (n_d x n_i), the rows of S that belong to q_d."""
-    columns = []
-    for column in system.choice.independent:
-        moved = system.tangent({column: ca.SX(1)})
-        columns.append(ca.vertcat(*(moved.get(c, ca.SX(0)) for c in a.dependent)) if a.dependent else ca.SX(0, 1))
-    return ca.horzcat(*columns)
+def _following(system: Condensed, a: Arguments) -> tuple[list[int], ca.SX, ca.SX]:
+    """(columns, q, q_dot) of the dependent coordinates that have masses or constraints."""
+    placed = system.reduced.placed_columns
+    kept = [k for k, column in enumerate(a.dependent) if column not in placed]
+    return [a.dependent[k] for k in kept], a.q_d[kept], a.q_d_dot[kept]
+
+
+def _tangents(system: Condensed, columns: list[int]) -> ca.SX:
+    """dq_d/dq_i, the rows of S that belong to some of q_d, by column of q."""
+    tangents = [system.tangent({column: ca.SX(1)}) for column in system.choice.independent]
+    return ca.horzcat(*(ca.vertcat(*(moved.get(c, ca.SX(0)) for c in columns)) for moved in tangents))
 
 
 def _by_position(system: Condensed, a: Arguments, force: ca.SX) -> ca.SX:
     total = ca.jacobian(force, a.q_i)
-    if not a.dependent:
+    columns, q_d, q_d_dot = _following(system, a)
+    if not columns:
         return total
-    B = _tangents(system, a)
-    total = total + _product(ca.jacobian(force, a.q_d), B)
-    through_rates = ca.jacobian(force, a.q_d_dot)
+    B = _tangents(system, columns)
+    total = total + _product(ca.jacobian(force, q_d), B)
+    through_rates = ca.jacobian(force, q_d_dot)
     if through_rates.nnz():
-        rates = _dependent_rates(system, a)
-        total = total + _product(through_rates, ca.jacobian(rates, a.q_i) + _product(ca.jacobian(rates, a.q_d), B))
+        rates = _rates(system, a, columns)
+        total = total + _product(through_rates, ca.jacobian(rates, a.q_i) + _product(ca.jacobian(rates, q_d), B))
     return total
 
 
 def _by_velocity(system: Condensed, a: Arguments, force: ca.SX) -> ca.SX:
     """By the chain rule through q_d_dot, or with q_d_dot substituted: for a small system whichever is shorter."""
     total = ca.jacobian(force, a.q_i_dot)
-    if not a.dependent:
+    columns, _, q_d_dot = _following(system, a)
+    if not columns:
         return total
-    chained = total + _product(ca.jacobian(force, a.q_d_dot), _tangents(system, a))
+    chained = total + _product(ca.jacobian(force, q_d_dot), _tangents(system, columns))
     if a.q_i.numel() > SMALL_SYSTEM:
         return chained
-    substituted = ca.jacobian(ca.substitute(force, a.q_d_dot, _dependent_rates(system, a)), a.q_i_dot)
+    substituted = ca.jacobian(ca.substitute(force, q_d_dot, _rates(system, a, columns)), a.q_i_dot)
     return min(chained, substituted, key=_length)
 
 
@@ -84,10 +85,10 @@ def _length(expression: ca.SX) -> int:
     return int(ca.n_nodes(ca.cse(ca.densify(expression))))
 
 
-def _dependent_rates(system: Condensed, a: Arguments) -> ca.SX:
-    """q_d_dot as a function of (q_i, q_d, q_i_dot, t)."""
+def _rates(system: Condensed, a: Arguments, columns: list[int]) -> ca.SX:
+    """q_dot of some dependent coordinates, by column, as a function of (q_i, q_d, q_i_dot, t)."""
     values = system.dependent_velocities({c: a.q_i_dot[k] for k, c in enumerate(system.choice.independent)})
-    return ca.vertcat(*(values.get(c, ca.SX(0)) for c in a.dependent))
+    return ca.vertcat(*(values.get(c, ca.SX(0)) for c in columns))
 
 
 def _product(left: ca.SX, right: ca.SX) -> ca.SX:

@@ -54,11 +54,11 @@ def _fast_rows(system: Condensed, a: Arguments, fast: list[int]) -> Kernel:
     """M_hat_SS - M_hat_SL N and Q_hat_S - M_hat_SL y'': the rows of q_S with q_L'' = y'' - N q_S''."""
     seen = _columns_seen(system, fast)
     crossing = ca.SX.sym("crossing", len(seen) * (1 + len(fast)))
-    forces = system.project(dict(enumerate(system.equations.Q_star)))[fast]
+    forces = system.project(dict(enumerate(system.reduced.Q_star)))[fast]
     sides = []
     for j in range(1 + len(fast)):
         moving = {column: crossing[j * len(seen) + k] for k, column in enumerate(seen)}
-        sides.append(system.project(matrix_times(system.equations.M, moving))[fast])
+        sides.append(system.project(matrix_times(system.reduced.M, moving))[fast])
     inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", crossing=crossing)
     return Kernel(inputs, {"M_bar_SS": ca.densify(ca.horzcat(*sides[1:])), "rhs_S": ca.densify(forces - sides[0])})
 
@@ -67,6 +67,6 @@ def _columns_seen(system: Condensed, fast: list[int]) -> list[int]:
     """Coordinates whose accelerations stand in the rows of q_S of S^T M q''."""
     columns = range(len(system.equations.names))
     accelerations = ca.SX.sym("q_ddot", len(columns))
-    inertia = matrix_times(system.equations.M, {column: accelerations[column] for column in columns})
+    inertia = matrix_times(system.reduced.M, {column: accelerations[column] for column in columns})
     pattern = ca.jacobian_sparsity(system.project(inertia)[fast], accelerations)
     return sorted(set(pattern.get_triplet()[1]))

@@ -9,6 +9,7 @@ from symgen.scene import Scene, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
+from symgen.system.reduced import reduced_equations
 from symgen.system.requested import Requested, requested_by
 from symgen.system.signals import input_units
 from symgen.system.spatial import SpatialSpace
@@ -18,9 +19,14 @@ from symgen.system.topology import Topology, topology_of
 
 @dataclass(frozen=True)
 class System:
-    """A scene as the later stages see it."""
+    """A scene as the later stages see it.
+
+    equations: in all coordinates. reduced: in those of the tree of bodies, with the same columns; in the plane, where
+    all coordinates are the bodies' own, the same.
+    """
 
     equations: Equations
+    reduced: Equations
     parameters: ParameterTable
     topology: Topology
     requested: Requested
@@ -33,7 +39,9 @@ def build_system(scene: Scene) -> System:
     equations = _equations(scene, table, topology)
     equations.measures |= equations.u
     equations.measure_units |= input_units(scene)
-    return System(equations, table, topology, requested_by(scene))
+    spatial = scene.structure is None and scene.space == "spatial"
+    reduced = reduced_equations(scene, table, equations, topology) if spatial else equations
+    return System(equations, reduced, table, topology, requested_by(scene))
 
 
 def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equations:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Protocol
 
 import casadi as ca
 
@@ -20,13 +21,23 @@ from symgen.scene import Scene
 from symgen.system.signals import input_records, input_symbols
 
 
+class InertiaForces(Protocol):
+    """Inertia forces of a tree of frames."""
+
+    def __call__(self, accelerations: Row, moving: bool = True) -> Row:
+        """By column."""
+
+
 @dataclass
 class Equations:
     """What stands in M q_ddot + K q + C_q^T lam = Q_F + Q_v, C = 0: (1)-(2), which are (22)-(23), of a whole scene.
 
     Columns follow `coordinates`; M is symmetric with both triangles stored.
 
-    Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. Energies [J] and powers [W] are scalars.
+    Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
+    frames: accelerations -> M q_ddot - Q_v, or M q_ddot alone; Q_v holds the weight too there, not Q_F.
+    placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
+    Energies [J] and powers [W] are scalars.
     joint_columns: coordinates of joints; gravity: its components [m/s^2]; measure_units: SI unit of each measure.
     u: the entries of the inputs by name, each a symbol.
     """
@@ -53,6 +64,8 @@ class Equations:
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
+    inertia_forces: InertiaForces | None = None
+    placed_columns: frozenset[int] = frozenset()
 
     @cached_property
     def names(self) -> list[str]:
@@ -72,6 +85,23 @@ class Equations:
             add(sub(Q_v, springs.get(row, ZERO)), Q_F)
             for row, (Q_v, Q_F) in enumerate(zip(self.Q_v, self.Q_F, strict=True))
         ]
+
+    def force(self, accelerations: Row) -> list[ca.SX]:
+        """Q* - M x'' for accelerations x'' by column."""
+        if self.inertia_forces is None:
+            inertia = matrix_times(self.M, accelerations)
+            return [sub(value, inertia.get(column, ZERO)) for column, value in enumerate(self.Q_star)]
+        inertia, springs = self.inertia_forces(accelerations), matrix_times(self.K, dict(enumerate(self.q)))
+        return [
+            sub(sub(value, springs.get(column, ZERO)), inertia.get(column, ZERO))
+            for column, value in enumerate(self.Q_F)
+        ]
+
+    def inertia(self, accelerations: Row) -> Row:
+        """M x''."""
+        if self.inertia_forces is None:
+            return matrix_times(self.M, accelerations)
+        return self.inertia_forces(accelerations, moving=False)
 
     @property
     def signals(self) -> dict[str, ca.SX]:

@@ -66,13 +66,16 @@ class SpatialSpace:
             self._markers[reference] = self.bodies[body].marker(point)
         return self._markers[reference]
 
+    def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
+        """Two markers of which only the motion between them counts."""
+        return self.marker(a), self.marker(b)
+
     def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
         """Rows that place a body, prescribe a joint's coordinate, or stand between the markers."""
         a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
         placement = self.topology.placements.get(joint.name)
         if placement is not None:
             own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
-            lead = self.table.of(joint, "lead") if joint.type == "screw" else ZERO
             return placing_rows(
                 joint.name,
                 joint.type,
@@ -82,13 +85,17 @@ class SpatialSpace:
                 self.bodies[placement.child],
                 self.bodies[placement.parent],
                 placement.forward,
-                lead / (2 * math.pi),
+                self._lead(joint),
             )
         label = {"prescribed_angle": "angle", "prescribed_displacement": "travel"}.get(joint.type)
         prescribed = None if label is None else self._between(joint.marker_a, joint.marker_b, label)
         if label is not None and prescribed is not None:
             return [coordinate_row(joint.name, label, prescribed, motion, a)]
         return spatial_rows(joint.name, joint.type, a, b, motion)
+
+    def _lead(self, joint: Joint) -> ca.SX:
+        """Travel of a screw for an angle of one radian."""
+        return self.table.of(joint, "lead") / (2 * math.pi) if joint.type == "screw" else ZERO
 
     def _between(self, a: str, b: str, label: str) -> JointCoordinate | None:
         """The coordinate `label` of a placing joint between two markers."""
@@ -120,17 +127,15 @@ class SpatialSpace:
         found = []
         if turning is not None:
             own = self._coordinates.get(f"{joint.name}.angle")
-            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
             found.append(
-                effects.hinge_friction(a, b, turning)
+                effects.hinge_friction(*self.pair(joint.marker_a, joint.marker_b), turning)
                 if own is None
                 else effects.turning_spring_damper(_angle(own), ZERO, turning, ZERO)
             )
         if sliding is not None:
             own = self._coordinates.get(f"{joint.name}.travel")
-            a, b = self.marker(joint.marker_a), self.marker(joint.marker_b)
             found.append(
-                effects.slide_friction(a, b, sliding, self.motion)
+                effects.slide_friction(*self.pair(joint.marker_a, joint.marker_b), sliding, self.motion)
                 if own is None
                 else effects.turning_spring_damper(_angle(own), ZERO, sliding, ZERO)
             )
@@ -138,10 +143,10 @@ class SpatialSpace:
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
-        first, second = self.marker(a), self.marker(b)
         if kind == "angle":
             own = self._joint_angle(a, b)
-            return effects.angle_about_z(first, second, self.motion).value if own is None else own.value
+            return effects.angle_about_z(*self.pair(a, b), self.motion).value if own is None else own.value
+        first, second = self.pair(a, b) if kind == "distance" else (self.marker(a), self.marker(b))
         d = minus(second.r, first.r)
         return ca.sqrt(dot(d, d)) if kind == "distance" else d["xyz".index(kind)]
 
@@ -152,9 +157,12 @@ class SpatialSpace:
                 self.marker(load.marker), components(load.components, load.name, "xyz", value), load.frame
             )
         if load.type == "torque":
-            reaction = self.marker(load.reaction) if load.reaction else None
-            return effects.torque(self.marker(load.marker), value(load.value, f"{load.name}.value"), reaction)
-        a, b = self.marker(load.marker_a), self.marker(load.marker_b)
+            moment = value(load.value, f"{load.name}.value")
+            if not load.reaction:
+                return effects.torque(self.marker(load.marker), moment, None)
+            acted, reaction = self.pair(load.marker, load.reaction)
+            return effects.torque(acted, moment, reaction)
+        a, b = self.pair(load.marker_a, load.marker_b)
         if load.type == "bushing":
             return effects.bushing(
                 a,

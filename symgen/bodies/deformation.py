@@ -1,0 +1,102 @@
+"""A point of a flexible body and the axes there as its modes move them, in body axes (Eq. 19).
+
+The small rotation psi = sum turn_a q_a turns the axes by the quaternion (1, psi/2) made of unit length: with
+k = 1 + psi.psi / 4, A_psi = 1 + (psi~ + psi~^2 / 2) / k, exactly a rotation, and in body axes
+omega_psi = (psi_dot + psi x psi_dot / 2) / k, whose own rate without q_f_ddot is -(k_dot / k) omega_psi.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg
+from symgen.algebra.vectors import Vector, cross, plus, product, scaled, zeros
+from symgen.bodies.spatial_moments import LocalMotion, Matrix, SpatialPoint
+
+
+@dataclass(frozen=True)
+class Bent:
+    """Place and axes R (by columns) of the point, both by q_f: rho, drho/dq_a = shapes, omega by q_a_dot = turned.
+
+    psi and inverse are zero where no mode turns the axes.
+    rho_dot, omega and the bias terms nu (of rho_ddot) and fading (of omega_dot in body axes) go with q_f_dot.
+    """
+
+    psi: Vector
+    inverse: ca.SX  # 1 / k
+    R: Matrix
+    rho: Vector
+    shapes: list[Vector]
+    turned: list[Vector]
+    rho_dot: Vector
+    nu: Vector
+    omega: Vector
+    fading: Vector
+
+    def on_turns(self, moment: Vector) -> Vector:
+        """(moment + moment x psi / 2) / k: its product with turn_a is the power on `turned` of mode a."""
+        if self.inverse.is_zero():
+            return zeros()
+        return scaled(self.inverse, plus(moment, scaled(ca.SX(0.5), cross(moment, self.psi))))
+
+    def drift(self, omega: Vector) -> Vector:
+        """2 omega x rho_dot + nu: acceleration of the point by moving in a body that turns with omega."""
+        return plus(cross(scaled(ca.SX(2), omega), self.rho_dot), self.nu)
+
+
+@dataclass(frozen=True)
+class Deformation:
+    """A point with the modal coordinates of its body: values, rates and columns of q_f."""
+
+    point: SpatialPoint
+    q_f: Vector
+    q_f_dot: Vector
+    columns: list[int]
+
+    @property
+    def rigid(self) -> bool:
+        """Do the modes leave the point and its axes where they are?"""
+        moved = [component for vectors in (self.point.shapes, self.point.turns) for row in vectors for component in row]
+        return all(component.is_zero() for component in moved) and not self.point.H
+
+    @property
+    def now(self) -> Bent:
+        """With the rates q_f_dot."""
+        return self._bent(self.q_f_dot)
+
+    def at(self, rates: Row) -> Bent:
+        """With rates by column, zero where absent."""
+        return self._bent(self.of(rates))
+
+    def of(self, values: Row) -> Vector:
+        """The modes' own part of a vector by column."""
+        return [values.get(column, ZERO) for column in self.columns]
+
+    def _bent(self, rates: Vector) -> Bent:
+        local = LocalMotion(self.point, self.q_f, rates)
+        kinds = local.rho, local.shapes, local.rho_dot, local.nu
+        if all(component.is_zero() for turn in self.point.turns for component in turn):
+            still = [zeros() for _ in self.columns]
+            return Bent(zeros(), ZERO, self.point.axes, kinds[0], kinds[1], still, kinds[2], kinds[3], zeros(), zeros())
+        psi, rate, half = local.psi, local.psi_dot, ca.SX(0.5)
+        k = add(ONE, mul(ca.SX(0.25), dot(psi, psi)))
+        inverse = div(ONE, k)
+        turned = [scaled(inverse, plus(turn, scaled(half, cross(psi, turn)))) for turn in self.point.turns]
+        omega = scaled(inverse, plus(rate, scaled(half, cross(psi, rate))))
+        fading = scaled(neg(mul(mul(half, dot(psi, rate)), inverse)), omega)
+        R = product(_rotation(psi, inverse), self.point.axes)
+        return Bent(psi, inverse, R, kinds[0], kinds[1], turned, kinds[2], kinds[3], omega, fading)
+
+
+def _rotation(psi: Vector, inverse: ca.SX) -> Matrix:
+    """1 + (psi~ + psi~^2 / 2) / k."""
+    x, y, z = psi
+    tilde = [[ZERO, neg(z), y], [z, ZERO, neg(x)], [neg(y), x, ZERO]]
+    square = product(tilde, tilde)
+    return [
+        [add(ONE if i == j else ZERO, mul(inverse, add(tilde[i][j], mul(ca.SX(0.5), square[i][j])))) for j in range(3)]
+        for i in range(3)
+    ]

@@ -1,0 +1,1 @@
+"""Bodies of a spatial mechanism as a tree of frames, and the recursions along it."""

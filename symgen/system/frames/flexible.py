@@ -1,0 +1,122 @@
+"""Inertia of a flexible body in body axes: how its masses move with omega, alpha, a and the modes (Eq. 20).
+
+With L_a = int rho phi_a^T dm, D_a = sym(L_a) and B_a = ax(L_a) (index a: one mode; ' : rates of q_f):
+
+    force      f = m a + G h + 2 omega x h' + nu_h + sum_a s_a q_a''
+    moment     n = h x a + ax(J G^T) + (tr(E') - E') omega + omega x B' + sum_a B_a q_a''
+    on mode a  s_a.a + B_a.alpha + omega~^2 : D_a + 2 omega . sum_b ax(P_ba) q_b' + sum_b M_ab q_b''
+
+where J = int rho rho^T dm, E' = sum_a 2 D_a q_a', B' = sum_a B_a q_a'.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
+from symgen.algebra.vectors import Vector, combination, cross, minus, plus, scaled, times, zeros
+from symgen.bodies.spatial_moments import SpatialIntegrals, SpatialMoments
+from symgen.system.frames.motion import Composite, Matrix, Motion, Wrench
+
+
+@dataclass(frozen=True)
+class FlexibleInertia:
+    """A flexible body: its integrals, and values and columns of its modal coordinates q_f."""
+
+    data: SpatialIntegrals
+    q_f: Vector
+    columns: list[int]
+
+    @cached_property
+    def _still(self) -> SpatialMoments:
+        return self._moments({})
+
+    def _moments(self, rates: Row) -> SpatialMoments:
+        own = [rates.get(column, ZERO) for column in self.columns]
+        return SpatialMoments(self.data, self.q_f, own, zeros())
+
+    @cached_property
+    def rigid(self) -> Composite:
+        """The body as it is bent."""
+        return Composite(self.data.mass, self._still.h, self._still.J)
+
+    @cached_property
+    def momenta(self) -> dict[int, Wrench]:
+        """s_a and B_a: momentum of the body for a unit rate of each mode, by column."""
+        return {column: Wrench(self._still.s[a], self._still.B[a]) for a, column in enumerate(self.columns)}
+
+    def own_masses(self) -> dict[tuple[int, int], ca.SX]:
+        """Upper triangle of M_ff by columns."""
+        return {
+            (row, column): self.data.M_ff[a][a + b]
+            for a, row in enumerate(self.columns)
+            for b, column in enumerate(self.columns[a:])
+        }
+
+    @cached_property
+    def _doubled(self) -> list[Matrix]:
+        """E_a = L_a + L_a^T = 2 D_a."""
+        return [[[add(L[i][j], L[j][i]) for j in range(3)] for i in range(3)] for L in self._still.L]
+
+    def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
+        """(wrench that moves the masses, generalised force on the modes by column)."""
+        moments, momenta = self._moments(rates), self.momenta
+        speeds = [rates.get(column, ZERO) for column in self.columns]
+        own = [accelerations.get(column, ZERO) for column in self.columns]
+        wrench = self.rigid.inertia_wrench(motion)
+        twice = scaled(ca.SX(2), motion.omega)
+        f = plus(wrench.f, cross(twice, moments.hd), moments.hn, combination(moments.s, own))
+        E = [
+            [total(mul(speed, E_a[i][j]) for speed, E_a in zip(speeds, self._doubled, strict=True)) for j in range(3)]
+            for i in range(3)
+        ]
+        trace = add(add(E[0][0], E[1][1]), E[2][2])
+        spun = minus(scaled(trace, motion.omega), times(E, motion.omega))
+        n = plus(
+            wrench.n,
+            spun,
+            cross(motion.omega, combination(moments.B, speeds)),
+            combination(moments.B, own),
+        )
+        modes = {}
+        for a, column in enumerate(self.columns):
+            value = add(dot(momenta[column].f, motion.a), dot(momenta[column].n, motion.alpha))
+            value = add(value, self._centrifugal(a, motion.omega))
+            value = add(value, dot(twice, moments.Gd[a]))
+            modes[column] = add(value, dot(self.data.M_ff[a], own))
+        return Wrench(f, n), modes
+
+    def _centrifugal(self, a: int, omega: Vector) -> ca.SX:
+        """omega~^2 : D_a = omega.(D_a omega) - (omega.omega) tr(D_a)."""
+        L, E = self._still.L[a], self._doubled[a]
+        result = ZERO
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            result = add(result, mul(mul(omega[i], omega[j]), E[i][j]))
+            square = add(mul(omega[j], omega[j]), mul(omega[k], omega[k]))
+            result = sub(result, mul(square, L[i][i]))
+        return result
+
+
+@dataclass(frozen=True)
+class RigidInertia:
+    """A rigid body, or nothing, at a frame."""
+
+    rigid: Composite
+
+    @property
+    def momenta(self) -> dict[int, Wrench]:
+        """No modes."""
+        return {}
+
+    def own_masses(self) -> dict[tuple[int, int], ca.SX]:
+        """No modes."""
+        return {}
+
+    def inertia_force(self, motion: Motion, rates: Row, accelerations: Row) -> tuple[Wrench, Row]:
+        """(wrench that moves the masses, nothing on modes)."""
+        return self.rigid.inertia_wrench(motion), {}

@@ -1,0 +1,157 @@
+"""What is passed along a tree of frames, all in the axes of the frame it stands at: motions, wrenches, inertia.
+
+A frame moves with the angular velocity omega and the angular acceleration alpha; its origin has the acceleration a. No
+linear velocity occurs. A point fixed at rho has the acceleration a + G rho with G = alpha~ + omega~^2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+
+from symgen.algebra.scalar import ZERO, add, dot, mul, neg, sub
+from symgen.algebra.vectors import Vector, axial, cross, plus, product, scaled, times, zeros
+
+Matrix = list[Vector]
+
+
+@dataclass(frozen=True)
+class Twist:
+    """Motion of a frame for a unit rate of a coordinate: angular velocity, velocity of its origin."""
+
+    omega: Vector
+    v: Vector
+
+
+@dataclass(frozen=True)
+class Wrench:
+    """Force f and moment n about the frame's origin."""
+
+    f: Vector
+    n: Vector
+
+    def along(self, twist: Twist) -> ca.SX:
+        """Power on a twist."""
+        return add(dot(twist.omega, self.n), dot(twist.v, self.f))
+
+    def plus(self, other: Wrench) -> Wrench:
+        """Sum about the same origin."""
+        return Wrench(plus(self.f, other.f), plus(self.n, other.n))
+
+
+NOTHING = Wrench(zeros(), zeros())
+
+
+@dataclass(frozen=True)
+class Motion:
+    """omega, alpha, and the acceleration a of the frame's origin less gravity."""
+
+    omega: Vector
+    alpha: Vector
+    a: Vector
+
+    @cached_property
+    def G(self) -> Matrix:
+        """alpha~ + omega~^2, by rows."""
+        (x, y, z), (ax, ay, az) = self.omega, self.alpha
+        xx, yy, zz, xy, xz, yz = mul(x, x), mul(y, y), mul(z, z), mul(x, y), mul(x, z), mul(y, z)
+        return [
+            [neg(add(yy, zz)), sub(xy, az), add(xz, ay)],
+            [add(xy, az), neg(add(xx, zz)), sub(yz, ax)],
+            [sub(xz, ay), add(yz, ax), neg(add(xx, yy))],
+        ]
+
+    def carried(self, arm: Vector) -> Vector:
+        """Acceleration of the point at `arm`, fixed in the frame."""
+        return plus(self.a, times(self.G, arm))
+
+
+@dataclass(frozen=True)
+class Composite:
+    """Mass m, first moment h = int rho dm and second moments Sigma = int rho rho^T dm about the frame's origin.
+
+    The inertia tensor is tr(Sigma) - Sigma. A shift changes three entries of Sigma where it changes five of the tensor.
+    """
+
+    m: ca.SX
+    h: Vector
+    Sigma: Matrix
+
+    def plus(self, other: Composite) -> Composite:
+        """Of both bodies together, about the same origin."""
+        Sigma = [plus(row, more) for row, more in zip(self.Sigma, other.Sigma, strict=True)]
+        return Composite(add(self.m, other.m), plus(self.h, other.h), Sigma)
+
+    def turned(self, R: Matrix) -> Composite:
+        """In axes in which those of the frame are the columns of R."""
+        half = product(R, self.Sigma)
+        upper = [[dot(half[i], R[j]) if i <= j else ZERO for j in range(3)] for i in range(3)]
+        return Composite(self.m, times(R, self.h), _symmetric(upper))
+
+    def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Composite:
+        """In axes from which the frame's are turned about one of them (16 operations for Sigma)."""
+        i, j, k = (axis + 1) % 3, (axis + 2) % 3, axis
+        h, S = list(self.h), [list(row) for row in self.Sigma]
+        off = add(mul(sine, sub(S[i][i], S[j][j])), mul(cosine, mul(ca.SX(2), S[i][j])))
+        across = mul(sine, off)
+        new: dict[tuple[int, int], ca.SX] = {
+            (i, i): sub(S[i][i], across),
+            (j, j): add(S[j][j], across),
+            (i, j): sub(mul(cosine, off), S[i][j]),
+            (i, k): sub(mul(cosine, S[i][k]), mul(sine, S[j][k])),
+            (j, k): add(mul(sine, S[i][k]), mul(cosine, S[j][k])),
+            (k, k): S[k][k],
+        }
+        for (row, column), value in new.items():
+            S[row][column] = S[column][row] = value
+        h[i], h[j] = turned_back(h[i], h[j], cosine, sine)
+        return Composite(self.m, h, S)
+
+    def shifted(self, arm: Vector) -> Composite:
+        """About the point from which the origin is at `arm`."""
+        h = plus(self.h, scaled(self.m, arm))
+        upper = [
+            [
+                add(self.Sigma[i][j], add(mul(arm[i], self.h[j]), mul(h[i], arm[j]))) if i <= j else ZERO
+                for j in range(3)
+            ]
+            for i in range(3)
+        ]
+        return Composite(self.m, h, _symmetric(upper))
+
+    def momentum(self, twist: Twist) -> Wrench:
+        """Linear momentum and angular momentum about the origin of a twist: int v dm, int rho x v dm."""
+        f = plus(scaled(self.m, twist.v), cross(twist.omega, self.h))
+        return Wrench(f, plus(cross(self.h, twist.v), inertia_times(self.Sigma, twist.omega)))
+
+    def inertia_wrench(self, motion: Motion) -> Wrench:
+        """What moves the masses: f = m a + G h, n = h x a + ax(Sigma G^T)."""
+        f = plus(scaled(self.m, motion.a), times(motion.G, self.h))
+        transposed = [list(column) for column in zip(*motion.G, strict=True)]
+        return Wrench(f, plus(cross(self.h, motion.a), axial(product(self.Sigma, transposed))))
+
+
+def no_masses() -> Composite:
+    """Nothing."""
+    return Composite(ZERO, zeros(), [zeros() for _ in range(3)])
+
+
+def inertia_times(Sigma: Matrix, omega: Vector) -> Vector:
+    """(tr(Sigma) - Sigma) omega, with each diagonal entry of the inertia tensor the sum of two of Sigma."""
+    result = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        own = mul(add(Sigma[j][j], Sigma[k][k]), omega[i])
+        result.append(sub(sub(own, mul(Sigma[i][j], omega[j])), mul(Sigma[i][k], omega[k])))
+    return result
+
+
+def turned_back(x: ca.SX, y: ca.SX, cosine: ca.SX, sine: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Components in the axes from which a frame is turned, from those in the frame."""
+    return sub(mul(cosine, x), mul(sine, y)), add(mul(sine, x), mul(cosine, y))
+
+
+def _symmetric(upper: Matrix) -> Matrix:
+    return [[upper[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]

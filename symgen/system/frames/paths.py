@@ -1,0 +1,208 @@
+"""Ways along frames in the axes of the frame where they begin: where a point is, how it moves, what moves it.
+
+A path begins at a frame that is taken to be at rest: the ground, or the last frame that two bodies have in common.
+"""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.algebra.rows import Row, add_to
+from symgen.algebra.scalar import ONE, ZERO, neg
+from symgen.algebra.vectors import Vector, cross, plus, scaled, zeros
+from symgen.bodies.deformation import Bent
+from symgen.bodies.quaternion_motion import fixed_quaternion
+from symgen.bodies.spatial_body import SpatialMarker
+from symgen.bodies.spatial_orientation import Orientation
+
+Matrix = list[Vector]
+
+
+@dataclass(frozen=True)
+class Cause:
+    """What a unit rate of a coordinate does to all that follows: it turns about an axis, or it slides.
+
+    before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
+    """
+
+    column: int
+    turns: Vector | None
+    slides: Vector | None
+    before: int
+    axis: Vector | None = None
+
+
+@dataclass(frozen=True)
+class Arm:
+    """A piece of the way, along an axis of the frame reached or in no special direction."""
+
+    vector: Vector
+    axis: Vector | None
+
+
+def unit_axis(vector: Vector) -> int | None:
+    """Which unit vector a vector is by structure."""
+    ones = [k for k in range(3) if vector[k].is_one()]
+    zero = [k for k in range(3) if vector[k].is_zero()]
+    return ones[0] if len(ones) == 1 and len(zero) == 2 else None
+
+
+class Path:
+    """The way so far: axes (columns), angular velocity, and what is left of its rates without second derivatives."""
+
+    def __init__(self) -> None:
+        self.axes = [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
+        self.omega, self.alpha = zeros(), zeros()
+        self.r_dot, self.a = zeros(), zeros()
+        self.causes: list[Cause] = []
+        self._arms: list[Arm] = []
+        self._reached = 0  # arms whose end has been given its velocity
+
+    def branch(self) -> Path:
+        """A copy that goes on by itself."""
+        other = copy(self)
+        other.causes, other._arms = list(self.causes), list(self._arms)
+        return other
+
+    def along(self, vector: Vector) -> Vector:
+        """A vector in the axes reached, in those of the beginning."""
+        return plus(*(scaled(value, axis) for value, axis in zip(vector, self.axes, strict=True)))
+
+    # ---- the moves -------------------------------------------------------------------------------------------
+
+    def shift(self, arm: Vector) -> None:
+        """Along an arm in the axes reached."""
+        for value, axis in zip(arm, self.axes, strict=True):
+            if not value.is_zero():
+                self._arms.append(Arm(scaled(value, axis), axis))
+
+    def turn(self, axis: int, cosine: ca.SX, sine: ca.SX) -> None:
+        """Turn the axes about one of them."""
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        first, second = self.axes[i], self.axes[j]
+        self.axes = list(self.axes)
+        self.axes[i] = plus(scaled(cosine, first), scaled(sine, second))
+        self.axes[j] = plus(scaled(neg(sine), first), scaled(cosine, second))
+
+    def turn_by(self, R: Matrix) -> None:
+        """Turn the axes by a rotation, whose columns are the new axes."""
+        self.axes = [self._direction([row[j] for row in R]) for j in range(3)]
+
+    def _direction(self, vector: Vector) -> Vector:
+        """`along`; an axis stays the same object, by which arms along it are known."""
+        place = unit_axis(vector)
+        return self.along(vector) if place is None else self.axes[place]
+
+    def spin(self, column: int, axis: Vector, rate: ca.SX, sign: ca.SX) -> None:
+        """What follows turns about an axis."""
+        self._reach()
+        turns = scaled(sign, axis)
+        spin = scaled(rate, turns)
+        self.causes.append(Cause(column, turns, None, len(self._arms), axis))
+        self.alpha = plus(self.alpha, cross(self.omega, spin))
+        self.omega = plus(self.omega, spin)
+
+    def slide(self, column: int, axis: Vector, rate: ca.SX) -> None:
+        """What follows slides along an axis that turns with the frame."""
+        speed = scaled(rate, axis)
+        self.causes.append(Cause(column, None, axis, len(self._arms)))
+        self.r_dot = plus(self.r_dot, speed)
+        self.a = plus(self.a, scaled(ca.SX(2), cross(self.omega, speed)))
+
+    def orient(self, columns: list[int], turning: Orientation) -> None:
+        """Orientation coordinates of a body; the path has not turned before."""
+        self._reach()
+        self.turn_by(turning.A)
+        for k, column in enumerate(columns):
+            place = unit_axis(turning.body_axes[k])
+            axis = None if place is None else self.axes[place]
+            turns = turning.world_axes[k] if axis is None else axis
+            self.causes.append(Cause(column, turns, None, len(self._arms), axis))
+        self.omega, self.alpha = turning.omega, turning.bias
+
+    def bend(self, columns: list[int], bent: Bent) -> None:
+        """To a marker of a flexible body."""
+        self.shift(bent.rho)
+        self._reach()
+        own, drift = self.along(bent.omega), self._drift(bent)
+        self.a = plus(self.a, drift)
+        self.r_dot = plus(self.r_dot, self.along(bent.rho_dot))
+        self.alpha = plus(self.alpha, cross(self.omega, own), self.along(bent.fading))
+        self.omega = plus(self.omega, own)
+        self._cause(columns, bent, ONE)
+        self.turn_by(bent.R)
+
+    def unbend(self, columns: list[int], bent: Bent) -> None:
+        """From such a marker to the body's frame."""
+        self.turn_by([list(column) for column in zip(*bent.R, strict=True)])
+        self._reach()
+        own = self.along(bent.omega)
+        self.omega = plus(self.omega, scaled(neg(ONE), own))
+        self.alpha = plus(self.alpha, scaled(neg(ONE), plus(cross(self.omega, own), self.along(bent.fading))))
+        self.a = plus(self.a, scaled(neg(ONE), self._drift(bent)))
+        self.r_dot = plus(self.r_dot, scaled(neg(ONE), self.along(bent.rho_dot)))
+        self._cause(columns, bent, neg(ONE))
+        self.shift(scaled(neg(ONE), bent.rho))
+
+    def _drift(self, bent: Bent) -> Vector:
+        speed = self.along(bent.rho_dot)
+        return plus(scaled(ca.SX(2), cross(self.omega, speed)), self.along(bent.nu))
+
+    def _cause(self, columns: list[int], bent: Bent, sign: ca.SX) -> None:
+        for a, column in enumerate(columns):
+            turns, slides = (scaled(sign, self.along(vector)) for vector in (bent.turned[a], bent.shapes[a]))
+            self.causes.append(Cause(column, turns, slides, len(self._arms)))
+
+    def _reach(self) -> None:
+        """The arm so far is done: what turns from here on does not move its end."""
+        if self._reached == len(self._arms):
+            return
+        arm = plus(*(one.vector for one in self._arms[self._reached :]))
+        speed = cross(self.omega, arm)
+        self.r_dot = plus(self.r_dot, speed)
+        self.a = plus(self.a, cross(self.alpha, arm), cross(self.omega, speed))
+        self._reached = len(self._arms)
+
+    # ---- its end ---------------------------------------------------------------------------------------------
+
+    def end(self) -> SpatialMarker:
+        """The motion of the point and the axes that are reached."""
+        self._reach()
+        to_end = [zeros()]  # from the end of each arm to the end of the path, the last one first
+        for arm in reversed(self._arms):
+            to_end.append(plus(arm.vector, to_end[-1]))
+        to_end.reverse()
+        moved: list[Row] = [{}, {}, {}]
+        turned: list[Row] = [{}, {}, {}]
+        for cause in self.causes:
+            parts = [] if cause.turns is None else [cross(cause.turns, self._across(cause, to_end))]
+            parts += [] if cause.slides is None else [cause.slides]
+            for i, value in enumerate(plus(*parts)):
+                add_to(moved[i], cause.column, value)
+            for i, value in enumerate(cause.turns or ()):
+                add_to(turned[i], cause.column, value)
+        none = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
+        return SpatialMarker(
+            to_end[0], self.r_dot, self.a, moved, self.axes, self.omega, turned, self.alpha, None, none
+        )
+
+    def _across(self, cause: Cause, to_end: list[Vector]) -> Vector:
+        """From the cause's axis to the end, without the arms along that axis."""
+        along = [k for k in range(cause.before, len(self._arms)) if self._arms[k].axis is cause.axis is not None]
+        if not along:
+            return to_end[cause.before]
+        total = to_end[along[-1] + 1]
+        for k in reversed(range(cause.before, along[-1])):
+            if k not in along:
+                total = plus(self._arms[k].vector, total)
+        return total
+
+    def point(self, R: Matrix, r: Vector) -> SpatialMarker:
+        """Of a marker fixed in the frame reached, by its place and axes there."""
+        own = self.branch()
+        own.shift(r)
+        own.turn_by(R)
+        return own.end()

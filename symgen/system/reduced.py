@@ -1,0 +1,198 @@
+"""The equations of a spatial mechanism in the coordinates of its tree alone: no row and column for placed bodies.
+
+The columns are those of all coordinates, of which the origins and Euler parameters of placed bodies stay empty. M and
+the inertia forces come from the recursions along the frames; joints that close loops, loads and measures are stated by
+markers whose motion is given by the tree's coordinates. Rows of placing joints stay as they are: they give the placed
+coordinates.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from symgen.algebra.parameters import ParameterTable
+from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.scalar import ONE, ZERO, neg
+from symgen.bodies.deformation import Deformation
+from symgen.bodies.outlines import Picture
+from symgen.bodies.spatial_body import SpatialBody, SpatialMarker
+from symgen.bodies.spatial_integrals import spatial_point
+from symgen.joints.instance import ConstraintRow
+from symgen.scene import Scene
+from symgen.scene.joints import Joint
+from symgen.scene.placing import PLACING
+from symgen.system.equations import Equations
+from symgen.system.frames.body_moves import Bend
+from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
+from symgen.system.frames.linkage import links_of
+from symgen.system.frames.paths import Path
+from symgen.system.frames.skeleton import Skeleton
+from symgen.system.frames.tree import GROUND, FrameTree
+from symgen.system.mechanism import Mechanism
+from symgen.system.spatial import SpatialSpace
+from symgen.system.topology import Topology
+
+
+class ReducedBody:
+    """A body's modal stiffness and damping; its inertia and weight are in the recursions."""
+
+    def __init__(self, body: SpatialBody) -> None:
+        self.stiffness_entries, self.damping_force = body.stiffness_entries, body.damping_force
+        self.elastic_energy = body.elastic_energy
+
+    def mass_entries(self) -> list[tuple[int, int, ca.SX]]:
+        """None here."""
+        return []
+
+    def quadratic_velocity_force(self) -> Row:
+        """None here."""
+        return {}
+
+    def gravity_force(self, gravity: list[ca.SX]) -> Row:
+        """None here."""
+        return {}
+
+    def gravity_potential(self, gravity: list[ca.SX]) -> ca.SX:
+        """None here."""
+        return ZERO
+
+
+class TreeSpace(SpatialSpace):
+    """Markers by the coordinates of the tree. whole: the same mechanism in all coordinates."""
+
+    def __init__(
+        self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology, whole: Equations
+    ) -> None:
+        super().__init__(scene, table, equations, topology)
+        self.whole = whole
+        self._paths: dict[tuple[int, int], Path] = {}
+
+    def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
+        """Its modal stiffness and damping."""
+        body, size = super().add_body(name, columns, q, q_dot)
+        return ReducedBody(body), size
+
+    @cached_property
+    def tree(self) -> FrameTree:
+        """The frames, once all bodies are known."""
+        skeleton = Skeleton(self._number)
+        by_child = {placement.child: placement for placement in self.topology.placements.values()}
+        waiting = [name for name in self.bodies if name != "ground"]
+        placed = {"ground"}
+        joints = {joint.name: joint for joint in self.scene.joints}
+        while waiting:
+            name = next(name for name in waiting if name not in by_child or by_child[name].parent in placed)
+            waiting.remove(name)
+            placed.add(name)
+            body = self.bodies[name]
+            if name not in by_child:
+                skeleton.float(body, getattr(self.scene.body(name), "orientation", "euler_parameters"))
+                continue
+            placement = by_child[name]
+            joint = joints[placement.joint]
+            ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
+            near, far = ends if placement.forward else ends[::-1]
+            own = {key: self._coordinates[f"{joint.name}.{key}"] for key in PLACING[joint.type]}
+            links = partial(links_of, joint.type, own, forward=placement.forward, lead=self._lead(joint))
+            skeleton.place(body, placement.parent, links, near, far)
+        return skeleton.tree()
+
+    def _number(self, value: ca.SX) -> float:
+        """At the default parameters."""
+        defaults = np.array([entry.default for entry in self.table.entries])
+        return float(ca.Function("number", [self.table.vector()], [value])(defaults))
+
+    def _deformation(self, reference: str) -> Deformation:
+        name, point = spatial_point(self.scene, reference, self.table)
+        q = self.bodies[name].coordinates
+        return Deformation(point, q.q_f, q.q_f_dot, q.elastic)
+
+    # ---- markers ---------------------------------------------------------------------------------------------
+
+    def marker(self, reference: str) -> SpatialMarker:
+        """Motion of "body.marker" seen from the ground."""
+        return self._seen_from(GROUND, reference)
+
+    def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
+        """Two markers seen from the last frame that their ways have in common: what is between them needs no more."""
+        base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
+        return self._seen_from(base, a), self._seen_from(base, b)
+
+    def _seen_from(self, base: int, reference: str) -> SpatialMarker:
+        marker = self._deformation(reference)
+        seat = self.tree.seats[reference.partition(".")[0]]
+        path = self._path(base, seat.frame)
+        if marker.rigid:
+            place = seat.place
+            path = path.branch()
+            path.shift(place.r)
+            path.turn_by(place.R)
+            return path.point(marker.point.axes, marker.point.position)
+        path = path.branch()
+        Bend(marker).lead(path)
+        return path.end()
+
+    def _path(self, base: int, frame: int) -> Path:
+        if frame == base:
+            return Path()
+        if (base, frame) not in self._paths:
+            path = self._path(base, self.tree.frames[frame].parent).branch()
+            for move in self.tree.frames[frame].moves:
+                move.lead(path)
+            self._paths[base, frame] = path
+        return self._paths[base, frame]
+
+    def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
+        """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
+        if joint.name in self.topology.placements:
+            return [row for row in self.whole.constraints if row.joint == joint.name]
+        return super().joint_rows(joint, motion)
+
+    def picture(self) -> Picture:
+        """That of all coordinates."""
+        return self.whole.picture
+
+
+def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, topology: Topology) -> Equations:
+    """The equations of a spatial scene in the coordinates of its tree; whole: in all coordinates."""
+    blank = replace(
+        whole,
+        M=[{} for _ in whole.q],
+        K=[{} for _ in whole.q],
+        Q_v=[ZERO] * len(whole.q),
+        Q_F=[ZERO] * len(whole.q),
+        constraints=[],
+        elastic=ca.SX(0),
+        potential=ca.SX(0),
+        dissipated=ca.SX(0),
+        applied=ca.SX(0),
+        measures={},
+        body_columns={},
+        measure_units={},
+        placed_columns=frozenset(
+            column
+            for column, coordinate in enumerate(whole.coordinates)
+            if coordinate.owner in topology.placed and not coordinate.elastic and column not in whole.joint_columns
+        ),
+    )
+    space = TreeSpace(scene, table, blank, topology, whole)
+    equations = Mechanism(scene, table, space, blank, topology).equations
+    equations.M = mass_rows(space.tree, len(equations.q))
+    equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
+    for column, value in equations.inertia_forces({}).items():
+        equations.Q_v[column] = neg(value)
+    return equations
+
+
+def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row, moving: bool = True) -> Row:
+    """By the tree's recursion; not moving: of the accelerations alone, without rates and weight."""
+    base = [neg(component) if moving else ZERO for component in equations.gravity]
+    rates = dict(enumerate(equations.q_dot)) if moving else {}
+    force = inverse_dynamics(tree, base, rates, accelerations)
+    add_scaled(force, ONE, floating_forces(tree, equations.M, base, accelerations))
+    return force
