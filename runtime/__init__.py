@@ -11,7 +11,7 @@ The rooms, from what everything stands on to what stands on everything:
     baselines   established integrators on the same equations
     running     a run: its loop, its checks, singular positions, checkpoints
     gradients   derivatives of a run, and fits by them
-    studies     many runs: stability, work-precision, advice
+    studies     many runs: ensembles, stability, work-precision, advice
     views       what people look at
 
 The names below are the doors; each room is imported when a name of it is first asked for.
@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
     from runtime.studies.advice.auto import simulate
+    from runtime.studies.ensemble.ensemble import ensemble
     from runtime.views import animation, plots
 
 __all__ = [
@@ -71,6 +72,7 @@ __all__ = [
     "animation",
     "augmented_solution",
     "campbell",
+    "ensemble",
     "equilibrium",
     "gradient",
     "linearise",
@@ -117,6 +119,7 @@ _HOMES = {
     "Options": "schemes.options",
     "SchemeError": "schemes.options",
     "simulate": "studies.advice.auto",
+    "ensemble": "studies.ensemble.ensemble",
     "plots": "views",
     "animation": "views",
 }

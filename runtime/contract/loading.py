@@ -38,7 +38,7 @@ def load_model(folder: str | Path) -> Model:
     try:
         texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])
-        return _model(manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
+        return _model(path, manifest, json.loads(texts["data.json"]), module, texts.get("scene.toml", ""))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         if isinstance(error, ModelError):
             raise
@@ -93,7 +93,7 @@ def _module(path: Path, text: str) -> ModuleType:
     return module
 
 
-def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
+def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, scene_toml: str) -> Model:
     found = described(manifest, data["p"])
     names = [coordinate.name for coordinate in found.coordinates]
     return Model(
@@ -104,4 +104,5 @@ def _model(manifest: dict[str, Any], data: dict[str, Any], module: ModuleType, s
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         digest=manifest["sha256"],
         scene_toml=scene_toml,
+        folder=str(path.resolve()),
     )

@@ -25,8 +25,9 @@ class Model:
     description: the records of the contract; the properties below are views of it by name.
     initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
-    digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; "" if
-    not known. input_values, sources: constants and functions of time given for inputs (see `with_inputs`).
+    digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
+    loaded from; "" if not known.
+    input_values, sources: constants and functions of time given for inputs (see `with_inputs`).
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -37,6 +38,7 @@ class Model:
     initial_changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     digest: str = ""
     scene_toml: str = ""
+    folder: str = ""
     input_values: Mapping[str, float] = field(default_factory=dict)
     sources: Mapping[str, ca.Function] = field(default_factory=dict)
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)

@@ -23,6 +23,7 @@ StatusName = Literal[
     "angles_too_fast",
     "integrator_refused",
     "output_failed",
+    "not_assembled",
 ]
 EventKind = Literal["repartition", "singular_position", "no_variant", "checkpoint_failed", "load_missed"]
 

@@ -35,9 +35,13 @@ class Processor(NamedTuple):
 
 
 class Code(NamedTuple):
-    """`run(z, c, w, n)` on addresses; work: entries of w. keep holds what must outlive it."""
+    """`run(z, c, w, n)` and `run_blocks(z, c, w, n, blocks, apart)` on addresses; see llvm_ir.py.
+
+    work: entries of w. keep holds what must outlive it.
+    """
 
     run: Callable[[int, int, int, int], None]
+    run_blocks: Callable[[int, int, int, int, int, int], None]
     work: int
     keep: Any
 
@@ -140,9 +144,10 @@ def linked(code: bytes, processor: Processor) -> Any:
 
 def _loaded(code: bytes, work: int, processor: Processor) -> Code:
     engine = linked(code, processor)
-    address = engine.get_function_address("run")
-    kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)
-    return Code(kind(address), work, engine)
+    arrays = [ctypes.c_void_p] * 3
+    run = ctypes.CFUNCTYPE(None, *arrays, ctypes.c_int64)(engine.get_function_address("run"))
+    whole = ctypes.CFUNCTYPE(None, *arrays, *[ctypes.c_int64] * 3)(engine.get_function_address("run_blocks"))
+    return Code(run, whole, work, engine)
 
 
 @cache

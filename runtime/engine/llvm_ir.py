@@ -1,6 +1,8 @@
 """A step program as LLVM IR, for one run or for several in lanes: the same operations in the same order at every width.
 
     void run(ptr z, ptr c, ptr w, i64 n)        applies the program n times to z; w is a work array
+    void run_blocks(ptr z, ptr c, ptr w, i64 n, i64 blocks, i64 apart)
+                                                the same for so many z and c, each `apart` bytes behind the one before
 
 Entry e of lane l is at [e * width + l]. A short program copies z to a local array and has its stages inlined, so that
 values stay in registers over a step; a long one has stages of several functions, since compilers take quadratic time on
@@ -30,6 +32,27 @@ class Form(NamedTuple):
     inline: bool = True
 
 
+RUN_BLOCKS = """
+define void @run_blocks(ptr %z, ptr %c, ptr %w, i64 %n, i64 %blocks, i64 %apart) nounwind {
+entry:
+  br label %head
+head:
+  %k = phi i64 [ 0, %entry ], [ %next, %body ]
+  %go = icmp slt i64 %k, %blocks
+  br i1 %go, label %body, label %done
+body:
+  %offset = mul i64 %k, %apart
+  %zk = getelementptr i8, ptr %z, i64 %offset
+  %ck = getelementptr i8, ptr %c, i64 %offset
+  call void @run(ptr %zk, ptr %ck, ptr %w, i64 %n)
+  %next = add i64 %k, 1
+  br label %head
+done:
+  ret void
+}
+"""
+
+
 def program_ir(program: Program, tapes: dict[str, Tape], form: Form) -> tuple[str, int]:
     """(IR text of the module, entries of the work array); tapes: of the stages by name."""
     operations = Operations(form.width, form.mathematics, form.inline)
@@ -42,7 +65,7 @@ def program_ir(program: Program, tapes: dict[str, Tape], form: Form) -> tuple[st
         parts += functions
         work = max(work, entries)
     size = program.stages()[0].size1_in(0)
-    parts.append(_run(operations.lanes, control.loops, body, size, form.inline))
+    parts += [_run(operations.lanes, control.loops, body, size, form.inline), RUN_BLOCKS]
     return "\n".join(parts), work
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
 from runtime.contract.model import Model
+from runtime.operating.assembly import closable, closed_state
 
 
 def given_position(
@@ -42,7 +43,20 @@ def given_state(
         for k, name in enumerate(model.coordinates):
             q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
         return ConsistentState(q, q_dot, {})
+    if closable(model) and keeps_independent(model, coordinates, rates):
+        q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
+        for k, name in enumerate(model.coordinates):
+            q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
+        i, d = model.independent_columns, model.dependent_columns
+        found = closed_state(model, c, t0, q[i], q_dot[i], q[d])
+        if found is not None:
+            return found
     return _assembled(model, c, t0, coordinates, rates)
+
+
+def keeps_independent(model: Model, coordinates: Iterable[str], rates: Iterable[str]) -> bool:
+    """Are the coordinates, and those of the rates, all independent ones? Then q_d follows from the closure."""
+    return {*coordinates, *rates} <= set(model.q_i)
 
 
 def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:

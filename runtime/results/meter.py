@@ -10,12 +10,13 @@ PERIOD = 0.1  # s between updates
 
 
 class Meter:
-    """Call it with (time reached, end time) [s]; `close` wipes the line.
+    """Call it with (time reached, end time) [s], or with numbers of what is `counted`; `close` wipes the line.
 
     In a notebook the line is an output of the cell; elsewhere it is on standard error, on a terminal only.
     """
 
-    def __init__(self, label: str, stream: TextIO | None = None) -> None:
+    def __init__(self, label: str, stream: TextIO | None = None, counted: str = "") -> None:
+        self._counted = counted
         self._label, self._stream = label, stream if stream is not None else sys.stderr
         self._cell = _cell() if stream is None else None
         self._active = self._cell is not None or self._stream.isatty()
@@ -28,7 +29,8 @@ class Meter:
             self._first = (now, t)
         if self._active and now - self._last >= PERIOD:
             self._last = now
-            self._write(progress_text(self._label, t, t_end, now - self._first[0], t - self._first[1]))
+            spent, done = now - self._first[0], t - self._first[1]
+            self._write(progress_text(self._label, t, t_end, spent, done, self._counted))
 
     def note(self, text: str) -> None:
         """Show what is being done."""
@@ -56,14 +58,18 @@ class Meter:
         self.close()
 
 
-def progress_text(label: str, t: float, t_end: float, spent: float, done: float) -> str:
-    """The line at time t [s] of t_end, `spent` seconds after the first `done` seconds ago in the motion."""
+def progress_text(label: str, t: float, t_end: float, spent: float, done: float, counted: str = "") -> str:
+    """The line at time t [s] of t_end, `spent` seconds after the first `done` seconds ago in the motion.
+
+    counted: what t and t_end are numbers of, instead of seconds.
+    """
     part = min(max(t / t_end, 0.0), 1.0) if t_end > 0 else 1.0
     bar = "#" * round(30 * part)
-    text = f"{label} [{bar:<30}] {100 * part:5.1f} %  t = {t:.4g} s"
+    where = f"{t:.0f} of {t_end:.0f} {counted}" if counted else f"t = {t:.4g} s"
+    text = f"{label} [{bar:<30}] {100 * part:5.1f} %  {where}"
     if done <= 0 or spent <= 0:
         return text
-    return f"{text}  {done / spent:.3g} s a second, {_clock((t_end - t) * spent / done)} left"
+    return f"{text}  {done / spent:.3g} {counted or 's'} a second, {_clock((t_end - t) * spent / done)} left"
 
 
 def _clock(seconds: float) -> str:

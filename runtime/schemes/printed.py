@@ -31,12 +31,12 @@ from runtime.schemes.common_update import (
 )
 from runtime.schemes.differences import replaced, velocity
 from runtime.schemes.options import one_of, tolerances, whole_number
+from runtime.schemes.scheme import LARGEST
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
 from runtime.schemes.state_fields import StateField, control, work
 from runtime.schemes.sub_step import Known, at_sub_step, rows
 
-LARGEST = 1e300
 RUN_AWAY = 1e6  # increments [m or rad] of a step that were out of hand before the sweep
 
 
@@ -132,7 +132,7 @@ class Printed(CentralDifference):
     def _guess(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         guess = starting_guess(self.options.guess, z["d"], z["a"], self.steps(equations))
         changes = LARGEST * ca.SX.ones(len(self.grid.groups))
-        return {"a": guess, "unconverged": ca.SX(1), "change": changes}
+        return {"a": guess, "unconverged": self.alive(z), "change": changes}
 
     def _sweep(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         motion, v = self._now_swept(z, equations)

@@ -22,6 +22,7 @@ from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations,
 from runtime.schemes.state_fields import Lasting, StateField, account, given, state
 from runtime.schemes.step_limit import StepLimit
 
+LARGEST = 1e300  # more than any number of a motion
 OBSERVED = ("t", "q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "q_d_ddot")
 Body = Callable[[Fields, StageEquations], Mapping[str, ca.SX]]
 
@@ -173,6 +174,10 @@ class Scheme(ABC):
     def now(self, z: Fields, equations: StageEquations) -> ca.SX:
         """Time at the end of the last major step."""
         return z["t0"] + z["n"] * equations.h[0]
+
+    def alive(self, z: Fields) -> ca.SX:
+        """1 where all of x is finite: whose x is lost has nothing to iterate for. Tested once a step."""
+        return ca.sum1(ca.fabs(z["x"])) < LARGEST
 
     def zeros(self) -> dict[str, ca.SX]:
         """All fields of z, zero."""

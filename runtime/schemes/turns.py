@@ -37,9 +37,12 @@ def watch_turns(scheme: Scheme) -> None:
 def begin_turns(scheme: Scheme, z: np.ndarray) -> None:
     """Count anew from a state z (at least the scheme's part, flat)."""
     if "turn" in scheme.layout.sizes:
-        x = z[scheme.layout.slice("x")]
-        outer = [x[position] for angles, _ in _bodies(scheme.model) for position in (angles[0], angles[2])]
-        z[scheme.layout.slice("angles_before")] = outer
+        z[scheme.layout.slice("angles_before")] = z[scheme.layout.slice("x")][outer_angles(scheme.model)]
+
+
+def outer_angles(model: Model) -> list[int]:
+    """Positions in q_i of the first and the last angle of each such body."""
+    return [position for angles, _ in _bodies(model) for position in (angles[0], angles[2])]
 
 
 def turn_of(scheme: Scheme, z: np.ndarray) -> float:

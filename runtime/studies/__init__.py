@@ -1,1 +1,1 @@
-"""Studies made of many runs: stability, work-precision, advice."""
+"""Studies made of many runs: ensembles, stability, work-precision, advice."""

@@ -24,6 +24,7 @@ from symgen.cli import (
     show,
     simulate,
     stability,
+    sweep,
     view,
 )
 from symgen.cli.arguments import Parser
@@ -35,6 +36,7 @@ COMMANDS = (
     generate,
     simulate,
     resume,
+    sweep,
     view,
     plot,
     compare,

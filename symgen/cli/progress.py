@@ -12,6 +12,6 @@ class Progress(Meter):
 
     silenced = False
 
-    def __init__(self, label: str, stream: TextIO | None = None) -> None:
-        super().__init__(label, stream)
+    def __init__(self, label: str, stream: TextIO | None = None, counted: str = "") -> None:
+        super().__init__(label, stream, counted)
         self._active = self._active and not Progress.silenced

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import runpy
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -254,3 +255,19 @@ def test_floating_frame(said) -> None:
     assert found == pytest.approx([one, two, three], rel=2e-3)
     *masses, exact = line(text, "modal masses M_SS")
     assert masses == pytest.approx([exact] * 3, rel=2e-3)
+
+
+def test_monte_carlo(said) -> None:
+    """Every case comes to its end; speed decides, and the linear fit leaves no more than a few percent unexplained."""
+    text = said("monte_carlo")
+    assert text.startswith("2000 of 2000 cases")
+    middle, _, low, high = line(text, "peak deflection")
+    assert 0 < low < middle < high < 1.2 * middle
+    speed, *others = (numbers(row.partition(":")[2])[0] for row in text.splitlines()[2:])
+    assert speed > 90 and 95 < speed + sum(others) < 101
+
+
+@pytest.mark.skipif(find_spec("distributed") is None, reason="needs the extra dask: pip install 'symgen[dask]'")
+def test_ensemble_on_dask(said) -> None:
+    """A cluster of two processes gives the bits of one."""
+    assert said("ensemble_on_dask").splitlines() == ["2 workers, 6000 cases", "equal bit for bit: True"]

@@ -101,7 +101,7 @@ class AlphaMethod(Scheme):
     # ---- a step ---------------------------------------------------------------------------------------------
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return {"q_ddot_old": z["q_ddot"], "unconverged": ca.SX(1)}
+        return {"q_ddot_old": z["q_ddot"], "unconverged": self.alive(z)}
 
     def _moved(self, z: Fields, w: ca.SX, h: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
         """(q, v, a) at the end of the step for q'' = w there."""

@@ -154,7 +154,7 @@ class Radau(OneStep):
             "K": _stacked(AHEAD, K),
             "loop_stages": _stacked(LOOP_AHEAD, [z["loop_last"], *loops]),
             "loop_last": equations.loop_part(motion.q_d),
-            "unconverged": ca.SX(1),
+            "unconverged": self.alive(z),
             "correction": ca.SX(0),
             "iterations": z["iterations"] + 1,
         }

@@ -1,0 +1,174 @@
+"""Runs in lanes of one question: compiled once, then any cases, from any number of threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.engine.ensemble_code import blocks_of
+from runtime.studies.ensemble.account import cause_of
+from runtime.studies.ensemble.lane_programs import LanePrograms
+from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
+from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.starts import Starts
+
+BLOCKS = 16  # that a native call runs one after another
+SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
+LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
+
+
+@dataclass(frozen=True)
+class LaneResults:
+    """Of some cases: values (cases, width), names of how they ended, steps reached; alone: to be run by themselves."""
+
+    values: np.ndarray
+    status: np.ndarray
+    reached: np.ndarray
+    alone: np.ndarray
+
+
+class LaneRuns:
+    """Runs in lanes; width: how many go side by side (None: as this machine has it)."""
+
+    def __init__(self, model: Model, question: Question, width: int | None = None) -> None:
+        self.question = question
+        self.programs = LanePrograms(model, question, width)
+        self.steps = self.programs.plan.steps
+        self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
+
+    @property
+    def job(self) -> int:
+        """Cases of a job: what one thread runs at a time."""
+        return BLOCKS * self.programs.width
+
+    def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
+        """All runs of these cases; None if `stopped` said so on the way."""
+        blocks, cases = self.begun(starts), len(starts.close)
+        alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
+        watch = _Watch(self._looked(blocks, cases))
+        samples, done = self._first_samples(blocks, cases), 0
+        for step, looking, sampled in self._stations():
+            while done < step:
+                if stopped():
+                    return None
+                n = min(step - done, self._longest(len(blocks)))
+                self.advance(blocks, n)
+                done += n
+            if sampled >= 0:
+                samples[:, :, sampled] = self._observed(blocks, cases)
+            if looking:
+                watch.look(self._looked(blocks, cases), step)
+        return self._found(blocks, samples, watch, alone, starts.impossible)
+
+    def begun(self, starts: Starts) -> np.ndarray:
+        """Blocks of rows at step 0, case after case; lanes left over repeat the last case."""
+        programs, cases = self.programs, len(starts.close)
+        blocks = blocks_of(-(-cases // programs.width), programs.row.size, programs.width)
+        rows = np.minimum(np.arange(len(blocks) * programs.width), cases - 1)
+
+        def put(name: str, values: np.ndarray, first: int = 0) -> None:
+            place = programs.row.slice(name).start + first
+            table = values.reshape(len(blocks), programs.width, -1)
+            blocks[:, place : place + table.shape[2], :] = table.transpose(0, 2, 1)
+
+        blocks[:, programs.row.slice("p"), :] = starts.p[:, None]
+        blocks[:, programs.row.slice("t"), :] = programs.plan.t0
+        blocks[:, programs.row.slice("h"), :] = np.array(programs.plan.grid.h)[:, None]
+        for position, values in starts.varied.items():
+            put("p", values[rows], position)
+        for name in ("q_i", "q_i_dot", "q_d", "close"):
+            put(name, getattr(starts, name)[rows])
+        programs.begin.run(blocks, 0, 0, 1)
+        return blocks
+
+    def advance(self, blocks: np.ndarray, steps: int) -> None:
+        """Make major steps."""
+        self.programs.steps.run(blocks, self._z, self._c, steps)
+
+    def values(self, blocks: np.ndarray, cases: int, name: str) -> np.ndarray:
+        """A field of all rows (cases, size), a copy."""
+        part = blocks[:, self.programs.rows_of(name), :].transpose(0, 2, 1)
+        return part.reshape(-1, part.shape[2])[:cases].copy()
+
+    def _observed(self, blocks: np.ndarray, cases: int) -> np.ndarray:
+        self.programs.observe.run(blocks, 0, 0, 1)
+        return self.values(blocks, cases, "outputs")
+
+    def _looked(self, blocks: np.ndarray, cases: int) -> np.ndarray:
+        self.programs.look.run(blocks, 0, 0, 1)
+        return self.values(blocks, cases, "look").T
+
+    def _stations(self) -> list[tuple[int, bool, int]]:
+        """(step, is it a look?, number of the sample, -1 for none), in order."""
+        looks = set(self.question.looks(self.steps))
+        marks = [] if self.question.reduced else self.question.marks(self.steps)
+        samples = {step: k for k, step in enumerate(marks) if step}
+        return [(step, step in looks, samples.get(step, -1)) for step in sorted(looks | samples.keys())]
+
+    def _longest(self, blocks: int) -> int:
+        """Steps of a native call."""
+        seconds = SECONDS_PER_OPERATION * self.programs.operations * self.programs.width * blocks
+        return max(1, int(LONGEST_CALL / seconds))
+
+    def _first_samples(self, blocks: np.ndarray, cases: int) -> np.ndarray:
+        """Room for samples (cases, outputs, times), the first of them there; none where values are reduced."""
+        if self.question.reduced:
+            return np.zeros((cases, 0, 0))
+        samples = np.empty((cases, len(self.question.outputs), len(self.question.marks(self.steps))))
+        samples[:, :, 0] = self.values(blocks, cases, "outputs")
+        return samples
+
+    def _found(
+        self, blocks: np.ndarray, samples: np.ndarray, watch: _Watch, alone: np.ndarray, impossible: np.ndarray
+    ) -> LaneResults:
+        """Status and values; what is not known is NaN."""
+        cases = len(alone)
+        status = cause_of(self.values(blocks, cases, "causes")[:, 0])
+        reached = self.values(blocks, cases, "reached")[:, 0].astype(int)
+        seen = (watch.wrong >= 0) & (status == "completed")
+        status[seen], reached[seen] = np.array(FOUND)[watch.wrong[seen]], watch.good[seen]
+        status[impossible], reached[impossible] = "not_assembled", 0
+        alone = (alone | (status == "singular")) & ~impossible
+        failed = status != "completed"
+        if self.question.reduced:
+            kept = self._reduced(blocks, cases)
+            kept[failed] = np.nan
+            return LaneResults(kept, status, reached, alone)
+        late = np.array(self.question.marks(self.steps))[None, :] > reached[:, None]
+        samples[np.broadcast_to((late & failed[:, None])[:, None, :], samples.shape)] = np.nan
+        samples[impossible] = np.nan
+        return LaneResults(samples.reshape(cases, -1), status, reached, alone)
+
+    def _reduced(self, blocks: np.ndarray, cases: int) -> np.ndarray:
+        """(cases, values): sums as means, and values at the end as a run by itself shows them."""
+        kept, end = self.values(blocks, cases, "reduced"), self._observed(blocks, cases)
+        for k, (output, reduction) in enumerate(self.question.reduced):
+            if reduction == "end":
+                kept[:, k] = end[:, self.question.outputs.index(output)]
+            elif reduction in ("mean", "rms"):
+                kept[:, k] = finished(reduction, kept[:, k], self.steps + 1)
+        return kept
+
+
+class _Watch:
+    """What looks have found of each lane: wrong, a position in FOUND or -1; good, the step of the last good look."""
+
+    def __init__(self, start: np.ndarray) -> None:
+        self._start, self._largest = start, start[FIELDS.index("moving")].copy()
+        self.wrong = judged(start, start, self._largest, 0)
+        self.good = np.zeros(start.shape[1], dtype=int)
+
+    def look(self, now: np.ndarray, step: int) -> None:
+        """Values of FIELDS (6, n) after so many steps."""
+        found = judged(now, self._start, self._largest, step)
+        self.wrong = np.where(self.wrong < 0, found, self.wrong)
+        self.good[self.wrong < 0] = step
+
+
+def finished(reduction: str, kept: np.ndarray, samples: int) -> np.ndarray:
+    """A sum over samples as a mean or root of the mean square."""
+    mean = kept / samples
+    return np.sqrt(mean) if reduction == "rms" else mean

@@ -1,0 +1,116 @@
+"""Looks at the state of all lanes a few times a run: what steps do not notice, by the limits of runtime/running/checks.
+
+constraint    largest C of the observed state, of its limit                        above 1: constraints_lost
+pivot         least pivot of M_hat = L D L^T                                       not above 0: mass_not_positive
+bent          largest deflection of a flexible body, of its limit                  above 1: deflection_too_large
+growth        largest increment of a step, of its limit                            above 1: diverged
+moving, total kinetic + elastic, and whole energy, where nothing does work [J]     see Energy: diverged
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.contract.status import StatusName
+from runtime.contract.units import length_rows
+from runtime.running.checks.check import observed
+from runtime.running.checks.constraints import CONSTRAINT_LIMIT
+from runtime.running.checks.deflection import MOST_DEFLECTION, MOST_TURN
+from runtime.running.checks.energy import ENERGY_LIMIT, SETTLED
+from runtime.running.checks.growth import GROWTH_LIMIT
+from runtime.schemes.scheme import Scheme
+
+FIELDS = ("constraint", "pivot", "bent", "growth", "moving", "total")
+LARGE = 20  # coordinates of q_i: above, M_hat is not factorised
+FOUND: tuple[StatusName, ...] = ("mass_not_positive", "constraints_lost", "deflection_too_large", "diverged")
+
+
+def looked(model: Model, scheme: Scheme, length: float, p: ca.SX, z: ca.SX, c: ca.SX) -> Mapping[str, ca.SX]:
+    """The values of FIELDS at the scheme's part of z; c as the scheme's stages read it, p: parameters."""
+    seen = scheme.observer(z=z, c=c)
+    found = {"constraint": ca.SX(0), "pivot": ca.SX(1), "bent": ca.SX(0), "moving": ca.SX(0), "total": ca.SX(0)}
+    if model.constraints and model.has("constraints"):
+        C, _ = observed(model, scheme, "constraints", ("C", "C_q"))(z, c)
+        found["constraint"] = _largest(C / (CONSTRAINT_LIMIT * np.where(length_rows(model), length, 1.0)))
+    if len(model.q_i) <= LARGE:
+        M_hat = model.evaluate("condensed", **{**seen, "c": c[: model.c_size]})["M_hat"]
+        found["pivot"] = _least_pivot(ca.SX(M_hat))
+    if model.conservative:
+        parts = observed(model, scheme, "energy", ("kinetic", "elastic", "potential"))(z, c)
+        found["moving"], found["total"] = parts[0] + parts[1], parts[0] + parts[1] + parts[2]
+    found["bent"] = _bent(model, p, seen["q_i"], seen["q_d"])
+    found["growth"] = _largest(seen["q_i_dot"] * ca.DM(scheme.step_sizes)) / GROWTH_LIMIT
+    return found
+
+
+def judged(now: np.ndarray, start: np.ndarray, largest: np.ndarray, step: int) -> np.ndarray:
+    """Position in FOUND, -1 where nothing is wrong, of lanes whose FIELDS are now (6, n) and were at the start.
+
+    largest (n,): kinetic and elastic energy seen until now, brought up to date; step: major steps done.
+    """
+    constraint, pivot, bent, growth, moving, total = now
+    with np.errstate(invalid="ignore"):  # of lanes that are lost
+        spurious = total - start[5]
+        np.maximum(largest, moving - np.maximum(spurious, 0.0), out=largest)
+    wrong = np.full(now.shape[1], -1)
+    early = (step < SETTLED) & (start[4] < ENERGY_LIMIT * largest)
+    grown = (growth > 1) | ((spurious > ENERGY_LIMIT * largest) & (largest > 0) & ~early)
+    for name, found in (
+        ("diverged", grown),
+        ("deflection_too_large", bent > 1),
+        ("constraints_lost", ~(constraint <= 1)),
+        ("mass_not_positive", ~(pivot > 0)),
+    ):
+        wrong[found] = FOUND.index(name)
+    return wrong
+
+
+def _largest(values: ca.SX) -> ca.SX:
+    """Of the magnitudes; NaN where one of them is none."""
+    return ca.norm_inf(values) + 0 * ca.sum1(values)
+
+
+def _least_pivot(M: ca.SX) -> ca.SX:
+    """Of the elimination of a symmetric matrix (n x n) without exchanges."""
+    n, least = M.size1(), None
+    for k in range(n):
+        pivot = M[k, k]
+        least = pivot if least is None else ca.fmin(least, pivot)
+        for i in range(k + 1, n):
+            factor = M[i, k] / pivot
+            for j in range(k + 1, i + 1):
+                M[i, j] = M[j, i] = M[i, j] - factor * M[j, k]
+    assert least is not None
+    return least
+
+
+def _bent(model: Model, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
+    """The largest deflection or turn of a drawn point of a flexible body, of its limit."""
+    if not model.elastic or not model.has("geometry"):
+        return ca.SX(0)
+    q = ca.SX(len(model.coordinates), 1)
+    for columns, values in ((model.independent_columns, q_i), (model.dependent_columns, q_d)):
+        for position, place in enumerate(columns):
+            q[int(place)] = values[position]
+    drawn = model.kernel("geometry")(p=p)
+    points: dict[str, list[tuple[int, int, int]]] = {}
+    first = 0
+    for k, point in enumerate(model.description.drawing.points):
+        if point.modes:
+            points.setdefault(point.body, []).append((k, first, first + point.modes))
+            first += point.modes
+    worst = ca.SX(0)
+    for body, own in points.items():
+        modes = [k for k, one in enumerate(model.description.coordinates) if one.elastic and one.owner == body]
+        places = ca.horzcat(*(drawn["positions"][:, k] for k, _, _ in own))
+        extent = ca.vertcat(*(ca.mmax(places[axis, :]) - ca.mmin(places[axis, :]) for axis in range(3)))
+        length = ca.norm_2(extent)
+        for _, start, stop in own:
+            moved = ca.norm_2(ca.mtimes(drawn["shapes"][:, start:stop], q[modes])) / (MOST_DEFLECTION * length)
+            turned = ca.norm_2(ca.mtimes(drawn["turns"][:, start:stop], q[modes])) / MOST_TURN
+            worst = ca.fmax(worst, ca.fmax(ca.if_else(length > 0, moved, 0), turned))
+    return worst

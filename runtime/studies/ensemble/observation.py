@@ -1,0 +1,175 @@
+"""Outputs of a run in lanes, as stages behind the step: the values of runtime/results/observe.py, bit for bit.
+
+Each function of the model is called on entries of z, never on expressions of another one, since what CasADi simplifies
+across them would round differently.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from runtime.contract.model import Model, ModelError
+from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
+from runtime.engine.program import Sequence as InSequence
+from runtime.results.observe import CLOSED, MOST_CLOSURES
+from runtime.results.samples import FORCE_PARTS
+from runtime.schemes.scheme import LARGEST, Scheme
+
+ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
+ORDERS = ("", "_dot", "_ddot")
+KERNELS = ("energy", "measures", "reactions")
+
+
+@dataclass(frozen=True)
+class Column:
+    """An output: entry `position` of the output `part` of a kernel; "state": of q, q_dot or q_ddot (part: suffix)."""
+
+    kernel: str
+    part: str
+    position: int = 0
+
+
+def column(model: Model, name: str) -> Column:
+    """What an output is called by, as in `simulate`. Raises ModelError for an unknown name."""
+    found = {**_reactions(model), **_quantities(model)}.get(name)
+    if found is None:
+        known = [*model.coordinates, *model.measures, *ENERGIES]
+        listed = ", ".join(known[:24]) + (", ..." if len(known) > 24 else "")
+        raise ModelError(
+            f"output {name!r}",
+            f"model {model.name} has none of this name that an ensemble computes",
+            f"take one of {listed}, rates `_dot`, accelerations `_ddot`, `lam.row`, or a joint's force",
+        )
+    if found.kernel == "reactions" and model.redundant:
+        raise ModelError(
+            f"output {name!r}",
+            f"model {model.name} has redundant constraints, whose reactions need a choice that lanes do not make",
+            "leave it out, or simulate the cases that matter one by one",
+        )
+    return found
+
+
+def _quantities(model: Model) -> dict[str, Column]:
+    """Energies, measures and coordinates by name; of two that share a name, the last counts."""
+    found: dict[str, Column] = {}
+    if model.has("energy"):
+        found |= {f"{prefix}{name}": Column("energy", name) for name in ENERGIES for prefix in ("", "energy.")}
+    for k, name in enumerate(model.measures):
+        found |= {f"{prefix}{name}": Column("measures", "measures", k) for prefix in ("", "measure.")}
+    for k, name in enumerate(model.coordinates):
+        found |= {f"{name}{suffix}": Column("state", suffix, k) for suffix in ORDERS}
+    return found
+
+
+def _reactions(model: Model) -> dict[str, Column]:
+    """Multipliers and joint forces by name."""
+    if not model.constraints or not model.has("reactions"):
+        return {}
+    found = {f"lam.{row}": Column("reactions", "lam", k) for k, row in enumerate(model.constraints)}
+    parts = FORCE_PARTS[int(model.kernel("reactions").size1_out("joint_forces"))]
+    for k, joint in enumerate(model.joints):
+        found |= {
+            f"{joint}.{part}": Column("reactions", "joint_forces", k * len(parts) + axis)
+            for axis, part in enumerate(parts)
+        }
+    return found
+
+
+class Observation:
+    """Outputs by name of a scheme on a model; fields: what they add to z; program(layout, c_size): the stages."""
+
+    def __init__(self, model: Model, scheme: Scheme, names: Sequence[str]) -> None:
+        self.model, self.scheme = model, scheme
+        self.columns = [column(model, name) for name in names]
+        self.kernels = [name for name in KERNELS if any(one.kernel == name for one in self.columns)]
+        needed = {one.part for one in self.columns if one.kernel == "state" and self._dependent(one)}
+        read = {name for kernel in self.kernels for name in model.kernel(kernel).name_in()}
+        self.dependent = [suffix for suffix in ORDERS if suffix in needed or f"q{suffix}" in read]
+        independent = {one.part for one in self.columns if one.kernel == "state"} | set(self.dependent)
+        self.independent = [suffix for suffix in ORDERS if suffix in independent or f"q{suffix}" in read]
+        if model.q_d and scheme.closes and model.loop_unknowns and self.dependent:
+            # the closure is looked at again, with the rates that follow from it
+            self.dependent = [suffix for suffix in ORDERS if suffix in {"", "_dot", *self.dependent}]
+            self.independent = [suffix for suffix in ORDERS if suffix in {"", "_dot", *self.independent}]
+            self.closes = True
+        else:
+            self.closes = False
+
+    def _dependent(self, one: Column) -> bool:
+        return self.model.coordinates[one.position] in self.model.q_d
+
+    @property
+    def fields(self) -> dict[str, int]:
+        """What is kept in z: the coordinates that are looked at, and the outputs."""
+        found = {"seen_t": 1, "seen_open": 1}
+        found |= {f"seen_i{suffix}": len(self.model.q_i) for suffix in self.independent}
+        found |= {f"seen_d{suffix}": len(self.model.q_d) for suffix in self.dependent}
+        return {**found, "outputs": len(self.columns)}
+
+    def program(self, layout: Layout, c_size: int) -> Program:
+        """Observe, close, evaluate: z has a field `scheme`, c begins with what the scheme's stages read."""
+        parts: list[Program] = [make_stage("observed", layout, c_size, self._observed)]
+        if self.closes:
+            body = InSequence(
+                (
+                    make_stage("observed_closure", layout, c_size, self._closed),
+                    make_stage("observed_rates", layout, c_size, self._rates),
+                )
+            )
+            parts.append(Until(body, layout.slice("seen_open").start, MOST_CLOSURES, 1))
+        parts += [self._kernel_stage(layout, c_size, name) for name in self.kernels]
+        if any(one.kernel == "state" for one in self.columns):
+            parts.append(make_stage("observed_state", layout, c_size, self._states))
+        return InSequence(tuple(parts))
+
+    def _observed(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+        seen = self.scheme.observer(z=z["scheme"], c=c[: self.scheme.c_size])
+        found = {f"seen_i{suffix}": seen[f"q_i{suffix}"] for suffix in self.independent}
+        found |= {f"seen_d{suffix}": seen[f"q_d{suffix}"] for suffix in self.dependent}
+        return {**found, "seen_t": seen["t"], "seen_open": ca.SX(1)}
+
+    def _closed(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+        q_d = z["seen_d"]
+        found = self.model.evaluate("closure", q_i=z["seen_i"], q_d=q_d, t=z["seen_t"], c=c[: self.model.c_size])
+        tolerance = CLOSED * ca.fmax(1, ca.norm_inf(q_d))
+        finite = ca.sum1(ca.fabs(found["q_d_next"])) < LARGEST
+        open_ = ca.logic_and(ca.norm_inf(found["C_loop"]) > tolerance, finite)
+        return {"seen_open": open_, "seen_d": ca.if_else(open_, found["q_d_next"], q_d)}
+
+    def _rates(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+        at = {"q_i": z["seen_i"], "q_d": z["seen_d"], "q_i_dot": z["seen_i_dot"], "t": z["seen_t"]}
+        rates = self.model.evaluate("velocities", **at, c=c[: self.model.c_size])["q_d_dot"]
+        return {"seen_d_dot": ca.if_else(z["seen_open"] > 0, rates, z["seen_d_dot"])}
+
+    def _kernel_stage(self, layout: Layout, c_size: int, name: str) -> Call:
+        def body(z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+            at = {f"q{suffix}": self._whole(z, suffix) for suffix in ORDERS}
+            at |= {"t": z["seen_t"], "lam_R": ca.SX.zeros(len(self.model.redundant))}
+            found = self.model.evaluate(name, **at, c=c[: self.model.c_size])
+            outputs = ca.SX(z["outputs"])
+            for k, one in enumerate(self.columns):
+                if one.kernel == name:
+                    outputs[k] = ca.vec(found[one.part])[one.position]
+            return {"outputs": outputs}
+
+        return make_stage(f"observed_{name}", layout, c_size, body)
+
+    def _states(self, z: Fields, c: ca.SX) -> Mapping[str, ca.SX]:
+        outputs = ca.SX(z["outputs"])
+        for k, one in enumerate(self.columns):
+            if one.kernel == "state":
+                outputs[k] = self._whole(z, one.part)[one.position]
+        return {"outputs": outputs}
+
+    def _whole(self, z: Fields, suffix: str) -> ca.SX:
+        """A vector in the order of the coordinates, as far as it is known."""
+        model = self.model
+        full = ca.SX.zeros(len(model.coordinates))
+        for columns, kind in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
+            if f"seen_{kind}{suffix}" in z:
+                for position, place in enumerate(columns):
+                    full[int(place)] = z[f"seen_{kind}{suffix}"][position]
+        return full

@@ -1,0 +1,198 @@
+"""Ensembles: every case is bit for bit the run by itself, and one that fails disturbs nobody."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import ensemble, load_model, simulate
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import Model
+from runtime.engine.llvm_code import host
+from runtime.schemes.catalogue import SCHEMES
+from runtime.studies.ensemble.lane_programs import LanePrograms
+from runtime.studies.ensemble.lane_runs import LaneRuns
+from runtime.studies.ensemble.question import Question
+from runtime.studies.ensemble.samples import table_of
+from runtime.studies.ensemble.starts import starts_of
+from symgen.generate import generate
+from symgen.scene import SceneBuilder
+from tests.support.pendula import SHORT, pendula
+
+Load = Callable[[str], Model]
+CASES = 5
+OUTPUTS = ["crank.theta", "rod.theta_dot", "slider.x_ddot", "kinetic", "C.force_x"]
+
+
+def cases_of(model: Model) -> dict[str, Any]:
+    """Lengths that change the assembly, and starting angles."""
+    length = next(parameter.default for parameter in model.parameters if parameter.name == "rod.tip.x")
+    speed = float(model.initial_q_dot[model.coordinates.index("crank.theta")])
+    return {
+        "parameters": {"rod.tip.x": length * np.linspace(0.98, 1.02, CASES)},
+        "initial": {"crank.theta": np.linspace(0.0, 0.4, CASES), "crank.theta_dot": speed},
+    }
+
+
+def alone(model: Model, given: dict[str, Any], case: int, **settings: Any) -> Any:
+    """The run of a case by itself."""
+    picked: dict[str, Any] = {
+        kind: {name: float(np.broadcast_to(values, CASES)[case]) for name, values in table.items()}
+        for kind, table in given.items()
+    }
+    return simulate(model, **picked, **settings)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_every_case_is_the_run_by_itself(built_in: Load, scheme: str) -> None:
+    """Samples of all kinds of outputs, of cases that are assembled anew in lanes, bit for bit."""
+    model = built_in("slider_crank")
+    given: dict[str, Any] = cases_of(model)
+    settings: dict[str, Any] = {"scheme": scheme, "t_end": 40e-5, "dt": 2e-5, "outputs": OUTPUTS}
+    found = ensemble(model, **given, **settings, every=7)
+    expected = alone(model, given, CASES - 1, **settings, save_every=7)
+    np.testing.assert_array_equal(found["time"], expected.outputs["t"])
+    for name in OUTPUTS:
+        np.testing.assert_array_equal(found[name][-1], expected.outputs[name], err_msg=name)
+    assert (found["status"] == "completed").all() and (found["time_reached"] == found["time"][-1]).all()
+    assert not np.array_equal(found["slider.x_ddot"][0], found["slider.x_ddot"][-1])
+
+
+@pytest.mark.parametrize("width", [1, 2, 4, 8, 16])
+def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
+    """Nor which lane a case is in: 21 cases leave lanes over at every width above one."""
+    model = built_in("pendulum")
+    names, table = table_of(model, None, {"rod.theta_dot": np.linspace(0.0, 1.0, 21)})
+    asked = Question.ask(
+        model, names, 21, "printed", 1e-3, None, None, 0.0, 0.01, None, ["tip_y"], {"tip_y": ["max", "rms"]}, None
+    )
+    runs = LaneRuns(model, asked, width)
+    found = runs.run(starts_of(model, [], ["rod.theta_dot"], table, 0.0, ""))
+    expected = ensemble(
+        model,
+        initial={"rod.theta_dot": table[:, 0]},
+        scheme="printed",
+        dt=1e-3,
+        t_end=0.01,
+        reduce={"tip_y": ["max", "rms"]},
+        workers=1,
+    )
+    assert found is not None and runs.programs.width == width
+    np.testing.assert_array_equal(found.values, np.column_stack([expected["tip_y_max"], expected["tip_y_rms"]]))
+
+
+def test_reductions_are_those_of_the_samples(built_in: Load) -> None:
+    """Of a state, bit for bit; of a measure, whose every step is computed with own mathematics, to rounding."""
+    model = built_in("pendulum")
+    samples = pendula(model, 40, every=1)
+    every = ["max", "min", "peak", "mean", "rms", "end"]
+    found = pendula(model, 40, reduce={"rod.theta": every, "tip_y": every})
+    for name, tolerance in (("rod.theta", 0.0), ("tip_y", 1e-14)):
+        y = np.asarray(samples[name])
+        count = y.shape[1]
+        expected = {
+            "max": y.max(axis=1),
+            "min": y.min(axis=1),
+            "peak": np.abs(y).max(axis=1),
+            "mean": np.cumsum(y, axis=1)[:, -1] / count,  # in the order of time
+            "rms": np.sqrt(np.cumsum(y * y, axis=1)[:, -1] / count),
+        }
+        for reduction, values in expected.items():
+            np.testing.assert_allclose(found[f"{name}_{reduction}"], values, rtol=tolerance, atol=0)
+        np.testing.assert_array_equal(found[f"{name}_end"], y[:, -1])
+
+
+def test_threads_change_no_bit(built_in: Load) -> None:
+    model = built_in("pendulum")
+    one, three = (pendula(model, 700, every=5, workers=workers) for workers in (1, 3))
+    assert one.identical(three)
+
+
+def test_a_case_that_fails_disturbs_nobody(built_in: Load) -> None:
+    """It has its status, the time that it reached and NaN from there on; the others have their bits."""
+    model = built_in("pendulum")
+    speeds = np.array([0.1, 0.2, 1e200, 0.3])
+    found = ensemble(model, initial={"rod.theta_dot": speeds}, **SHORT, outputs=["rod.theta"], every=1)
+    healthy = ensemble(model, initial={"rod.theta_dot": np.delete(speeds, 2)}, **SHORT, outputs=["rod.theta"], every=1)
+    np.testing.assert_array_equal(found["status"] == "completed", [True, True, False, True])
+    np.testing.assert_array_equal(np.delete(np.asarray(found["rod.theta"]), 2, axis=0), healthy["rod.theta"])
+    reached = float(found["time_reached"][2])
+    assert reached < SHORT["t_end"]
+    np.testing.assert_array_equal(np.isnan(found["rod.theta"][2]), found["time"] > reached + 1e-9)
+    reduced = ensemble(model, initial={"rod.theta_dot": speeds}, **SHORT, reduce={"rod.theta": "max"})
+    np.testing.assert_array_equal(np.isnan(reduced["rod.theta_max"]), [False, False, True, False])
+
+
+@pytest.mark.parametrize("width", [1, 4])
+def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
+    """Sweeps of `printed` stop where x is lost, and in the lane beside it are counted as ever."""
+    model = built_in("pendulum")
+    names, table = table_of(model, None, {"rod.theta_dot": np.array([0.5, 1e305])})
+    asked = Question.ask(model, names, 2, "printed", 1e-3, None, None, 0.0, 0.02, None, ["rod.theta"], None, 1)
+    counted = []
+    for rows in (table, table[:1]):
+        runs = LaneRuns(model, asked, width)
+        sweeps = runs.programs.scheme.layout.slice("iterations").start
+        blocks = runs.begun(starts_of(model, [], ["rod.theta_dot"], rows, 0.0, ""))
+        runs.advance(blocks, 20)
+        counted.append(runs.values(blocks, len(rows), "scheme")[:, sweeps])
+    assert counted[0][1] < 20 * 3 and counted[0][0] == counted[1][0]
+
+
+def test_what_cannot_be_assembled_has_a_status(built_in: Load) -> None:
+    """A rod that does not reach the slide; its neighbours run."""
+    model = built_in("slider_crank")
+    given = {"rod.tip.x": np.array([0.3, 0.05, 0.31])}
+    settings: dict[str, Any] = {"initial": {"crank.theta": 1.2}, "t_end": 1e-4, "outputs": ["slider.x"]}
+    found = ensemble(model, given, **settings, every=1)
+    assert found["status"].values.tolist() == ["completed", "not_assembled", "completed"]
+    assert np.isnan(found["slider.x"][1]).all() and np.isfinite(found["slider.x"][[0, 2]]).all()
+
+
+def test_elastic_equilibria_of_cases_are_those_of_runs(built_in: Load) -> None:
+    """A start that Python makes for each case; the rest in lanes."""
+    model = built_in("near_singular_slider_crank")
+    mass = next(parameter for parameter in model.parameters if parameter.name == "crank.inertia")
+    given = {mass.name: mass.default * np.array([1.0, 1.5])}
+    settings: dict[str, Any] = {"t_end": 2e-4, "outputs": ["rod.q1", "crank.theta"], "start": "quasi_static"}
+    found = ensemble(model, given, **settings, every=1)
+    expected = simulate(model, parameters={mass.name: float(given[mass.name][1])}, **settings, save_every=1)
+    for name in settings["outputs"]:
+        np.testing.assert_array_equal(found[name][1], expected.outputs[name])
+
+
+def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
+    """A cart pushed by a number of each case, along a function of time that all share, from a time of its own."""
+    scene = (
+        SceneBuilder("pushed")
+        .input("force", 1.0, "N", "push")
+        .input("wind", 0.0, "N", "on all")
+        .rigid("cart", mass=2.0, inertia=0.1)
+        .prismatic("rail", "ground.origin", "cart.origin")
+        .force("push", "cart.origin", "force + wind", 0.0)
+        .simulation(t_end=0.1, dt=1e-2, scheme="rk4")
+        .build()
+    )
+    model = load_model(generate(scene, tmp_path / "pushed"))
+    forces = np.array([0.5, 1.0, 2.0])
+    settings: dict[str, Any] = {"t0": 0.05, "outputs": ["cart.x", "cart.x_ddot"]}
+    found = ensemble(model, inputs={"force": forces, "wind": lambda t: np.sin(30 * t)}, every=3, **settings)
+    expected = simulate(model, inputs={"force": 2.0, "wind": lambda t: np.sin(30 * t)}, save_every=3, **settings)
+    for name in settings["outputs"]:
+        np.testing.assert_array_equal(found[name][2], expected.outputs[name])
+    with pytest.raises(ArgumentError, match="wind.*samples"):
+        ensemble(model, inputs={"force": forces, "wind": ([0.0, 1.0], [0.0, 1.0])}, outputs=["cart.x"])
+
+
+def test_width_follows_the_processor(built_in: Load) -> None:
+    """A short program takes two registers a value where they are 512 bits wide."""
+    model = built_in("pendulum")
+    names, _ = table_of(model, None, {"rod.theta_dot": np.zeros(2)})
+    asked = Question.ask(model, names, 2, None, None, None, None, 0.0, None, None, ["tip_y"], None, None)
+    features = set(host().features.split(","))
+    expected = 16 if "+avx512f" in features else 4 if "+avx" in features else 2
+    assert LanePrograms(model, asked).width == expected
