@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from benchmarks.cases import (
+    arms,
     exudyn_slider_crank,
     generation,
     iftomm,
@@ -30,6 +31,7 @@ BENCHMARKS: dict[str, Benchmark] = {
     "generation": generation.run,
     "rhs_pinocchio": rhs_pinocchio.run,
     "operations": operations.run,
+    "arms": arms.run,
     "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }

@@ -99,6 +99,10 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation(
         "crossing", "", "", "n_X (1 + n_S)", "mixed", "q'' that the rows of q_S see: of forces, of each unit q_S''"
     ),
+    Notation("B", "", "", "n_i x n_s", "1", "stiff deflections s = B^T q_i: modes, springs between coordinates"),
+    Notation("K_s", "", "", "n_s x n_s", "SI", "stiffness of the stiff deflections"),
+    Notation("D_s", "", "", "n_s x n_s", "SI", "damping of the stiff deflections"),
+    Notation("X", "", "", "n_i x n_s", "SI", "M_hat^-1 B: accelerations by forces along the stiff deflections"),
     Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),
     Notation("dt_L", "Delta t_L", "40-43", "1", "s", "major step: step of the slowest group"),
     Notation("m", "m", "72", "groups - 1", "1", "ratio of each next group's step; in templates a body's mass"),

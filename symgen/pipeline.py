@@ -3,7 +3,7 @@
 scene       what is there                                             checked, immutable
 system      M, Q*, C, C_q, gamma in all coordinates          (20)-(28)   and the topology: the scene ends here
 choice      which rows are redundant, which q dependent      (29)-(31)   along the structure, then by pivoting
-            the slow-to-fast groups of q_i                   (39), (72)
+            the slow-to-fast groups of q_i                   (39), (72)   and its stiff deflections
 condensed   substitutions for the dependent coordinates      (32)-(38)   and accelerations of trees
 kernels     named functions of (q_i, q_d, q_i_dot, q_d_dot, t, p)
 tapes       straight-line code of the kernels, with all that depends on p only in `constants`
@@ -38,6 +38,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
 from runtime.contract.tape import Tape
 from symgen.choice.assembly import ConstraintNumbers, assembled
+from symgen.choice.deflections import deflections_of
 from symgen.choice.elimination import Elimination, choose_loops, dependent_rows, row_scales, structural_pivots
 from symgen.choice.groups import choose_groups
 from symgen.choice.redundancy import require_redundant
@@ -108,7 +109,8 @@ def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration |
     numbers = ConstraintNumbers(equations, table)
     initial = assembled(system, numbers) if at is None else _state_at(at, equations)
     choice = _choice(system, numbers, initial.q, at)
-    condensed = condense(equations, system.reduced, choice)
+    deflections = deflections_of(equations, choice, system.requested.stiff)
+    condensed = condense(equations, system.reduced, choice, deflections)
     groups = choose_groups(system, choice.independent)
     try:
         kernels = build_kernels(condensed, system.topology, groups, functions)

@@ -33,6 +33,7 @@ def generate_variant(
     """
     data = Scene.from_toml_text(scene_toml_text).to_dict()
     data["partition"] = {
+        **{key: value for key, value in data.get("partition", {}).items() if key == "stiff"},
         "independent": list(independent),
         "groups": [{"name": name, "coordinates": list(names)} for name, names in groups],
     }

@@ -2399,6 +2399,40 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 5 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
+    58 operations.
+    """
+    c = ca.SX.sym("c", 68)
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    # outputs
+    B = ca.SX(5, 4)
+    # coupler.q1
+    B[1, 0] = 1.0
+    # coupler.q2
+    B[2, 1] = 1.0
+    # rocker.q1
+    B[3, 2] = 1.0
+    # rocker.q2
+    B[4, 3] = 1.0
+    K_s = ca.SX(4, 4)
+    K_s[0, 0] = c41
+    K_s[1, 1] = c42
+    K_s[2, 2] = c43
+    K_s[3, 3] = c44
+    D_s = ca.SX(4, 4)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
 
@@ -3320,6 +3354,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,
     "geometry": geometry,

@@ -815,6 +815,36 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 4 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
+    21 operations.
+    """
+    c = ca.SX.sym("c", 30)
+    gear1_stiffness = c[2]
+    gear2_stiffness = c[5]
+    # outputs
+    B = ca.SX(4, 2)
+    # link1.theta
+    B[0, 0] = 1.0
+    # rotor1.theta
+    B[1, 0] = -1.0
+    # link2.theta
+    B[2, 1] = 1.0
+    # rotor2.theta
+    B[3, 1] = -1.0
+    K_s = ca.SX(2, 2)
+    K_s[0, 0] = gear1_stiffness
+    K_s[1, 1] = gear2_stiffness
+    D_s = ca.SX(2, 2)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
@@ -1043,6 +1073,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,
     "substep_2": substep_2,

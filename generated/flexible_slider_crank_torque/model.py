@@ -1498,6 +1498,36 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 3 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
+    20 operations.
+    """
+    c = ca.SX.sym("c", 43)
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
+    # outputs
+    B = ca.SX(3, 2)
+    # rod.q1
+    B[1, 0] = 1.0
+    # rod.q2
+    B[2, 1] = 1.0
+    K_s = ca.SX(2, 2)
+    K_s[0, 0] = c27
+    K_s[1, 1] = c29
+    D_s = ca.SX(2, 2)
+    D_s[0, 0] = c28
+    D_s[1, 1] = c30
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
 
@@ -2113,6 +2143,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,
     "geometry": geometry,

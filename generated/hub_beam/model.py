@@ -988,6 +988,36 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 71) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 4 x 3) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 3 x 3) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 3 x 3) [SI]: damping of the stiff deflections
+    35 operations.
+    """
+    c = ca.SX.sym("c", 71)
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    # outputs
+    B = ca.SX(4, 3)
+    # beam.q1
+    B[1, 0] = 1.0
+    # beam.q2
+    B[2, 1] = 1.0
+    # beam.q3
+    B[3, 2] = 1.0
+    K_s = ca.SX(3, 3)
+    K_s[0, 0] = c17
+    K_s[1, 1] = c18
+    K_s[2, 2] = c19
+    D_s = ca.SX(3, 3)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
@@ -1755,6 +1785,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,
     "substep_2": substep_2,

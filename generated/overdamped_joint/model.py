@@ -601,6 +601,26 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 1) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 1) [SI]: damping of the stiff deflections
+    8 operations.
+    """
+    c = ca.SX.sym("c", 21)
+    spring_stiffness = c[0]
+    spring_damping = c[1]
+    # outputs
+    B = ca.vertcat(-1.0, 1.0)
+    K_s = ca.vertcat(spring_stiffness)
+    D_s = ca.vertcat(spring_damping)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
@@ -780,6 +800,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,
     "substep_2": substep_2,

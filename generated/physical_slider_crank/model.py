@@ -1353,6 +1353,43 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 4 x 4) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 4 x 4) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 4 x 4) [SI]: damping of the stiff deflections
+    55 operations.
+    """
+    c = ca.SX.sym("c", 46)
+    rod_K_ff_0_0 = c[19]
+    rod_K_ff_1_1 = c[22]
+    rod_K_ff_2_2 = c[23]
+    rod_K_ff_2_3 = c[24]
+    rod_K_ff_3_3 = c[26]
+    # outputs
+    B = ca.SX(4, 4)
+    # rod.q1
+    B[0, 0] = 1.0
+    # rod.q2
+    B[1, 1] = 1.0
+    # rod.q3
+    B[2, 2] = 1.0
+    # rod.q4
+    B[3, 3] = 1.0
+    K_s = ca.SX(4, 4)
+    K_s[0, 0] = rod_K_ff_0_0
+    K_s[1, 1] = rod_K_ff_1_1
+    K_s[2, 2] = rod_K_ff_2_2
+    K_s[2, 3] = rod_K_ff_2_3
+    K_s[3, 2] = rod_K_ff_2_3
+    K_s[3, 3] = rod_K_ff_3_3
+    D_s = ca.SX(4, 4)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
 
@@ -1742,6 +1779,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,
     "geometry": geometry,

@@ -11858,6 +11858,60 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 327) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 7 x 6) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 6 x 6) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 6 x 6) [SI]: damping of the stiff deflections
+    128 operations.
+    """
+    c = ca.SX.sym("c", 327)
+    rod_D_ff_0_0 = c[139]
+    rod_K_ff_0_0 = c[140]
+    rod_D_ff_1_1 = c[141]
+    rod_K_ff_1_1 = c[142]
+    rod_D_ff_2_2 = c[143]
+    rod_K_ff_2_2 = c[144]
+    rod_D_ff_3_3 = c[145]
+    rod_K_ff_3_3 = c[146]
+    rod_D_ff_4_4 = c[147]
+    rod_K_ff_4_4 = c[148]
+    rod_D_ff_5_5 = c[149]
+    rod_K_ff_5_5 = c[150]
+    # outputs
+    B = ca.SX(7, 6)
+    # rod.q1
+    B[1, 0] = 1.0
+    # rod.q2
+    B[2, 1] = 1.0
+    # rod.q3
+    B[3, 2] = 1.0
+    # rod.q4
+    B[4, 3] = 1.0
+    # rod.q5
+    B[5, 4] = 1.0
+    # rod.q6
+    B[6, 5] = 1.0
+    K_s = ca.SX(6, 6)
+    K_s[0, 0] = rod_K_ff_0_0
+    K_s[1, 1] = rod_K_ff_1_1
+    K_s[2, 2] = rod_K_ff_2_2
+    K_s[3, 3] = rod_K_ff_3_3
+    K_s[4, 4] = rod_K_ff_4_4
+    K_s[5, 5] = rod_K_ff_5_5
+    D_s = ca.SX(6, 6)
+    D_s[0, 0] = rod_D_ff_0_0
+    D_s[1, 1] = rod_D_ff_1_1
+    D_s[2, 2] = rod_D_ff_2_2
+    D_s[3, 3] = rod_D_ff_3_3
+    D_s[4, 4] = rod_D_ff_4_4
+    D_s[5, 5] = rod_D_ff_5_5
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
 
@@ -13424,6 +13478,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,
     "geometry": geometry,

@@ -1271,6 +1271,44 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 5 x 5) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 5 x 5) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 5 x 5) [SI]: damping of the stiff deflections
+    82 operations.
+    """
+    c = ca.SX.sym("c", 136)
+    c10 = c[10]
+    c20 = c[20]
+    c27 = c[27]
+    c34 = c[34]
+    c41 = c[41]
+    # outputs
+    B = ca.SX(5, 5)
+    # beam.q1
+    B[0, 0] = 1.0
+    # beam.q2
+    B[1, 1] = 1.0
+    # beam.q3
+    B[2, 2] = 1.0
+    # beam.q4
+    B[3, 3] = 1.0
+    # beam.q5
+    B[4, 4] = 1.0
+    K_s = ca.SX(5, 5)
+    K_s[0, 0] = c10
+    K_s[1, 1] = c20
+    K_s[2, 2] = c27
+    K_s[3, 3] = c34
+    K_s[4, 4] = c41
+    D_s = ca.SX(5, 5)
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def forward_dynamics() -> ca.Function:
     """Accelerations of a tree by topology-ordered elimination, without M_hat (Eq. 38).
 
@@ -2442,6 +2480,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

@@ -209,6 +209,34 @@ def dMa_dq_i() -> ca.Function:
     return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
 
 
+def deflections() -> ca.Function:
+    """Stiff deflections s = B^T q_i, and the stiffness and damping between them.
+
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives B (n_i x n_s = 2 x 2) [1]: stiff deflections s = B^T q_i: modes, springs between coordinates
+    gives K_s (n_s x n_s = 2 x 2) [SI]: stiffness of the stiff deflections
+    gives D_s (n_s x n_s = 2 x 2) [SI]: damping of the stiff deflections
+    17 operations.
+    """
+    c = ca.SX.sym("c", 11)
+    k_L = c[6]
+    c7 = c[7]
+    c9 = c[9]
+    # outputs
+    B = ca.SX(2, 2)
+    # x_L
+    B[0, 0] = 1.0
+    # x_S
+    B[1, 1] = 1.0
+    K_s = ca.SX(2, 2)
+    K_s[0, 0] = k_L
+    K_s[1, 1] = c7
+    D_s = ca.SX(2, 2)
+    D_s[1, 1] = c9
+    inputs, outputs = [c], [ca.densify(B), ca.densify(K_s), ca.densify(D_s)]
+    return ca.Function("deflections", inputs, outputs, ["c"], ["B", "K_s", "D_s"])
+
+
 def blocks() -> ca.Function:
     """Blocks of M_hat and Q_hat by the groups of the partition (Eq. 39).
 
@@ -283,6 +311,7 @@ FUNCTIONS = {
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "dMa_dq_i": dMa_dq_i,
+    "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,
 }

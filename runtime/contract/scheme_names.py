@@ -10,6 +10,7 @@ SchemeName = Literal[
     "decoupled",
     "linearised",
     "exponential",
+    "exponential_rk4",
     "rk4",
     "dop853",
     "radau",

@@ -8,6 +8,7 @@ import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.schemes.linear_solve import solve_symmetric
+from runtime.schemes.sparse_lu import Number, factor, solve
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 
@@ -34,6 +35,23 @@ class LinearisedEquations:
     a: ca.SX
     J_q: ca.SX
     J_v: ca.SX
+
+
+@dataclass(frozen=True)
+class StiffDeflections:
+    """s = B^T q_i (B n_i x n_s, constant) with stiffness K and damping D, n_s x n_s [SI]."""
+
+    B: ca.SX
+    K: ca.SX
+    D: ca.SX
+
+
+@dataclass(frozen=True)
+class StiffResponse(StiffDeflections):
+    """And q_i_ddot = a (n_i) at a state, and X = M_hat^-1 B (n_i x n_s) there."""
+
+    a: ca.SX
+    X: ca.SX
 
 
 class StageEquations:
@@ -112,6 +130,27 @@ class StageEquations:
         """(M_SS - M_SL N, Q_S - M_SL y''), the accelerations that cross to these rows given."""
         found = self.call("fast_rows", **self._arguments(motion, q_i_dot), crossing=crossing)
         return found["M_bar_SS"], found["rhs_S"]
+
+    def deflections(self) -> StiffDeflections:
+        """The stiff deflections; n_s is zero where the model has none."""
+        if not self.model.has("deflections"):
+            return StiffDeflections(ca.SX(len(self.model.q_i), 0), ca.SX(0, 0), ca.SX(0, 0))
+        found = self.call("deflections")
+        return StiffDeflections(*(ca.sparsify(found[name]) for name in ("B", "K_s", "D_s")))
+
+    def stiff_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> StiffResponse:
+        """Accelerations, and what forces along the stiff deflections do, from one elimination or factorisation."""
+        stiff = self.deflections()
+        if self.model.has("deflection_response") and self.tree_is_shorter:
+            found = self.call("deflection_response", **self._arguments(motion, q_i_dot))
+            return StiffResponse(stiff.B, stiff.K, stiff.D, found["q_i_ddot"], found["X"])
+        if not stiff.B.shape[1]:
+            return StiffResponse(stiff.B, stiff.K, stiff.D, self.accelerations(motion, q_i_dot), stiff.B)
+        M_hat, Q_hat = self.condensed(motion, q_i_dot)
+        factors = factor(Number(ca.sparsify(M_hat)), symmetric=True)
+        sides = [Q_hat, *ca.horzsplit(ca.densify(stiff.B))]
+        a, *columns = (solve(factors, Number(ca.densify(side))).re for side in sides)
+        return StiffResponse(stiff.B, stiff.K, stiff.D, a, ca.horzcat(*columns))
 
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""

@@ -47,6 +47,24 @@ def limit_between_the_axes(A_q: np.ndarray, A_v: np.ndarray, reach: float, decay
     return StepLimit(float(1 / needed[k]), float(-values[k].real if by_decay else abs(values[k].imag)), by_decay)
 
 
+def limit_beside_deflections(
+    A_q: np.ndarray, A_v: np.ndarray, B: np.ndarray, reach: float, decay_reach: float
+) -> StepLimit | None:
+    """Of what is left to an explicit method whose stiff deflections s = B^T q (B n x n_s) need no step.
+
+    They follow the rest of the motion as in equilibrium: with y across B, A_yy - A_ys A_ss^-1 A_sy takes A's place.
+    """
+    if not B.shape[1]:
+        return limit_between_the_axes(A_q, A_v, reach, decay_reach)
+    across = np.linalg.svd(B)[0][:, np.linalg.matrix_rank(B) :]
+    if not across.shape[1]:
+        return None
+    along = B @ np.linalg.inv(B.T @ B)
+    follow = np.linalg.lstsq((B.T @ A_q @ along).T, (across.T @ A_q @ along).T, rcond=None)[0].T  # A_ys A_ss^-1
+    rows = across.T - follow @ B.T
+    return limit_between_the_axes(rows @ A_q @ across, rows @ A_v @ across, reach, decay_reach)
+
+
 def central_difference_limit(A_q: np.ndarray, A_v: np.ndarray, predicted: bool) -> StepLimit | None:
     """For central difference: the smallest h at which a multiplier reaches mu = -1; None if there is none.
 

@@ -16,6 +16,7 @@ import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, add_to, nonzero
 from symgen.algebra.scalar import ZERO, add, div, mul, neg, sub
+from symgen.choice.deflections import Deflections
 from symgen.choice.elimination import Elimination
 from symgen.condensed.loops import Loops, ReducedRow, order_blocks, solve_block
 from symgen.system.equations import Equations
@@ -36,6 +37,7 @@ class Condensed:
     """A system with its substitutions, in the order of evaluation (independent coordinates to the tips).
 
     equations: in all coordinates; reduced: without those of placed bodies' frames, which nothing below needs.
+    deflections: the stiff ones among its coordinates.
     """
 
     equations: Equations
@@ -43,6 +45,7 @@ class Condensed:
     choice: Elimination
     substitutions: list[Substitution]
     loops: Loops
+    deflections: Deflections | None = None
 
     @cached_property
     def inner(self) -> list[Substitution]:
@@ -126,16 +129,18 @@ def _add_symmetric(M: list[Row], i: int, j: int, value: ca.SX) -> None:
         M[j][i] = M[i][j]
 
 
-def condense(equations: Equations, reduced: Equations, choice: Elimination) -> Condensed:
+def condense(
+    equations: Equations, reduced: Equations, choice: Elimination, deflections: Deflections | None = None
+) -> Condensed:
     """Substitutions for every dependent coordinate of the choice: (34) solved for it, so that (32)-(33) become (38).
 
-    equations, reduced: as in `Condensed`.
+    equations, reduced, deflections: as in `Condensed`.
     """
     structural = [_structural(reduced, row, column) for row, column in choice.structural]
     rows = _reduced_rows(reduced, choice, structural)
     entries = {row: reduced.entries for row, reduced in rows.items()}
     loops = Loops(order_blocks(choice.loop_rows, choice.loop_columns, entries), rows)
-    return Condensed(equations, reduced, choice, _loop_substitutions(loops) + structural, loops)
+    return Condensed(equations, reduced, choice, _loop_substitutions(loops) + structural, loops, deflections)
 
 
 def _structural(equations: Equations, row: int, column: int) -> Substitution:

@@ -21,7 +21,7 @@ from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
-from symgen.kernels.partition_kernels import partition_kernels
+from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
@@ -58,7 +58,10 @@ def build_kernels(
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
-    if is_tree(system, topology):
+    tree, deflections = is_tree(system, topology), system.deflections
+    if deflections is not None:
+        builders |= deflection_kernels(system, topology, arguments, deflections, tree)
+    if tree:
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
         if len(groups) == 2:
             builders |= partition_kernels(system, topology, arguments, *groups)

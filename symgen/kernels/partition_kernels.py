@@ -12,8 +12,9 @@ from collections.abc import Callable
 import casadi as ca
 
 from symgen.algebra.scalar import ZERO, neg
+from symgen.choice.deflections import Deflections
 from symgen.condensed.condensation import Condensed
-from symgen.condensed.forward_dynamics import forces_side, given_side, tree_solutions
+from symgen.condensed.forward_dynamics import force_side, forces_side, given_side, tree_solutions
 from symgen.kernels.arguments import Arguments
 from symgen.kernels.kernel import Kernel
 from symgen.system.equations import matrix_times
@@ -70,3 +71,32 @@ def _columns_seen(system: Condensed, fast: list[int]) -> list[int]:
     inertia = matrix_times(system.reduced.M, {column: accelerations[column] for column in columns})
     pattern = ca.jacobian_sparsity(system.project(inertia)[fast], accelerations)
     return sorted(set(pattern.get_triplet()[1]))
+
+
+def deflection_kernels(
+    system: Condensed, topology: Topology, arguments: Arguments, deflections: Deflections, tree: bool
+) -> dict[str, Callable[[], Kernel]]:
+    """Builders by name of what the stiff deflections are and, on a large tree, of what a force along them does."""
+    builders = {"deflections": lambda: _deflections(system, arguments, deflections)}
+    if tree and len(system.choice.independent) > LARGE_TREE:
+        builders["deflection_response"] = lambda: _deflection_response(system, topology, arguments, deflections)
+    return builders
+
+
+def _deflections(system: Condensed, a: Arguments, deflections: Deflections) -> Kernel:
+    """B, K_s and D_s."""
+    B = ca.SX.zeros(len(system.choice.independent), len(deflections.rows))
+    for j, row in enumerate(deflections.rows):
+        for column, value in row.items():
+            B[system.choice.independent.index(column), j] = value
+    return Kernel(a.select(), {"B": B, "K_s": deflections.K, "D_s": deflections.D})
+
+
+def _deflection_response(system: Condensed, topology: Topology, a: Arguments, deflections: Deflections) -> Kernel:
+    """q_i'' and M_hat^-1 B."""
+    sides = [forces_side(system), *(force_side(row) for row in deflections.rows)]
+    forced, *responses = tree_solutions(system, topology, sides)
+    columns = system.choice.independent
+    X = ca.horzcat(*(ca.vertcat(*(found[c] for c in columns)) for found in responses))
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot")
+    return Kernel(inputs, {"q_i_ddot": ca.densify(ca.vertcat(*(forced[c] for c in columns))), "X": ca.densify(X)})

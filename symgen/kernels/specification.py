@@ -78,6 +78,22 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "M_bar_SS rhs_S",
         ),
         _spec(
+            "deflections",
+            "",
+            "Stiff deflections s = B^T q_i, and the stiffness and damping between them",
+            "closure",
+            "c",
+            "B K_s D_s",
+        ),
+        _spec(
+            "deflection_response",
+            "38",
+            "Accelerations of a large tree, and M_hat^-1 B, by one elimination along it",
+            "condensed",
+            f"{STATE} t u c",
+            "q_i_ddot X",
+        ),
+        _spec(
             "constraints",
             "21-27",
             "Constraints and their derivatives in all coordinates",

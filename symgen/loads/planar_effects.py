@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import casadi as ca
 
-from symgen.algebra.rows import Row, add_scaled
+from symgen.algebra.rows import Row, add_scaled, nonzero
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.loads import spring_template
-from symgen.loads.effect import LoadEffect
+from symgen.loads.effect import LinearSpring, LoadEffect
 
 
 def point_force(marker: MarkerMotion, components: list[ca.SX], frame: str) -> LoadEffect:
@@ -56,7 +56,11 @@ def rotational_spring_damper(
     row: Row = {}
     add_scaled(row, moment, b.phi_row)
     add_scaled(row, -moment, a.phi_row)
-    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * rate**2)
+    deflection: Row = {}
+    add_scaled(deflection, ca.SX(1), b.phi_row)
+    add_scaled(deflection, ca.SX(-1), a.phi_row)
+    spring = LinearSpring(nonzero(deflection), stiffness, damping)
+    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * rate**2, spring=spring)
 
 
 def slide_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:

@@ -12,7 +12,7 @@ from symgen.algebra.scalar import ZERO, dot, mul, neg, total
 from symgen.algebra.vectors import Vector, combination, minus
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.loads import spring_template
-from symgen.loads.effect import LoadEffect
+from symgen.loads.effect import LinearSpring, LoadEffect
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,8 @@ def turning_spring_damper(angle: Angle, stiffness: ca.SX, damping: ca.SX, free_a
     moment = -stiffness * turn - damping * angle.rate
     row: Row = {}
     add_scaled(row, moment, angle.row)
-    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * angle.rate**2)
+    spring = LinearSpring(angle.row, stiffness, damping)
+    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * angle.rate**2, spring=spring)
 
 
 def angle_about_z(a: SpatialMarker, b: SpatialMarker, motion: StateVector) -> Angle:

@@ -156,6 +156,10 @@ class SceneBuilder:
         entries = [{"name": name, "coordinates": coordinates} for name, coordinates in groups.items()]
         return self._merge("partition", {"groups": entries})
 
+    def stiff(self, *names: str) -> Self:
+        """Choose the stiff deflections: elastic coordinates and rotational springs, names or patterns."""
+        return self._merge("partition", {"stiff": list(names)})
+
     def initial(self, coordinates: dict[str, Any]) -> Self:
         """Starting coordinates: numbers or {"value": ..., "fixed": ...}."""
         return self._merge("initial", {"coordinates": coordinates})

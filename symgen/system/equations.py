@@ -17,6 +17,7 @@ from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
+from symgen.loads.effect import LinearSpring
 from symgen.scene import Scene
 from symgen.system.signals import input_records, input_symbols
 
@@ -38,8 +39,8 @@ class Equations:
     frames: accelerations -> M q_ddot - Q_v, or M q_ddot alone; Q_v holds the weight too there, not Q_F.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
-    joint_columns: coordinates of joints; gravity: its components [m/s^2]; measure_units: SI unit of each measure.
-    u: the entries of the inputs by name, each a symbol.
+    springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
+    [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     """
 
     coordinates: list[Coordinate]
@@ -55,6 +56,7 @@ class Equations:
     potential: ca.SX = field(default_factory=lambda: ca.SX(0))
     dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
     applied: ca.SX = field(default_factory=lambda: ca.SX(0))
+    springs: dict[str, LinearSpring] = field(default_factory=dict)
     measures: dict[str, ca.SX] = field(default_factory=dict)
     body_columns: dict[str, list[int]] = field(default_factory=dict)
     joint_columns: frozenset[int] = frozenset()

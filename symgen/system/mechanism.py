@@ -102,7 +102,7 @@ class Mechanism(Generic[Marker]):
         self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
         for load in scene.loads:
-            self._add_effect(space.load(load, self._expression))
+            self._add_effect(space.load(load, self._expression), load.name)
         equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (
@@ -146,9 +146,11 @@ class Mechanism(Generic[Marker]):
         for column, value in force.items():
             self.equations.Q_F[column] = add(self.equations.Q_F[column], value)
 
-    def _add_effect(self, effect: LoadEffect) -> None:
+    def _add_effect(self, effect: LoadEffect, name: str = "") -> None:
         eq = self.equations
         self._add_force(effect.force)
+        if effect.spring is not None and not effect.spring.stiffness.is_zero():
+            eq.springs[name] = effect.spring
         eq.elastic = eq.elastic + effect.potential
         eq.dissipated = eq.dissipated + effect.dissipated
         eq.applied = eq.applied + effect.applied

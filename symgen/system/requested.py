@@ -21,12 +21,14 @@ class RequestedGroup:
 class Requested:
     """What the scene says about q_i (Eq. 29), its groups from slow to fast (Eqs. 39, 72) and the initial state.
 
-    independent: q_i by name, empty if the choice is left open; groups likewise. ratios: step ratio m of each group
-    after the first. coordinates [m, rad] and rates [m/s, rad/s] at the start. euler_angles: sequence by body.
+    independent: q_i by name, empty if the choice is left open; groups likewise. stiff: patterns of the deflections that
+    count as stiff, None for all. ratios: step ratio m of each group after the first. coordinates [m, rad] and rates
+    [m/s, rad/s] at the start. euler_angles: sequence by body.
     """
 
     independent: tuple[str, ...] = ()
     groups: tuple[RequestedGroup, ...] = ()
+    stiff: tuple[str, ...] | None = None
     ratios: tuple[int, ...] = ()
     coordinates: GivenValues = field(default_factory=GivenValues)
     rates: GivenValues = field(default_factory=GivenValues)
@@ -39,6 +41,7 @@ def requested_by(scene: Scene) -> Requested:
     return Requested(
         independent=scene.partition.independent or (),
         groups=tuple(RequestedGroup(group.name, group.coordinates) for group in scene.partition.groups or ()),
+        stiff=scene.partition.stiff,
         ratios=scene.simulation.m,
         coordinates=_given(scene.initial.coordinates),
         rates=_given(scene.initial.rates),

@@ -83,6 +83,8 @@ class NoAdvice(NoResult):
 def candidates(model: Model) -> list[Spec]:
     """Methods worth trying, the likeliest first."""
     n, found = len(model.q_i), []
+    if model.has("deflections"):
+        found.append(Spec("exponential_rk4"))
     if model.has("dQ_hat_dq_i") and 40 * n**3 < MOST_OPERATIONS:
         found.append(Spec("exponential", (1,)))
         jacobians = sum(model.operations.get(name, 0) for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"))

@@ -57,6 +57,8 @@ def usual_methods(model: Model) -> list[Method]:
     ]
     if len(model.q_i) > LARGE or not model.has("dQ_hat_dq_i"):
         specs = []
+    if model.has("deflections"):
+        specs = [Spec("exponential_rk4"), *specs]
     if len(model.groups) > 1:
         inner = (1,) * (len(model.groups) - 2)
         specs += [Spec("coupled", (*inner, 4)), Spec("printed", (*inner, 4), {"common_update": "direct"})]
