@@ -16,7 +16,7 @@ from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
-from runtime.schemes.exponential_rk4 import ExponentialRungeKutta
+from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions
 from runtime.schemes.linearised import Linearised, LinearisedOptions
@@ -101,7 +101,10 @@ SCHEMES: dict[str, SchemeKind] = {
         Exponential, "exponential Rosenbrock, order 4", "sub_steps", LinearSubStepOptions, default_m=4
     ),
     "exponential_rk4": SchemeKind(
-        ExponentialRungeKutta, "exponential Runge-Kutta on the stiff deflections, order 4", "none", ClosureOptions
+        ExponentialRungeKutta,
+        "exponential Runge-Kutta on the stiff deflections, order 4",
+        "none",
+        ExponentialRungeKuttaOptions,
     ),
     "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", SingleClosureOptions),
     "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", SingleClosureOptions),

@@ -5,15 +5,8 @@ the start of a step one solution with 1 + n_s right-hand sides gives
 
     a_n,   X = M_hat^-1 B,   Lambda = B^T X.
 
-The motion over tau with the accelerations a_n + b1 tau + b2 tau^2/2 beside those of K and D, of which I1 and I2 are the
-first and second integrals, is for w = s - s_n
-
-    w'' = B^T (a_n + b1 tau + b2 tau^2/2) - Lambda K w - Lambda D (w' - w'_n),   w(0) = 0, w'(0) = B^T v_n,
-    q = q_n + tau v_n + I2 + X Lambda^-1 (w  - B^T (tau v_n + I2)),
-    v = v_n + I1           + X Lambda^-1 (w' - B^T (v_n + I1)).
-
-Only the first line is stiff; linear_propagation.py runs it by sub-steps of h/2 on one set of factors. Stages of
-Krogstad (2005), with d_i = a(q, v, t) - a_n + X (K w + D (w' - w'_n)) at stage i:
+stiff_motion.py follows the stiff part exactly, beside accelerations a_n + b1 tau + b2 tau^2/2 of the rest. Stages of
+Krogstad (2005), with d_i the accelerations at stage i less a_n and less what the stiff part accounts for:
 
     Y2  to h/2, b1 = b2 = 0        Y3  to h/2, b1 = 4 d2 / h        Y4  to h, b1 = 2 d3 / h
     end to h,   b1 = (2 d2 + 2 d3 - d4) / h,   b2 = 4 (d4 - d2 - d3) / h^2
@@ -30,68 +23,32 @@ import casadi as ca
 import numpy as np
 
 from runtime.engine.program import Fields, Program
-from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of, propagate
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import ClosureOptions, Options
-from runtime.schemes.sparse_lu import Number, factor, solve
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
+from runtime.schemes.options import ClosureOptions, Options, one_of
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
+from runtime.schemes.stiff_motion import MotionStage, StiffMotion
 
 # h w and h d up to which the explicit part is stable: above sqrt(2) a mode grows by 1e-3 a step at 1.6, by 2 % at 2
 IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785
 
 
 @dataclass(frozen=True)
-class Stage:
-    """Where a motion over tau has come: tau, positions, rates, and what K and D say of it, K w + D (w' - w'_n)."""
+class ExponentialRungeKuttaOptions(ClosureOptions):
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
 
-    tau: ca.SX
-    q: ca.SX
-    v: ca.SX
-    force: ca.SX
+    linearisation: what the exponentials hold of the deflections: `stiffness`, the constant K and D of the model, or
+        `tangent`, the derivative of the accelerations along X Lambda^-1 at the start of the step, where the momentum of
+        the other coordinates is held: for undamped motion over very many steps.
+    """
 
-
-class _Motion:
-    """Motions from the start of a step of h, with what they share."""
-
-    def __init__(self, x: ca.SX, v: ca.SX, found: StiffResponse, h: ca.SX) -> None:
-        self.x, self.v, self.found, self.h = x, v, found, h
-        self.n_s = found.B.shape[1]
-        Lambda = ca.mtimes(found.B.T, found.X)
-        self.system = LinearSystem(ca.SX.eye(self.n_s), -ca.mtimes(Lambda, found.K), -ca.mtimes(Lambda, found.D))
-        self.factors: Factors = factors_of(self.system, h / 2) if self.n_s else ()
-        self.inertia = factor(Number(Lambda), symmetric=True) if self.n_s else Number(Lambda)
-        self.rate = ca.mtimes(found.B.T, v)
-
-    def to(self, halves: int, b1: ca.SX, b2: ca.SX) -> Stage:
-        """The motion over so many half steps with accelerations a_n + b1 tau + b2 tau^2 / 2."""
-        a, tau = self.found.a, halves * self.h / 2
-        I1 = tau * (a + tau / 2 * (b1 + tau / 3 * b2))
-        I2 = tau * (self.v + tau / 2 * (a + tau / 3 * (b1 + tau / 4 * b2)))
-        if not self.n_s:
-            return Stage(tau, self.x + I2, self.v + I1, ca.SX(0, 1))
-        B = self.found.B
-        G = (ca.mtimes(B.T, a) - ca.mtimes(self.system.J_v, self.rate), ca.mtimes(B.T, b1), ca.mtimes(B.T, b2))
-        w, u = ca.SX.zeros(self.n_s), self.rate
-        for k in range(halves):
-            w, u = propagate(self.system, self.factors, w, u, G, k * self.h / 2, self.h / 2)
-        q = self.x + I2 + self._along(w - ca.mtimes(B.T, I2))
-        v = self.v + I1 + self._along(u - self.rate - ca.mtimes(B.T, I1))
-        return Stage(tau, q, v, ca.mtimes(self.found.K, w) + ca.mtimes(self.found.D, u - self.rate))
-
-    def _along(self, change: ca.SX) -> ca.SX:
-        """X Lambda^-1 change: what the mechanism does when the deflections change so."""
-        return ca.mtimes(self.found.X, solve(self.inertia, Number(ca.densify(change))).re)
-
-    def remainder(self, a: ca.SX, stage: Stage) -> ca.SX:
-        """d: what accelerations at a stage are beside a_n and the stiffness and damping of the deflections."""
-        return a - self.found.a + ca.mtimes(self.found.X, stage.force)
+    linearisation: str = one_of("stiffness", "tangent")
 
 
 class ExponentialRungeKutta(OneStep):
     """Four evaluations a step in one stage."""
 
-    options: ClosureOptions
+    options: ExponentialRungeKuttaOptions
     order = 4
 
     @classmethod
@@ -115,11 +72,14 @@ class ExponentialRungeKutta(OneStep):
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t, x, v = equations.h[0], self.now(z, equations), z["x"], z["v"]
         start = equations.close(x, z["loop"], t, self.options.closure_iterations)
-        motion = _Motion(x, v, equations.stiff_response(start, v), h)
+        found, tangent = equations.stiff_response(start, v), None
+        if self.options.linearisation == "tangent" and found.B.shape[1]:
+            tangent = equations.directional_derivatives(start, v, found.along(ca.SX.eye(found.B.shape[1])))
+        motion = StiffMotion(x, v, found, h, tangent)
         loop, loop_dot = equations.loop_part(start.q_d), equations.loop_part(equations.rates(start, v))
         seen: list[ClosedConfiguration] = [start]
 
-        def d(stage: Stage) -> ca.SX:
+        def d(stage: MotionStage) -> ca.SX:
             guess = loop + stage.tau * loop_dot
             seen.append(equations.close(stage.q, guess, t + stage.tau, self.options.closure_iterations))
             return motion.remainder(equations.accelerations(seen[-1], stage.v), stage)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -52,6 +53,17 @@ class StiffResponse(StiffDeflections):
 
     a: ca.SX
     X: ca.SX
+
+    @cached_property
+    def Lambda(self) -> ca.SX:
+        """B^T X (n_s x n_s)."""
+        return ca.mtimes(self.B.T, self.X)
+
+    def along(self, change: ca.SX) -> ca.SX:
+        """X Lambda^-1 change: what q_i does when the deflections change so and nothing else is pushed; n_s x any."""
+        factors = factor(Number(self.Lambda), symmetric=True)
+        columns = [solve(factors, Number(ca.densify(column))).re for column in ca.horzsplit(change)]
+        return ca.mtimes(self.X, ca.horzcat(*columns))
 
 
 class StageEquations:
@@ -151,6 +163,19 @@ class StageEquations:
         sides = [Q_hat, *ca.horzsplit(ca.densify(stiff.B))]
         a, *columns = (solve(factors, Number(ca.densify(side))).re for side in sides)
         return StiffResponse(stiff.B, stiff.K, stiff.D, a, ca.horzcat(*columns))
+
+    def directional_derivatives(self, motion: ClosedConfiguration, q_i_dot: ca.SX, along: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Derivatives of q_i_ddot by q_i (q_d following) and by q_i_dot along columns, n_i x any."""
+        q, v = ca.SX.sym("q", len(self.model.q_i)), ca.SX.sym("v", len(self.model.q_i))
+        a = self.accelerations(self.close(q, self.loop_part(motion.q_d), motion.t, 1), v)
+
+        def derivative(by: ca.SX) -> ca.SX:
+            columns = [ca.jtimes(a, by, column) for column in ca.horzsplit(ca.densify(along))]
+            return ca.densify(ca.horzcat(*columns))
+
+        old, new = ca.vertcat(q, v), ca.vertcat(motion.q_i, q_i_dot)
+        by_q, by_v = ca.substitute([derivative(q), derivative(v)], [old], [new])
+        return by_q, by_v
 
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
