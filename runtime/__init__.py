@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from runtime.contract.records import Group
     from runtime.contract.status import Status
     from runtime.gradients.differentiable_run import DifferentiableRun
+    from runtime.gradients.fit import fit
     from runtime.gradients.gradient import gradient, output_jacobian
     from runtime.operating.campbell import campbell
     from runtime.operating.equilibrium import Equilibrium, NoEquilibrium, equilibrium
@@ -74,6 +75,7 @@ __all__ = [
     "campbell",
     "ensemble",
     "equilibrium",
+    "fit",
     "gradient",
     "linearise",
     "load_model",
@@ -100,6 +102,7 @@ _HOMES = {
     "ModelError": "contract.model",
     "Status": "contract.status",
     "DifferentiableRun": "gradients.differentiable_run",
+    "fit": "gradients.fit",
     "gradient": "gradients.gradient",
     "output_jacobian": "gradients.gradient",
     "Equilibrium": "operating.equilibrium",

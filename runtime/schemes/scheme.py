@@ -43,6 +43,7 @@ class Scheme(ABC):
 
     def __init__(self, model: Model, grid: Grid, options: Options) -> None:
         self.model, self.grid = model, grid
+        self._derived: dict[str, ca.Function] = {}
         self.options = options.checked(len(grid.groups))
         blocks = loop_blocks(model) if self.closes else 0
         common = {
@@ -132,6 +133,12 @@ class Scheme(ABC):
         """The model's c and the steps, as the stages read them; dt: another major step than the grid's [s]."""
         steps = np.array(self.grid.h)
         return np.concatenate([c, steps if dt is None else steps * (dt / steps[0])])
+
+    def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
+        """A Function made of the scheme's, built once."""
+        if name not in self._derived:
+            self._derived[name] = build()
+        return self._derived[name]
 
     @cached_property
     def starter(self) -> ca.Function:

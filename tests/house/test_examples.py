@@ -124,6 +124,26 @@ def test_optimise_torque(said) -> None:
     assert torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
 
 
+def test_identify_hub_beam(said) -> None:
+    """Of each unknown the interval is narrow, and holds the truth or nearly so; the noise is found too."""
+    text = said("identify_hub_beam")
+    rows = [numbers(row.partition("from")[2]) for row in text.splitlines() if "95 % from" in row]
+    assert len(rows) == 3
+    for low, high, truth in rows:
+        assert low - (high - low) < truth < high + (high - low) and high - low < 0.2 * truth
+    found, given = line(text, "noise")
+    assert found == pytest.approx(given, rel=0.2)
+
+
+def test_design_rod(said) -> None:
+    """A rod of the same mass that is thick in the middle bends a fifth less."""
+    text = said("design_rod")
+    assert text.startswith("Optimization terminated successfully")
+    heel, middle, toe, peak = line(text, "best")
+    assert heel + middle + toe == pytest.approx(24.0, abs=0.016) and middle > max(heel, toe)
+    assert peak < 0.85 * line(text, "uniform")[-1]
+
+
 def test_build_spatial_arm(said) -> None:
     text = said("build_spatial_arm")
     assert text.startswith("completed at t = 1 s")

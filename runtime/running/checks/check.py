@@ -89,7 +89,11 @@ class Check:
 
 
 def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
-    """(z, c) -> outputs of a kernel of (q, q_dot, t) at the state that z shows."""
+    """(z, c) -> outputs of a kernel of (q, q_dot, t) at the state that z shows; built once for a scheme."""
+    return scheme.derived(f"observed {name}", lambda: _observed(model, scheme, name, outputs))
+
+
+def _observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     seen = scheme.observer(z=z, c=c)
     q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
