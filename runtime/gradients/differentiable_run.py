@@ -17,6 +17,8 @@ from runtime.engine.native import NativeProgram
 from runtime.gradients.assembly import start_slopes
 from runtime.gradients.beginning import Beginning
 from runtime.gradients.derivatives_of_run import Gradient, OutputJacobian
+from runtime.gradients.driving import driven_by, parameters_at
+from runtime.gradients.equilibrium_slopes import settled_slopes
 from runtime.gradients.objectives import Objective
 from runtime.gradients.observed_program import observed_program
 from runtime.gradients.outputs import check_outputs
@@ -24,6 +26,8 @@ from runtime.gradients.passes import Backward, SampleGrid, Weigh, forward
 from runtime.gradients.switches import Switches
 from runtime.gradients.variables import variables_of
 from runtime.gradients.watch import Watch
+from runtime.operating.given_state import given_state
+from runtime.running.inputs import InputValue
 from runtime.running.plan import make_plan
 from runtime.schemes.stepper import start_vector
 from runtime.start.start_state import start_state
@@ -64,15 +68,17 @@ class DifferentiableRun:
         options: Mapping[str, Any] | None = None,
         start: str | None = None,
         t0: float = 0.0,
+        inputs: Mapping[str, InputValue] | None = None,
         save_every: int | None = None,
         wait: bool = False,
     ) -> None:
+        model = driven_by(model, inputs)
         if not model.q_i:
             raise ModelError(f"every coordinate of model {model.name} is driven: there is nothing to step")
         self.model, self.outputs, self.variables = model, check_outputs(model, outputs), variables_of(model, by)
         self.plan = make_plan(model, t_end, dt, m, scheme, save_every, options, t0)
         self._parameters, self._initial = dict(parameters or {}), dict(initial or {})
-        self._start, self._wait = _start_of(model, start), wait
+        self._start, self._wait = self._start_of(start), wait
         self.program = observed_program(self.plan.scheme, self.outputs, [k for _, k in self.variables.parameters])
         self._refuse_idle()
         every, steps = self.plan.save_every, self.plan.steps
@@ -173,7 +179,7 @@ class DifferentiableRun:
 
     def _values_of_start(self) -> np.ndarray:
         """x of the start: what the arguments say, else what the model says."""
-        p = self.model.parameter_vector(self._parameters)
+        p = parameters_at(self.model, self._parameters, self.plan.t0)
         given = {**self._initial}
         state = start_state(self.model, p, self.model.constants(p), self.plan.t0, given, self._start)
         x = np.zeros(len(self.by))
@@ -188,16 +194,39 @@ class DifferentiableRun:
         parameters, initial = self.variables.named(values)
         given = {**self._initial, **initial}
         model, scheme, plan = self.model, self.plan.scheme, self.plan
-        p = model.parameter_vector({**self._parameters, **parameters})
+        p = parameters_at(model, {**self._parameters, **parameters}, plan.t0)
         c = model.constants(p)
         state = start_state(model, p, c, plan.t0, given, self._start)
         z = self.program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
         i, loop = model.independent_columns, model.loop_columns
-        moved = start_slopes(model, p, plan.t0, state, given, self.variables) if slopes else np.zeros((0, 0))
+        moved = self._start_slopes(p, c, given) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
         where = np.concatenate([p, state.q[i], state.q_dot[i], state.q[loop]])
         return _Begun(z, self.program.prepared.ready(scheme.constants(c)), where, moved, watch)
+
+    def _start_slopes(self, p: np.ndarray, c: np.ndarray, given: Mapping[str, float]) -> np.ndarray:
+        """d(p, q_i, q_i_dot, loop unknowns)/dx of the start."""
+        model, t0 = self.model, self.plan.t0
+        assembled = given_state(model, p, c, t0, given)
+        slopes = start_slopes(model, p, t0, assembled, given, self.variables)
+        if self._start == "given" or not set(model.elastic) & set(model.q_i):
+            return slopes
+        unstable = self._start == "quasi_static_unstable"
+        return settled_slopes(model, p, c, t0, assembled, slopes, unstable)
+
+    def _start_of(self, start: str | None) -> str:
+        """The kind of start, as a simulation takes it. Raises InitialStateError for one that does not go with `by`."""
+        chosen = start or str(self.model.simulation.get("start", "given"))
+        names = {name + end for name in self.model.elastic for end in ("", "_dot")}
+        if start is None and names & {*self._initial, *self.by}:
+            return "given"
+        if chosen != "given" and names & set(self.by):
+            raise InitialStateError(
+                f"start = {chosen}: {', '.join(sorted(names & set(self.by)))} follow from the equilibrium; leave them "
+                "out of `by`, or take start = given"
+            )
+        return chosen
 
     def _refuse_idle(self) -> None:
         """Raises ArgumentError for a parameter that no function of the model reads."""
@@ -220,14 +249,3 @@ class DifferentiableRun:
                 "is not finite: the run passes a point where a function has none (a root at zero, a division)",
                 "start a little beside that point",
             )
-
-
-def _start_of(model: Model, start: str | None) -> str:
-    """The kind of start. Raises InitialStateError for one that cannot be differentiated."""
-    chosen = start or str(model.simulation.get("start", "given"))
-    if chosen != "given" and model.elastic:
-        raise InitialStateError(
-            f"start = {chosen}: the elastic equilibrium at the start is not differentiated; take start = 'given', "
-            "with initial values of the elastic coordinates where they matter"
-        )
-    return chosen

@@ -48,7 +48,8 @@ def observed_program(scheme: Scheme, names: Sequence[str], parameters: Sequence[
     assert isinstance(prepared.program, InTurn)
     stepping, observing = prepared.program.parts
     z_size, c_size = prepared.z_size, int(prepared.constants.size1_out(0))
-    fixed = {k for name in scheme.bookkeeping for k in range(*scheme.layout.slice(name).indices(first))}
+    kept = [name for name in scheme.bookkeeping if name != "inputs"]  # through which what is held acts on the motion
+    fixed = {k for name in kept for k in range(*scheme.layout.slice(name).indices(first))}
     moving = tuple(k for k in range(z_size) if k not in fixed)
     active = Active(moving, _acting(scheme, prepared, parameters), z_size, c_size)
     return ObservedProgram(scheme, prepared, stepping, observing, outputs, active)

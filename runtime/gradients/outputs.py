@@ -10,7 +10,6 @@ import casadi as ca
 from runtime.contract.model import Model, ModelError
 from runtime.results.samples import FORCE_PARTS
 from runtime.schemes.scheme import Scheme
-from runtime.schemes.stage_equations import StageEquations
 
 SHOWN = 25  # names that an error lists
 ENERGIES = ("kinetic", "elastic", "potential", "power_applied", "power_dissipated")
@@ -55,7 +54,8 @@ def _places(model: Model) -> dict[str, Place]:
 
 def output_values(scheme: Scheme, names: Sequence[str], z: ca.SX, c: ca.SX) -> ca.SX:
     """The named outputs (n_y,) of the scheme's state z with the constants c that its stages read."""
-    model, equations, places = scheme.model, StageEquations(scheme.model, c), _places(scheme.model)
+    model, places = scheme.model, _places(scheme.model)
+    equations = scheme.equations(c, scheme.layout.unpack(z))
     seen = scheme.observer(z=z, c=c)
     at: dict[str, ca.SX] = {"t": seen["t"]}
     for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot")):

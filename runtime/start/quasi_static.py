@@ -35,16 +35,15 @@ def quasi_static_state(
     elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
     if not elastic:
         return state
-    solver = _Equilibrium(model, elastic, c, unstable)
+    solver = ElasticEquilibrium(model, elastic, c, unstable)
     columns = model.independent_columns
     q_i, v = state.q[columns].copy(), state.q_dot[columns].copy()
     loop = state.q[model.loop_columns]
     rigid = [k for k in range(len(q_i)) if k not in elastic]
-    speed = np.abs(np.delete(state.q_dot, [model.coordinates.index(name) for name in model.elastic])).max(initial=0.0)
+    step, _ = small_motion(model, state.q_dot)
     for _ in range(PASSES):
         q_i = solver.solve(t, q_i, v, loop)
-        if speed > 0:
-            step = SMALL_MOTION / speed
+        if step > 0:
             moved = []
             for sign in (1, -1):
                 at = q_i.copy()
@@ -60,9 +59,28 @@ def quasi_static_state(
     return ConsistentState(q, q_dot, {**state.changed, **changed})
 
 
-class _Equilibrium:
+def small_motion(model: Model, q_dot: np.ndarray) -> tuple[float, int]:
+    """(time [s] in which the fastest coordinate but the elastic ones moves by SMALL_MOTION, its column); 0: at rest."""
+    speeds = np.abs(q_dot)
+    speeds[[model.coordinates.index(name) for name in model.elastic]] = 0.0
+    fastest = int(speeds.argmax())
+    return (SMALL_MOTION / float(speeds[fastest]) if speeds[fastest] > 0 else 0.0), fastest
+
+
+class ElasticEquilibrium:
+    """Elastic coordinates (positions in q_i) for which q_e_ddot = 0 satisfies the equations, constants c (c_size,)."""
+
     def __init__(self, model: Model, elastic: list[int], c: np.ndarray, unstable: bool) -> None:
         self.model, self.elastic, self.c, self.unstable = model, elastic, c, unstable
+        self._residual = self.residual(model, elastic)
+
+    @staticmethod
+    def residual(model: Model, elastic: list[int]) -> ca.Function:
+        """(t, q_i, q_i_dot, loop unknowns, c) -> residual, its slope by the elastic ones, their mass, q_d, q_d_dot."""
+        return model.derived("elastic_equilibrium", lambda: ElasticEquilibrium._built(model, elastic))
+
+    @staticmethod
+    def _built(model: Model, elastic: list[int]) -> ca.Function:
         n = len(model.q_i)
         rigid = [k for k in range(n) if k not in elastic]
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
@@ -77,9 +95,8 @@ class _Equilibrium:
             residual = residual - ca.mtimes(M_hat[elastic, rigid], columns[0])
             mass = mass - ca.mtimes(M_hat[elastic, rigid], ca.horzcat(*columns[1:]))
         inputs = [t, q, v, loop, constants]
-        outputs = [residual, ca.jacobian(residual, q)[:, elastic], mass]
-        self._residual = ca.Function("residual", inputs, [ca.densify(output) for output in outputs])
-        self._closed = ca.Function("closed", inputs, [motion.q_d, equations.rates(motion, v)])
+        outputs = [residual, ca.jacobian(residual, q)[:, elastic], mass, motion.q_d, equations.rates(motion, v)]
+        return ca.Function("residual", inputs, [ca.densify(output) for output in outputs])
 
     def solve(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> np.ndarray:
         """q_i with its elastic entries in equilibrium."""
@@ -87,7 +104,7 @@ class _Equilibrium:
 
         def balance(x: np.ndarray) -> Balance | None:
             q[self.elastic] = x
-            residual, slope, mass = (np.asarray(value) for value in self._residual(t, q, v, loop, self.c))
+            residual, slope, mass = (np.asarray(value) for value in self._residual(t, q, v, loop, self.c)[:3])
             finite = all(np.isfinite(value).all() for value in (residual, slope, mass))
             return (residual.ravel(), slope, mass) if finite else None
 
@@ -107,7 +124,7 @@ class _Equilibrium:
 
     def closed(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates."""
-        q_d, q_d_dot = self._closed(t, q_i, v, loop, self.c)
+        q_d, q_d_dot = self._residual(t, q_i, v, loop, self.c)[3:]
         q, q_dot = np.zeros(len(self.model.coordinates)), np.zeros(len(self.model.coordinates))
         q[self.model.independent_columns], q_dot[self.model.independent_columns] = q_i, v
         q[self.model.dependent_columns] = np.asarray(q_d).ravel()

@@ -7,10 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, Model, gradient, output_jacobian, simulate
+from runtime import SCHEMES, DifferentiableRun, Model, gradient, output_jacobian, simulate
 from runtime.gradients import passes
 from runtime.gradients.objectives import End, Formula, Integral, Largest, SquaredError
 from symgen.scene import Scene, SceneBuilder
+from tests.running.test_inputs import cart
 from tests.support import complex_step
 
 Build = Callable[[Scene], Model]
@@ -122,3 +123,41 @@ def test_objectives_have_the_derivatives_of_their_values() -> None:
             assert slope[k, 0] == pytest.approx((moved[1] - moved[0]) / 2e-6, rel=1e-6, abs=1e-8), one
     assert smooth.weighed(t, y)[0] <= Largest("y").weighed(t, y)[0]
     assert Integral("y").weighed(t, t[:, None])[0] == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_every_scheme_has_a_way_back(built_in: Load, scheme: str) -> None:
+    """By a stiffness, a mass and a start, of two coupled oscillators; the run is that of a simulation bit for bit."""
+    model = built_in("two_oscillators")
+    masses = [parameter.name for parameter in model.parameters if parameter.kind != "data"][:2]
+    by, names = [*masses, model.q_i[0], f"{model.q_i[1]}_dot"], list(model.q_i)
+    run = DifferentiableRun(model, names, by, scheme=scheme, dt=1e-3, t_end=8e-3, save_every=4)
+    objective = Formula(run.outputs, lambda t, y: 1e3 * y[names[0]][-1] + (t * y[names[1]]).T @ t)
+    forward, reverse = (run.gradient(objective, mode=mode).derivatives for mode in ("forward", "reverse"))
+    np.testing.assert_allclose(reverse, forward, rtol=0, atol=1e-12 * np.abs(forward).max())
+    assert np.abs(forward).min() > 0
+    whole = simulate(model, scheme=scheme, dt=1e-3, t_end=8e-3, save_every=4)
+    np.testing.assert_array_equal(run.values(), whole.q_i)
+
+
+def test_a_quasi_static_start_moves_with_its_parameters(built_in: Load) -> None:
+    """Equilibrium of the rod and its rate, by parameters and rigid coordinates: against sixth-order differences."""
+    model, by = built_in("flexible_slider_crank_free"), ["crank.tip.x", "slider.mass", "crank.theta", "crank.theta_dot"]
+    settings = {"dt": 2e-5, "t_end": 2e-4, "save_every": 10, "start": "quasi_static", "initial": {"crank.theta": 0.7}}
+    run = DifferentiableRun(model, ["rod.q1", "rod.q1_dot"], by, **settings)
+    slopes = run.jacobian().derivatives
+    weights = {-3: -1 / 60, -2: 3 / 20, -1: -3 / 4, 1: 3 / 4, 2: -3 / 20, 3: 1 / 60}
+    for k, value in enumerate(run.x0):
+        h = 1e-3 * abs(value)
+        difference = sum(w * run.values(run.x0 + n * h * np.eye(4)[k]) for n, w in weights.items()) / h
+        np.testing.assert_allclose(slopes[:, :, k], difference, rtol=1e-7, atol=1e-9 * np.abs(difference).max())
+
+
+def test_inputs_are_parameters_of_a_run(model_of: Build) -> None:
+    """2 kg pushed by an input: x(1) = F / (2 m) for a constant one, (1 - sin(2) / 2) / (2 m) for sin(2 t)."""
+    model = model_of(cart())
+    for mode in ("forward", "reverse"):
+        held = gradient(model, End("cart.x"), ["force", "cart.mass"], inputs={"force": 3.0}, mode=mode)
+        np.testing.assert_allclose(held.derivatives, [1 / 4, -3 / 8], rtol=1e-11)
+        wave = gradient(model, End("cart.x"), ["cart.mass"], inputs={"force": lambda t: np.sin(2 * t)}, mode=mode)
+        assert wave["cart.mass"] == pytest.approx(-(1 - np.sin(2.0) / 2) / 8, rel=1e-9)

@@ -33,7 +33,7 @@ RUNTIME_ROOMS = {
     "start": "contract schemes operating",
     "baselines": "contract engine schemes start results",
     "running": "contract engine schemes start results operating baselines",
-    "gradients": "contract engine schemes start results running",
+    "gradients": "contract engine schemes start results operating running",
     "studies": "contract engine schemes start results operating baselines running",
     "views": "contract results operating",
     "moved": "",
