@@ -31,7 +31,7 @@ def start_slopes(
     """
     n, n_p = len(model.coordinates), len(p)
     dp, dq, dv = np.zeros((n_p, len(by.names))), np.zeros((n, len(by.names))), np.zeros((n, len(by.names)))
-    for k, entry in by.parameters:
+    for k, entry, _ in by.parameters:
         dp[entry, k] = 1.0
     for k, column, is_rate in by.initial:
         (dv if is_rate else dq)[column, k] = 1.0

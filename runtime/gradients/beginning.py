@@ -7,10 +7,25 @@ assembly.py.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import casadi as ca
 import numpy as np
 
 from runtime.gradients.observed_program import ObservedProgram
+from runtime.gradients.watch import Watch
+
+
+@dataclass(frozen=True)
+class Begun:
+    """A run at its start: z, the prepared constants, x (n_x,), slopes of x by the values (n_x, n), the values (n,)."""
+
+    z: np.ndarray
+    ready: np.ndarray
+    x: np.ndarray
+    slopes: np.ndarray
+    values: np.ndarray
+    watch: Watch
 
 
 class Beginning:

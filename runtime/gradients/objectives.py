@@ -69,11 +69,14 @@ class Integral:
 
 @dataclass(frozen=True)
 class SquaredError:
-    """The sum of squares of (output - data) / deviation over the saved times; data (N,), NaN where there is none."""
+    """The sum of squares of (output - data) / deviation over the saved times.
+
+    data (N,); deviation: one number or (N,), infinite where nothing was measured.
+    """
 
     output: str
     data: np.ndarray = field(repr=False)
-    deviation: float = 1.0
+    deviation: float | np.ndarray = 1.0
 
     @property
     def outputs(self) -> tuple[str, ...]:
@@ -81,7 +84,7 @@ class SquaredError:
         return (self.output,)
 
     def weighed(self, t: np.ndarray, y: np.ndarray) -> Weighed:
-        """sum of r_k^2. Raises ArgumentError for data of another length."""
+        """sum of r_k^2. Raises ArgumentError for data of another length, and for NaN."""
         data = np.asarray(self.data, dtype=float)
         if data.shape != t.shape:
             raise ArgumentError(
@@ -89,8 +92,16 @@ class SquaredError:
                 f"has shape {data.shape}",
                 f"give one value for each of the {len(t)} saved times",
             )
-        residual = np.where(np.isnan(data), 0.0, (y[:, 0] - data) / self.deviation)
-        return float(residual @ residual), (2 * residual / self.deviation)[:, None]
+        weights = 1.0 / np.broadcast_to(np.asarray(self.deviation, dtype=float), t.shape)
+        bad = np.flatnonzero((weights > 0) & ~np.isfinite(data))
+        if len(bad):
+            raise ArgumentError(
+                f"data of {self.output}",
+                f"is {data[bad[0]]} at t = {t[bad[0]]:.6g} s",
+                "let deviation be infinite there",
+            )
+        residual = np.where(weights > 0, y[:, 0] - data, 0.0) * weights
+        return float(residual @ residual), (2 * residual * weights)[:, None]
 
 
 @dataclass(frozen=True)

@@ -8,35 +8,24 @@ again from the last of them, then from the one before, so that memory grows as s
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import replace
 from math import ceil, sqrt
 
 import numpy as np
 
 from runtime.engine.derivatives_code import LaneArrays, Recorder, TangentCode
+from runtime.gradients.beginning import Begun
+from runtime.gradients.course import Course, Stop
 from runtime.gradients.observed_program import ObservedProgram
 
 TAPE_NUMBERS = 500_000  # a run whose tape is shorter is recorded whole; about what a second-level cache holds
 
 
-@dataclass(frozen=True)
-class SampleGrid:
-    """steps: major steps before each sample but the first, so N + 1 samples follow from N entries."""
-
-    steps: tuple[int, ...]
-
-    @property
-    def count(self) -> int:
-        """How many samples."""
-        return len(self.steps) + 1
-
-
 def forward(
     program: ObservedProgram,
     codes: tuple[TangentCode, TangentCode],
-    samples: SampleGrid,
-    z: np.ndarray,
-    constants: np.ndarray,
+    course: Course,
+    begun: Begun,
     directions: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(outputs (N, n_y), their derivatives (N, n_y, k), the last z) along directions (active, k).
@@ -45,8 +34,8 @@ def forward(
     """
     stepping, observing = codes
     active, width, n_y = program.active, stepping.width, program.outputs.stop - program.outputs.start
-    count = directions.shape[1]
-    y, slopes = np.zeros((samples.count, n_y)), np.zeros((samples.count, n_y, count))
+    count, z, constants = directions.shape[1], begun.z, begun.ready
+    y, slopes = np.zeros((len(course.times), n_y)), np.zeros((len(course.times), n_y, count))
     arrays = LaneArrays(len(z) + len(active.z), len(constants) + len(active.c), width)
     rows = [len(z) + row for row in program.output_rows]
     for first in range(0, count, width):
@@ -55,13 +44,19 @@ def forward(
         arrays.z[len(z) :], arrays.c[len(constants) :] = 0.0, 0.0
         arrays.z[len(z) :, :here] = directions[: len(active.z), first : first + here]
         arrays.c[len(constants) :, :here] = directions[len(active.z) :, first : first + here]
-        for k in range(samples.count):
-            if k:
-                stepping.run(arrays, samples.steps[k - 1])
-            observing.run(arrays, 1)
-            slopes[k, :, first : first + here] = arrays.z[rows[0] : rows[-1] + 1, :here]
-            if first == 0:
-                y[k] = arrays.z[program.outputs, 0]
+        for stop in course.stops:
+            if stop.steps:
+                stepping.run(arrays, stop.steps)
+            if stop.sample >= 0:
+                observing.run(arrays, 1)
+                slopes[stop.sample, :, first : first + here] = arrays.z[rows[0] : rows[-1] + 1, :here]
+                if first == 0:
+                    y[stop.sample] = arrays.z[program.outputs, 0]
+            for hold in stop.holds:
+                row = len(z) + active.z.index(hold.row)
+                arrays.z[hold.row], arrays.z[row] = hold.number(begun.values), 0.0
+                if first <= hold.place < first + here:
+                    arrays.z[row, hold.place - first] = 1.0
     return y, slopes, arrays.z[: len(z), 0].copy()
 
 
@@ -71,11 +66,10 @@ Weigh = Callable[[np.ndarray], np.ndarray]  # outputs (N, n_y) -> derivative of 
 class Backward:
     """A run with its way back.  codes: recorders of the step and of the outputs."""
 
-    def __init__(self, program: ObservedProgram, codes: tuple[Recorder, Recorder], samples: SampleGrid) -> None:
-        self.program, self.samples = program, samples
+    def __init__(self, program: ObservedProgram, codes: tuple[Recorder, Recorder], course: Course) -> None:
+        self.program, self.course = program, course
         self.stepping, self.observing = codes
-        total = sum(samples.steps)
-        self.longest = self._longest_segment(total)
+        self.longest = self._longest_segment(course.steps)
         self.parts = self._parts()
 
     def _longest_segment(self, steps: int) -> int:
@@ -85,83 +79,90 @@ class Backward:
             return max(1, steps)
         return max(ceil(sqrt(steps * self.program.active.z_size / records)), TAPE_NUMBERS // records, 1)
 
-    def _parts(self) -> list[list[tuple[int, int]]]:
-        """Segments of (steps, sample after them or -1), each of at most `longest` steps."""
-        segments: list[list[tuple[int, int]]] = [[]]
+    def _parts(self) -> list[list[Stop]]:
+        """Segments of the course, each of at most `longest` steps: a stop is cut where it is too long."""
+        segments: list[list[Stop]] = [[]]
         room = self.longest
-        for k, steps in enumerate(self.samples.steps):
-            left = steps
+        for stop in self.course.stops[1:]:
+            left = stop.steps
             while left:
                 if not room:
                     segments.append([])
                     room = self.longest
                 taken = min(left, room)
                 left, room = left - taken, room - taken
-                segments[-1].append((taken, -1 if left else k + 1))
+                segments[-1].append(Stop(taken, -1) if left else replace(stop, steps=taken))
         return segments
 
-    def run(self, z: np.ndarray, constants: np.ndarray, weigh: Weigh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(outputs (N, n_y), adjoint of the active entries of z and constants at the beginning, the last z)."""
-        active, outputs = self.program.active, self.program.outputs
-        y = np.zeros((self.samples.count, outputs.stop - outputs.start))
-        z, whole = z.copy(), len(self.parts) == 1
-        kept = []
-        tapes = _Tapes(self, max((sum(steps for steps, _ in part) for part in self.parts), default=0))
+    def run(self, begun: Begun, weigh: Weigh) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """(outputs (N, n_y), adjoint of the active entries of z and constants at the beginning, that of x by what is
+        held later (n,), the last z).
+        """
+        active, outputs, constants = self.program.active, self.program.outputs, begun.ready
+        y = np.zeros((len(self.course.times), outputs.stop - outputs.start))
+        z, kept = begun.z.copy(), []
+        tapes = _Tapes(self, begun, y)
         first = np.zeros(self.observing.records + 1)
         self.observing.record(z, constants, first, 1)
         y[0] = z[outputs]
         for part in self.parts:
             kept.append(z.copy())
-            tapes.rewind()
-            for steps, sample in part:
-                tapes.forward(z, constants, steps, sample)
-                if sample >= 0:
-                    y[sample] = z[outputs]
+            tapes.forward(z, part)
         last = z.copy()
         bars = weigh(y)
-        adjoint = np.zeros(active.size)
-        rows = slice(self.program.output_rows[0], self.program.output_rows[-1] + 1)
+        adjoint, held = np.zeros(active.size), np.zeros(len(begun.values))
         for part, start in zip(reversed(self.parts), reversed(kept), strict=True):
-            if not whole and part is not self.parts[-1]:
+            if part is not self.parts[-1]:
                 z = start.copy()
-                tapes.rewind()
-                for steps, sample in part:
-                    tapes.forward(z, constants, steps, sample)
-            for steps, sample in reversed(part):
-                if sample >= 0:
-                    adjoint[rows] = bars[sample]
-                tapes.back(adjoint, constants, steps, sample)
-        adjoint[rows] = bars[0]
+                tapes.forward(z, part)
+            tapes.back(adjoint, held, bars, part)
+        adjoint[self.rows] = bars[0]
         self.observing.reverse(adjoint, constants, first, 1)
-        return y, adjoint, last
+        return y, adjoint, held, last
+
+    @property
+    def rows(self) -> slice:
+        """Where the outputs lie in an adjoint."""
+        return slice(self.program.output_rows[0], self.program.output_rows[-1] + 1)
 
 
 class _Tapes:
-    """What a segment recorded: of steps and of outputs, each in its order."""
+    """What a segment recorded: of steps and of outputs, each in its order; outputs go to y (N, n_y)."""
 
-    def __init__(self, run: Backward, steps: int) -> None:
+    def __init__(self, run: Backward, begun: Begun, y: np.ndarray) -> None:
+        self._run, self._begun, self._y = run, begun, y
         self._step, self._output = run.stepping, run.observing
-        most = max((sum(sample >= 0 for _, sample in part) for part in run.parts), default=0)
+        steps = max((sum(stop.steps for stop in part) for part in run.parts), default=0)
+        most = max((sum(stop.sample >= 0 for stop in part) for part in run.parts), default=0)
         self._steps = np.zeros(steps * self._step.records + 1)
         self._outputs = np.zeros(most * self._output.records + 1)
-        self.rewind()
-
-    def rewind(self) -> None:
-        """Begin anew."""
         self._at, self._seen = 0, 0
 
-    def forward(self, z: np.ndarray, c: np.ndarray, steps: int, sample: int) -> None:
-        """Steps, and outputs where there is a sample after them."""
-        self._step.record(z, c, self._steps[self._at :], steps)
-        self._at += steps * self._step.records
-        if sample >= 0:
-            self._output.record(z, c, self._outputs[self._seen :], 1)
-            self._seen += self._output.records
+    def forward(self, z: np.ndarray, part: list[Stop]) -> None:
+        """Run a segment and record it, from the beginning of the tapes."""
+        c, self._at, self._seen = self._begun.ready, 0, 0
+        for stop in part:
+            self._step.record(z, c, self._steps[self._at :], stop.steps)
+            self._at += stop.steps * self._step.records
+            if stop.sample >= 0:
+                self._output.record(z, c, self._outputs[self._seen :], 1)
+                self._seen += self._output.records
+                self._y[stop.sample] = z[self._run.program.outputs]
+            for hold in stop.holds:
+                z[hold.row] = hold.number(self._begun.values)
 
-    def back(self, adjoint: np.ndarray, c: np.ndarray, steps: int, sample: int) -> None:
+    def back(self, adjoint: np.ndarray, held: np.ndarray, bars: np.ndarray, part: list[Stop]) -> None:
         """The same, the other way."""
-        if sample >= 0:
-            self._seen -= self._output.records
-            self._output.reverse(adjoint, c, self._outputs[self._seen :], 1)
-        self._at -= steps * self._step.records
-        self._step.reverse(adjoint, c, self._steps[self._at :], steps)
+        c, active = self._begun.ready, self._run.program.active
+        for stop in reversed(part):
+            for hold in reversed(stop.holds):
+                row = active.z.index(hold.row)
+                if hold.place >= 0:
+                    held[hold.place] += adjoint[row]
+                adjoint[row] = 0.0
+            if stop.sample >= 0:
+                adjoint[self._run.rows] = bars[stop.sample]
+                self._seen -= self._output.records
+                self._output.reverse(adjoint, c, self._outputs[self._seen :], 1)
+            self._at -= stop.steps * self._step.records
+            self._step.reverse(adjoint, c, self._steps[self._at :], stop.steps)

@@ -18,6 +18,8 @@ import numpy as np
 from runtime.contract.errors import NoResult
 from runtime.contract.tape import UNUSED, Tape, node_value, read_tape
 from runtime.engine.native import NativeProgram
+from runtime.gradients.beginning import Begun
+from runtime.gradients.course import Course
 from runtime.gradients.observed_program import ObservedProgram
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import StageEquations
@@ -42,22 +44,34 @@ class Switches:
         self._plan, self._program = plan, program
         self._watched = _watched(plan, parameters)
 
-    def check(self, z: np.ndarray, ready: np.ndarray, steps: int) -> None:
-        """Look along a run from z on. Raises NoResult for a force that jumps there."""
+    def check(self, begun: Begun, course: Course) -> None:
+        """Look along a run. Raises NoResult for a force that jumps there."""
         if self._watched is None:
             return
-        scheme, c = self._plan.scheme, ready[: self._plan.scheme.model.c_size]
+        scheme, ready = self._plan.scheme, begun.ready
         constants = ready[: scheme.c_size]
-        stepping, z = NativeProgram(self._program.step), z.copy()
-        before = self._at(z, constants)
-        for _ in range(steps):
-            held = self._conditions(before, c)
-            stepping.run(z, ready, 1)
-            after = self._at(z, constants)
-            now = self._conditions(after, c)
-            for k in np.flatnonzero(held != now):
-                self._compare(int(k), before, after, held, c)
-            before = after
+        stepping, z = NativeProgram(self._program.step), begun.z.copy()
+        for stop in course.stops:
+            c = self._constants(z, ready)
+            before = self._at(z, constants)
+            for _ in range(stop.steps):
+                held = self._conditions(before, c)
+                stepping.run(z, ready, 1)
+                after = self._at(z, constants)
+                now = self._conditions(after, c)
+                for k in np.flatnonzero(held != now):
+                    self._compare(int(k), before, after, held, c)
+                before = after
+            for hold in stop.holds:
+                z[hold.row] = hold.number(begun.values)
+
+    def _constants(self, z: np.ndarray, ready: np.ndarray) -> np.ndarray:
+        """The model's c with the inputs that z holds."""
+        scheme, c = self._plan.scheme, ready[: self._plan.scheme.model.c_size].copy()
+        if "inputs" in scheme.layout.sizes:
+            held = z[scheme.layout.slice("inputs")]
+            c[len(c) - len(held) :] = held
+        return c
 
     def _at(self, z: np.ndarray, constants: np.ndarray) -> np.ndarray:
         """(t, q_i, q_i_dot, loop unknowns) that a state shows."""

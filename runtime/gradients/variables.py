@@ -10,23 +10,26 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
+from runtime.gradients.driving import HeldSample
 
 
 @dataclass(frozen=True)
 class Variables:
-    """Names in the order asked for; parameters: of those that are, (position in the list, entry of p).
+    """Names in the order asked for; parameters: of those that are, (position in the list, entry of p, its own name).
 
-    initial: of the others, (position in the list, column of q, is it a rate?).
+    initial: of initial values, (position, column of q, is it a rate?). samples: of held samples of inputs after the
+    start, (position, value); one that is held from the start on is a parameter.
     """
 
     names: tuple[str, ...]
-    parameters: tuple[tuple[int, int], ...]
+    parameters: tuple[tuple[int, int, str], ...]
     initial: tuple[tuple[int, int, bool], ...]
+    samples: tuple[tuple[int, float], ...] = ()
 
     def named(self, x: np.ndarray) -> tuple[dict[str, float], dict[str, float]]:
         """(parameters, initial values) by name, of the values x (n,)."""
         return (
-            {self.names[k]: float(x[k]) for k, _ in self.parameters},
+            {name: float(x[k]) for k, _, name in self.parameters},
             {self.names[k]: float(x[k]) for k, _, _ in self.initial},
         )
 
@@ -53,21 +56,31 @@ def starting_values(model: Model) -> dict[str, tuple[int, bool]]:
     return {**found, **{f"{name}_dot": (k, True) for k, name in enumerate(model.coordinates)}}
 
 
-def variables_of(model: Model, by: Sequence[str]) -> Variables:
-    """Checked names. Raises ModelError for a name that is neither a parameter nor a coordinate nor its rate."""
+def variables_of(model: Model, by: Sequence[str], held: Sequence[HeldSample] = ()) -> Variables:
+    """Checked names. Raises ModelError for a name that is neither a parameter nor a coordinate nor its rate.
+
+    The name of a sampled input stands for all its samples, which are called `input[number]`.
+    """
     if isinstance(by, str) or not len(by):
         raise ModelError(f"by must be a list of parameters and initial values, not {by!r}")
     if len(set(by)) < len(by):
         raise ModelError(f"by names something twice: {', '.join(by)}")
-    entries = {parameter.name: k for k, parameter in enumerate(model.parameters)}
+    own = {parameter.name: k for k, parameter in enumerate(model.parameters)}
+    sampled = {one.input for one in held}
+    by = [name for given in by for name in ([one.name for one in held if one.input == given] or [given])]
+    first = {one.name: one.input for one in held if one.step == 0}
+    later = {one.name: one.value for one in held if one.step > 0}
+    aliases = {name: name for name in own if name not in sampled} | first
+    entries = {name: own[input_] for name, input_ in aliases.items()}
     starts = starting_values(model)
     for name in by:
-        if name not in entries and name not in starts:
-            raise _unknown(model, str(name), [*entries, *starts])
+        if name not in entries and name not in starts and name not in later:
+            raise _unknown(model, str(name), [*entries, *starts, *later])
     return Variables(
         tuple(by),
-        tuple((k, entries[name]) for k, name in enumerate(by) if name in entries),
-        tuple((k, *starts[name]) for k, name in enumerate(by) if name not in entries),
+        tuple((k, entries[name], aliases[name]) for k, name in enumerate(by) if name in entries),
+        tuple((k, *starts[name]) for k, name in enumerate(by) if name in starts and name not in entries),
+        tuple((k, later[name]) for k, name in enumerate(by) if name in later),
     )
 
 

@@ -115,8 +115,9 @@ def test_objectives_have_the_derivatives_of_their_values() -> None:
     rng = np.random.default_rng(1)
     t, y = np.linspace(0.0, 2.0, 9), rng.normal(size=(9, 1))
     data = np.where(np.arange(9) == 4, np.nan, rng.normal(size=9))
+    spread = np.where(np.isnan(data), np.inf, 0.3)
     smooth = Largest("y", sharpness=20.0)
-    for one in (End("y"), Integral("y"), Integral("y", True), SquaredError("y", data, 0.3), Largest("y"), smooth):
+    for one in (End("y"), Integral("y"), Integral("y", True), SquaredError("y", data, spread), Largest("y"), smooth):
         value, slope = one.weighed(t, y)
         for k in range(9):
             moved = [one.weighed(t, y + s * 1e-6 * np.eye(9)[:, k : k + 1])[0] for s in (-1, 1)]
@@ -161,3 +162,25 @@ def test_inputs_are_parameters_of_a_run(model_of: Build) -> None:
         np.testing.assert_allclose(held.derivatives, [1 / 4, -3 / 8], rtol=1e-11)
         wave = gradient(model, End("cart.x"), ["cart.mass"], inputs={"force": lambda t: np.sin(2 * t)}, mode=mode)
         assert wave["cart.mass"] == pytest.approx(-(1 - np.sin(2.0) / 2) / 8, rel=1e-9)
+
+
+@pytest.mark.parametrize("scheme", ["rk4", "single_rate", "exponential"])
+def test_a_held_input_has_a_derivative_for_each_sample(model_of: Build, scheme: str, monkeypatch) -> None:
+    """2 kg pushed by f_k in a time h_k: x(1) = sum f_k h_k (time left from its middle on) / m, whatever f is.
+
+    The steps of central differences see a force that begins between them half a step early.
+    """
+    model, times = model_of(cart()), [0.0, 0.25, 0.5, 0.75, 2.0]
+    force, settings = (times, [1.0, -2.0, 0.5, 3.0, 9.0]), {"scheme": scheme, "save_every": 300}
+    exact = 0.25 * (1 - np.arange(0.125, 1, 0.25)) / 2
+    run = DifferentiableRun(model, ["cart.x"], ["force"], inputs={"force": force}, **settings)
+    assert run.by == ("force[0]", "force[1]", "force[2]", "force[3]")
+    one, other = (run.gradient(End("cart.x"), mode=mode).derivatives for mode in ("forward", "reverse"))
+    np.testing.assert_allclose(other, one, rtol=1e-12)
+    np.testing.assert_allclose(one, exact, rtol=5e-3 if scheme == "single_rate" else 1e-9)
+    assert run.gradient(End("cart.x")).value == pytest.approx(float(one @ run.x0), rel=1e-12)  # it is linear
+    whole = simulate(model, inputs={"force": force}, **settings)
+    np.testing.assert_allclose(run.values()[:, 0], whole["cart.x"], rtol=1e-14)
+    monkeypatch.setattr(passes, "TAPE_NUMBERS", 0)
+    again = DifferentiableRun(model, ["cart.x"], ["force[3]", "cart.mass"], inputs={"force": force}, **settings)
+    assert again.gradient(End("cart.x"), mode="reverse")["force[3]"] == other[3]

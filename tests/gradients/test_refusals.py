@@ -7,11 +7,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from runtime import DifferentiableRun, InitialStateError, Model, ModelError, SymgenError, gradient
+from runtime import DifferentiableRun, InitialStateError, Model, ModelError, Sampled, SymgenError, gradient
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End, SquaredError
 from symgen.scene import Scene
 from tests.gradients.test_gradients import sliding
+from tests.running.test_inputs import cart, crane
 
 Build = Callable[[Scene], Model]
 Load = Callable[[str], Model]
@@ -77,6 +78,8 @@ def test_values_that_cannot_be_used(built_in: Load) -> None:
         run.gradient(End("tip_x"))
     with pytest.raises(ArgumentError, match="one value for each of the 3 saved times"):
         run.gradient(SquaredError("tip_y", np.zeros(2)))
+    with pytest.raises(ArgumentError, match="data of tip_y: is nan at t = 0.01 s"):
+        run.gradient(SquaredError("tip_y", np.array([0.0, np.nan, 0.0])))
     with pytest.raises(ArgumentError, match="mode"):
         run.gradient(End("tip_y"), mode="sideways")
 
@@ -89,3 +92,13 @@ def test_runs_without_a_derivative(built_in: Load) -> None:
     with pytest.raises(InitialStateError, match="the assembly moves crank.theta"):
         short = {"coupler.tip.x": 0.52}
         gradient(built_in("four_bar"), End("crank.theta"), ["crank.mass"], t_end=0.02, parameters=short)
+
+
+def test_inputs_that_are_not_differentiated(model_of: Build) -> None:
+    model, moved = model_of(cart()), model_of(crane(rates=True))
+    with pytest.raises(ArgumentError, match="input 'force': a controller"):
+        gradient(model, End("cart.x"), ["cart.mass"], inputs={"force": Sampled(lambda t, values: 1.0, 0.1)})
+    with pytest.raises(ArgumentError, match="input 'way': .* with rates"):
+        gradient(moved, End("load.theta"), ["load.mass"], inputs={"way": ([0.0, 0.5], [0.0, 0.1])})
+    with pytest.raises(ModelError, match=r"neither a parameter nor a coordinate 'force\[7\]'"):
+        gradient(model, End("cart.x"), ["force[7]"], inputs={"force": ([0.0, 0.5], [0.0, 0.1])})

@@ -99,8 +99,8 @@ def derivatives(run: DifferentiableRun, name: str) -> np.ndarray:
                 apply(inner)
 
     found = []
-    for steps in (0, *run.samples.steps):
-        for _ in range(steps):
+    for stop in run.course.stops:
+        for _ in range(stop.steps):
             apply(program.step)
         apply(program.observe)
         found.append(z[program.outputs].imag / H)

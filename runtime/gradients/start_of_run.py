@@ -1,0 +1,92 @@
+"""Where a differentiated run starts for values of what is differentiated by, and how that moves with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from runtime.contract.consistent_state import InitialStateError
+from runtime.gradients.assembly import start_slopes
+from runtime.gradients.beginning import Begun
+from runtime.gradients.driving import parameters_at
+from runtime.gradients.equilibrium_slopes import settled_slopes
+from runtime.gradients.observed_program import ObservedProgram
+from runtime.gradients.variables import Variables
+from runtime.gradients.watch import Watch
+from runtime.operating.given_state import given_state
+from runtime.running.plan import Plan
+from runtime.schemes.stepper import start_vector
+from runtime.start.start_state import start_state
+
+Given = Mapping[str, float]
+
+
+class StartOfRun:
+    """parameters and initial: values by name that hold where x says nothing else; start: as `simulate` takes it."""
+
+    def __init__(
+        self,
+        program: ObservedProgram,
+        plan: Plan,
+        variables: Variables,
+        parameters: Given,
+        initial: Given,
+        start: str | None,
+    ) -> None:
+        self._program, self._plan, self._variables = program, plan, variables
+        self._model = plan.scheme.model
+        self._parameters, self._initial = dict(parameters), dict(initial)
+        self._kind = self._kind_of(start)
+
+    def values(self) -> np.ndarray:
+        """(n,) x of the start: what was given, else what the model says."""
+        p = parameters_at(self._model, self._parameters, self._plan.t0)
+        c = self._model.constants(p)
+        state = start_state(self._model, p, c, self._plan.t0, self._initial, self._kind)
+        x = np.zeros(len(self._variables.names))
+        for k, entry, _ in self._variables.parameters:
+            x[k] = p[entry]
+        for k, column, is_rate in self._variables.initial:
+            x[k] = (state.q_dot if is_rate else state.q)[column]
+        for k, value in self._variables.samples:
+            x[k] = value
+        return x
+
+    def begun(self, x: np.ndarray, slopes: bool) -> Begun:
+        """The beginning for values x (n,), with its derivatives if they are asked for. Raises NoResult."""
+        parameters, initial = self._variables.named(x)
+        given = {**self._initial, **initial}
+        model, scheme, plan = self._model, self._plan.scheme, self._plan
+        p = parameters_at(model, {**self._parameters, **parameters}, plan.t0)
+        c = model.constants(p)
+        state = start_state(model, p, c, plan.t0, given, self._kind)
+        z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
+        i, loop = model.independent_columns, model.loop_columns
+        moved = self._slopes(p, c, given) if slopes else np.zeros((0, 0))
+        watch = Watch(plan, c, p)
+        watch.begin(z)
+        where = np.concatenate([p, state.q[i], state.q_dot[i], state.q[loop]])
+        return Begun(z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch)
+
+    def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given) -> np.ndarray:
+        """d(p, q_i, q_i_dot, loop unknowns)/dx."""
+        model, t0 = self._model, self._plan.t0
+        assembled = given_state(model, p, c, t0, given)
+        slopes = start_slopes(model, p, t0, assembled, given, self._variables)
+        if self._kind == "given" or not set(model.elastic) & set(model.q_i):
+            return slopes
+        return settled_slopes(model, p, c, t0, assembled, slopes, self._kind == "quasi_static_unstable")
+
+    def _kind_of(self, start: str | None) -> str:
+        """As a simulation takes it. Raises InitialStateError for one that does not go with `by`."""
+        chosen = start or str(self._model.simulation.get("start", "given"))
+        names = {name + end for name in self._model.elastic for end in ("", "_dot")}
+        if start is None and names & {*self._initial, *self._variables.names}:
+            return "given"
+        following = ", ".join(sorted(names & set(self._variables.names)))
+        if chosen != "given" and following:
+            raise InitialStateError(
+                f"start = {chosen}: {following} follow from the equilibrium; do not name them, or take start = given"
+            )
+        return chosen
