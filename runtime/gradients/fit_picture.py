@@ -17,7 +17,7 @@ Columns = Mapping[str, np.ndarray]
 
 def fit_picture(t: np.ndarray, data: Columns, fitted: Columns, title: str, path: str | Path | None = None) -> Figure:
     """Of each output (N,) over t (N,) [s] data (points), fit (line), residuals; with a path it also writes the file."""
-    figure = Figure(figsize=(5.5 * len(data), 5.0), layout="constrained")
+    figure = Figure(figsize=(2.0 + 5.5 * len(data), 4.4), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots(2, len(data), sharex=True, squeeze=False, height_ratios=[3, 1])
     for column, (name, values) in enumerate(data.items()):

@@ -79,7 +79,7 @@ class Fit:
         """Data, fitted outputs and residuals over time; with a path it also writes the file."""
         from runtime.gradients.fit_picture import fit_picture
 
-        title = ", ".join(f"{name} = {value:.4g} ± {error:.1g}" for name, value, error in self._rows())
+        title = "\n".join(f"{name} = {value:.4g} ± {error:.1g}" for name, value, error in self._rows())
         return fit_picture(self.t, self.data, self.fitted, title, path)
 
     def __str__(self) -> str:
