@@ -28,14 +28,16 @@ class Watch:
     def end(self, z: np.ndarray) -> None:
         """Judge the run by its last state. Raises NoResult."""
         layout = self._scheme.layout
-        self._refuse(self._monitor.after(z[: layout.size].copy(), last=True))
         low, high = z[layout.slice("det_low")], z[layout.slice("det_high")]
-        if Guard.of(len(low)).alarm(low, high):
+        with np.errstate(all="ignore"):  # a run that has passed there may be lost
+            passed = Guard.of(len(low)).alarm(low, high)
+        if passed:
             raise NoResult(
                 f"model {self._scheme.model.name}",
                 "the run comes to where its loops are nearly singular, and a simulation would change coordinates there",
                 "differentiate a shorter run, or choose other independent coordinates in the scene",
             )
+        self._refuse(self._monitor.after(z[: layout.size].copy(), last=True))
 
     def _refuse(self, status: object) -> None:
         if status is not None:

@@ -102,3 +102,9 @@ def test_inputs_that_are_not_differentiated(model_of: Build) -> None:
         gradient(moved, End("load.theta"), ["load.mass"], inputs={"way": ([0.0, 0.5], [0.0, 0.1])})
     with pytest.raises(ModelError, match=r"neither a parameter nor a coordinate 'force\[7\]'"):
         gradient(model, End("cart.x"), ["force[7]"], inputs={"force": ([0.0, 0.5], [0.0, 0.1])})
+
+
+def test_a_change_of_coordinates_on_the_way_is_refused(built_in: Load) -> None:
+    """The top's Euler parameters: a simulation goes on with another one of them."""
+    with pytest.raises(NoResult, match="a simulation would change coordinates there"):
+        gradient(built_in("heavy_top"), End("top.e1"), ["top.mass"], t_end=1.0, dt=1e-3)
