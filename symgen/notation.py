@@ -113,6 +113,9 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation(
         "joint_forces", "", "", "3 or 6 x joints", "N, N m", "world force and moment of a joint on its body b, at b"
     ),
+    Notation(
+        "load_forces", "", "", "3 x loads on beams", "N, N m", "world force and moment of a load on a beam, at R_o"
+    ),
     Notation("kinetic", "", "", "1", "J", "kinetic energy"),
     Notation("elastic", "", "", "1", "J", "energy stored in bodies and springs"),
     Notation("potential", "", "", "1", "J", "potential energy of the weight"),

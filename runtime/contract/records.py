@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
+from runtime.contract.beams.records import BeamRecord, beam_records
+
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
 ParameterKind = Literal["declared", "scene", "data", "input"]
@@ -252,6 +254,7 @@ class Description:
     functions: list[FunctionSpec]
     simulation: Mapping[str, Any]
     inputs: list[InputRecord] = field(default_factory=list)
+    beams: list[BeamRecord] = field(default_factory=list)
 
 
 _TABLES: dict[str, type] = {
@@ -266,11 +269,11 @@ _TABLES: dict[str, type] = {
     "bounded": BoundedQuantity,
     "inputs": InputRecord,
 }
-_MAY_LACK = ("inputs",)  # tables that are not written where they are empty
+_MAY_LACK = ("inputs", "beams")  # tables that are not written where they are empty
 
 
 def as_plain(description: Description) -> dict[str, Any]:
-    """The description as plain values for JSON; a model without shapes or inputs has no entry for them."""
+    """The description as plain values for JSON; a model without shapes, inputs or beams has no entry for them."""
     plain = asdict(description)
     if not plain["drawing"]["shapes"]:
         del plain["drawing"]["shapes"]
@@ -290,6 +293,7 @@ def description(plain: Mapping[str, Any]) -> Description:
         )
         for entry in values["functions"]
     ]
+    values["beams"] = beam_records(values["beams"])
     points = [PointRecord(**entry) for entry in plain["drawing"]["points"]]
     shapes = [ShapeRecord(**entry) for entry in plain["drawing"].get("shapes", [])]
     values["drawing"] = Drawing(**{**plain["drawing"], "points": points, "shapes": shapes})

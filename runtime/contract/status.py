@@ -25,7 +25,9 @@ StatusName = Literal[
     "output_failed",
     "not_assembled",
 ]
-EventKind = Literal["repartition", "singular_position", "no_variant", "checkpoint_failed", "load_missed"]
+EventKind = Literal[
+    "repartition", "singular_position", "no_variant", "checkpoint_failed", "load_missed", "shapes_missing"
+]
 
 
 @dataclass(frozen=True)

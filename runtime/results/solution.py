@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from runtime.contract.model import Model
 from runtime.results import export
 from runtime.results.samples import Samples
+from runtime.results.section_forces import SectionForces, Way, section_forces
 from runtime.results.showing import SHOWS
 from runtime.results.solution_card import solution_card
 
@@ -51,6 +52,16 @@ class Solution(Samples):
         Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
         """
         return SHOWS["page"](self, path, surfaces, beside)
+
+    def section_forces(
+        self, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
+    ) -> SectionForces:
+        """Normal force, shear force and bending moment of a planar beam at fractions `at` of its length.
+
+        way: "equilibrium" of the part beyond each section (mode acceleration with inertia relief), or "modes", the sum
+        of modal forces. at: 33 sections if left out. Errors as of runtime.results.section_forces.section_forces.
+        """
+        return section_forces(self, body, at, way)
 
     def to_csv(self, path: str | Path) -> None:
         """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""

@@ -11,8 +11,10 @@ from runtime.contract.files import OutputError
 from runtime.contract.status import Status
 from runtime.engine.choose import sub_step_operations
 from runtime.results.export import run_header
+from runtime.results.missing_shapes import missing_shapes
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
+from runtime.running.limits import limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.schemes.scheme import evaluation_operations
@@ -31,6 +33,10 @@ def finished(run: Run, setup: float) -> Solution:
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
+    shares, missing = missing_shapes(solution)
+    events = [*run.events, *missing]
+    counted = {"events": len(events)} if events else {}
+    solution = replace(solution, stats={**stats, **limits(solution), **shares, **counted}, events=events)
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)
@@ -55,8 +61,6 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
         found["step_limit_at_start"] = first.monitor.step_limit
     if doubt_of(plan.scheme, run.segment.stepper.state(run.z)) > 0:
         found["work_doubt"] = doubt_of(plan.scheme, run.segment.stepper.state(run.z))
-    if run.events:
-        found["events"] = len(run.events)
     return found
 
 

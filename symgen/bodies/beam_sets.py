@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple
 
+from runtime.contract.beams.records import ModeSetRecord
 from symgen.modes import (
     BarModes,
     BeamModes,
@@ -53,6 +54,11 @@ def _sets(elements: int | None, choices: tuple[SetChoice, ...]) -> ModeSets:
     return tuple(
         (one.axis, (exact_bending if one.axis else exact_stretching)(one.ends, one.modes, panels)) for one in choices
     )
+
+
+def set_records(body: BeamBody) -> list[ModeSetRecord]:
+    """The sets as the runtime knows them: names from which it has the same shapes."""
+    return [ModeSetRecord(*one) for one in set_choices(body)]
 
 
 def mesh_name(body: BeamBody) -> str:

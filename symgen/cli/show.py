@@ -61,6 +61,7 @@ def _derived(derived: Derived) -> dict[str, Any]:
         "loop_unknowns": [names[column] for column in choice.loop_columns],
         "redundant": [derived.system.equations.constraints[row].label for row in derived.redundant],
         "groups": {group.name: [independent[k] for k in group.positions] for group in derived.groups},
+        "shapes_missing": [str(one) for one in derived.system.equations.static_residuals],
         "initial_changes": {
             name: {"given": given, "used": used} for name, (given, used) in derived.initial.changed.items()
         },
@@ -90,6 +91,7 @@ def _lines(data: dict[str, Any]) -> list[str]:
     lines += _block(f"Degrees of freedom ({count}), groups slow to fast", groups)
     lines += _block("Solved by Newton (loop closure)", data["loop_unknowns"])
     lines += _block("Redundant constraints, implied by the others", data["redundant"])
+    lines += _block("Beams whose shapes do not carry what is attached to them", data["shapes_missing"])
     lines += _block(
         "Initial values that had to change",
         [f"{name}: {change['given']:.9g} -> {change['used']:.9g}" for name, change in data["initial_changes"].items()],

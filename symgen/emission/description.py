@@ -7,6 +7,7 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 
+from runtime.contract.beams.records import BeamRecord
 from runtime.contract.records import (
     BodyRecord,
     Description,
@@ -25,6 +26,7 @@ from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereSh
 def describe(derived: Derived) -> Description:
     """Coordinates, rows, parts, parameters and functions of a derived model."""
     eq, choice, scene = derived.system.equations, derived.system.choice, derived.scene
+    missing = {one.body: float(f"{one.share:.3g}") for one in eq.static_residuals}
     return Description(
         name=scene.name,
         title=scene.title or scene.name,
@@ -46,6 +48,7 @@ def describe(derived: Derived) -> Description:
         functions=list(derived.functions.values()),
         inputs=eq.inputs,
         simulation=scene.simulation.model_dump(mode="json"),
+        beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import casadi as ca
 
 from symgen.algebra.rows import Row, to_matrix
@@ -116,6 +118,18 @@ def energy(system: Condensed) -> Kernel:
             "power_applied": eq.applied,
         },
     )
+
+
+def load_forces(system: Condensed, beams: Sequence[str]) -> Kernel:
+    """Force [N] and moment about the frame origin [N m], world axes, of each load on each planar beam (3 x pairs)."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
+    columns = [
+        ca.vertcat(*(eq.load_forces[name].get(column, ca.SX(0)) for column in eq.body_columns[beam][:3]))
+        for beam in beams
+        for name in eq.loads_on(beam)
+    ]
+    return Kernel(inputs, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(3, 0)})
 
 
 def measures(system: Condensed) -> Kernel:

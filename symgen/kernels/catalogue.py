@@ -16,7 +16,7 @@ from symgen.algebra.rows import Row
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
-from symgen.kernels.all_coordinates import augmented, constraints, energy, measures, reactions
+from symgen.kernels.all_coordinates import augmented, constraints, energy, load_forces, measures, reactions
 from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
@@ -32,7 +32,9 @@ TREES_ONLY = {
     "slow_response",
     "fast_rows",
 }  # may be asked for of any scene, and be left out
-FULLY_DRIVEN = ("closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses")
+FULLY_DRIVEN = (
+    "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
+)  # fmt: skip
 
 
 def build_kernels(
@@ -55,6 +57,7 @@ def build_kernels(
         "energy": partial(energy, system),
         "measures": partial(measures, system),
         "poses": lambda: poses(system.equations),
+        "load_forces": partial(load_forces, system, list(system.equations.beams)),
     }
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build

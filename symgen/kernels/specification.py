@@ -166,6 +166,14 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "kinetic elastic potential power_dissipated power_applied",
         ),
         _spec("measures", "", "The scene's measures and their rates", "report", "q q_dot t u c", "measures"),
+        _spec(
+            "load_forces",
+            "",
+            "Force and moment about the frame origin, in world axes, of each load on each beam",
+            "report",
+            "q q_dot t u c",
+            "load_forces",
+        ),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(
             "geometry",

@@ -10,10 +10,10 @@ mesh with lumped nodal masses (`lateral_modes`, `axial_modes`).
 
 from warnings import warn
 
+from runtime.contract.beams import BENDING, STRETCHING, panels_for
 from symgen.modes.axial import AXIAL_ENDS, BarModes, axial_modes
 from symgen.modes.cleaning import clean
-from symgen.modes.end_shapes import BENDING, STRETCHING
-from symgen.modes.exact import exact_bending, exact_stretching, panels_for
+from symgen.modes.exact import ExactBarModes, ExactBeamModes, exact_bending, exact_stretching
 from symgen.modes.integrals import BeamIntegrals, BeamPoint, beam_integrals
 from symgen.modes.lateral import LATERAL_ENDS, BeamModes, LateralPoint, lateral_modes
 
@@ -26,6 +26,8 @@ __all__ = [
     "BeamIntegrals",
     "BeamPoint",
     "BeamModes",
+    "ExactBarModes",
+    "ExactBeamModes",
     "LateralPoint",
     "axial_modes",
     "beam_integrals",

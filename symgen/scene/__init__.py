@@ -7,7 +7,7 @@ and remedy.
 from typing import Any
 from warnings import warn
 
-from symgen.scene.attachments import with_ends
+from symgen.scene.attachments import lateral_ends, with_ends
 from symgen.scene.bodies import (
     AxialModes,
     BeamBody,
@@ -45,6 +45,7 @@ from symgen.scene.measures import (
     CoordinateMeasure,
     DistanceMeasure,
     Measure,
+    SectionForceMeasure,
     XMeasure,
     YMeasure,
     ZMeasure,
@@ -69,8 +70,9 @@ __all__ = [
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
+    "SectionForceMeasure",
     "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "UniversalJoint", "WeldJoint", "XMeasure",
-    "YMeasure", "ZMeasure", "parse_expression", "read_mesh", "with_ends",
+    "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh", "with_ends",
 ]  # fmt: skip
 
 _RENAMED = {

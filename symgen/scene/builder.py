@@ -139,6 +139,10 @@ class SceneBuilder:
         """A measure of ``type`` angle, distance, x, y or z from marker_a to marker_b."""
         return self._pair("measures", type, name, marker_a, marker_b, {})
 
+    def measure_section(self, name: str, type: str, marker: str) -> Self:
+        """A measure of ``type`` normal_force, shear_force or bending_moment of a beam at a marker."""
+        return self._add("measures", type, name, {"marker": marker})
+
     def measure_coordinate(self, name: str, coordinate: str) -> Self:
         """A measure of a coordinate itself."""
         return self._add("measures", "coordinate", name, {"coordinate": coordinate})

@@ -56,6 +56,19 @@ class CoordinateMeasure(StrictModel):
     coordinate: Coordinate
 
 
+class SectionForceMeasure(StrictModel):
+    """Normal force E A u', shear force -E I w''' [N] or bending moment E I w'' [N m] of a planar beam at a marker.
+
+    From its shapes: what the part beyond the marker does to the part before it. `Solution.section_forces` has what
+    equilibrium says.
+    """
+
+    type: Literal["normal_force", "shear_force", "bending_moment"]
+    name: Name
+    marker: MarkerRef
+
+
 Measure = Annotated[
-    AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure | CoordinateMeasure, Field(discriminator="type")
+    AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure | CoordinateMeasure | SectionForceMeasure,
+    Field(discriminator="type"),
 ]

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symgen.algebra.parameters import ParameterTable
-from symgen.scene import Scene, with_ends
+from symgen.bodies.beam_sets import set_records
+from symgen.bodies.static_residual import static_residuals
+from symgen.scene import BeamBody, Scene, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
@@ -49,7 +51,10 @@ def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equat
     if scene.structure is not None:
         return structure_equations(scene, table)
     equations = blank_equations(scene)
-    if scene.space == "spatial":
-        space = SpatialSpace(scene, table, equations, topology)
-        return Mechanism(scene, table, space, equations, topology).equations
-    return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations
+    equations.static_residuals = static_residuals(scene)
+    if scene.space == "planar":
+        exact = [body for body in scene.bodies if isinstance(body, BeamBody) and body.lumped_elements is None]
+        equations.beams = {body.name: set_records(body) for body in exact}
+        return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations
+    space = SpatialSpace(scene, table, equations, topology)
+    return Mechanism(scene, table, space, equations, topology).equations

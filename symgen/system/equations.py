@@ -12,10 +12,12 @@ from typing import Protocol
 
 import casadi as ca
 
+from runtime.contract.beams.records import ModeSetRecord
 from runtime.contract.records import Coordinate, InputRecord
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ZERO, add, dot, mul, sub, total
 from symgen.bodies.outlines import Picture
+from symgen.bodies.static_residual import StaticResidual
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LinearSpring
 from symgen.scene import Scene
@@ -41,6 +43,8 @@ class Equations:
     Energies [J] and powers [W] are scalars.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
+    load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the planar
+    beams with exact shapes; static_residuals: beams whose shapes do not carry what is attached to them.
     """
 
     coordinates: list[Coordinate]
@@ -62,6 +66,9 @@ class Equations:
     joint_columns: frozenset[int] = frozenset()
     gravity: list[ca.SX] = field(default_factory=list)
     measure_units: dict[str, str] = field(default_factory=dict)
+    load_forces: dict[str, Row] = field(default_factory=dict)
+    beams: dict[str, list[ModeSetRecord]] = field(default_factory=dict)
+    static_residuals: list[StaticResidual] = field(default_factory=list)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)
@@ -104,6 +111,11 @@ class Equations:
         if self.inertia_forces is None:
             return matrix_times(self.M, accelerations)
         return self.inertia_forces(accelerations, moving=False)
+
+    def loads_on(self, body: str) -> list[str]:
+        """Names of the loads and frictions that act on a body."""
+        own = set(self.body_columns[body])
+        return [name for name, row in self.load_forces.items() if own & row.keys()]
 
     @property
     def signals(self) -> dict[str, ca.SX]:

@@ -19,6 +19,7 @@ from symgen.loads.effect import LoadEffect
 from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
+from symgen.scene.measures import Measure, SectionForceMeasure
 from symgen.system.equations import Equations
 from symgen.system.signals import motion_derivatives
 from symgen.system.topology import Topology
@@ -75,6 +76,9 @@ class Space(Protocol[Marker]):
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """A scalar of the motion between two markers."""
 
+    def section_force(self, kind: str, reference: str) -> ca.SX:
+        """Normal force, shear force or bending moment of a beam at a marker."""
+
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Effect of a load; value(text, item) reads an expression."""
 
@@ -102,7 +106,7 @@ class Mechanism(Generic[Marker]):
         self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
         for load in scene.loads:
-            self._add_effect(space.load(load, self._expression), load.name)
+            self._add_effect(load.name, space.load(load, self._expression))
         equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (
@@ -146,8 +150,10 @@ class Mechanism(Generic[Marker]):
         for column, value in force.items():
             self.equations.Q_F[column] = add(self.equations.Q_F[column], value)
 
-    def _add_effect(self, effect: LoadEffect, name: str = "") -> None:
+    def _add_effect(self, name: str, effect: LoadEffect) -> None:
         eq = self.equations
+        for column, value in effect.force.items():
+            add_to(eq.load_forces.setdefault(name, {}), column, value)
         self._add_force(effect.force)
         if effect.spring is not None and not effect.spring.stiffness.is_zero():
             eq.springs[name] = effect.spring
@@ -168,27 +174,27 @@ class Mechanism(Generic[Marker]):
             motion[0] = self.table.of(joint, "length")
         eq.constraints += self.space.joint_rows(joint, motion)
         for effect in self.space.joint_friction(joint):
-            self._add_effect(effect)
+            self._add_effect(joint.name, effect)
 
     def _add_measures(self) -> None:
         eq = self.equations
         for measure in self.scene.measures:
-            value = (
-                eq.q[eq.names.index(measure.coordinate)]
-                if measure.type == "coordinate"
-                else self.space.measure(measure.type, measure.marker_a, measure.marker_b)
-            )
+            value, unit = self._measured(measure)
             rate = ca.jtimes(value, ca.vertcat(*eq.q), ca.vertcat(*eq.q_dot))
             eq.measures[measure.name], eq.measures[f"{measure.name}_dot"] = value, rate
-            unit = (
-                eq.coordinates[eq.names.index(measure.coordinate)].unit
-                if measure.type == "coordinate"
-                else "rad"
-                if measure.type == "angle"
-                else "m"
-            )
             eq.measure_units |= {measure.name: unit, f"{measure.name}_dot": f"{unit}/s"}
         self.environment = {**self.environment, **eq.measures}
+
+    def _measured(self, measure: Measure) -> tuple[ca.SX, str]:
+        """(value, SI unit) of a measure."""
+        if measure.type == "coordinate":
+            column = self.equations.names.index(measure.coordinate)
+            return self.equations.q[column], self.equations.coordinates[column].unit
+        if isinstance(measure, SectionForceMeasure):
+            unit = "N m" if measure.type == "bending_moment" else "N"
+            return self.space.section_force(measure.type, measure.marker), unit
+        value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
+        return value, "rad" if measure.type == "angle" else "m"
 
     def _expression(self, text: float | str, item: str) -> ca.SX:
         if not isinstance(text, str):

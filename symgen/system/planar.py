@@ -12,12 +12,13 @@ from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_re
 from symgen.bodies.planar_body import MarkerMotion, PlanarBody
 from symgen.bodies.planar_coordinates import BodyCoordinates
 from symgen.bodies.points import marker_shape
+from symgen.bodies.section_shapes import section_force
 from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point, beam_section, body_integrals
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.planar_rows import planar_rows
 from symgen.loads import planar_effects as effects
 from symgen.loads.effect import LoadEffect
-from symgen.scene import BeamBody, Scene
+from symgen.scene import BeamBody, BeamMarker, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.system.mechanism import components, friction, spring_values
@@ -76,6 +77,12 @@ class PlanarSpace:
         d = [second.r[0] - first.r[0], second.r[1] - first.r[1]]
         value = {"angle": second.phi - first.phi, "x": d[0], "y": d[1]}.get(kind)
         return ca.sqrt(d[0] ** 2 + d[1] ** 2) if value is None else value
+
+    def section_force(self, kind: str, reference: str) -> ca.SX:
+        """Of a beam at a marker."""
+        body, marker = self.scene.marker(reference)
+        assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
+        return section_force(body, kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table)
 
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Force, torque or spring-damper."""

@@ -141,6 +141,10 @@ class SpatialSpace:
             )
         return found
 
+    def section_force(self, kind: str, reference: str) -> ca.SX:
+        """Of planar beams only, which the scene has checked."""
+        raise NotImplementedError(f"{kind} of {reference}")
+
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""
         if kind == "angle":

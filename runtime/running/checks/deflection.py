@@ -20,7 +20,7 @@ class Deflection(Check):
 
     def __init__(self, subject: Subject, p: np.ndarray) -> None:
         super().__init__(subject)
-        self._bodies = _flexible_bodies(subject.model, p)
+        self._bodies = flexible_bodies(subject.model, p)
 
     def after(self, z: np.ndarray) -> Status | None:
         """Compare deflections with the body's length, and turns with a radian."""
@@ -43,7 +43,7 @@ class Deflection(Check):
         return None
 
 
-def _flexible_bodies(model: Model, p: np.ndarray) -> list[tuple[str, list[int], float, np.ndarray, np.ndarray]]:
+def flexible_bodies(model: Model, p: np.ndarray) -> list[tuple[str, list[int], float, np.ndarray, np.ndarray]]:
     """(name, columns in q, length [m], shapes and turns of its points (points, 3, modes)) of each flexible body."""
     if not model.elastic or not model.has("geometry"):
         return []

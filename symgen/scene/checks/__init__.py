@@ -11,6 +11,7 @@ from symgen.scene.checks.matrices import matrix_errors
 from symgen.scene.checks.names import name_errors
 from symgen.scene.checks.partition import partition_errors
 from symgen.scene.checks.references import reference_errors
+from symgen.scene.checks.section_measures import section_measure_errors
 from symgen.scene.checks.shapes import shape_errors
 from symgen.scene.checks.sizes import size_errors
 from symgen.scene.checks.space import screw_errors, space_errors
@@ -22,7 +23,7 @@ from symgen.scene.parts import SceneParts
 STAGES = (
     (size_errors, name_errors, shape_errors, space_errors),
     (reference_errors, topology_errors, partition_errors, value_errors),
-    (matrix_errors, screw_errors, end_shape_errors),
+    (matrix_errors, screw_errors, end_shape_errors, section_measure_errors),
 )
 
 

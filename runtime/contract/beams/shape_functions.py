@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from symgen.modes.cleaning import Array
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from symgen.modes.cleaning import Array
-from symgen.modes.shape_functions import ShapeFunctions
+from runtime.contract.beams.shape_functions import Array, ShapeFunctions
 
 # end -> orders of the derivatives that vanish there
 BENDING_CONDITIONS = {"clamped": (0, 1), "pinned": (0, 2), "free": (2, 3)}
