@@ -193,13 +193,17 @@ def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[
         return body.name, SpatialPoint(point.position, point.shapes, point.turns, point.H, axes, quaternion)
     position = three(getattr(marker, "position", ()), reference, "m", table, "marker position")
     shapes, turns = ([zeros() for _ in range(body.nf)] for _ in range(2))
+    H: list[Matrix] = []
     if isinstance(marker, FlexibleMarker):
+        for i, bent in enumerate(marker.foreshortening):
+            data = table.data(np.array(bent), f"{reference}.H[{i}]", "1/m", "foreshortening at a marker")
+            H.append(entries(data))
         for target, rows, label in ((shapes, marker.shape, "shape"), (turns, marker.rotation, "rotation")):
             for i, row in enumerate(rows):
                 for a, value in enumerate(row):
                     entry, array = f"{reference}.{label}[{i},{a}]", f"{reference}.{label}"
                     target[a][i] = table.quantity(value, entry, "1", "modal data at a marker", array=array)
-    return body.name, SpatialPoint(position, shapes, turns, [], axes, quaternion)
+    return body.name, SpatialPoint(position, shapes, turns, H, axes, quaternion)
 
 
 def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:

@@ -23,6 +23,7 @@ from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix,
 from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
+from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
 from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
@@ -54,6 +55,7 @@ class FlexibleBody:
     modes: ModeSet
     integrals: InertiaIntegrals
     check: RigidCheck
+    stiffening: StressStiffening | None = None
 
     @classmethod
     def from_matrices(
@@ -110,6 +112,7 @@ class FlexibleBody:
         mass: str = "consistent",
         origin: str | ArrayLike = (0.0, 0.0, 0.0),
         marker_positions: Mapping[str, ArrayLike] | None = None,
+        stiffening: bool = False,
     ) -> FlexibleBody:
         """From a checked FEStructure.
 
@@ -119,6 +122,7 @@ class FlexibleBody:
         mode_set: "free", "fixed_interface" (Craig-Bampton) or "mixed", where the interfaces `fixed` are held.
         mass: "consistent" or "lumped".
         origin: of the body's frame, a point [m] or the name of an interface; the axes are those of the mesh.
+        stiffening: geometric stiffness by the stresses of accelerations, rates and interface forces, from meshes.
         Raises FiniteElementError.
         """
         _check_choices(mode_set, mass, fixed)
@@ -137,7 +141,11 @@ class FlexibleBody:
             found = fixed_interface_modes(body, rigid, list(parts.values()), modes)
         at = _origin(origin, parts)
         markers = {name: _marker(part, found.shapes, at) for name, part in parts.items()}
-        return cls(body, parts, markers, mode_set, at, found, inertia_integrals(body, found.shapes, at), check)
+        bent = None
+        if stiffening:
+            held = found.elastic if mode_set == "mixed" else None
+            bent = stress_stiffening(body, found.shapes, at, list(parts.values()), held)
+        return cls(body, parts, markers, mode_set, at, found, inertia_integrals(body, found.shapes, at), check, bent)
 
     @property
     def nf(self) -> int:
@@ -177,7 +185,12 @@ class FlexibleBody:
             name: {"position": one.position.tolist(), "shape": one.shape.tolist(), "rotation": one.rotation.tolist()}
             for name, one in self.markers.items()
         }
-        return {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
+        fields = {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
+        if self.stiffening is not None:
+            fields["stiffening"] = {"H": self.stiffening.H.tolist(), "xH": self.stiffening.xH.tolist()}
+            for name, marker in markers.items():
+                marker["foreshortening"] = self.stiffening.at[name].tolist()
+        return fields
 
     def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
         """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).

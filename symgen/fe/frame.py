@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Integers, structure
+from symgen.fe.stresses import frame_stress
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure, Integers, StressStiffness, structure
 from symgen.modes.cleaning import Array
 
 PARALLEL = 1e-6
@@ -66,9 +67,27 @@ def frame_structure(mesh: LineMesh, material: Material) -> FEStructure:
     dofs = (RIGID_MOTIONS * lines[:, :, None] + np.arange(RIGID_MOTIONS)).reshape(len(lines), 12)
     n = len(positions)
     K, M = (_assembled(dofs, np.array([block[k] for block in blocks]), RIGID_MOTIONS * n) for k in range(2))
-    return structure(
+    body = structure(
         K, M, np.arange(n), positions, np.repeat(np.arange(n), RIGID_MOTIONS), np.tile(np.arange(RIGID_MOTIONS), n)
     )
+    return replace(body, stress=_stress(positions, lines, dofs, sections, material))
+
+
+def _stress(
+    positions: Array, lines: Integers, dofs: Integers, sections: Sequence[Section], material: Material
+) -> StressStiffness:
+    """Geometric stiffness of the beams by their axial forces."""
+    along = positions[lines[:, 1]] - positions[lines[:, 0]]
+    lengths = np.linalg.norm(along, axis=1)
+    turns = [_turn(direction, section) for direction, section in zip(along / lengths[:, None], sections, strict=True)]
+    stretching = np.array([material.E * section.area for section in sections])
+    polar = np.array([(section.I_y + section.I_z) / section.area for section in sections])
+    return frame_stress(dofs, turns, lengths, stretching, polar)
+
+
+def _turn(direction: Array, section: Section) -> Array:
+    """Axes of a beam for its 12 rows."""
+    return np.asarray(np.kron(np.eye(4), _triad(direction, np.array(section.y_axis, dtype=np.float64))), dtype=float)
 
 
 def _assembled(dofs: Integers, blocks: Array, size: int) -> sp.csr_matrix:
@@ -85,7 +104,7 @@ def _element(ends: Array, section: Section, material: Material) -> tuple[Array, 
     length = float(np.linalg.norm(along))
     if length == 0.0:
         raise FiniteElementError("mesh.lines", "a line has no length", "join nodes that are at different places")
-    turn = np.kron(np.eye(4), _triad(along / length, np.array(section.y_axis, dtype=np.float64)))
+    turn = _turn(along / length, section)
     K, M = np.zeros((12, 12)), np.zeros((12, 12))
     line_mass = material.rho * section.area
     polar = material.rho * (section.I_y + section.I_z)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -15,6 +15,8 @@ from symgen.modes.cleaning import Array
 
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
+# displacements (n_dof, k) of k stress states and shapes (n_dof, nf) -> geometric stiffness (k, nf, nf)
+StressStiffness = Callable[[Array, Array], Array]
 
 AXES = 3
 RIGID_MOTIONS = 6
@@ -27,8 +29,8 @@ class FEStructure:
 
     K [N/m], M [kg]: sparse (n_dof, n_dof), symmetric.  ids (n,): names of the nodes.  positions (n, 3) [m].
     node (n_dof,): place of the row's node in `ids`.  component (n_dof,): 0, 1, 2 for the translations and
-    3, 4, 5 for the rotations about x, y, z.  facets (m, 3): triangles
-    of places of nodes, for pictures.  Build it with `structure`, which checks.
+    3, 4, 5 for the rotations about x, y, z.  facets (m, 3): triangles of places of nodes, for pictures.
+    stress: geometric stiffness, where the elements are known.  Build it with `structure`, which checks.
     """
 
     K: sp.csr_matrix
@@ -38,6 +40,7 @@ class FEStructure:
     node: Integers
     component: Integers
     facets: Integers = field(default_factory=lambda: np.zeros((0, AXES), dtype=np.int64))
+    stress: StressStiffness | None = None
 
     @property
     def n_dof(self) -> int:

@@ -17,11 +17,13 @@ class FlexibleMarker(MarkerDirections):
     """A point of a flexible body: rho = position + shape q_f, turned by the small rotation vector rotation q_f.
 
     position [m]; shape, rotation: 3 x nf, or left out where the deformation does not move or turn the point.
+    foreshortening: H_i at the point, 3 x nf x nf, for a displacement -1/2 q_f^T H_i q_f of second order along axis i.
     """
 
     position: Point = (0.0, 0.0, 0.0)
     shape: Annotated[Matrix, Meaning("shape functions at the point, 3 x nf", "m per unit of q_f")] = ()
     rotation: Annotated[Matrix, Meaning("rotation of the point, 3 x nf", "rad per unit of q_f")] = ()
+    foreshortening: tuple[tuple[tuple[Number, ...], ...], ...] = ()
 
 
 class FlexibleStiffening(StrictModel):

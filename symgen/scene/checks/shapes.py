@@ -118,6 +118,9 @@ def _flexible(body: SpatialModalBody, path: str) -> Iterator[SceneError]:
     for name, marker in body.markers.items():
         for key in ("shape", "rotation"):
             yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key) or None, 3, nf)
+        yield from _size(f"{path}.markers.{name}.foreshortening", marker.foreshortening or None, 3)
+        for axis, block in enumerate(marker.foreshortening):
+            yield from _size(f"{path}.markers.{name}.foreshortening[{axis}]", block, nf, nf)
 
 
 def _structure(structure: Structure) -> Iterator[SceneError]:
