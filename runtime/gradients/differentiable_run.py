@@ -68,7 +68,8 @@ class DifferentiableRun:
         self._refuse_idle()
         self.course = course(self.plan.steps, self.plan.save_every, holds_of(self.plan, held, self.by))
         self.t = self.plan.t0 + np.array(self.course.times) * self.plan.grid.dt_L
-        self._switches = Switches(self.plan, self.program, entries)
+        sampled = [k for k, entry in enumerate(model.parameters) if entry.name in {one.input for one in held}]
+        self._switches = Switches(self.plan, self.program, [*entries, *sampled])
         given = {one.input: one.value for one in held if one.step == 0}
         self._start = StartOfRun(
             self.program, self.plan, self.variables, {**(parameters or {}), **given}, initial or {}, start

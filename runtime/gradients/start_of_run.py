@@ -16,6 +16,7 @@ from runtime.gradients.variables import Variables
 from runtime.gradients.watch import Watch
 from runtime.operating.given_state import given_state
 from runtime.running.plan import Plan
+from runtime.running.time_functions import check_time_functions
 from runtime.schemes.stepper import start_vector
 from runtime.start.start_state import start_state
 
@@ -40,10 +41,11 @@ class StartOfRun:
         self._kind = self._kind_of(start)
 
     def values(self) -> np.ndarray:
-        """(n,) x of the start: what was given, else what the model says."""
+        """(n,) x of the start: what was given, else what the model says. Raises ModelError for a motion that jumps."""
         p = parameters_at(self._model, self._parameters, self._plan.t0)
         c = self._model.constants(p)
         state = start_state(self._model, p, c, self._plan.t0, self._initial, self._kind)
+        check_time_functions(self._model, c, self._plan, state)
         x = np.zeros(len(self._variables.names))
         for k, entry, _ in self._variables.parameters:
             x[k] = p[entry]

@@ -10,7 +10,7 @@ import pytest
 from runtime import DifferentiableRun, InitialStateError, Model, ModelError, Sampled, SymgenError, gradient
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End, SquaredError
-from symgen.scene import Scene
+from symgen.scene import Scene, SceneBuilder
 from tests.gradients.test_gradients import sliding
 from tests.running.test_inputs import cart, crane
 
@@ -108,3 +108,20 @@ def test_a_change_of_coordinates_on_the_way_is_refused(built_in: Load) -> None:
     """The top's Euler parameters: a simulation goes on with another one of them."""
     with pytest.raises(NoResult, match="a simulation would change coordinates there"):
         gradient(built_in("heavy_top"), End("top.e1"), ["top.mass"], t_end=1.0, dt=1e-3)
+
+
+def test_a_prescribed_velocity_that_jumps_is_refused(model_of: Build) -> None:
+    """As a simulation refuses it, before any step."""
+    scene = (
+        SceneBuilder("turned")
+        .parameter("speed", 2.0, "rad/s")
+        .rigid("wheel", mass=1.0, inertia=1.0)
+        .rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0.0))
+        .revolute("axle", "ground.origin", "wheel.origin")
+        .revolute("hinge", "wheel.origin", "bob.origin")
+        .prescribed_angle("drive", "ground.origin", "wheel.origin", motion="where(t < 0.5, 0, speed * (t - 0.5))")
+        .simulation(t_end=1.0, dt=1e-2, scheme="rk4")
+        .build()
+    )
+    with pytest.raises(ModelError, match=r"its velocity jumps by 2 at t = 0\.5 s"):
+        gradient(model_of(scene), End("bob.theta"), ["speed"])
