@@ -10,6 +10,7 @@ from pathlib import Path
 
 from benchmarks.cases import (
     arms,
+    ensemble,
     exudyn_slider_crank,
     generation,
     gradients,
@@ -28,6 +29,7 @@ from benchmarks.pages import hard_tables, long_runs
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
     "native_code": native_code.run,
+    "ensemble": ensemble.run,
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
     "gradients": gradients.run,

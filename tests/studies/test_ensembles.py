@@ -18,7 +18,7 @@ from runtime.studies.ensemble.lane_programs import LanePrograms
 from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.samples import table_of
-from runtime.studies.ensemble.starts import starts_of
+from runtime.studies.ensemble.starts import CaseStarts
 from symgen.generate import generate
 from symgen.scene import SceneBuilder
 from tests.support.pendula import SHORT, pendula
@@ -71,7 +71,7 @@ def test_how_many_lanes_changes_no_bit(built_in: Load, width: int) -> None:
         model, names, 21, "printed", 1e-3, None, None, 0.0, 0.01, None, ["tip_y"], {"tip_y": ["max", "rms"]}, None
     )
     runs = LaneRuns(model, asked, width)
-    found = runs.run(starts_of(model, [], ["rod.theta_dot"], table, 0.0, ""))
+    found = runs.run(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(table))
     expected = ensemble(
         model,
         initial={"rod.theta_dot": table[:, 0]},
@@ -137,7 +137,7 @@ def test_a_lost_lane_is_not_iterated(built_in: Load, width: int) -> None:
     for rows in (table, table[:1]):
         runs = LaneRuns(model, asked, width)
         sweeps = runs.programs.scheme.layout.slice("iterations").start
-        blocks = runs.begun(starts_of(model, [], ["rod.theta_dot"], rows, 0.0, ""))
+        blocks = runs.begun(CaseStarts(model, [], ["rod.theta_dot"], 0.0, "").of(rows))
         runs.advance(blocks, 20)
         counted.append(runs.values(blocks, len(rows), "scheme")[:, sweeps])
     assert counted[0][1] < 20 * 3 and counted[0][0] == counted[1][0]

@@ -15,7 +15,7 @@ from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
 
-BLOCKS = 16  # that a native call runs one after another
+JOB = 256  # cases that a thread runs at a time: their rows stay in its cache
 SECONDS_PER_OPERATION = 2.5e-11  # of a step of one lane
 LONGEST_CALL = 0.2  # s, so that Ctrl-C and progress are heard
 
@@ -42,7 +42,7 @@ class LaneRuns:
     @property
     def job(self) -> int:
         """Cases of a job: what one thread runs at a time."""
-        return BLOCKS * self.programs.width
+        return max(JOB, self.programs.width)
 
     def run(self, starts: Starts, stopped: Callable[[], bool] = lambda: False) -> LaneResults | None:
         """All runs of these cases; None if `stopped` said so on the way."""

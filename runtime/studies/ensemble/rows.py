@@ -14,9 +14,10 @@ from runtime.contract.status import StatusName
 from runtime.studies.ensemble.alone import run_alone
 from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
-from runtime.studies.ensemble.starts import starts_of
+from runtime.studies.ensemble.starts import CaseStarts
 
 NAMES: tuple[str, ...] = get_args(StatusName)
+CODES = {name: code for code, name in enumerate(NAMES)}  # completed is 0
 AHEAD = 3  # jobs a thread that wait, so that none is idle
 
 
@@ -26,22 +27,23 @@ class Rows:
     def __init__(self, model: Model, question: Question, table: np.ndarray, width: int | None = None) -> None:
         self.model, self.question, self.table = model, question, table
         self.lanes = LaneRuns(model, question, width)
+        self._starts = CaseStarts(model, question.parameters, question.initial, question.t0, question.start)
 
     def of(self, first: int, stop: int, stopped: Callable[[], bool] = lambda: False) -> np.ndarray | None:
         """Rows (stop - first, 2 + width) of these cases; None if `stopped` said so."""
         question, samples = self.question, self.table[first:stop]
-        starts = starts_of(self.model, question.parameters, question.initial, samples, question.t0, question.start)
-        found = self.lanes.run(starts, stopped)
+        found = self.lanes.run(self._starts.of(samples), stopped)
         if found is None:
             return None
         times = question.t0 + found.reached * question.dt
-        status = np.array([NAMES.index(name) for name in found.status.tolist()], dtype=float)
-        rows = np.column_stack([status, times, found.values])
+        rows = np.column_stack([np.zeros(len(times)), times, found.values])
+        for name in np.unique(found.status[found.status != "completed"]):
+            rows[found.status == name, 0] = CODES.get(str(name), 0)
         for case in np.flatnonzero(found.alone):
             if stopped():
                 return None
             values, name, time = run_alone(self.model, question, samples[case])
-            rows[case] = [NAMES.index(name), time, *values]
+            rows[case] = [CODES[name], time, *values]
         return rows
 
     def in_threads(

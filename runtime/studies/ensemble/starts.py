@@ -31,59 +31,65 @@ class Starts:
     impossible: np.ndarray
 
 
-def starts_of(
-    model: Model, parameters: list[str], initial: list[str], table: np.ndarray, t0: float, start: str
-) -> Starts:
-    """Starts of the rows of samples (cases, parameters and initial values); start: as in `simulate`, "" the scene's."""
-    cases, count = len(table), len(parameters)
-    changes = table[:, count:]
-    index = {parameter.name: k for k, parameter in enumerate(model.parameters)}
-    own = started(model, model.parameter_vector(), Schedule(model.signals), t0)
-    varied = {index[name]: table[:, k] for k, name in enumerate(parameters)}
-    q = np.repeat(model.initial_q[None, :], cases, axis=0)
-    q_dot = np.repeat(model.initial_q_dot[None, :], cases, axis=0)
-    close, impossible = np.zeros(cases, dtype=bool), np.zeros(cases, dtype=bool)
-    if in_lanes(model, initial, start):
-        for k, name in enumerate(initial):
-            if name in model.coordinates:
-                q[:, model.coordinates.index(name)] = changes[:, k]
-            else:
-                q_dot[:, rates_of(model).index(name)] = changes[:, k]
-        defaults = np.array([parameter.default for parameter in model.parameters])
-        known = np.setdiff1d(np.arange(len(own)), list(varied))
-        elsewhere = bool(initial or model.sources) or t0 != 0 or not np.array_equal(own[known], defaults[known])
-        changed = np.full(cases, elsewhere)
-        for position, values in varied.items():
-            changed |= values != defaults[position]
-        close = changed & closable(model)
-    else:
-        p = vectors(model, parameters, table, own)
-        for case in range(cases):
-            given = dict(zip(initial, (float(one) for one in changes[case]), strict=True))
+class CaseStarts:
+    """Starts of cases with these parameters and initial values; start: as in `simulate`, "" the scene's own."""
+
+    def __init__(self, model: Model, parameters: list[str], initial: list[str], t0: float, start: str) -> None:
+        self.model, self.parameters, self.initial, self.t0, self.start = model, parameters, initial, t0, start
+        self._own = started(model, model.parameter_vector(), Schedule(model.signals), t0)
+        self._defaults = np.array([parameter.default for parameter in model.parameters])
+        index = {parameter.name: k for k, parameter in enumerate(model.parameters)}
+        self._varied = {index[name]: k for k, name in enumerate(parameters)}
+        others = np.setdiff1d(np.arange(len(self._own)), list(self._varied))
+        same = np.array_equal(self._own[others], self._defaults[others])
+        # where nothing is changed, the state is the model's own as it was found when it was generated
+        self._changed = bool(initial or model.sources) or t0 != 0 or not same
+        self._places = [(name in model.coordinates, _column(model, name)) for name in initial]
+        self._lanes, self._closable = in_lanes(model, initial, start), closable(model)
+
+    def of(self, table: np.ndarray) -> Starts:
+        """Of rows of samples (cases, parameters and initial values)."""
+        model, cases = self.model, len(table)
+        varied = {position: table[:, k] for position, k in self._varied.items()}
+        q = np.repeat(model.initial_q[None, :], cases, axis=0)
+        q_dot = np.repeat(model.initial_q_dot[None, :], cases, axis=0)
+        close, impossible = np.zeros(cases, dtype=bool), np.zeros(cases, dtype=bool)
+        if self._lanes:
+            for (is_position, place), values in zip(self._places, table.T[len(varied) :], strict=True):
+                (q if is_position else q_dot)[:, place] = values
+            changed = np.full(cases, self._changed)
+            for position, values in varied.items():
+                changed |= values != self._defaults[position]
+            close = changed & self._closable
+        else:
+            self._one_by_one(table, q, q_dot, impossible)
+        i, d = model.independent_columns, model.dependent_columns
+        return Starts(self._own, varied, q[:, i], q_dot[:, i], q[:, d], close, impossible)
+
+    def _one_by_one(self, table: np.ndarray, q: np.ndarray, q_dot: np.ndarray, impossible: np.ndarray) -> None:
+        """As for a run by itself, into q and q_dot."""
+        model = self.model
+        vectors_ = vectors(model, self.parameters, table, self._own)
+        for case, (p, values) in enumerate(zip(vectors_, table[:, len(self.parameters) :].tolist(), strict=True)):
+            given = dict(zip(self.initial, values, strict=True)) or None
             try:
-                found = start_state(model, p[case], model.constants(p[case]), t0, given or None, start or None)
+                found = start_state(model, p, model.constants(p), self.t0, given, self.start or None)
             except (InitialStateError, ModelError, np.linalg.LinAlgError):
                 impossible[case] = True
-                continue
-            q[case], q_dot[case] = found.q, found.q_dot
-    i, d = model.independent_columns, model.dependent_columns
-    return Starts(own, varied, q[:, i], q_dot[:, i], q[:, d], close, impossible)
+            else:
+                q[case], q_dot[case] = found.q, found.q_dot
 
 
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
-    """Can these starts be made in lanes? Else Python makes them one by one, as for a run by itself."""
+    """Can these starts be made in lanes? Else Python makes them one by one."""
     chosen = start or str(model.simulation.get("start", "given"))
-    coordinates = [name for name in initial if name in model.coordinates]
-    rates = [
-        model.coordinates[rates_of(model).index(name)]
-        for name in initial
-        if name not in model.coordinates and name in rates_of(model)
-    ]
-    given = chosen == "given" or (not start and any(name in model.elastic for name in [*coordinates, *rates]))
-    free = not model.constraints or (closable(model) and keeps_independent(model, coordinates, rates))
+    names = [model.coordinates[_column(model, name)] for name in initial]
+    given = chosen == "given" or (not start and any(name in model.elastic for name in names))
+    free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))
     return given and free
 
 
-def rates_of(model: Model) -> list[str]:
-    """Names of the rates, in the order of the coordinates."""
-    return [f"{name}_dot" for name in model.coordinates]
+def _column(model: Model, name: str) -> int:
+    """The coordinate that a value or rate by name belongs to."""
+    rates = [f"{coordinate}_dot" for coordinate in model.coordinates]
+    return model.coordinates.index(name) if name in model.coordinates else rates.index(name)
