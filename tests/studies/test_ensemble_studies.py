@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from concurrent.futures.process import BrokenProcessPool
@@ -89,6 +90,22 @@ def test_an_interrupted_study_goes_on(built_in: Load, tmp_path: Path, runs_made:
     (tmp_path / "mine" / "letter.txt").write_text("dear reader")
     with pytest.raises(ArgumentError, match="not empty"):
         pendula(model, 300, every=5, folder=tmp_path / "mine")
+
+
+def test_ctrl_c_keeps_what_is_done(built_in: Load) -> None:
+    """Cases that were not run are `interrupted`; those that were have their values."""
+    told: list[float] = []
+
+    def press(done: float, cases: float) -> None:
+        told.append(done)
+        signal.raise_signal(signal.SIGINT)
+
+    model = built_in("pendulum")
+    found = pendula(model, 3000, every=5, workers=1, progress=press)
+    done = int(told[-1])
+    assert 0 < done < 3000 and (found["status"][:done] == "completed").all()
+    assert (found["status"][done:] == "interrupted").all() and np.isnan(found["tip_y"][done:]).all()
+    np.testing.assert_array_equal(found["tip_y"][:5], pendula(model, 3000, every=5)["tip_y"][:5])
 
 
 @pytest.mark.usefixtures("small_parts")

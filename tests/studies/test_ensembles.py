@@ -153,6 +153,18 @@ def test_what_cannot_be_assembled_has_a_status(built_in: Load) -> None:
     assert np.isnan(found["slider.x"][1]).all() and np.isfinite(found["slider.x"][[0, 2]]).all()
 
 
+def test_a_singular_position_is_passed_as_a_run_passes_it(built_in: Load) -> None:
+    """The crank is longer than the rod: on the way q_i changes. That case is run by itself, its neighbour in lanes."""
+    model = built_in("slider_crank")
+    settings: dict[str, Any] = {"t_end": 0.017, "outputs": ["slider.x", "crank.theta"]}
+    found = ensemble(model, {"crank.tip.x": np.array([0.15, 0.32])}, **settings, every=100)
+    expected = simulate(model, parameters={"crank.tip.x": 0.32}, **settings, save_every=100)
+    assert [event.kind for event in expected.events] == ["repartition"]
+    for name in settings["outputs"]:
+        np.testing.assert_array_equal(found[name][1], expected.outputs[name])
+    assert (found["status"] == "completed").all()
+
+
 def test_elastic_equilibria_of_cases_are_those_of_runs(built_in: Load) -> None:
     """A start that Python makes for each case; the rest in lanes."""
     model = built_in("near_singular_slider_crank")
