@@ -39,9 +39,9 @@ REMARK = """\
 The scene `flexible_slider_crank_free`, {steps} steps of {dt:g} s, mass of the slider and speed of the crank varied;
 kept are the crank's angle at the end, largest and root-mean-square values of the rod's first two modes, over all steps.
 Set-up (programs and code, or loading) is left out everywhere. CPU time of one thread; where threads are compared wall
-time, which other work on the machine lengthens, with CPU time of all threads beside it. CasADi: the same step program, {steps} steps a Function, mapped over {mapped} scenarios. Exudyn: a
-rod of four cable elements, trapezoidal rule, as many steps, one run after another as its parameter variation does in
-each process; only `SolveDynamic` is timed."""
+time, which other work on the machine lengthens, and CPU time of all threads. CasADi: the same step program,
+{steps} steps a Function, mapped over {mapped} scenarios. Exudyn: a rod of four cable elements, trapezoidal rule, as
+many steps, one run after another as its parameter variation does in each process; only `SolveDynamic` is timed."""
 
 
 def run() -> Result:

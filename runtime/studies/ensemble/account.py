@@ -67,17 +67,18 @@ class LaneAccount:
         """After one more major step."""
         s = self.scheme.layout.unpack(z["scheme"])
         alarm, account = self._guarded(z, s)
+        none, scheme = ca.SX(0), self.scheme
         found = {
             "singular": alarm,
-            "iteration_failed": s["failures"] > 0,
-            "not_finite": ca.logic_not(self.scheme.alive(s)),
-            "constraints_lost": s["closure_error"] > CLOSURE_LIMIT * self.length,
-            "angles_too_fast": s["turn"] > MOST_TURN if "turn" in s else ca.SX(0),
+            "iteration_failed": none if scheme.iteration_limit is None else s["failures"] > 0,
+            "not_finite": ca.logic_not(scheme.alive(s)),
+            "constraints_lost": s["closure_error"] > CLOSURE_LIMIT * self.length if self.blocks else none,
+            "angles_too_fast": s["turn"] > MOST_TURN if "turn" in s else none,
         }
         now = ca.SX(0)
         for k, name in enumerate(CAUSES):
             now = now + found[name] * 2**k
-        causes = ca.if_else(z["causes"] > 0, z["causes"], now)
+        causes = z["causes"] + (z["causes"] <= 0) * now
         values = [REDUCTIONS[name][1](z["reduced"][n], z["outputs"][k]) for n, (k, name) in enumerate(self.reduced)]
         return {
             **account,
