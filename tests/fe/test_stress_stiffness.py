@@ -135,14 +135,16 @@ def test_foreshortening_of_a_marker_has_its_size() -> None:
 def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
     """The case of tests/cases/test_beams_of_pieces.py with a meshed rod, up to its largest deflection near 4 ms.
 
-    With the stiffness of its stresses the deflection is that of the beam rod, without it is a sixth more.
+    With the stiffness of its stresses the deflection is that of the beam rod, without it a sixth more. The section is
+    widened across the plane, E and rho in proportion less, so that the two lowest modes are those of the plane.
     """
+    share = 0.007 / 0.03
     n = 16
     places = np.linspace(0.0, 0.3, n + 1)[:, None] * np.array([1.0, 0.0, 0.0])
     body = FlexibleBody.from_mesh(
-        LineMesh(places, [(k, k + 1) for k in range(n)], Section.rectangle(0.006, 0.007)),
-        Material(E=2e11, nu=0.3, rho=7870.0),
-        interface={"big": [0], "middle": [n // 2], "small": [n]}, modes=4, origin="big", stiffening=True,
+        LineMesh(places, [(k, k + 1) for k in range(n)], Section.rectangle(0.006, 0.03)),
+        Material(E=2e11 * share, nu=0.3, rho=7870.0 * share),
+        interface={"big": [0], "middle": [n // 2], "small": [n]}, modes=2, origin="big", stiffening=True,
     )  # fmt: skip
     along = {"position": (0.0, 0.0, 0.0), "axis": (1.0, 0.0, 0.0)}
     builder = SceneBuilder("fast", space="spatial").ground(markers={"rail": along})
@@ -159,7 +161,9 @@ def test_rod_of_a_fast_slider_crank_from_elements(build: Build) -> None:
     without = {entry.name: 0.0 for entry in model.parameters if ".H[" in entry.array or ".xH[" in entry.array}
 
     def deflection(parameters: dict[str, float]) -> float:
-        run = simulate(model, scheme="rk4", dt=1e-5, t_end=0.005, save_every=50, parameters=parameters)
+        run = simulate(
+            model, scheme="rk4", dt=1e-5, t_end=0.005, save_every=50, parameters=parameters, engine="interpreted"
+        )
         a, b, m = (np.column_stack([run[f"{name}_x"], run[f"{name}_y"]]) for name in "abm")
         chord, arm = b - a, m - a
         return float(np.abs((chord[:, 0] * arm[:, 1] - chord[:, 1] * arm[:, 0]) / np.hypot(*chord.T)).max())
