@@ -24,6 +24,7 @@ from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
 from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
+from symgen.fe.stresses import ModalStresses, SolidStress
 from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
@@ -202,6 +203,17 @@ class FlexibleBody:
         if triangles is not None:
             faces = np.asarray(triangles, dtype=np.int64).reshape(-1, AXES)
         return surface_data(body.positions, body.nodal(self.modes.shapes, 0), faces, self.origin, max_triangles)
+
+    def stresses(self) -> ModalStresses:
+        """Stress tensors per unit of q_f inside the elements of a solid; `von_mises(q_f)` of a motion's coordinates.
+
+        Raises FiniteElementError for a body that is not made from a solid mesh.
+        """
+        stress = self.structure.stress
+        if not isinstance(stress, SolidStress):
+            remedy = "make it with from_mesh from tetrahedra or hexahedra"
+            raise FiniteElementError("stresses", "the body is not made from a solid mesh", remedy)
+        return ModalStresses(fixed(stress.points - self.origin), fixed(stress.tensors(self.modes.shapes)))
 
     def losses(self) -> list[FlexibilityLoss]:
         """What the modes lose of the static flexibility at each interface, against the full model.

@@ -10,7 +10,7 @@ import scipy.sparse as sp
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.stresses import solid_stress
+from symgen.fe.stresses import SolidStress
 from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.fe.surface import boundary_triangles
 
@@ -42,7 +42,7 @@ def solid_structure(mesh: Any, material: Material, order: int = 2) -> FEStructur
         np.repeat(np.arange(n), AXES),
         np.tile(np.arange(AXES), n),
     )
-    return replace(body, facets=boundary_triangles(mesh), stress=solid_stress(scalar, material))
+    return replace(body, facets=boundary_triangles(mesh), stress=SolidStress(scalar, material))
 
 
 def _checked_basis(mesh: Any, order: int) -> tuple[Any, Any]:

@@ -1,41 +1,80 @@
-"""Which elements carry which stress: geometric stiffness of solids and of frames for given displacements."""
+"""Stresses of solids and axial forces of frames for given displacements, and their geometric stiffness."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from symgen.fe.material import Material
 from symgen.fe.structure import AXES, Integers, StressStiffness
 from symgen.modes.cleaning import Array
 
 
-def solid_stress(basis: Any, material: Material) -> StressStiffness:
-    """Of a solid with this scalar basis, rows x, y, z of node after node.
+@dataclass(frozen=True, eq=False)
+class SolidStress:
+    """Stresses of a solid with this scalar basis, rows x, y, z of node after node: sigma = lame tr(eps) + 2 G eps.
 
-    sigma = lame tr(eps) + 2 G eps at the points of the quadrature.
+    They are taken at the points of the quadrature, inside the elements, where they are most exact.
     """
 
-    def gradients(vector: Array) -> Array:
-        """(component, direction, points)."""
-        parts = [np.asarray(basis.interpolate(np.ascontiguousarray(vector[c::AXES])).grad) for c in range(AXES)]
-        return np.stack(parts).reshape(AXES, AXES, -1)
+    basis: Any
+    material: Material
 
-    def stiffness(displacements: Array, shapes: Array) -> Array:
-        weights = np.asarray(basis.dx).ravel()
-        modes = np.stack([gradients(shape) for shape in shapes.T]) if shapes.size else np.zeros((0, 3, 3, len(weights)))
-        flat = modes.reshape(len(modes), -1)
-        found = np.zeros((displacements.shape[1], len(modes), len(modes)))
-        for k, displacement in enumerate(displacements.T):
-            strain = gradients(displacement)
-            stress = material.G * (strain + strain.transpose(1, 0, 2))
-            stress[range(AXES), range(AXES)] += material.lame * np.einsum("iip->p", strain)
-            found[k] = flat @ np.einsum("ijp,acjp->acip", stress * weights, modes).reshape(len(modes), -1).T
+    @cached_property
+    def points(self) -> Array:
+        """(points, 3) [m]."""
+        return np.asarray(self.basis.global_coordinates()).reshape(AXES, -1).T
+
+    def tensors(self, vectors: Array) -> Array:
+        """(k, 3, 3, points) stress [Pa] of displacements (n_dof, k) [m]."""
+        found = np.stack([self._gradients(vector) for vector in vectors.T]) if vectors.size else self._none()
+        stress = self.material.G * (found + found.transpose(0, 2, 1, 3))
+        stress[:, range(AXES), range(AXES)] += self.material.lame * np.einsum("kiip->kp", found)[:, None]
+        return np.asarray(stress)
+
+    def __call__(self, displacements: Array, shapes: Array) -> Array:
+        """Geometric stiffness (k, nf, nf) of shapes (n_dof, nf) under the stresses of displacements (n_dof, k)."""
+        weights = np.asarray(self.basis.dx).ravel()
+        modes = np.stack([self._gradients(shape) for shape in shapes.T]) if shapes.size else self._none()
+        flat, found = modes.reshape(len(modes), -1), np.zeros((displacements.shape[1], len(modes), len(modes)))
+        for k in range(displacements.shape[1]):
+            stress = self.tensors(displacements[:, k : k + 1])[0] * weights
+            found[k] = flat @ np.einsum("ijp,acjp->acip", stress, modes).reshape(len(modes), -1).T
         return found
 
-    return stiffness
+    def _gradients(self, vector: Array) -> Array:
+        """(component, direction, points)."""
+        parts = [np.asarray(self.basis.interpolate(np.ascontiguousarray(vector[c::AXES])).grad) for c in range(AXES)]
+        return np.stack(parts).reshape(AXES, AXES, -1)
+
+    def _none(self) -> Array:
+        return np.zeros((0, AXES, AXES, len(self.points)))
+
+
+@dataclass(frozen=True, eq=False)
+class ModalStresses:
+    """Stresses of a body per unit of q_f: tensors (nf, 3, 3, n) [Pa/m] at points (n, 3) [m] from its frame's origin."""
+
+    points: Array
+    tensors: Array
+
+    def of(self, q_f: ArrayLike) -> Array:
+        """(N, 3, 3, n) stress tensors [Pa] for modal coordinates (N, nf): the sum of the modal stresses."""
+        return np.asarray(np.tensordot(np.atleast_2d(np.asarray(q_f, dtype=float)), self.tensors, axes=1))
+
+    def von_mises(self, q_f: ArrayLike) -> Array:
+        """(N, n) von Mises stress [Pa] for modal coordinates (N, nf)."""
+        found = []
+        for row in np.atleast_2d(np.asarray(q_f, dtype=float)):  # one sample at a time: tensors of all points are large
+            stress = self.of(row)[0]
+            deviator = stress - np.eye(AXES)[:, :, None] * np.einsum("iip->p", stress) / AXES
+            found.append(np.sqrt(1.5 * np.einsum("ijp,ijp->p", deviator, deviator)))
+        return np.array(found)
 
 
 def frame_stress(
