@@ -32,7 +32,7 @@ def run() -> Result:
             problem = _problem(model_of(arm(links, stiffening=stiffening), folder), fastest)
             for spec in _contenders(links, fastest):
                 method = PreparedMethod(spec, problem)
-                best = search_steps(method, TOLERANCE, most=20_000).best
+                best = search_steps(method, TOLERANCE, most=40_000).best
                 if best is None:
                     continue
                 note = f"{best.steps} steps, {method.operations} operations a step, error {best.error:.1e}"
