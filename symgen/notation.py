@@ -81,7 +81,6 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("J_v", "", "", "n_i x n_i", "SI", "the same as dQ_hat_dq_i_dot, in a linear system"),
     Notation("dQ_hat_dq_i", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i, through q_d"),
     Notation("dQ_hat_dq_i_dot", "", "", "n_i x n_i", "SI", "total derivative of Q_hat by q_i_dot, through q_d_dot"),
-    Notation("dMa_dq_i", "", "", "n_i x n_i", "SI", "total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot"),
     Notation("C_loop", "C", "31", "loops", "m, rad", "loop closure error before a Newton step"),
     Notation("q_d_next", "q_d", "31", "n_d", "mixed", "dependent coordinates after one Newton step"),
     Notation("det_loop", "det C_qd", "31", "loop blocks", "SI", "determinants of the loop blocks, zero if singular"),

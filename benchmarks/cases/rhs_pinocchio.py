@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +19,8 @@ from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.chain import chain
 
 LINKS, LENGTH, MASS = 10, 0.5, 0.078
+LONG = (20, 50)  # bodies of the chains in space
+TREES = 50
 GRAVITY = 9.81
 PARENTS = (0, 1, 2, 2, 4, 4, 1, 7)  # of the tree in space: body k + 1 hangs on body PARENTS[k], 0 is the ground
 AGREEMENT = 1e-10
@@ -64,8 +67,28 @@ def planar_chain() -> Case:
 def skew_tree() -> Case:
     """Bodies on hinges in random directions at random places."""
     rng = np.random.default_rng(3)
-    builder = SceneBuilder("skew_tree", space="spatial").gravity(0.0, 0.0, -GRAVITY)
     hinges = [_random_hinge(rng, parent) for parent in PARENTS]
+    scene = tree_scene(hinges)
+    return Case(f"tree in space, {len(hinges)} bodies", scene, hinges, (0.0, 0.0, -GRAVITY), np.eye(len(hinges)))
+
+
+def skew_chain(bodies: int) -> Case:
+    """The same one behind the other."""
+    rng = np.random.default_rng(3)
+    hinges = [_random_hinge(rng, parent) for parent in range(bodies)]
+    return Case(f"chain in space, N = {bodies}", tree_scene(hinges), hinges, (0.0, 0.0, -GRAVITY), np.eye(bodies))
+
+
+def random_tree(seed: int) -> Case:
+    """One to seven bodies, each on any of those before it."""
+    rng = np.random.default_rng(seed)
+    hinges = [_random_hinge(rng, int(rng.integers(0, k + 1))) for k in range(int(rng.integers(1, 8)))]
+    return Case(f"random tree {seed}", tree_scene(hinges), hinges, (0.0, 0.0, -GRAVITY), np.eye(len(hinges)))
+
+
+def tree_scene(hinges: list[Hinge]) -> Scene:
+    """Rigid bodies on hinges."""
+    builder = SceneBuilder("skew_tree", space="spatial").gravity(0.0, 0.0, -GRAVITY)
     for k in range(len(hinges) + 1):
         markers = {
             f"hinge{j + 1}": {"position": one.place, "axis": one.turn[:, 2], "x_axis": one.turn[:, 0]}
@@ -80,8 +103,7 @@ def skew_tree() -> Case:
     for k, own in enumerate(hinges):
         parent = f"body{own.parent}" if own.parent else "ground"
         builder.joint("revolute", f"hinge{k + 1}", f"{parent}.hinge{k + 1}", f"body{k + 1}.origin")
-    scene = builder.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build()
-    return Case(f"tree in space, {len(hinges)} bodies", scene, hinges, (0.0, 0.0, -GRAVITY), np.eye(len(hinges)))
+    return builder.simulation(t_end=1.0, dt=1e-3, scheme="rk4").build()
 
 
 def _random_hinge(rng: np.random.Generator, parent: int) -> Hinge:
@@ -108,9 +130,11 @@ def run() -> Result:
     details: dict = {"version": found}
     theirs = library()
     with workplace() as folder:
-        for case in (planar_chain(), skew_tree()):
+        for case in (planar_chain(), skew_tree(), *(skew_chain(bodies) for bodies in LONG)):
             case_lines, details[case.name] = _case(case, PinocchioTree(theirs, case.hinges, case.gravity), folder)
             lines += case_lines
+        error = max(_difference(random_tree(seed), theirs, folder) for seed in range(TREES))
+        lines.append(Line(f"{TREES} random trees: largest relative difference of accelerations", error, "", AGREEMENT))
     return Result(
         "rhs_pinocchio",
         "Right-hand side of rigid trees, against Pinocchio",
@@ -118,6 +142,19 @@ def run() -> Result:
         details,
         REMARK.format(version=found, bodies=len(PARENTS)),
     )
+
+
+def _difference(case: Case, theirs: ctypes.CDLL, folder: Path) -> float:
+    """Of the accelerations by `forward_dynamics` and by Pinocchio's aba at one state, relative to the largest."""
+    model, rng = model_of(case.scene, folder, FUNCTIONS), np.random.default_rng(1)
+    n = len(case.hinges)
+    q, v = rng.uniform(-3, 3, n), rng.uniform(-3, 3, n)
+    state = np.concatenate([q, v, np.zeros(n)])
+    PinocchioTree(theirs, case.hinges, case.gravity).worker(state)(1)
+    c = model.constants(model.parameter_vector())
+    found = model.evaluate("forward_dynamics", q_i=q, q_i_dot=v, c=c, q_d=0, q_d_dot=0, t=0)["q_i_ddot"]
+    expected = state[2 * n :]
+    return float(np.abs(np.asarray(found).ravel() - expected).max() / np.abs(expected).max())
 
 
 def _case(case: Case, tree: PinocchioTree, folder: Path) -> tuple[list[Line], dict]:

@@ -2476,16 +2476,19 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 10) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 10) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 10) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 60) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 10 x 10) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    985 operations.
+    gives J_q (n_i x n_i = 10 x 10) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 10 x 10) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    1936 operations.
     """
     q_i = ca.SX.sym("q_i", 10)
+    q_i_dot = ca.SX.sym("q_i_dot", 10)
     q_i_ddot = ca.SX.sym("q_i_ddot", 10)
     c = ca.SX.sym("c", 60)
     link1_theta = q_i[0]
@@ -2498,6 +2501,16 @@ def dMa_dq_i() -> ca.Function:
     link8_theta = q_i[7]
     link9_theta = q_i[8]
     link10_theta = q_i[9]
+    link1_theta_dot = q_i_dot[0]
+    link2_theta_dot = q_i_dot[1]
+    link3_theta_dot = q_i_dot[2]
+    link4_theta_dot = q_i_dot[3]
+    link5_theta_dot = q_i_dot[4]
+    link6_theta_dot = q_i_dot[5]
+    link7_theta_dot = q_i_dot[6]
+    link8_theta_dot = q_i_dot[7]
+    link9_theta_dot = q_i_dot[8]
+    link10_theta_dot = q_i_dot[9]
     link1_theta_ddot = q_i_ddot[0]
     link2_theta_ddot = q_i_ddot[1]
     link3_theta_ddot = q_i_ddot[2]
@@ -2527,304 +2540,596 @@ def dMa_dq_i() -> ca.Function:
     c24 = c[24]
     c25 = c[25]
     c26 = c[26]
-    # intermediate terms (226)
-    w0 = ca.sin(link1_theta) * link_length
-    w1 = ca.cos(link1_theta) * link_length
-    w2 = link1_theta_ddot * w1
-    w3 = w2 * link2_mass
-    w4 = w2 * link10_mass
-    w5 = w2 * link9_mass + w4
-    w6 = w2 * link8_mass + w5
-    w7 = w2 * link7_mass + w6
-    w8 = w2 * link6_mass + w7
-    w9 = w2 * link5_mass + w8
-    w10 = w2 * link4_mass + w9
-    w11 = w2 * link3_mass + w10
-    w12 = w0 * link1_theta_ddot
-    w13 = w12 * link2_mass
-    w14 = ca.sin(link2_theta)
-    w15 = w14 * c18
-    w16 = w15 * link2_theta_ddot
-    w17 = w14 * link_length
-    w18 = link2_theta_ddot * w17
-    w19 = w12 + w18
-    w20 = ca.sin(link3_theta)
-    w21 = w20 * c19
-    w22 = w21 * link3_theta_ddot
-    w23 = w20 * link_length
-    w24 = link3_theta_ddot * w23
-    w25 = w19 + w24
-    w26 = ca.sin(link4_theta)
-    w27 = w26 * c20
-    w28 = w27 * link4_theta_ddot
-    w29 = w26 * link_length
-    w30 = link4_theta_ddot * w29
-    w31 = w25 + w30
-    w32 = ca.sin(link5_theta)
-    w33 = w32 * c21
-    w34 = w33 * link5_theta_ddot
-    w35 = w32 * link_length
-    w36 = link5_theta_ddot * w35
-    w37 = w31 + w36
-    w38 = ca.sin(link6_theta)
-    w39 = w38 * c22
-    w40 = w39 * link6_theta_ddot
-    w41 = w38 * link_length
-    w42 = link6_theta_ddot * w41
-    w43 = w37 + w42
-    w44 = ca.sin(link7_theta)
-    w45 = w44 * c23
-    w46 = w45 * link7_theta_ddot
-    w47 = w44 * link_length
-    w48 = link7_theta_ddot * w47
-    w49 = w43 + w48
-    w50 = ca.sin(link8_theta)
-    w51 = w50 * c24
-    w52 = w51 * link8_theta_ddot
-    w53 = w50 * link_length
-    w54 = link8_theta_ddot * w53
-    w55 = w49 + w54
-    w56 = ca.sin(link9_theta)
-    w57 = w56 * c25
-    w58 = w57 * link9_theta_ddot
-    w59 = w56 * link_length
-    w60 = link9_theta_ddot * w59
-    w61 = w55 + w60
-    w62 = ca.sin(link10_theta) * c26
-    w63 = w62 * link10_theta_ddot
-    w64 = w61 * link10_mass + w63
-    w65 = w55 * link9_mass + w58 + w64
-    w66 = w49 * link8_mass + w52 + w65
-    w67 = w43 * link7_mass + w46 + w66
-    w68 = w37 * link6_mass + w40 + w67
-    w69 = w31 * link5_mass + w34 + w68
-    w70 = w25 * link4_mass + w28 + w69
-    w71 = w19 * link3_mass + w22 + w70
-    w72 = w12 * link10_mass
-    w73 = w12 * link9_mass + w72
-    w74 = w12 * link8_mass + w73
-    w75 = w12 * link7_mass + w74
-    w76 = w12 * link6_mass + w75
-    w77 = w12 * link5_mass + w76
-    w78 = w12 * link4_mass + w77
-    w79 = w12 * link3_mass + w78
-    w80 = ca.cos(link2_theta)
-    w81 = w80 * c18
-    w82 = link2_theta_ddot * w81
-    w83 = w80 * link_length
-    w84 = link2_theta_ddot * w83
-    w85 = w2 + w84
-    w86 = ca.cos(link3_theta)
-    w87 = w86 * c19
-    w88 = link3_theta_ddot * w87
-    w89 = w86 * link_length
-    w90 = link3_theta_ddot * w89
-    w91 = w85 + w90
-    w92 = ca.cos(link4_theta)
-    w93 = w92 * c20
-    w94 = link4_theta_ddot * w93
-    w95 = w92 * link_length
-    w96 = link4_theta_ddot * w95
-    w97 = w91 + w96
-    w98 = ca.cos(link5_theta)
-    w99 = w98 * c21
-    w100 = link5_theta_ddot * w99
-    w101 = w98 * link_length
-    w102 = link5_theta_ddot * w101
-    w103 = w97 + w102
-    w104 = ca.cos(link6_theta)
-    w105 = w104 * c22
-    w106 = link6_theta_ddot * w105
-    w107 = w104 * link_length
-    w108 = link6_theta_ddot * w107
-    w109 = w103 + w108
-    w110 = ca.cos(link7_theta)
-    w111 = w110 * c23
-    w112 = link7_theta_ddot * w111
-    w113 = w110 * link_length
-    w114 = link7_theta_ddot * w113
-    w115 = w109 + w114
-    w116 = ca.cos(link8_theta)
-    w117 = w116 * c24
-    w118 = link8_theta_ddot * w117
-    w119 = w116 * link_length
-    w120 = link8_theta_ddot * w119
-    w121 = w115 + w120
-    w122 = ca.cos(link9_theta)
-    w123 = w122 * c25
-    w124 = link9_theta_ddot * w123
-    w125 = w122 * link_length
-    w126 = link9_theta_ddot * w125
-    w127 = w121 + w126
-    w128 = ca.cos(link10_theta) * c26
-    w129 = link10_theta_ddot * w128
-    w130 = w127 * link10_mass + w129
-    w131 = w121 * link9_mass + w124 + w130
-    w132 = w115 * link8_mass + w118 + w131
-    w133 = w109 * link7_mass + w112 + w132
-    w134 = w103 * link6_mass + w106 + w133
-    w135 = w97 * link5_mass + w100 + w134
-    w136 = w91 * link4_mass + w94 + w135
-    w137 = w85 * link3_mass + w88 + w136
-    w138 = w2 * w15
-    w139 = w12 * w81
-    w140 = w84 * link10_mass
-    w141 = w84 * link9_mass + w140
-    w142 = w84 * link8_mass + w141
-    w143 = w84 * link7_mass + w142
-    w144 = w84 * link6_mass + w143
-    w145 = w84 * link5_mass + w144
-    w146 = w84 * link4_mass + w145
-    w147 = w84 * link3_mass + w146
-    w148 = w18 * link10_mass
-    w149 = w18 * link9_mass + w148
-    w150 = w18 * link8_mass + w149
-    w151 = w18 * link7_mass + w150
-    w152 = w18 * link6_mass + w151
-    w153 = w18 * link5_mass + w152
-    w154 = w18 * link4_mass + w153
-    w155 = w18 * link3_mass + w154
-    w156 = w90 * link10_mass
-    w157 = w90 * link9_mass + w156
-    w158 = w90 * link8_mass + w157
-    w159 = w90 * link7_mass + w158
-    w160 = w90 * link6_mass + w159
-    w161 = w90 * link5_mass + w160
-    w162 = w90 * link4_mass + w161
-    w163 = w88 + w162
-    w164 = w24 * link10_mass
-    w165 = w24 * link9_mass + w164
-    w166 = w24 * link8_mass + w165
-    w167 = w24 * link7_mass + w166
-    w168 = w24 * link6_mass + w167
-    w169 = w24 * link5_mass + w168
-    w170 = w24 * link4_mass + w169
-    w171 = w22 + w170
-    w172 = w96 * link10_mass
-    w173 = w96 * link9_mass + w172
-    w174 = w96 * link8_mass + w173
-    w175 = w96 * link7_mass + w174
-    w176 = w96 * link6_mass + w175
-    w177 = w96 * link5_mass + w176
-    w178 = w94 + w177
-    w179 = w30 * link10_mass
-    w180 = w30 * link9_mass + w179
-    w181 = w30 * link8_mass + w180
-    w182 = w30 * link7_mass + w181
-    w183 = w30 * link6_mass + w182
-    w184 = w30 * link5_mass + w183
-    w185 = w28 + w184
-    w186 = w102 * link10_mass
-    w187 = w102 * link9_mass + w186
-    w188 = w102 * link8_mass + w187
-    w189 = w102 * link7_mass + w188
-    w190 = w102 * link6_mass + w189
-    w191 = w100 + w190
-    w192 = w36 * link10_mass
-    w193 = w36 * link9_mass + w192
-    w194 = w36 * link8_mass + w193
-    w195 = w36 * link7_mass + w194
-    w196 = w36 * link6_mass + w195
-    w197 = w34 + w196
-    w198 = w108 * link10_mass
-    w199 = w108 * link9_mass + w198
-    w200 = w108 * link8_mass + w199
-    w201 = w108 * link7_mass + w200
-    w202 = w106 + w201
-    w203 = w42 * link10_mass
-    w204 = w42 * link9_mass + w203
-    w205 = w42 * link8_mass + w204
-    w206 = w42 * link7_mass + w205
-    w207 = w40 + w206
-    w208 = w114 * link10_mass
-    w209 = w114 * link9_mass + w208
-    w210 = w114 * link8_mass + w209
-    w211 = w112 + w210
-    w212 = w48 * link10_mass
-    w213 = w48 * link9_mass + w212
-    w214 = w48 * link8_mass + w213
-    w215 = w46 + w214
-    w216 = w120 * link10_mass
-    w217 = w120 * link9_mass + w216
-    w218 = w118 + w217
-    w219 = w54 * link10_mass
-    w220 = w54 * link9_mass + w219
-    w221 = w52 + w220
-    w222 = w126 * link10_mass
-    w223 = w124 + w222
-    w224 = w60 * link10_mass
-    w225 = w58 + w224
+    gravity_y = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
+    c45 = c[45]
+    c46 = c[46]
+    # intermediate terms (429)
+    w0 = ca.cos(link1_theta) * link_length
+    w1 = ca.sin(link1_theta)
+    w2 = w1 * link_length
+    w3 = link1_theta_dot**2
+    w4 = link1_theta_ddot * w2 + w0 * w3
+    w5 = w4 * link2_mass
+    w6 = w4 * link10_mass
+    w7 = w4 * link9_mass + w6
+    w8 = w4 * link8_mass + w7
+    w9 = w4 * link7_mass + w8
+    w10 = w4 * link6_mass + w9
+    w11 = w4 * link5_mass + w10
+    w12 = w4 * link4_mass + w11
+    w13 = w4 * link3_mass + w12
+    w14 = link2_theta_dot**2
+    w15 = ca.sin(link2_theta)
+    w16 = w15 * c18
+    w17 = w14 * w16
+    w18 = w0 * link1_theta_ddot - w2 * w3
+    w19 = w18 * link2_mass
+    w20 = ca.cos(link2_theta)
+    w21 = w20 * c18
+    w22 = w21 * link2_theta_ddot
+    w23 = link3_theta_dot**2
+    w24 = ca.sin(link3_theta)
+    w25 = w24 * c19
+    w26 = w23 * w25
+    w27 = w15 * link_length
+    w28 = w14 * w27
+    w29 = w20 * link_length
+    w30 = link2_theta_ddot * w29
+    w31 = w18 - w28 + w30
+    w32 = ca.cos(link3_theta)
+    w33 = w32 * c19
+    w34 = w33 * link3_theta_ddot
+    w35 = link4_theta_dot**2
+    w36 = ca.sin(link4_theta)
+    w37 = w36 * c20
+    w38 = w35 * w37
+    w39 = w24 * link_length
+    w40 = w23 * w39
+    w41 = w32 * link_length
+    w42 = link3_theta_ddot * w41
+    w43 = w31 - w40 + w42
+    w44 = ca.cos(link4_theta)
+    w45 = w44 * c20
+    w46 = w45 * link4_theta_ddot
+    w47 = link5_theta_dot**2
+    w48 = ca.sin(link5_theta)
+    w49 = w48 * c21
+    w50 = w47 * w49
+    w51 = w36 * link_length
+    w52 = w35 * w51
+    w53 = w44 * link_length
+    w54 = link4_theta_ddot * w53
+    w55 = w43 - w52 + w54
+    w56 = ca.cos(link5_theta)
+    w57 = w56 * c21
+    w58 = w57 * link5_theta_ddot
+    w59 = link6_theta_dot**2
+    w60 = ca.sin(link6_theta)
+    w61 = w60 * c22
+    w62 = w59 * w61
+    w63 = w48 * link_length
+    w64 = w47 * w63
+    w65 = w56 * link_length
+    w66 = link5_theta_ddot * w65
+    w67 = w55 - w64 + w66
+    w68 = ca.cos(link6_theta)
+    w69 = w68 * c22
+    w70 = w69 * link6_theta_ddot
+    w71 = link7_theta_dot**2
+    w72 = ca.sin(link7_theta)
+    w73 = w72 * c23
+    w74 = w71 * w73
+    w75 = w60 * link_length
+    w76 = w59 * w75
+    w77 = w68 * link_length
+    w78 = link6_theta_ddot * w77
+    w79 = w67 - w76 + w78
+    w80 = ca.cos(link7_theta)
+    w81 = w80 * c23
+    w82 = w81 * link7_theta_ddot
+    w83 = link8_theta_dot**2
+    w84 = ca.sin(link8_theta)
+    w85 = w84 * c24
+    w86 = w83 * w85
+    w87 = w72 * link_length
+    w88 = w71 * w87
+    w89 = w80 * link_length
+    w90 = link7_theta_ddot * w89
+    w91 = w79 - w88 + w90
+    w92 = ca.cos(link8_theta)
+    w93 = w92 * c24
+    w94 = w93 * link8_theta_ddot
+    w95 = link9_theta_dot**2
+    w96 = ca.sin(link9_theta)
+    w97 = w96 * c25
+    w98 = w95 * w97
+    w99 = w84 * link_length
+    w100 = w83 * w99
+    w101 = w92 * link_length
+    w102 = link8_theta_ddot * w101
+    w103 = w91 - w100 + w102
+    w104 = ca.cos(link9_theta)
+    w105 = w104 * c25
+    w106 = w105 * link9_theta_ddot
+    w107 = link10_theta_dot**2
+    w108 = ca.sin(link10_theta) * c26
+    w109 = w107 * w108
+    w110 = w96 * link_length
+    w111 = w95 * w110
+    w112 = w104 * link_length
+    w113 = link9_theta_ddot * w112
+    w114 = w103 - w111 + w113
+    w115 = ca.cos(link10_theta) * c26
+    w116 = w115 * link10_theta_ddot
+    w117 = c46 + w109 - (w114 * link10_mass + w116)
+    w118 = c45 + w98 - (w103 * link9_mass + w106) + w117
+    w119 = c44 + w86 - (w91 * link8_mass + w94) + w118
+    w120 = c43 + w74 - (w79 * link7_mass + w82) + w119
+    w121 = c42 + w62 - (w67 * link6_mass + w70) + w120
+    w122 = c41 + w50 - (w55 * link5_mass + w58) + w121
+    w123 = c40 + w38 - (w43 * link4_mass + w46) + w122
+    w124 = c39 + w26 - (w31 * link3_mass + w34) + w123
+    w125 = w18 * link10_mass
+    w126 = w18 * link9_mass + w125
+    w127 = w18 * link8_mass + w126
+    w128 = w18 * link7_mass + w127
+    w129 = w18 * link6_mass + w128
+    w130 = w18 * link5_mass + w129
+    w131 = w18 * link4_mass + w130
+    w132 = w18 * link3_mass + w131
+    w133 = w14 * w21
+    w134 = w16 * link2_theta_ddot
+    w135 = w23 * w33
+    w136 = w14 * w29
+    w137 = link2_theta_ddot * w27
+    w138 = w4 + w136 + w137
+    w139 = w25 * link3_theta_ddot
+    w140 = w35 * w45
+    w141 = w23 * w41
+    w142 = link3_theta_ddot * w39
+    w143 = w138 + w141 + w142
+    w144 = w37 * link4_theta_ddot
+    w145 = w47 * w57
+    w146 = w35 * w53
+    w147 = link4_theta_ddot * w51
+    w148 = w143 + w146 + w147
+    w149 = w49 * link5_theta_ddot
+    w150 = w59 * w69
+    w151 = w47 * w65
+    w152 = link5_theta_ddot * w63
+    w153 = w148 + w151 + w152
+    w154 = w61 * link6_theta_ddot
+    w155 = w71 * w81
+    w156 = w59 * w77
+    w157 = link6_theta_ddot * w75
+    w158 = w153 + w156 + w157
+    w159 = w73 * link7_theta_ddot
+    w160 = w83 * w93
+    w161 = w71 * w89
+    w162 = link7_theta_ddot * w87
+    w163 = w158 + w161 + w162
+    w164 = w85 * link8_theta_ddot
+    w165 = w95 * w105
+    w166 = w83 * w101
+    w167 = link8_theta_ddot * w99
+    w168 = w163 + w166 + w167
+    w169 = w97 * link9_theta_ddot
+    w170 = w107 * w115
+    w171 = w95 * w112
+    w172 = link9_theta_ddot * w110
+    w173 = w168 + w171 + w172
+    w174 = w108 * link10_theta_ddot
+    w175 = w170 + (w173 * link10_mass + w174)
+    w176 = w165 + (w168 * link9_mass + w169) + w175
+    w177 = w160 + (w163 * link8_mass + w164) + w176
+    w178 = w155 + (w158 * link7_mass + w159) + w177
+    w179 = w150 + (w153 * link6_mass + w154) + w178
+    w180 = w145 + (w148 * link5_mass + w149) + w179
+    w181 = w140 + (w143 * link4_mass + w144) + w180
+    w182 = w135 + (w138 * link3_mass + w139) + w181
+    w183 = w0 * (w5 + w13) - w2 * (c38 + w17 - (w19 + w22) + w124) - w1 * c37 - (w2 * (w19 + w132) + w0 * (w133 + (w5 + w134) + w182))
+    w184 = w16 * w18
+    w185 = w4 * w21
+    w186 = w136 + w137
+    w187 = w186 * link10_mass
+    w188 = w186 * link9_mass + w187
+    w189 = w186 * link8_mass + w188
+    w190 = w186 * link7_mass + w189
+    w191 = w186 * link6_mass + w190
+    w192 = w186 * link5_mass + w191
+    w193 = w186 * link4_mass + w192
+    w194 = w186 * link3_mass + w193
+    w195 = w30 - w28
+    w196 = w195 * link10_mass
+    w197 = w195 * link9_mass + w196
+    w198 = w195 * link8_mass + w197
+    w199 = w195 * link7_mass + w198
+    w200 = w195 * link6_mass + w199
+    w201 = w195 * link5_mass + w200
+    w202 = w195 * link4_mass + w201
+    w203 = w195 * link3_mass + w202
+    w204 = w141 + w142
+    w205 = w204 * link10_mass
+    w206 = w204 * link9_mass + w205
+    w207 = w204 * link8_mass + w206
+    w208 = w204 * link7_mass + w207
+    w209 = w204 * link6_mass + w208
+    w210 = w204 * link5_mass + w209
+    w211 = w204 * link4_mass + w210
+    w212 = w135 + w139 + w211
+    w213 = w42 - w40
+    w214 = w213 * link10_mass
+    w215 = w213 * link9_mass + w214
+    w216 = w213 * link8_mass + w215
+    w217 = w213 * link7_mass + w216
+    w218 = w213 * link6_mass + w217
+    w219 = w213 * link5_mass + w218
+    w220 = w213 * link4_mass + w219
+    w221 = w34 - w26 + w220
+    w222 = w41 * w211 - w39 * w123 - (w25 * gravity_y + (w33 * w138 - w25 * w31)) - (w39 * w220 + w41 * w181)
+    w223 = w146 + w147
+    w224 = w223 * link10_mass
+    w225 = w223 * link9_mass + w224
+    w226 = w223 * link8_mass + w225
+    w227 = w223 * link7_mass + w226
+    w228 = w223 * link6_mass + w227
+    w229 = w223 * link5_mass + w228
+    w230 = w140 + w144 + w229
+    w231 = w54 - w52
+    w232 = w231 * link10_mass
+    w233 = w231 * link9_mass + w232
+    w234 = w231 * link8_mass + w233
+    w235 = w231 * link7_mass + w234
+    w236 = w231 * link6_mass + w235
+    w237 = w231 * link5_mass + w236
+    w238 = w46 - w38 + w237
+    w239 = w53 * w229 - w51 * w122 - (w37 * gravity_y + (w45 * w143 - w37 * w43)) - (w51 * w237 + w53 * w180)
+    w240 = w151 + w152
+    w241 = w240 * link10_mass
+    w242 = w240 * link9_mass + w241
+    w243 = w240 * link8_mass + w242
+    w244 = w240 * link7_mass + w243
+    w245 = w240 * link6_mass + w244
+    w246 = w145 + w149 + w245
+    w247 = w66 - w64
+    w248 = w247 * link10_mass
+    w249 = w247 * link9_mass + w248
+    w250 = w247 * link8_mass + w249
+    w251 = w247 * link7_mass + w250
+    w252 = w247 * link6_mass + w251
+    w253 = w58 - w50 + w252
+    w254 = w65 * w245 - w63 * w121 - (w49 * gravity_y + (w57 * w148 - w49 * w55)) - (w63 * w252 + w65 * w179)
+    w255 = w156 + w157
+    w256 = w255 * link10_mass
+    w257 = w255 * link9_mass + w256
+    w258 = w255 * link8_mass + w257
+    w259 = w255 * link7_mass + w258
+    w260 = w150 + w154 + w259
+    w261 = w78 - w76
+    w262 = w261 * link10_mass
+    w263 = w261 * link9_mass + w262
+    w264 = w261 * link8_mass + w263
+    w265 = w261 * link7_mass + w264
+    w266 = w70 - w62 + w265
+    w267 = w77 * w259 - w75 * w120 - (w61 * gravity_y + (w69 * w153 - w61 * w67)) - (w75 * w265 + w77 * w178)
+    w268 = w161 + w162
+    w269 = w268 * link10_mass
+    w270 = w268 * link9_mass + w269
+    w271 = w268 * link8_mass + w270
+    w272 = w155 + w159 + w271
+    w273 = w90 - w88
+    w274 = w273 * link10_mass
+    w275 = w273 * link9_mass + w274
+    w276 = w273 * link8_mass + w275
+    w277 = w82 - w74 + w276
+    w278 = w89 * w271 - w87 * w119 - (w73 * gravity_y + (w81 * w158 - w73 * w79)) - (w87 * w276 + w89 * w177)
+    w279 = w166 + w167
+    w280 = w279 * link10_mass
+    w281 = w279 * link9_mass + w280
+    w282 = w160 + w164 + w281
+    w283 = w102 - w100
+    w284 = w283 * link10_mass
+    w285 = w283 * link9_mass + w284
+    w286 = w94 - w86 + w285
+    w287 = w101 * w281 - w99 * w118 - (w85 * gravity_y + (w93 * w163 - w85 * w91)) - (w99 * w285 + w101 * w176)
+    w288 = w171 + w172
+    w289 = w288 * link10_mass
+    w290 = w165 + w169 + w289
+    w291 = w113 - w111
+    w292 = w291 * link10_mass
+    w293 = w106 - w98 + w292
+    w294 = w112 * w289 - w110 * w117 - (w97 * gravity_y + (w105 * w168 - w97 * w103)) - (w110 * w292 + w112 * w175)
+    w295 = w170 + w174
+    w296 = w116 - w109
+    w297 = 2 * link1_theta_dot
+    w298 = w2 * w297
+    w299 = w298 * link10_mass
+    w300 = w298 * link9_mass + w299
+    w301 = w298 * link8_mass + w300
+    w302 = w298 * link7_mass + w301
+    w303 = w298 * link6_mass + w302
+    w304 = w298 * link5_mass + w303
+    w305 = w298 * link4_mass + w304
+    w306 = w298 * link3_mass + w305
+    w307 = w0 * w297
+    w308 = w307 * link10_mass
+    w309 = w307 * link9_mass + w308
+    w310 = w307 * link8_mass + w309
+    w311 = w307 * link7_mass + w310
+    w312 = w307 * link6_mass + w311
+    w313 = w307 * link5_mass + w312
+    w314 = w307 * link4_mass + w313
+    w315 = w307 * link3_mass + w314
+    w316 = 2 * link2_theta_dot
+    w317 = w27 * w316
+    w318 = w317 * link10_mass
+    w319 = w317 * link9_mass + w318
+    w320 = w317 * link8_mass + w319
+    w321 = w317 * link7_mass + w320
+    w322 = w317 * link6_mass + w321
+    w323 = w317 * link5_mass + w322
+    w324 = w317 * link4_mass + w323
+    w325 = w317 * link3_mass + w324
+    w326 = w29 * w316
+    w327 = w326 * link10_mass
+    w328 = w326 * link9_mass + w327
+    w329 = w326 * link8_mass + w328
+    w330 = w326 * link7_mass + w329
+    w331 = w326 * link6_mass + w330
+    w332 = w326 * link5_mass + w331
+    w333 = w326 * link4_mass + w332
+    w334 = w326 * link3_mass + w333
+    w335 = 2 * link3_theta_dot
+    w336 = w39 * w335
+    w337 = w336 * link10_mass
+    w338 = w336 * link9_mass + w337
+    w339 = w336 * link8_mass + w338
+    w340 = w336 * link7_mass + w339
+    w341 = w336 * link6_mass + w340
+    w342 = w336 * link5_mass + w341
+    w343 = w336 * link4_mass + w342
+    w344 = w25 * w335 + w343
+    w345 = w41 * w335
+    w346 = w345 * link10_mass
+    w347 = w345 * link9_mass + w346
+    w348 = w345 * link8_mass + w347
+    w349 = w345 * link7_mass + w348
+    w350 = w345 * link6_mass + w349
+    w351 = w345 * link5_mass + w350
+    w352 = w345 * link4_mass + w351
+    w353 = w33 * w335 + w352
+    w354 = 2 * link4_theta_dot
+    w355 = w51 * w354
+    w356 = w355 * link10_mass
+    w357 = w355 * link9_mass + w356
+    w358 = w355 * link8_mass + w357
+    w359 = w355 * link7_mass + w358
+    w360 = w355 * link6_mass + w359
+    w361 = w355 * link5_mass + w360
+    w362 = w37 * w354 + w361
+    w363 = w53 * w354
+    w364 = w363 * link10_mass
+    w365 = w363 * link9_mass + w364
+    w366 = w363 * link8_mass + w365
+    w367 = w363 * link7_mass + w366
+    w368 = w363 * link6_mass + w367
+    w369 = w363 * link5_mass + w368
+    w370 = w45 * w354 + w369
+    w371 = 2 * link5_theta_dot
+    w372 = w63 * w371
+    w373 = w372 * link10_mass
+    w374 = w372 * link9_mass + w373
+    w375 = w372 * link8_mass + w374
+    w376 = w372 * link7_mass + w375
+    w377 = w372 * link6_mass + w376
+    w378 = w49 * w371 + w377
+    w379 = w65 * w371
+    w380 = w379 * link10_mass
+    w381 = w379 * link9_mass + w380
+    w382 = w379 * link8_mass + w381
+    w383 = w379 * link7_mass + w382
+    w384 = w379 * link6_mass + w383
+    w385 = w57 * w371 + w384
+    w386 = 2 * link6_theta_dot
+    w387 = w75 * w386
+    w388 = w387 * link10_mass
+    w389 = w387 * link9_mass + w388
+    w390 = w387 * link8_mass + w389
+    w391 = w387 * link7_mass + w390
+    w392 = w61 * w386 + w391
+    w393 = w77 * w386
+    w394 = w393 * link10_mass
+    w395 = w393 * link9_mass + w394
+    w396 = w393 * link8_mass + w395
+    w397 = w393 * link7_mass + w396
+    w398 = w69 * w386 + w397
+    w399 = 2 * link7_theta_dot
+    w400 = w87 * w399
+    w401 = w400 * link10_mass
+    w402 = w400 * link9_mass + w401
+    w403 = w400 * link8_mass + w402
+    w404 = w73 * w399 + w403
+    w405 = w89 * w399
+    w406 = w405 * link10_mass
+    w407 = w405 * link9_mass + w406
+    w408 = w405 * link8_mass + w407
+    w409 = w81 * w399 + w408
+    w410 = 2 * link8_theta_dot
+    w411 = w99 * w410
+    w412 = w411 * link10_mass
+    w413 = w411 * link9_mass + w412
+    w414 = w85 * w410 + w413
+    w415 = w101 * w410
+    w416 = w415 * link10_mass
+    w417 = w415 * link9_mass + w416
+    w418 = w93 * w410 + w417
+    w419 = 2 * link9_theta_dot
+    w420 = w110 * w419
+    w421 = w420 * link10_mass
+    w422 = w97 * w419 + w421
+    w423 = w112 * w419
+    w424 = w423 * link10_mass
+    w425 = w105 * w419 + w424
+    w426 = 2 * link10_theta_dot
+    w427 = w108 * w426
+    w428 = w115 * w426
     # outputs
-    dMa_dq_i = ca.vertcat(
+    J_q = ca.vertcat(
         ca.horzcat(  # link1.theta
-            w0 * (w3 + w11) + w1 * (w13 + w16 + w71) - (w1 * (w13 + w79) + w0 * (w3 + w82 + w137)),
-            w0 * (w82 + w147) - w1 * (w16 + w155), w0 * w163 - w1 * w171, w0 * w178 - w1 * w185,
-            w0 * w191 - w1 * w197, w0 * w202 - w1 * w207, w0 * w211 - w1 * w215, w0 * w218 - w1 * w221,
-            w0 * w223 - w1 * w225, w0 * w129 - w1 * w63,
+            w183, w0 * (w133 + w134 + w194) - w2 * (w22 - w17 + w203), w0 * w212 - w2 * w221, w0 * w230 - w2 * w238,
+            w0 * w246 - w2 * w253, w0 * w260 - w2 * w266, w0 * w272 - w2 * w277, w0 * w282 - w2 * w286,
+            w0 * w290 - w2 * w293, w0 * w295 - w2 * w296,
         ),
         ca.horzcat(  # link2.theta
-            w138 - w139 - w79 * w83 + w11 * w17, w139 - w138 - (w83 * w155 + w17 * w137) + (w17 * w147 + w71 * w83),
-            w17 * w163 - w83 * w171, w17 * w178 - w83 * w185, w17 * w191 - w83 * w197, w17 * w202 - w83 * w207,
-            w17 * w211 - w83 * w215, w17 * w218 - w83 * w221, w17 * w223 - w83 * w225, w17 * w129 - w63 * w83,
+            w13 * w29 - (w184 - w185) - w27 * w132,
+            w29 * w194 - w27 * w124 - (w16 * gravity_y + (w185 - w184)) - (w27 * w203 + w29 * w182),
+            w29 * w212 - w27 * w221, w29 * w230 - w27 * w238, w29 * w246 - w27 * w253, w29 * w260 - w27 * w266,
+            w29 * w272 - w27 * w277, w29 * w282 - w27 * w286, w29 * w290 - w27 * w293, w29 * w295 - w27 * w296,
         ),
         ca.horzcat(  # link3.theta
-            w2 * w21 - w12 * w87 - w78 * w89 + w10 * w23, w21 * w84 - w18 * w87 - w89 * w154 + w23 * w146,
-            w19 * w87 - w21 * w85 - (w89 * w170 + w23 * w136) + (w23 * w162 + w70 * w89), w23 * w178 - w89 * w185,
-            w23 * w191 - w89 * w197, w23 * w202 - w89 * w207, w23 * w211 - w89 * w215, w23 * w218 - w89 * w221,
-            w23 * w223 - w89 * w225, w23 * w129 - w63 * w89,
+            w12 * w41 - (w18 * w25 - w4 * w33) - w39 * w131, w41 * w193 - (w25 * w195 - w33 * w186) - w39 * w202,
+            w222, w41 * w230 - w39 * w238, w41 * w246 - w39 * w253, w41 * w260 - w39 * w266,
+            w41 * w272 - w39 * w277, w41 * w282 - w39 * w286, w41 * w290 - w39 * w293, w41 * w295 - w39 * w296,
         ),
         ca.horzcat(  # link4.theta
-            w2 * w27 - w12 * w93 - w77 * w95 + w9 * w29, w27 * w84 - w18 * w93 - w95 * w153 + w29 * w145,
-            w27 * w90 - w24 * w93 - w95 * w169 + w29 * w161,
-            w25 * w93 - w27 * w91 - (w95 * w184 + w29 * w135) + (w29 * w177 + w69 * w95), w29 * w191 - w95 * w197,
-            w29 * w202 - w95 * w207, w29 * w211 - w95 * w215, w29 * w218 - w95 * w221, w29 * w223 - w95 * w225,
-            w29 * w129 - w63 * w95,
+            w11 * w53 - (w18 * w37 - w4 * w45) - w51 * w130, w53 * w192 - (w37 * w195 - w45 * w186) - w51 * w201,
+            w53 * w210 - (w37 * w213 - w45 * w204) - w51 * w219, w239, w53 * w246 - w51 * w253,
+            w53 * w260 - w51 * w266, w53 * w272 - w51 * w277, w53 * w282 - w51 * w286, w53 * w290 - w51 * w293,
+            w53 * w295 - w51 * w296,
         ),
         ca.horzcat(  # link5.theta
-            w2 * w33 - w12 * w99 - w76 * w101 + w8 * w35, w33 * w84 - w18 * w99 - w101 * w152 + w35 * w144,
-            w33 * w90 - w24 * w99 - w101 * w168 + w35 * w160, w33 * w96 - w30 * w99 - w101 * w183 + w35 * w176,
-            w31 * w99 - w33 * w97 - (w101 * w196 + w35 * w134) + (w35 * w190 + w68 * w101),
-            w35 * w202 - w101 * w207, w35 * w211 - w101 * w215, w35 * w218 - w101 * w221, w35 * w223 - w101 * w225,
-            w35 * w129 - w63 * w101,
+            w10 * w65 - (w18 * w49 - w4 * w57) - w63 * w129, w65 * w191 - (w49 * w195 - w57 * w186) - w63 * w200,
+            w65 * w209 - (w49 * w213 - w57 * w204) - w63 * w218,
+            w65 * w228 - (w49 * w231 - w57 * w223) - w63 * w236, w254, w65 * w260 - w63 * w266,
+            w65 * w272 - w63 * w277, w65 * w282 - w63 * w286, w65 * w290 - w63 * w293, w65 * w295 - w63 * w296,
         ),
         ca.horzcat(  # link6.theta
-            w2 * w39 - w12 * w105 - w75 * w107 + w7 * w41, w39 * w84 - w18 * w105 - w107 * w151 + w41 * w143,
-            w39 * w90 - w24 * w105 - w107 * w167 + w41 * w159, w39 * w96 - w30 * w105 - w107 * w182 + w41 * w175,
-            w39 * w102 - w36 * w105 - w107 * w195 + w41 * w189,
-            w37 * w105 - w39 * w103 - (w107 * w206 + w41 * w133) + (w41 * w201 + w67 * w107),
-            w41 * w211 - w107 * w215, w41 * w218 - w107 * w221, w41 * w223 - w107 * w225, w41 * w129 - w63 * w107,
+            w9 * w77 - (w18 * w61 - w4 * w69) - w75 * w128, w77 * w190 - (w61 * w195 - w69 * w186) - w75 * w199,
+            w77 * w208 - (w61 * w213 - w69 * w204) - w75 * w217,
+            w77 * w227 - (w61 * w231 - w69 * w223) - w75 * w235,
+            w77 * w244 - (w61 * w247 - w69 * w240) - w75 * w251, w267, w77 * w272 - w75 * w277,
+            w77 * w282 - w75 * w286, w77 * w290 - w75 * w293, w77 * w295 - w75 * w296,
         ),
         ca.horzcat(  # link7.theta
-            w2 * w45 - w12 * w111 - w74 * w113 + w6 * w47, w45 * w84 - w18 * w111 - w113 * w150 + w47 * w142,
-            w45 * w90 - w24 * w111 - w113 * w166 + w47 * w158, w45 * w96 - w30 * w111 - w113 * w181 + w47 * w174,
-            w45 * w102 - w36 * w111 - w113 * w194 + w47 * w188, w45 * w108 - w42 * w111 - w113 * w205 + w47 * w200,
-            w43 * w111 - w45 * w109 - (w113 * w214 + w47 * w132) + (w47 * w210 + w66 * w113),
-            w47 * w218 - w113 * w221, w47 * w223 - w113 * w225, w47 * w129 - w63 * w113,
+            w8 * w89 - (w18 * w73 - w4 * w81) - w87 * w127, w89 * w189 - (w73 * w195 - w81 * w186) - w87 * w198,
+            w89 * w207 - (w73 * w213 - w81 * w204) - w87 * w216,
+            w89 * w226 - (w73 * w231 - w81 * w223) - w87 * w234,
+            w89 * w243 - (w73 * w247 - w81 * w240) - w87 * w250,
+            w89 * w258 - (w73 * w261 - w81 * w255) - w87 * w264, w278, w89 * w282 - w87 * w286,
+            w89 * w290 - w87 * w293, w89 * w295 - w87 * w296,
         ),
         ca.horzcat(  # link8.theta
-            w2 * w51 - w12 * w117 - w73 * w119 + w5 * w53, w51 * w84 - w18 * w117 - w119 * w149 + w53 * w141,
-            w51 * w90 - w24 * w117 - w119 * w165 + w53 * w157, w51 * w96 - w30 * w117 - w119 * w180 + w53 * w173,
-            w51 * w102 - w36 * w117 - w119 * w193 + w53 * w187, w51 * w108 - w42 * w117 - w119 * w204 + w53 * w199,
-            w51 * w114 - w48 * w117 - w119 * w213 + w53 * w209,
-            w49 * w117 - w51 * w115 - (w119 * w220 + w53 * w131) + (w53 * w217 + w65 * w119),
-            w53 * w223 - w119 * w225, w53 * w129 - w63 * w119,
+            w7 * w101 - (w18 * w85 - w4 * w93) - w99 * w126, w101 * w188 - (w85 * w195 - w93 * w186) - w99 * w197,
+            w101 * w206 - (w85 * w213 - w93 * w204) - w99 * w215,
+            w101 * w225 - (w85 * w231 - w93 * w223) - w99 * w233,
+            w101 * w242 - (w85 * w247 - w93 * w240) - w99 * w249,
+            w101 * w257 - (w85 * w261 - w93 * w255) - w99 * w263,
+            w101 * w270 - (w85 * w273 - w93 * w268) - w99 * w275, w287, w101 * w290 - w99 * w293,
+            w101 * w295 - w99 * w296,
         ),
         ca.horzcat(  # link9.theta
-            w2 * w57 - w12 * w123 - w72 * w125 + w4 * w59, w57 * w84 - w18 * w123 - w125 * w148 + w59 * w140,
-            w57 * w90 - w24 * w123 - w125 * w164 + w59 * w156, w57 * w96 - w30 * w123 - w125 * w179 + w59 * w172,
-            w57 * w102 - w36 * w123 - w125 * w192 + w59 * w186, w57 * w108 - w42 * w123 - w125 * w203 + w59 * w198,
-            w57 * w114 - w48 * w123 - w125 * w212 + w59 * w208, w57 * w120 - w54 * w123 - w125 * w219 + w59 * w216,
-            w55 * w123 - w57 * w121 - (w125 * w224 + w59 * w130) + (w59 * w222 + w64 * w125),
-            w59 * w129 - w63 * w125,
+            w6 * w112 - (w18 * w97 - w4 * w105) - w110 * w125,
+            w112 * w187 - (w97 * w195 - w105 * w186) - w110 * w196,
+            w112 * w205 - (w97 * w213 - w105 * w204) - w110 * w214,
+            w112 * w224 - (w97 * w231 - w105 * w223) - w110 * w232,
+            w112 * w241 - (w97 * w247 - w105 * w240) - w110 * w248,
+            w112 * w256 - (w97 * w261 - w105 * w255) - w110 * w262,
+            w112 * w269 - (w97 * w273 - w105 * w268) - w110 * w274,
+            w112 * w280 - (w97 * w283 - w105 * w279) - w110 * w284, w294, w112 * w295 - w110 * w296,
         ),
         ca.horzcat(  # link10.theta
-            w2 * w62 - w12 * w128, w62 * w84 - w18 * w128, w62 * w90 - w24 * w128, w62 * w96 - w30 * w128,
-            w62 * w102 - w36 * w128, w62 * w108 - w42 * w128, w62 * w114 - w48 * w128, w62 * w120 - w54 * w128,
-            w62 * w126 - w60 * w128, w61 * w128 - w62 * w127,
+            -(w18 * w108 - w4 * w115), -(w108 * w195 - w115 * w186), -(w108 * w213 - w115 * w204),
+            -(w108 * w231 - w115 * w223), -(w108 * w247 - w115 * w240), -(w108 * w261 - w115 * w255),
+            -(w108 * w273 - w115 * w268), -(w108 * w283 - w115 * w279), -(w108 * w291 - w115 * w288),
+            -(w108 * gravity_y + (w115 * w173 - w108 * w114)),
         ),
     )
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(  # link1.theta
+            w0 * (w298 * link2_mass + w306) - w2 * (w307 * link2_mass + w315),
+            w0 * (w16 * w316 + w325) - w2 * (w21 * w316 + w334), w0 * w344 - w2 * w353, w0 * w362 - w2 * w370,
+            w0 * w378 - w2 * w385, w0 * w392 - w2 * w398, w0 * w404 - w2 * w409, w0 * w414 - w2 * w418,
+            w0 * w422 - w2 * w425, w0 * w427 - w2 * w428,
+        ),
+        ca.horzcat(  # link2.theta
+            w29 * w306 - (w16 * w307 - w21 * w298) - w27 * w315, w29 * w325 - w27 * w334, w29 * w344 - w27 * w353,
+            w29 * w362 - w27 * w370, w29 * w378 - w27 * w385, w29 * w392 - w27 * w398, w29 * w404 - w27 * w409,
+            w29 * w414 - w27 * w418, w29 * w422 - w27 * w425, w29 * w427 - w27 * w428,
+        ),
+        ca.horzcat(  # link3.theta
+            w41 * w305 - (w25 * w307 - w33 * w298) - w39 * w314,
+            w41 * w324 - (w25 * w326 - w33 * w317) - w39 * w333, w41 * w343 - w39 * w352, w41 * w362 - w39 * w370,
+            w41 * w378 - w39 * w385, w41 * w392 - w39 * w398, w41 * w404 - w39 * w409, w41 * w414 - w39 * w418,
+            w41 * w422 - w39 * w425, w41 * w427 - w39 * w428,
+        ),
+        ca.horzcat(  # link4.theta
+            w53 * w304 - (w37 * w307 - w45 * w298) - w51 * w313,
+            w53 * w323 - (w37 * w326 - w45 * w317) - w51 * w332,
+            w53 * w342 - (w37 * w345 - w45 * w336) - w51 * w351, w53 * w361 - w51 * w369, w53 * w378 - w51 * w385,
+            w53 * w392 - w51 * w398, w53 * w404 - w51 * w409, w53 * w414 - w51 * w418, w53 * w422 - w51 * w425,
+            w53 * w427 - w51 * w428,
+        ),
+        ca.horzcat(  # link5.theta
+            w65 * w303 - (w49 * w307 - w57 * w298) - w63 * w312,
+            w65 * w322 - (w49 * w326 - w57 * w317) - w63 * w331,
+            w65 * w341 - (w49 * w345 - w57 * w336) - w63 * w350,
+            w65 * w360 - (w49 * w363 - w57 * w355) - w63 * w368, w65 * w377 - w63 * w384, w65 * w392 - w63 * w398,
+            w65 * w404 - w63 * w409, w65 * w414 - w63 * w418, w65 * w422 - w63 * w425, w65 * w427 - w63 * w428,
+        ),
+        ca.horzcat(  # link6.theta
+            w77 * w302 - (w61 * w307 - w69 * w298) - w75 * w311,
+            w77 * w321 - (w61 * w326 - w69 * w317) - w75 * w330,
+            w77 * w340 - (w61 * w345 - w69 * w336) - w75 * w349,
+            w77 * w359 - (w61 * w363 - w69 * w355) - w75 * w367,
+            w77 * w376 - (w61 * w379 - w69 * w372) - w75 * w383, w77 * w391 - w75 * w397, w77 * w404 - w75 * w409,
+            w77 * w414 - w75 * w418, w77 * w422 - w75 * w425, w77 * w427 - w75 * w428,
+        ),
+        ca.horzcat(  # link7.theta
+            w89 * w301 - (w73 * w307 - w81 * w298) - w87 * w310,
+            w89 * w320 - (w73 * w326 - w81 * w317) - w87 * w329,
+            w89 * w339 - (w73 * w345 - w81 * w336) - w87 * w348,
+            w89 * w358 - (w73 * w363 - w81 * w355) - w87 * w366,
+            w89 * w375 - (w73 * w379 - w81 * w372) - w87 * w382,
+            w89 * w390 - (w73 * w393 - w81 * w387) - w87 * w396, w89 * w403 - w87 * w408, w89 * w414 - w87 * w418,
+            w89 * w422 - w87 * w425, w89 * w427 - w87 * w428,
+        ),
+        ca.horzcat(  # link8.theta
+            w101 * w300 - (w85 * w307 - w93 * w298) - w99 * w309,
+            w101 * w319 - (w85 * w326 - w93 * w317) - w99 * w328,
+            w101 * w338 - (w85 * w345 - w93 * w336) - w99 * w347,
+            w101 * w357 - (w85 * w363 - w93 * w355) - w99 * w365,
+            w101 * w374 - (w85 * w379 - w93 * w372) - w99 * w381,
+            w101 * w389 - (w85 * w393 - w93 * w387) - w99 * w395,
+            w101 * w402 - (w85 * w405 - w93 * w400) - w99 * w407, w101 * w413 - w99 * w417,
+            w101 * w422 - w99 * w425, w101 * w427 - w99 * w428,
+        ),
+        ca.horzcat(  # link9.theta
+            w112 * w299 - (w97 * w307 - w105 * w298) - w110 * w308,
+            w112 * w318 - (w97 * w326 - w105 * w317) - w110 * w327,
+            w112 * w337 - (w97 * w345 - w105 * w336) - w110 * w346,
+            w112 * w356 - (w97 * w363 - w105 * w355) - w110 * w364,
+            w112 * w373 - (w97 * w379 - w105 * w372) - w110 * w380,
+            w112 * w388 - (w97 * w393 - w105 * w387) - w110 * w394,
+            w112 * w401 - (w97 * w405 - w105 * w400) - w110 * w406,
+            w112 * w412 - (w97 * w415 - w105 * w411) - w110 * w416, w112 * w421 - w110 * w424,
+            w112 * w427 - w110 * w428,
+        ),
+        ca.horzcat(  # link10.theta
+            -(w108 * w307 - w115 * w298), -(w108 * w326 - w115 * w317), -(w108 * w345 - w115 * w336),
+            -(w108 * w363 - w115 * w355), -(w108 * w379 - w115 * w372), -(w108 * w393 - w115 * w387),
+            -(w108 * w405 - w115 * w400), -(w108 * w415 - w115 * w411), -(w108 * w423 - w115 * w420), 0.0,
+        ),
+    )
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -3265,7 +3570,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
     "bounded": bounded,

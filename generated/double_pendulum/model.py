@@ -16,8 +16,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 9) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
-    51 operations.
+    gives c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    53 operations.
     """
     p = ca.SX.sym("p", 9)
     gravity_y = p[0]
@@ -28,17 +28,18 @@ def constants() -> ca.Function:
     lower_inertia = p[5]
     lower_center_of_mass_x = p[6]
     upper_tip_x = p[7]
-    # intermediate terms (4)
+    # intermediate terms (5)
     w0 = upper_tip_x * lower_mass
     w1 = lower_mass * lower_center_of_mass_x
     w2 = upper_mass * upper_center_of_mass_x
     w3 = w2 * gravity_y
+    w4 = w3 + w0 * gravity_y
     # outputs
     c = ca.vertcat(
         upper_inertia + upper_center_of_mass_x * w2 + lower_mass * upper_tip_x**2,  # c0
         w0 * lower_center_of_mass_x,  # c1
         lower_inertia + lower_center_of_mass_x * w1,  # c2
-        w3 + w0 * gravity_y,  # c3
+        w4,  # c3
         w1 * gravity_y,  # c4
         upper_tip_x,  # upper_tip_x
         upper_mass,  # upper_mass
@@ -51,7 +52,8 @@ def constants() -> ca.Function:
         lower_mass * gravity_y,  # c13
         upper_mass * gravity_y,  # c14
         lower_center_of_mass_x * (lower_mass * (2 * upper_tip_x)),  # c15
-        w3,  # c16
+        -w4,  # c16
+        w3,  # c17
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -62,14 +64,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 2 x 2) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 2) [N, N m]: condensed force S^T (Q* - M s)
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -100,12 +102,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 4) [mixed]: dependent coordinates after one Newton step
     11 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     upper_tip_x = c[5]
     # outputs
@@ -121,13 +123,13 @@ def velocities() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 4) [mixed]: rates of the dependent coordinates
     15 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_tip_x = c[5]
@@ -145,14 +147,14 @@ def accelerations() -> ca.Function:
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 4) [mixed]: accelerations of the dependent coordinates
     21 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     upper_theta_dot = q_i_dot[0]
     upper_theta_ddot = q_i_ddot[0]
@@ -174,7 +176,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 4) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 4 x 6) [SI]: constraint Jacobian
     gives C_t (n_c = 4) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -184,7 +186,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_x = q[0]
     upper_y = q[1]
     upper_theta = q[2]
@@ -230,7 +232,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 6 x 6) [SI]: mass matrix in all coordinates
     gives K (n x n = 6 x 6) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 6) [N, N m]: quadratic velocity force in all coordinates
@@ -242,7 +244,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -349,7 +351,7 @@ def reactions() -> ca.Function:
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
     takes q_ddot (n = 6) [mixed]: accelerations of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 4) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 2) [N, N m]: world force and moment of a joint on its body b, at b
     65 operations.
@@ -357,7 +359,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
     q_ddot = ca.SX.sym("q_ddot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q[2]
     lower_theta = q[5]
     upper_theta_dot = q_dot[2]
@@ -405,7 +407,7 @@ def energy() -> ca.Function:
 
     takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 6) [mixed]: rates of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -415,7 +417,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 6)
     q_dot = ca.SX.sym("q_dot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_y = q[1]
     upper_theta = q[2]
     lower_y = q[4]
@@ -495,13 +497,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i, through q_d
     26 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -527,13 +529,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     16 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -551,34 +553,53 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    16 operations.
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    44 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
+    q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
+    upper_theta_dot = q_i_dot[0]
+    lower_theta_dot = q_i_dot[1]
     upper_theta_ddot = q_i_ddot[0]
     lower_theta_ddot = q_i_ddot[1]
     c1 = c[1]
-    # intermediate terms (3)
-    w0 = ca.sin(lower_theta - upper_theta) * c1
-    w1 = lower_theta_ddot * w0
-    w2 = upper_theta_ddot * w0
+    c4 = c[4]
+    c15 = c[15]
+    c16 = c[16]
+    # intermediate terms (9)
+    w0 = lower_theta - upper_theta
+    w1 = ca.sin(w0)
+    w2 = ca.cos(w0) * c1
+    w3 = lower_theta_dot**2 * w2
+    w4 = w1 * c1
+    w5 = lower_theta_ddot * w4
+    w6 = upper_theta_ddot * w4
+    w7 = upper_theta_dot**2 * w2
+    w8 = w1 * c15
     # outputs
-    dMa_dq_i = ca.vertcat(
-        ca.horzcat(w1, -w1),  # upper.theta
-        ca.horzcat(w2, -w2),  # lower.theta
+    J_q = ca.vertcat(
+        ca.horzcat(ca.sin(upper_theta) * c16 - w3 - w5, w3 + w5),  # upper.theta
+        ca.horzcat(w7 - w6, w6 - w7 - ca.sin(lower_theta) * c4),  # lower.theta
     )
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.SX(2, 2)
+    # upper.theta
+    J_v[0, 1] = lower_theta_dot * w8
+    # lower.theta
+    J_v[1, 0] = -(upper_theta_dot * w8)
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -586,13 +607,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 18) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     74 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
     q_i_dot = ca.SX.sym("q_i_dot", 2)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 18)
     upper_theta = q_i[0]
     lower_theta = q_i[1]
     upper_theta_dot = q_i_dot[0]
@@ -604,7 +625,7 @@ def forward_dynamics() -> ca.Function:
     c10 = c[10]
     gravity_y = c[12]
     c13 = c[13]
-    c16 = c[16]
+    c17 = c[17]
     # intermediate terms (18)
     w0 = ca.cos(upper_theta)
     w1 = w0 * upper_tip_x
@@ -622,7 +643,7 @@ def forward_dynamics() -> ca.Function:
     w13 = w1 * w12
     w14 = w1 * w8
     w15 = lower_mass - w3 * w11
-    w16 = w0 * c16 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
+    w16 = w0 * c17 + w1 * (c13 + w2 * w3 - w5 * w6 + w7 * w10) + w13 * w14 - w9 * (w2 * w4 + w6 * w11 + w10 * w12 + w14 * w15)
     w17 = w16 / (c7 + w1 * (w1 * w7) - (w9 * (w13 - w9 * w15) + w9 * w13))
     # outputs
     q_i_ddot = ca.vertcat(w17, (w6 - (w3 * (w14 + w9 * w17) + w4 * (w1 * w17 - w10))) / c10)
@@ -678,7 +699,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

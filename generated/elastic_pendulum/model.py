@@ -302,16 +302,61 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
-    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    10 operations.
+    takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    101 operations.
     """
+    q_i = ca.SX.sym("q_i", 3)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q_i[0]
+    bob_y = q_i[1]
+    bob_x_dot = q_i_dot[0]
+    bob_y_dot = q_i_dot[1]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
+    # intermediate terms (17)
+    w0 = bob_x**2 + bob_y**2
+    w1 = ca.sqrt(w0)
+    w2 = spring_free_length / w1
+    w3 = w2 / w1
+    w4 = bob_x / w1
+    w5 = bob_x_dot * spring_damping
+    w6 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
+    w7 = bob_x * w6 / w0 / w0
+    w8 = bob_y * w6 / w0 / w0
+    w9 = bob_y / w1
+    w10 = bob_y_dot * spring_damping
+    w11 = bob_x * spring_damping
+    w12 = bob_y * spring_damping
+    w13 = bob_x * w3
+    w14 = w2 * spring_stiffness
+    w15 = bob_y * w3
+    w16 = w14 + 2 * (bob_y * w8) - spring_stiffness - w9 * w15 * spring_stiffness - (w6 + bob_y * w10) / w0
     # outputs
-    dMa_dq_i = ca.SX(3, 3)
-    inputs, outputs = [], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+    J_q = ca.SX(3, 3)
+    # bob.x
+    J_q[0, 0] = 2 * (bob_x * w7) + w14 - spring_stiffness - w4 * w13 * spring_stiffness - (bob_x * w5 + w6) / w0
+    J_q[0, 1] = 2 * (bob_y * w7) - w9 * w13 * spring_stiffness - bob_x * w10 / w0
+    # bob.y
+    J_q[1, 0] = 2 * (bob_x * w8) - w4 * w15 * spring_stiffness - bob_y * w5 / w0
+    J_q[1, 1] = w16
+    J_v = ca.SX(3, 3)
+    # bob.x
+    J_v[0, 0] = -(bob_x * w11 / w0)
+    J_v[0, 1] = -(bob_x * w12 / w0)
+    # bob.y
+    J_v[1, 0] = -(bob_y * w11 / w0)
+    J_v[1, 1] = -(bob_y * w12 / w0)
+    inputs, outputs = [q_i, q_i_dot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -380,7 +425,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

@@ -2047,18 +2047,23 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 68) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    1140 operations.
+    gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    2323 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
     c = ca.SX.sym("c", 68)
     crank_theta = q_i[0]
@@ -2068,6 +2073,13 @@ def dMa_dq_i() -> ca.Function:
     rocker_q2 = q_i[4]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_q1_dot = q_i_dot[1]
+    coupler_q2_dot = q_i_dot[2]
+    rocker_q1_dot = q_i_dot[3]
+    rocker_q2_dot = q_i_dot[4]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
     crank_theta_ddot = q_i_ddot[0]
     coupler_q1_ddot = q_i_ddot[1]
     coupler_q2_ddot = q_i_ddot[2]
@@ -2105,298 +2117,543 @@ def dMa_dq_i() -> ca.Function:
     c30 = c[30]
     c31 = c[31]
     c32 = c[32]
+    gravity_y = c[33]
+    c34 = c[34]
+    c35 = c[35]
+    c36 = c[36]
+    c37 = c[37]
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    c42 = c[42]
+    c43 = c[43]
+    c44 = c[44]
     c51 = c[51]
     c52 = c[52]
     c53 = c[53]
     c54 = c[54]
     c55 = c[55]
+    c56 = c[56]
+    c57 = c[57]
     c58 = c[58]
-    # intermediate terms (251)
-    w0 = ca.sin(crank_theta) * crank_tip_x
-    w1 = ca.cos(crank_theta) * crank_tip_x
-    w2 = crank_theta_ddot * w1
-    w3 = w2 * c2
-    w4 = ca.sin(coupler_theta)
-    w5 = coupler_q1 * c17
-    w6 = w5 + coupler_q2 * c18
-    w7 = coupler_q2 * c20
-    w8 = coupler_q1 * c19 + w7
-    w9 = c16 - (coupler_q1 * w6 + coupler_q2 * w8) * 0.5
-    w10 = ca.cos(coupler_theta)
-    w11 = coupler_q1 * c21
-    w12 = w4 * w9 + w10 * w11
-    w13 = ca.sin(rocker_theta)
-    w14 = rocker_q1 * c7
-    w15 = rocker_q2 * c8
-    w16 = rocker_length - (rocker_q1 * w14 + rocker_q2 * w15) * 0.5
-    w17 = w13 * w16
-    w18 = ca.cos(rocker_theta)
-    w19 = w16 * w18
-    w20 = coupler_q1 * c4
-    w21 = coupler_q2 * c5
-    w22 = coupler_length - (coupler_q1 * w20 + coupler_q2 * w21) * 0.5
-    w23 = w4 * w22
-    w24 = w10 * w22
-    w25 = w19 * w23 - w17 * w24
-    w26 = (w0 * w17 + w1 * w19) / w25
-    w27 = crank_theta_ddot * w26
-    w28 = w0 * crank_theta_ddot
-    w29 = w28 * c2
-    w30 = (w1 * w17 - w0 * w19) / w25
-    w31 = w10 * w20
-    w32 = w4 * w20
-    w33 = (w19 * w31 + w17 * w32) / w25
-    w34 = w10 * w21
-    w35 = w4 * w21
-    w36 = (w19 * w34 + w17 * w35) / w25
-    w37 = w14 * w18
-    w38 = w13 * w14
-    w39 = rocker_q1 * w16 * c7 / w25
-    w40 = w15 * w18
-    w41 = w13 * w15
-    w42 = rocker_q2 * w16 * c8 / w25
-    w43 = crank_theta_ddot * w30 - w33 * coupler_q1_ddot - w36 * coupler_q2_ddot + w39 * rocker_q1_ddot + w42 * rocker_q2_ddot
-    w44 = w12 * w43
-    w45 = w4 * c21
-    w46 = w6 * w10 + w45
-    w47 = coupler_q1_ddot * w46
-    w48 = w8 * w10
-    w49 = coupler_q2_ddot * w48
-    w50 = w9 * w10 - w4 * w11
-    w51 = w43 * w50
-    w52 = w10 * c21
-    w53 = w52 - w4 * w6
-    w54 = coupler_q1_ddot * w53
-    w55 = w4 * w8
-    w56 = coupler_q2_ddot * w55
-    w57 = w0 * (w3 - w12 * w27) + w1 * (w29 + w44 + w47 + w49) - (w1 * (w29 + w27 * w50) + w0 * (w3 + w51 + w54 - w56))
-    w58 = (w1 * w23 - w0 * w24) / w25
-    w59 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
-    w60 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
-    w61 = c9 + (rocker_q1 * w59 + rocker_q2 * w60)
-    w62 = (w0 * w23 + w1 * w24) / w25
-    w63 = crank_theta_ddot * w62
-    w64 = w61 * w63
-    w65 = coupler_q1 * w22 * c4 / w25
-    w66 = coupler_q2 * w22 * c5 / w25
-    w67 = (w24 * w37 + w23 * w38) / w25
-    w68 = (w24 * w40 + w23 * w41) / w25
-    w69 = crank_theta_ddot * w58 - coupler_q1_ddot * w65 - coupler_q2_ddot * w66 + rocker_q1_ddot * w67 + rocker_q2_ddot * w68
-    w70 = w61 * w69 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32
-    w71 = w2 * w12
-    w72 = w28 * w50
-    w73 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
-    w74 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
-    w75 = c22 + (coupler_q1 * w73 + coupler_q2 * w74)
-    w76 = w71 - w72 - w27 * w75
-    w77 = w12 * w28 + w2 * w50 + w43 * w75 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30
-    w78 = w30 / w25
-    w79 = w19 * w24 + w17 * w23
-    w80 = w78 * w79
-    w81 = w17 * w31
-    w82 = w19 * w32
-    w83 = w81 - w82
-    w84 = w33 / w25
-    w85 = w79 * w84
-    w86 = w83 / w25 - w85
-    w87 = w17 * w34
-    w88 = w19 * w35
-    w89 = w87 - w88
-    w90 = w36 / w25
-    w91 = w79 * w90
-    w92 = w89 / w25 - w91
-    w93 = w39 / w25
-    w94 = w79 * w93
-    w95 = rocker_q1_ddot * w94
-    w96 = w42 / w25
-    w97 = w79 * w96
-    w98 = rocker_q2_ddot * w97
-    w99 = crank_theta_ddot * w80 + coupler_q1_ddot * w86 + coupler_q2_ddot * w92 + w95 + w98
-    w100 = w58 / w25
-    w101 = w79 * w100
-    w102 = w62 - w101
-    w103 = w65 / w25
-    w104 = w79 * w103
-    w105 = coupler_q1_ddot * w104
-    w106 = w66 / w25
-    w107 = w79 * w106
-    w108 = coupler_q2_ddot * w107
-    w109 = w24 * w38
-    w110 = w23 * w37
-    w111 = w109 - w110
-    w112 = w67 / w25
-    w113 = w79 * w112
-    w114 = w111 / w25 - w113
-    w115 = w24 * w41
-    w116 = w23 * w40
-    w117 = w115 - w116
-    w118 = w68 / w25
-    w119 = w79 * w118
-    w120 = w117 / w25 - w119
-    w121 = crank_theta_ddot * w102 + w105 + w108 + rocker_q1_ddot * w114 + rocker_q2_ddot * w120
-    w122 = w61 * w121
-    w123 = w0 * (w54 + (w51 - w12 * w99) - w56) - w1 * (w49 + (w47 + (w44 + w50 * w99))) + (w58 * w122 + w70 * w102)
-    w124 = w72 - w71 - w75 * w99
-    w125 = w123 + (w30 * w124 - w77 * w80)
-    w126 = w26 + w80
-    w127 = w85 + (w82 - w81) / w25
-    w128 = w91 + (w88 - w87) / w25
-    w129 = w98 + (w95 + (crank_theta_ddot * w126 - coupler_q1_ddot * w127 - coupler_q2_ddot * w128))
-    w130 = w113 + (w110 - w109) / w25
-    w131 = w119 + (w116 - w115) / w25
-    w132 = crank_theta_ddot * w101 - w105 - w108 + rocker_q1_ddot * w130 + rocker_q2_ddot * w131
-    w133 = w61 * w132
-    w134 = w75 * w129
-    w135 = w1 * (w50 * w129) + w0 * (w12 * w129) + (w58 * w133 + w70 * w101) + (w30 * w134 + w77 * w126)
-    w136 = w2 * w46
-    w137 = w28 * w53
-    w138 = w70 * w104
-    w139 = w137 - w136 - w99 * c29 - (w65 * w122 - w138) - (w33 * w124 + w77 * w86)
-    w140 = w129 * c29 - (w138 + w65 * w133) - (w33 * w134 + w77 * w127)
-    w141 = w2 * w48 + w28 * w55
-    w142 = w70 * w107
-    w143 = w129 * c30 - (w66 * w133 + w142) - (w36 * w134 + w77 * w128)
-    w144 = w141 + w99 * c30 + (w66 * w122 - w142) + (w36 * w124 + w77 * w92)
-    w145 = w77 * w94
-    w146 = w121 * c31 + (w67 * w122 + w70 * w114) + (w39 * w124 - w145)
-    w147 = w132 * c31 + (w67 * w133 + w70 * w130) + (w145 + w39 * w134)
-    w148 = w77 * w97
-    w149 = w121 * c32 + (w68 * w122 + w70 * w120) + (w42 * w124 - w148)
-    w150 = w132 * c32 + (w68 * w133 + w70 * w131) + (w148 + w42 * w134)
-    w151 = w83 * w90
-    w152 = w78 * w83
-    w153 = w10 * c4
-    w154 = w4 * c4
-    w155 = (w19 * w153 + w17 * w154) / w25 - w83 * w84
-    w156 = w83 * w93
-    w157 = coupler_q2_ddot * w151 - (crank_theta_ddot * w152 + coupler_q1_ddot * w155) - rocker_q1_ddot * w156
-    w158 = w83 * w96
-    w159 = w157 - rocker_q2_ddot * w158
-    w160 = (w5 + w6 + coupler_q2 * c19) * 0.5
-    w161 = w45 + w10 * w160
-    w162 = w4 * c17
-    w163 = w4 * c19
-    w164 = w52 - w4 * w160
-    w165 = w10 * c17
-    w166 = w10 * c19
-    w167 = w1 * (w50 * w159 - w43 * w161 - coupler_q1_ddot * w162 - coupler_q2_ddot * w163) + w0 * (w43 * w164 + w12 * w159 + coupler_q1_ddot * w165 + coupler_q2_ddot * w166)
-    w168 = (w0 * w31 - w1 * w32) / w25 - w83 * w100
-    w169 = (w24 * w153 - w31**2 + (w23 * w154 - w32**2)) / w25 - w83 * w103
-    w170 = coupler_q1 * coupler_q2 * c52 / w25
-    w171 = w170 + w83 * w106
-    w172 = (w31 * w37 + w32 * w38) / w25
-    w173 = w172 + w83 * w112
-    w174 = crank_theta_ddot * w168 - coupler_q1_ddot * w169 + coupler_q2_ddot * w171 - rocker_q1_ddot * w173
-    w175 = (w31 * w40 + w32 * w41) / w25
-    w176 = w175 + w83 * w118
-    w177 = w174 - rocker_q2_ddot * w176
-    w178 = w61 * w177
-    w179 = w28 * w164 - w2 * w161 + (w43 * (w73 + coupler_q1 * c51 - coupler_q2 * c27) + w75 * w159)
-    w180 = w28 * w165 - w2 * w162 + w159 * c29 - (w65 * w178 + w70 * w169) - (w33 * w179 + w77 * w155) - (w33 * w139 + w65 * w140)
-    w181 = w28 * w166 - w2 * w163 + w159 * c30 - (w66 * w178 - w70 * w171) - (w36 * w179 - w77 * w151) + (w33 * w144 - w65 * w143)
-    w182 = w84 * w89
-    w183 = w78 * w89
-    w184 = w10 * c5
-    w185 = w4 * c5
-    w186 = (w19 * w184 + w17 * w185) / w25 - w89 * w90
-    w187 = w89 * w93
-    w188 = coupler_q1_ddot * w182 - crank_theta_ddot * w183 - coupler_q2_ddot * w186 - rocker_q1_ddot * w187
-    w189 = w89 * w96
-    w190 = w188 - rocker_q2_ddot * w189
-    w191 = (coupler_q1 * c18 + (w7 + w8)) * 0.5
-    w192 = w10 * w191
-    w193 = w4 * c18
-    w194 = w4 * c20
-    w195 = w4 * w191
-    w196 = w10 * c18
-    w197 = w10 * c20
-    w198 = w1 * (w50 * w190 - w43 * w192 - coupler_q1_ddot * w193 - coupler_q2_ddot * w194) + w0 * (w12 * w190 - w43 * w195 + coupler_q1_ddot * w196 + coupler_q2_ddot * w197)
-    w199 = (w0 * w34 - w1 * w35) / w25 - w89 * w100
-    w200 = w170 + w89 * w103
-    w201 = (w24 * w184 - w34**2 + (w23 * w185 - w35**2)) / w25 - w89 * w106
-    w202 = (w34 * w37 + w35 * w38) / w25
-    w203 = w202 + w89 * w112
-    w204 = crank_theta_ddot * w199 + coupler_q1_ddot * w200 - coupler_q2_ddot * w201 - rocker_q1_ddot * w203
-    w205 = (w34 * w40 + w35 * w41) / w25
-    w206 = w205 + w89 * w118
-    w207 = w204 - rocker_q2_ddot * w206
-    w208 = w61 * w207
-    w209 = w43 * (w74 + coupler_q2 * c53 - coupler_q1 * c25) + w75 * w190 - (w28 * w195 + w2 * w192)
-    w210 = w28 * w196 - w2 * w193 + w190 * c29 - (w65 * w208 - w70 * w200) - (w33 * w209 - w77 * w182) - (w36 * w139 + w66 * w140)
-    w211 = w28 * w197 - w2 * w194 + w190 * c30 - (w66 * w208 + w70 * w201) - (w36 * w209 + w77 * w186) + (w36 * w144 - w66 * w143)
-    w212 = (w0 * w37 - w1 * w38) / w25 - w78 * w111
-    w213 = w172 + w84 * w111
-    w214 = w202 + w90 * w111
-    w215 = w18 * c7
-    w216 = w13 * c7
-    w217 = (w19 * w215 - w37**2 + (w17 * w216 - w38**2)) / w25 - w93 * w111
-    w218 = crank_theta_ddot * w212 + coupler_q1_ddot * w213 + coupler_q2_ddot * w214 + rocker_q1_ddot * w217
-    w219 = rocker_q1 * rocker_q2 * c55 / w25
-    w220 = w219 + w96 * w111
-    w221 = w218 - rocker_q2_ddot * w220
-    w222 = w103 * w111
-    w223 = w100 * w111
-    w224 = w106 * w111
-    w225 = (w24 * w215 + w23 * w216) / w25 - w111 * w112
-    w226 = coupler_q1_ddot * w222 - crank_theta_ddot * w223 + coupler_q2_ddot * w224 + rocker_q1_ddot * w225
-    w227 = w111 * w118
-    w228 = w226 - rocker_q2_ddot * w227
-    w229 = w69 * (w59 + rocker_q1 * c54 - rocker_q2 * c14) + w61 * w228
-    w230 = w75 * w221
-    w231 = w1 * (w50 * w221) + w0 * (w12 * w221) + (w58 * w229 - w70 * w223) + (w30 * w230 + w77 * w212) + (w39 * w125 + w67 * w135)
-    w232 = (w0 * w40 - w1 * w41) / w25 - w78 * w117
-    w233 = w175 + w84 * w117
-    w234 = w205 + w90 * w117
-    w235 = w219 + w93 * w117
-    w236 = crank_theta_ddot * w232 + coupler_q1_ddot * w233 + coupler_q2_ddot * w234 - rocker_q1_ddot * w235
-    w237 = w18 * c8
-    w238 = w13 * c8
-    w239 = (w19 * w237 - w40**2 + (w17 * w238 - w41**2)) / w25 - w96 * w117
-    w240 = w236 + rocker_q2_ddot * w239
-    w241 = w103 * w117
-    w242 = w100 * w117
-    w243 = w106 * w117
-    w244 = w112 * w117
-    w245 = coupler_q1_ddot * w241 - crank_theta_ddot * w242 + coupler_q2_ddot * w243 - rocker_q1_ddot * w244
-    w246 = (w24 * w237 + w23 * w238) / w25 - w117 * w118
-    w247 = w245 + rocker_q2_ddot * w246
-    w248 = w69 * (w60 + rocker_q2 * c58 - rocker_q1 * c12) + w61 * w247
-    w249 = w75 * w240
-    w250 = w1 * (w50 * w240) + w0 * (w12 * w240) + (w58 * w248 - w70 * w242) + (w30 * w249 + w77 * w232) + (w42 * w125 + w68 * w135)
+    c59 = c[59]
+    c60 = c[60]
+    # intermediate terms (451)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = coupler_theta_dot**2
+    w2 = coupler_q1 * c17
+    w3 = w2 + coupler_q2 * c18
+    w4 = coupler_q2 * c20
+    w5 = coupler_q1 * c19 + w4
+    w6 = c16 - (coupler_q1 * w3 + coupler_q2 * w5) * 0.5
+    w7 = ca.cos(coupler_theta)
+    w8 = coupler_q1 * c21
+    w9 = ca.sin(coupler_theta)
+    w10 = w6 * w7 - w8 * w9
+    w11 = w1 * w10
+    w12 = coupler_q1_dot * c17
+    w13 = w12 + coupler_q2_dot * c18
+    w14 = coupler_q2_dot * c20
+    w15 = coupler_q1_dot * c19 + w14
+    w16 = coupler_q1_dot * w13 + coupler_q2_dot * w15
+    w17 = w7 * w16
+    w18 = 2 * coupler_theta_dot
+    w19 = coupler_q1_dot * c21
+    w20 = w3 * coupler_q1_dot + w5 * coupler_q2_dot
+    w21 = w7 * w19 - w9 * w20
+    w22 = w18 * w21
+    w23 = ca.cos(rocker_theta)
+    w24 = rocker_q1 * c7
+    w25 = rocker_q2 * c8
+    w26 = rocker_length - (rocker_q1 * w24 + rocker_q2 * w25) * 0.5
+    w27 = w23 * w26
+    w28 = coupler_q1 * c4
+    w29 = coupler_q2 * c5
+    w30 = coupler_q1_dot * w28 + coupler_q2_dot * w29
+    w31 = w7 * w30
+    w32 = w18 * w31
+    w33 = coupler_q1_dot * c4
+    w34 = coupler_q2_dot * c5
+    w35 = coupler_q1_dot * w33 + coupler_q2_dot * w34
+    w36 = w9 * w35
+    w37 = coupler_length - (coupler_q1 * w28 + coupler_q2 * w29) * 0.5
+    w38 = w9 * w37
+    w39 = w1 * w38
+    w40 = w32 + (w36 + w39)
+    w41 = ca.sin(rocker_theta)
+    w42 = w26 * w41
+    w43 = w7 * w35
+    w44 = w9 * w30
+    w45 = w18 * w44
+    w46 = w7 * w37
+    w47 = w1 * w46
+    w48 = w43 - w45 + w47
+    w49 = w27 * w38 - w42 * w46
+    w50 = 2 * rocker_theta_dot
+    w51 = w24 * rocker_q1_dot + w25 * rocker_q2_dot
+    w52 = w41 * w51
+    w53 = w50 * w52
+    w54 = rocker_q1_dot * c7
+    w55 = rocker_q2_dot * c8
+    w56 = rocker_q1_dot * w54 + rocker_q2_dot * w55
+    w57 = w23 * w56
+    w58 = rocker_theta_dot**2
+    w59 = w27 * w58
+    w60 = crank_theta_dot**2
+    w61 = w0 * w60
+    w62 = w45 - (w43 + w47) - (w53 - (w57 + w59)) - w61
+    w63 = w41 * w56
+    w64 = w23 * w51
+    w65 = w50 * w64
+    w66 = w42 * w58
+    w67 = ca.sin(crank_theta) * crank_tip_x
+    w68 = w60 * w67
+    w69 = w63 + w65 + w66 - (w39 + (w32 + w36)) - w68
+    w70 = (w27 * w62 + w42 * w69) / w49
+    w71 = w70 / w49
+    w72 = w27 * w46 + w38 * w42
+    w73 = w71 * w72
+    w74 = (w0 * w42 - w27 * w67) / w49
+    w75 = w74 / w49
+    w76 = w72 * w75
+    w77 = w7 * w28
+    w78 = w42 * w77
+    w79 = w9 * w28
+    w80 = w27 * w79
+    w81 = w78 - w80
+    w82 = (w27 * w77 + w42 * w79) / w49
+    w83 = w82 / w49
+    w84 = w72 * w83
+    w85 = w81 / w49 - w84
+    w86 = w7 * w29
+    w87 = w42 * w86
+    w88 = w9 * w29
+    w89 = w27 * w88
+    w90 = w87 - w89
+    w91 = (w27 * w86 + w42 * w88) / w49
+    w92 = w91 / w49
+    w93 = w72 * w92
+    w94 = w90 / w49 - w93
+    w95 = (w27 * w40 - w42 * w48) / w49 - w73 - crank_theta_ddot * w76 - coupler_q1_ddot * w85 - coupler_q2_ddot * w94
+    w96 = w23 * w24
+    w97 = w24 * w41
+    w98 = rocker_q1 * w26 * c7 / w49
+    w99 = w98 / w49
+    w100 = w72 * w99
+    w101 = rocker_q1_ddot * w100
+    w102 = w23 * w25
+    w103 = w25 * w41
+    w104 = rocker_q2 * w26 * c8 / w49
+    w105 = w104 / w49
+    w106 = w72 * w105
+    w107 = rocker_q2_ddot * w106
+    w108 = w95 - w101 - w107
+    w109 = w70 + crank_theta_ddot * w74 - coupler_q1_ddot * w82 - coupler_q2_ddot * w91 + rocker_q1_ddot * w98
+    w110 = w109 + rocker_q2_ddot * w104
+    w111 = w6 * w9 + w7 * w8
+    w112 = w110 * w111
+    w113 = w9 * c21
+    w114 = w113 + w3 * w7
+    w115 = coupler_q1_ddot * w114
+    w116 = w5 * w7
+    w117 = coupler_q2_ddot * w116
+    w118 = w10 * w110
+    w119 = w7 * c21
+    w120 = w119 - w3 * w9
+    w121 = coupler_q1_ddot * w120
+    w122 = w5 * w9
+    w123 = coupler_q2_ddot * w122
+    w124 = w1 * w111
+    w125 = w9 * w19 + w7 * w20
+    w126 = w18 * w125
+    w127 = w9 * w16
+    w128 = w0 * (w11 + w17 + w22 - (w10 * w108 - w112 - w115 - w117)) - w67 * (w118 + w108 * w111 + w121 - w123 - (w124 + w126 + w127))
+    w129 = rocker_theta_dot * -2.0
+    w130 = rocker_q1 * c10 - (rocker_q1 * c11 + rocker_q2 * c12)
+    w131 = rocker_q2 * c13 - (rocker_q1 * c14 + rocker_q2 * c15)
+    w132 = rocker_q1_dot * w130 + rocker_q2_dot * w131
+    w133 = rocker_q1 * c36
+    w134 = w133 + rocker_q2 * c37
+    w135 = rocker_q2 * c39
+    w136 = rocker_q1 * c38 + w135
+    w137 = c35 - (rocker_q1 * w134 + rocker_q2 * w136) * 0.5
+    w138 = rocker_q1 * c40
+    w139 = c9 + (rocker_q1 * w130 + rocker_q2 * w131)
+    w140 = (w46 * w62 + w38 * w69) / w49
+    w141 = (w0 * w38 - w46 * w67) / w49
+    w142 = coupler_q1 * w37 * c4 / w49
+    w143 = coupler_q2 * w37 * c5 / w49
+    w144 = (w46 * w96 + w38 * w97) / w49
+    w145 = w140 + crank_theta_ddot * w141 - coupler_q1_ddot * w142 - coupler_q2_ddot * w143 + rocker_q1_ddot * w144
+    w146 = (w46 * w102 + w38 * w103) / w49
+    w147 = w145 + rocker_q2_ddot * w146
+    w148 = w129 * w132 + (w23 * w137 - w41 * w138) * gravity_y - (w139 * w147 + rocker_q1_ddot * c31 + rocker_q2_ddot * c32)
+    w149 = (w0 * w46 + w38 * w67) / w49
+    w150 = w141 / w49
+    w151 = w72 * w150
+    w152 = w149 - w151
+    w153 = w140 / w49
+    w154 = w72 * w153
+    w155 = w142 / w49
+    w156 = w72 * w155
+    w157 = coupler_q1_ddot * w156
+    w158 = w143 / w49
+    w159 = w72 * w158
+    w160 = coupler_q2_ddot * w159
+    w161 = (w40 * w46 - w38 * w62 + (w46 * w69 - w38 * w48)) / w49 - w154 + crank_theta_ddot * w152 + w157 + w160
+    w162 = w46 * w97
+    w163 = w38 * w96
+    w164 = w162 - w163
+    w165 = w144 / w49
+    w166 = w72 * w165
+    w167 = w164 / w49 - w166
+    w168 = w46 * w103
+    w169 = w38 * w102
+    w170 = w168 - w169
+    w171 = w146 / w49
+    w172 = w72 * w171
+    w173 = w170 / w49 - w172
+    w174 = w161 + rocker_q1_ddot * w167 + rocker_q2_ddot * w173
+    w175 = w139 * w174
+    w176 = w61 + w67 * crank_theta_ddot
+    w177 = w10 * w176
+    w178 = w0 * crank_theta_ddot - w68
+    w179 = w111 * w178
+    w180 = coupler_q1 * c23 - (coupler_q1 * c24 + coupler_q2 * c25)
+    w181 = coupler_q2 * c26 - (coupler_q1 * c27 + coupler_q2 * c28)
+    w182 = c22 + (coupler_q1 * w180 + coupler_q2 * w181)
+    w183 = w111 * gravity_y + (w177 - w179 + w108 * w182)
+    w184 = coupler_theta_dot * -2.0
+    w185 = coupler_q1_dot * w180 + coupler_q2_dot * w181
+    w186 = w184 * w185 + w10 * gravity_y - (w111 * w176 + w10 * w178 + w110 * w182 + coupler_q1_ddot * c29 + coupler_q2_ddot * c30)
+    w187 = w128 + (w148 * w152 - w141 * w175) - (w74 * w183 + w76 * w186)
+    w188 = w59 + (w57 - w53)
+    w189 = w65 + (w63 + w66)
+    w190 = w166 + (w163 - w162) / w49
+    w191 = w154 + (w38 * w188 - w46 * w189) / w49 + crank_theta_ddot * w151 - w157 - w160 + rocker_q1_ddot * w190
+    w192 = w172 + (w169 - w168) / w49
+    w193 = w191 + rocker_q2_ddot * w192
+    w194 = (w41 * w137 + w23 * w138) * gravity_y + w139 * w193
+    w195 = (w0 * w27 + w42 * w67) / w49
+    w196 = w76 + w195
+    w197 = w84 + (w80 - w78) / w49
+    w198 = w73 + (w27 * w69 + w42 * w188 - (w42 * w62 + w27 * w189)) / w49 + crank_theta_ddot * w196 - coupler_q1_ddot * w197
+    w199 = w93 + (w89 - w87) / w49
+    w200 = w107 + (w101 + (w198 - coupler_q2_ddot * w199))
+    w201 = w182 * w200
+    w202 = w148 * w151 - w141 * w194 - (w0 * (w10 * w200) + w67 * (w111 * w200)) + (w186 * w196 - w74 * w201)
+    w203 = (w27 * w68 - w42 * w61) / w49 - crank_theta_ddot * w195
+    w204 = w176 * c2
+    w205 = w178 * c2
+    w206 = w0 * (w10 * w203 - w204) + w67 * (c34 + (w126 + (w124 + w127)) - (w121 + (w118 + w205) - w123)) + (w67 * (w205 + w111 * w203) + w0 * (w17 + (w11 + w22) + (w117 + (w115 + (w112 + w204)))))
+    w207 = (w46 * w68 - w38 * w61) / w49 - crank_theta_ddot * w149
+    w208 = w139 * w207
+    w209 = w179 - w177 + w182 * w203
+    w210 = 2 * w44 - w18 * w46
+    w211 = 2 * w31 + w18 * w38
+    w212 = (w27 * w210 - w42 * w211) / w49
+    w213 = (w46 * w210 - w38 * w211) / w49
+    w214 = w139 * w213
+    w215 = w0 * (w18 * w111 + 2 * w125 - w10 * w212) - w67 * (w10 * w18 + 2 * w21 + w111 * w212) - w141 * w214
+    w216 = w185 * -2.0 - w182 * w212
+    w217 = w215 + w74 * w216
+    w218 = rocker_q1_dot * w100
+    w219 = rocker_q2_dot * w106
+    w220 = crank_theta_dot * w196 - coupler_q1_dot * w197 - coupler_q2_dot * w199 + w218 + w219
+    w221 = w219 + (w218 + (crank_theta_dot * w76 + coupler_q1_dot * w85 + coupler_q2_dot * w94))
+    w222 = w141 * w220 - w74 * w221 - crank_theta_dot * w195
+    w223 = 2 * w64 + w42 * w50
+    w224 = 2 * w52 - w27 * w50
+    w225 = (w38 * w223 - w46 * w224) / w49
+    w226 = w132 * -2.0 - w139 * w225
+    w227 = (w42 * w223 - w27 * w224) / w49
+    w228 = w182 * w227
+    w229 = w141 * w226 - (w0 * (w10 * w227) + w67 * (w111 * w227)) - w74 * w228
+    w230 = coupler_q1_dot * w156
+    w231 = coupler_q2_dot * w159
+    w232 = crank_theta_dot * w152 + w230 + w231 + rocker_q1_dot * w167 + rocker_q2_dot * w173
+    w233 = crank_theta_dot * w151 - w230 - w231 + rocker_q1_dot * w190 + rocker_q2_dot * w192
+    w234 = w74 * w232 + w141 * w233 - crank_theta_dot * w149
+    w235 = w74 * w187 + w141 * w202 - (w206 + (w141 * w208 + w148 * w149) + (w74 * w209 + w186 * w195)) + (w217 * w222 + w229 * w234)
+    w236 = w114 * w178
+    w237 = w120 * w176
+    w238 = w148 * w156
+    w239 = w114 * gravity_y + (w237 - w236 + w108 * c29) - (w238 + w142 * w175) + (w85 * w186 - w82 * w183)
+    w240 = w200 * c29 + (w238 - w142 * w194) + (w186 * w197 - w82 * w201)
+    w241 = w18 * w180 - w212 * c29 + w142 * w214 - w82 * w216
+    w242 = w82 * w228 - (w227 * c29 + w142 * w226)
+    w243 = w142 * w208 - (w236 - w237 + w203 * c29) + w82 * w209 - (w74 * w239 + w141 * w240) + (w222 * w241 + w234 * w242)
+    w244 = w116 * w178 + w122 * w176
+    w245 = w148 * w159
+    w246 = w116 * gravity_y + (w108 * c30 - w244) - (w245 + w143 * w175) + (w94 * w186 - w91 * w183)
+    w247 = w200 * c30 + (w245 - w143 * w194) + (w186 * w199 - w91 * w201)
+    w248 = w18 * w181 - w212 * c30 + w143 * w214 - w91 * w216
+    w249 = w91 * w228 - (w227 * c30 + w143 * w226)
+    w250 = w143 * w208 - (w244 + w203 * c30) + w91 * w209 - (w74 * w246 + w141 * w247) + (w222 * w248 + w234 * w249)
+    w251 = w100 * w186
+    w252 = w148 * w167 - w144 * w175 - w174 * c31 - (w98 * w183 + w251)
+    w253 = w41 * c40
+    w254 = w148 * w190 - w144 * w194 - ((w253 + w23 * w134) * gravity_y + w193 * c31) + (w251 - w98 * w201)
+    w255 = w98 * w216 - (w213 * c31 + w144 * w214)
+    w256 = w50 * w130 - w225 * c31 + w144 * w226 - w98 * w228
+    w257 = w106 * w186
+    w258 = w148 * w173 - w146 * w175 - w174 * c32 - (w104 * w183 + w257)
+    w259 = w148 * w192 - w146 * w194 - (w23 * w136 * gravity_y + w193 * c32) + (w257 - w104 * w201)
+    w260 = w104 * w216 - (w213 * c32 + w146 * w214)
+    w261 = w50 * w131 - w225 * c32 + w146 * w226 - w104 * w228
+    w262 = w74 * w258 + w141 * w259 - (w207 * c32 + w146 * w208 + w104 * w209) + (w222 * w260 + w234 * w261)
+    w263 = (w2 + w3 + coupler_q2 * c19) * 0.5
+    w264 = w119 - w9 * w263
+    w265 = coupler_q2_dot * c19
+    w266 = w12 + w265
+    w267 = w18 * (w9 * w33) + w1 * w77
+    w268 = w18 * (w7 * w33) - w1 * w79
+    w269 = w75 * w81
+    w270 = w7 * c4
+    w271 = w9 * c4
+    w272 = (w27 * w270 + w42 * w271) / w49 - w81 * w83
+    w273 = w81 * w92
+    w274 = (w27 * w267 - w42 * w268) / w49 - w71 * w81 - crank_theta_ddot * w269 - coupler_q1_ddot * w272 + coupler_q2_ddot * w273
+    w275 = w81 * w99
+    w276 = w81 * w105
+    w277 = w274 - rocker_q1_ddot * w275 - rocker_q2_ddot * w276
+    w278 = w113 + w7 * w263
+    w279 = w9 * c17
+    w280 = w9 * c19
+    w281 = w1 * w264 + w18 * (w7 * w266) - (w10 * w277 - w110 * w278 - coupler_q1_ddot * w279 - coupler_q2_ddot * w280)
+    w282 = w7 * c17
+    w283 = w7 * c19
+    w284 = w110 * w264 + w111 * w277 + coupler_q1_ddot * w282 + coupler_q2_ddot * w283 - (w1 * w278 + w18 * (w9 * w266))
+    w285 = (w67 * w77 - w0 * w79) / w49 - w81 * w150
+    w286 = (w46 * w270 - w77**2 + (w38 * w271 - w79**2)) / w49 - w81 * w155
+    w287 = (w46 * w267 - w62 * w77 - (w69 * w79 + w38 * w268)) / w49 - w81 * w153 + crank_theta_ddot * w285 - coupler_q1_ddot * w286
+    w288 = coupler_q1 * coupler_q2 * c52 / w49
+    w289 = w288 + w81 * w158
+    w290 = (w77 * w96 + w79 * w97) / w49
+    w291 = w290 + w81 * w165
+    w292 = (w77 * w102 + w79 * w103) / w49
+    w293 = w292 + w81 * w171
+    w294 = w287 + coupler_q2_ddot * w289 - rocker_q1_ddot * w291 - rocker_q2_ddot * w293
+    w295 = w139 * w294
+    w296 = w184 * (coupler_q1_dot * c51 - coupler_q2_dot * c27) - w278 * gravity_y - (w176 * w264 - w178 * w278 + (w110 * (w180 + coupler_q1 * c51 - coupler_q2 * c27) + w182 * w277))
+    w297 = w0 * w281 - w67 * w284 + (w148 * w285 - w141 * w295) + (w74 * w296 - w186 * w269) - (w82 * w187 + w142 * w202)
+    w298 = coupler_q2_dot * w273 - (crank_theta_dot * w269 + coupler_q1_dot * w272) - rocker_q1_dot * w275 - rocker_q2_dot * w276
+    w299 = w298 + (w82 * w221 - w142 * w220)
+    w300 = crank_theta_dot * w285 - coupler_q1_dot * w286 + coupler_q2_dot * w289 - rocker_q1_dot * w291 - rocker_q2_dot * w293
+    w301 = w300 - (w82 * w232 + w142 * w233)
+    w302 = w1 * c51 - c41 - w279 * gravity_y - (w176 * w282 - w178 * w279 + w277 * c29) - (w148 * w286 - w142 * w295)
+    w303 = w143 * w295 + w148 * w289 - (w1 * c27 + w280 * gravity_y + (w176 * w283 - w178 * w280 + w277 * c30))
+    w304 = w98 * w296 - w186 * w275 - (w294 * c31 + (w144 * w295 + w148 * w291)) - (w82 * w252 + w142 * w254)
+    w305 = w104 * w296 - w186 * w276 - (w294 * c32 + (w146 * w295 + w148 * w293)) - (w82 * w258 + w142 * w259)
+    w306 = coupler_q1_dot * c18
+    w307 = w14 + w306
+    w308 = (coupler_q1 * c18 + (w4 + w5)) * 0.5
+    w309 = w9 * w308
+    w310 = w18 * (w9 * w34) + w1 * w86
+    w311 = w18 * (w7 * w34) - w1 * w88
+    w312 = w75 * w90
+    w313 = w83 * w90
+    w314 = w7 * c5
+    w315 = w9 * c5
+    w316 = (w27 * w314 + w42 * w315) / w49 - w90 * w92
+    w317 = (w27 * w310 - w42 * w311) / w49 - w71 * w90 - crank_theta_ddot * w312 + coupler_q1_ddot * w313 - coupler_q2_ddot * w316
+    w318 = w90 * w99
+    w319 = w90 * w105
+    w320 = w317 - rocker_q1_ddot * w318 - rocker_q2_ddot * w319
+    w321 = w7 * w308
+    w322 = w9 * c18
+    w323 = w9 * c20
+    w324 = w18 * (w7 * w307) - w1 * w309 - (w10 * w320 - w110 * w321 - coupler_q1_ddot * w322 - coupler_q2_ddot * w323)
+    w325 = w7 * c18
+    w326 = w7 * c20
+    w327 = w111 * w320 - w110 * w309 + coupler_q1_ddot * w325 + coupler_q2_ddot * w326 - (w1 * w321 + w18 * (w9 * w307))
+    w328 = (w67 * w86 - w0 * w88) / w49 - w90 * w150
+    w329 = w288 + w90 * w155
+    w330 = (w46 * w310 - w62 * w86 - (w69 * w88 + w38 * w311)) / w49 - w90 * w153 + crank_theta_ddot * w328 + coupler_q1_ddot * w329
+    w331 = (w46 * w314 - w86**2 + (w38 * w315 - w88**2)) / w49 - w90 * w158
+    w332 = (w86 * w96 + w88 * w97) / w49
+    w333 = w332 + w90 * w165
+    w334 = (w86 * w102 + w88 * w103) / w49
+    w335 = w334 + w90 * w171
+    w336 = w330 - coupler_q2_ddot * w331 - rocker_q1_ddot * w333 - rocker_q2_ddot * w335
+    w337 = w139 * w336
+    w338 = w184 * (coupler_q2_dot * c53 - coupler_q1_dot * c25) - w321 * gravity_y - (w110 * (w181 + coupler_q2 * c53 - coupler_q1 * c25) + w182 * w320 - (w176 * w309 + w178 * w321))
+    w339 = w0 * w324 - w67 * w327 + (w148 * w328 - w141 * w337) + (w74 * w338 - w186 * w312) - (w91 * w187 + w143 * w202)
+    w340 = coupler_q1_dot * w313 - crank_theta_dot * w312 - coupler_q2_dot * w316 - rocker_q1_dot * w318 - rocker_q2_dot * w319
+    w341 = w340 + (w91 * w221 - w143 * w220)
+    w342 = crank_theta_dot * w328 + coupler_q1_dot * w329 - coupler_q2_dot * w331 - rocker_q1_dot * w333 - rocker_q2_dot * w335
+    w343 = w342 - (w91 * w232 + w143 * w233)
+    w344 = w142 * w337 + w148 * w329 - (w1 * c25 + w322 * gravity_y + (w176 * w325 - w178 * w322 + w320 * c29))
+    w345 = w1 * c53 - c42 - w323 * gravity_y - (w176 * w326 - w178 * w323 + w320 * c30) - (w148 * w331 - w143 * w337)
+    w346 = w98 * w338 - w186 * w318 - (w336 * c31 + (w144 * w337 + w148 * w333)) - (w91 * w252 + w143 * w254)
+    w347 = w104 * w338 - w186 * w319 - (w336 * c32 + (w146 * w337 + w148 * w335)) - (w91 * w258 + w143 * w259)
+    w348 = w129 * (rocker_q1_dot * c54 - rocker_q2_dot * c14) - (w253 + w23 * ((w133 + w134 + rocker_q2 * c38) * 0.5)) * gravity_y
+    w349 = w50 * (w23 * w54) - w58 * w97
+    w350 = w50 * (w41 * w54) + w58 * w96
+    w351 = w150 * w164
+    w352 = w155 * w164
+    w353 = w158 * w164
+    w354 = (w38 * w349 - w46 * w350) / w49 - w153 * w164 - crank_theta_ddot * w351 + coupler_q1_ddot * w352 + coupler_q2_ddot * w353
+    w355 = w23 * c7
+    w356 = w41 * c7
+    w357 = (w46 * w355 + w38 * w356) / w49 - w164 * w165
+    w358 = w164 * w171
+    w359 = w354 + rocker_q1_ddot * w357 - rocker_q2_ddot * w358
+    w360 = w348 - (w147 * (w130 + rocker_q1 * c54 - rocker_q2 * c14) + w139 * w359)
+    w361 = (w67 * w96 - w0 * w97) / w49 - w75 * w164
+    w362 = w290 + w83 * w164
+    w363 = (w42 * w349 - w69 * w97 - (w62 * w96 + w27 * w350)) / w49 - w71 * w164 + crank_theta_ddot * w361 + coupler_q1_ddot * w362
+    w364 = w332 + w92 * w164
+    w365 = (w27 * w355 - w96**2 + (w42 * w356 - w97**2)) / w49 - w99 * w164
+    w366 = rocker_q1 * rocker_q2 * c55 / w49
+    w367 = w366 + w105 * w164
+    w368 = w363 + coupler_q2_ddot * w364 + rocker_q1_ddot * w365 - rocker_q2_ddot * w367
+    w369 = w182 * w368
+    w370 = w141 * w360 - w148 * w351 - (w0 * (w10 * w368) + w67 * (w111 * w368)) + (w186 * w361 - w74 * w369)
+    w371 = crank_theta_dot * w361 + coupler_q1_dot * w362 + coupler_q2_dot * w364 + rocker_q1_dot * w365 - rocker_q2_dot * w367
+    w372 = w371 + (w144 * w220 - w98 * w221)
+    w373 = coupler_q1_dot * w352 - crank_theta_dot * w351 + coupler_q2_dot * w353 + rocker_q1_dot * w357 - rocker_q2_dot * w358
+    w374 = w373 + (w98 * w232 + w144 * w233)
+    w375 = w82 * w369 + w186 * w362 - (w368 * c29 + (w142 * w360 - w148 * w352)) - (w98 * w239 + w144 * w240)
+    w376 = w91 * w369 + w186 * w364 - (w368 * c30 + (w143 * w360 - w148 * w353)) - (w98 * w246 + w144 * w247)
+    w377 = w58 * c54 - c43 - w41 * c56 - w359 * c31 + (w144 * w360 + w148 * w357) + (w186 * w365 - w98 * w369)
+    w378 = w146 * w360 - w148 * w358 - (w58 * c14 + w41 * c57 + w359 * c32) - (w104 * w369 + w186 * w367) + (w98 * w258 + w144 * w259)
+    w379 = w129 * (rocker_q2_dot * c58 - rocker_q1_dot * c12) - w23 * ((rocker_q1 * c37 + (w135 + w136)) * 0.5) * gravity_y
+    w380 = w50 * (w23 * w55) - w58 * w103
+    w381 = w50 * (w41 * w55) + w58 * w102
+    w382 = w150 * w170
+    w383 = w155 * w170
+    w384 = w158 * w170
+    w385 = (w38 * w380 - w46 * w381) / w49 - w153 * w170 - crank_theta_ddot * w382 + coupler_q1_ddot * w383 + coupler_q2_ddot * w384
+    w386 = w165 * w170
+    w387 = w23 * c8
+    w388 = w41 * c8
+    w389 = (w46 * w387 + w38 * w388) / w49 - w170 * w171
+    w390 = w385 - rocker_q1_ddot * w386 + rocker_q2_ddot * w389
+    w391 = w379 - (w147 * (w131 + rocker_q2 * c58 - rocker_q1 * c12) + w139 * w390)
+    w392 = (w67 * w102 - w0 * w103) / w49 - w75 * w170
+    w393 = (w42 * w380 - w69 * w103 - (w62 * w102 + w27 * w381)) / w49 - w71 * w170 + crank_theta_ddot * w392
+    w394 = w292 + w83 * w170
+    w395 = w334 + w92 * w170
+    w396 = w366 + w99 * w170
+    w397 = (w27 * w387 - w102**2 + (w42 * w388 - w103**2)) / w49 - w105 * w170
+    w398 = w393 + coupler_q1_ddot * w394 + coupler_q2_ddot * w395 - rocker_q1_ddot * w396 + rocker_q2_ddot * w397
+    w399 = w182 * w398
+    w400 = w141 * w391 - w148 * w382 - (w0 * (w10 * w398) + w67 * (w111 * w398)) + (w186 * w392 - w74 * w399)
+    w401 = crank_theta_dot * w392 + coupler_q1_dot * w394 + coupler_q2_dot * w395 - rocker_q1_dot * w396 + rocker_q2_dot * w397
+    w402 = w401 + (w146 * w220 - w104 * w221)
+    w403 = coupler_q1_dot * w383 - crank_theta_dot * w382 + coupler_q2_dot * w384 - rocker_q1_dot * w386 + rocker_q2_dot * w389
+    w404 = w403 + (w104 * w232 + w146 * w233)
+    w405 = w82 * w399 + w186 * w394 - (w398 * c29 + (w142 * w391 - w148 * w383)) - (w104 * w239 + w146 * w240)
+    w406 = w91 * w399 + w186 * w395 - (w398 * c30 + (w143 * w391 - w148 * w384)) - (w104 * w246 + w146 * w247)
+    w407 = w144 * w391 - w148 * w386 - (w58 * c12 + w41 * c59 + w390 * c31) - (w98 * w399 + w186 * w396) + (w104 * w252 + w146 * w254)
+    w408 = w58 * c58 - c44 - w41 * c60 - w390 * c32 + (w146 * w391 + w148 * w389) + (w186 * w397 - w104 * w399)
+    w409 = 2 * crank_theta_dot
+    w410 = w67 * w409
+    w411 = w0 * w409
+    w412 = (w27 * w411 + w42 * w410) / w49
+    w413 = (w46 * w411 + w38 * w410) / w49
+    w414 = w139 * w413
+    w415 = w111 * w411 - w10 * w410 - w182 * w412
+    w416 = w0 * (w410 * c2 + w10 * w412) - w67 * (w411 * c2 - w111 * w412) + w141 * w414 - w74 * w415 + (w74 * w217 + w141 * w229)
+    w417 = w265 + (w12 + w13)
+    w418 = 2 * w33
+    w419 = w18 * w79 - w7 * w418
+    w420 = w9 * w418 + w18 * w77
+    w421 = (w27 * w419 - w42 * w420) / w49
+    w422 = (w46 * w419 - w38 * w420) / w49
+    w423 = w139 * w422
+    w424 = w0 * (w9 * w417 + w18 * w114 - w10 * w421) - w67 * (w18 * w120 + w7 * w417 + w111 * w421) - w141 * w423
+    w425 = w180 * w184 - w182 * w421
+    w426 = w306 + (w14 + w15)
+    w427 = 2 * w34
+    w428 = w18 * w88 - w7 * w427
+    w429 = w9 * w427 + w18 * w86
+    w430 = (w27 * w428 - w42 * w429) / w49
+    w431 = (w46 * w428 - w38 * w429) / w49
+    w432 = w139 * w431
+    w433 = w0 * (w9 * w426 + w18 * w116 - w10 * w430) - w67 * (w7 * w426 - w18 * w122 + w111 * w430) - w141 * w432
+    w434 = w181 * w184 - w182 * w430
+    w435 = 2 * w54
+    w436 = w41 * w435 + w50 * w96
+    w437 = w50 * w97 - w23 * w435
+    w438 = (w38 * w436 - w46 * w437) / w49
+    w439 = w129 * w130 - w139 * w438
+    w440 = (w42 * w436 - w27 * w437) / w49
+    w441 = w182 * w440
+    w442 = w141 * w439 - (w0 * (w10 * w440) + w67 * (w111 * w440)) - w74 * w441 + (w98 * w217 + w144 * w229)
+    w443 = 2 * w55
+    w444 = w41 * w443 + w50 * w102
+    w445 = w50 * w103 - w23 * w443
+    w446 = (w38 * w444 - w46 * w445) / w49
+    w447 = w129 * w131 - w139 * w446
+    w448 = (w42 * w444 - w27 * w445) / w49
+    w449 = w182 * w448
+    w450 = w141 * w447 - (w0 * (w10 * w448) + w67 * (w111 * w448)) - w74 * w449 + (w104 * w217 + w146 * w229)
     # outputs
-    dMa_dq_i = ca.vertcat(
+    J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w57 - (w58 * w64 + w62 * w70) + (w30 * w76 - w26 * w77) + (w30 * w125 + w58 * w135),
-            w167 + (w58 * w178 + w70 * w168) + (w30 * w179 - w77 * w152) - (w33 * w125 + w65 * w135),
-            w198 + (w58 * w208 + w70 * w199) + (w30 * w209 - w77 * w183) - (w36 * w125 + w66 * w135), w231, w250,
+            w235, w297 + (w217 * w299 + w229 * w301), w339 + (w217 * w341 + w229 * w343),
+            w370 + (w98 * w187 + w144 * w202) + (w217 * w372 + w229 * w374),
+            w400 + (w104 * w187 + w146 * w202) + (w217 * w402 + w229 * w404),
         ),
         ca.horzcat(  # coupler.q1
-            w136 - w137 - w27 * c29 + w64 * w65 - w33 * w76 + (w30 * w139 + w58 * w140), w180, w210,
-            w221 * c29 - (w65 * w229 - w70 * w222) - (w33 * w230 - w77 * w213) + (w39 * w139 + w67 * w140),
-            w240 * c29 - (w65 * w248 - w70 * w241) - (w33 * w249 - w77 * w233) + (w42 * w139 + w68 * w140),
+            w243, w302 - (w82 * w296 + w186 * w272) + (w82 * w239 + w142 * w240) + (w241 * w299 + w242 * w301),
+            w344 - (w82 * w338 - w186 * w313) + (w91 * w239 + w143 * w240) + (w241 * w341 + w242 * w343),
+            w375 + (w241 * w372 + w242 * w374), w405 + (w241 * w402 + w242 * w404),
         ),
         ca.horzcat(  # coupler.q2
-            w141 - w27 * c30 + w64 * w66 - w36 * w76 + (w58 * w143 - w30 * w144), w181, w211,
-            w221 * c30 - (w66 * w229 - w70 * w224) - (w36 * w230 - w77 * w214) + (w67 * w143 - w39 * w144),
-            w240 * c30 - (w66 * w248 - w70 * w243) - (w36 * w249 - w77 * w234) + (w68 * w143 - w42 * w144),
+            w250, w303 - (w91 * w296 - w186 * w273) + (w82 * w246 + w142 * w247) + (w248 * w299 + w249 * w301),
+            w345 - (w91 * w338 + w186 * w316) + (w91 * w246 + w143 * w247) + (w248 * w341 + w249 * w343),
+            w376 + (w248 * w372 + w249 * w374), w406 + (w248 * w402 + w249 * w404),
         ),
         ca.horzcat(  # rocker.q1
-            w39 * w76 - (w63 * c31 + w64 * w67) + (w30 * w146 + w58 * w147),
-            w177 * c31 + (w67 * w178 - w70 * w173) + (w39 * w179 - w77 * w156) - (w33 * w146 + w65 * w147),
-            w207 * c31 + (w67 * w208 - w70 * w203) + (w39 * w209 - w77 * w187) - (w36 * w146 + w66 * w147),
-            w228 * c31 + (w67 * w229 + w70 * w225) + (w39 * w230 + w77 * w217) + (w39 * w146 + w67 * w147),
-            w247 * c31 + (w67 * w248 - w70 * w244) + (w39 * w249 - w77 * w235) + (w42 * w146 + w68 * w147),
+            w74 * w252 + w141 * w254 - (w207 * c31 + w144 * w208 + w98 * w209) + (w222 * w255 + w234 * w256),
+            w304 + (w255 * w299 + w256 * w301), w346 + (w255 * w341 + w256 * w343),
+            w377 + (w98 * w252 + w144 * w254) + (w255 * w372 + w256 * w374), w407 + (w255 * w402 + w256 * w404),
         ),
         ca.horzcat(  # rocker.q2
-            w42 * w76 - (w63 * c32 + w64 * w68) + (w30 * w149 + w58 * w150),
-            w177 * c32 + (w68 * w178 - w70 * w176) + (w42 * w179 - w77 * w158) - (w33 * w149 + w65 * w150),
-            w207 * c32 + (w68 * w208 - w70 * w206) + (w42 * w209 - w77 * w189) - (w36 * w149 + w66 * w150),
-            w228 * c32 + (w68 * w229 - w70 * w227) + (w42 * w230 - w77 * w220) + (w39 * w149 + w67 * w150),
-            w247 * c32 + (w68 * w248 + w70 * w246) + (w42 * w249 + w77 * w239) + (w42 * w149 + w68 * w150),
+            w262, w305 + (w260 * w299 + w261 * w301), w347 + (w260 * w341 + w261 * w343),
+            w378 + (w260 * w372 + w261 * w374), w408 + (w104 * w258 + w146 * w259) + (w260 * w402 + w261 * w404),
         ),
     )
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(  # crank.theta
+            w416, w424 + w74 * w425 - (w82 * w217 + w142 * w229), w433 + w74 * w434 - (w91 * w217 + w143 * w229),
+            w442, w450,
+        ),
+        ca.horzcat(  # coupler.q1
+            w82 * w415 - (w114 * w411 - w120 * w410 - w412 * c29 + w142 * w414) + (w74 * w241 + w141 * w242),
+            w142 * w423 - w421 * c29 - w82 * w425 - (w82 * w241 + w142 * w242),
+            w142 * w432 - w430 * c29 - w82 * w434 - (w91 * w241 + w143 * w242),
+            w82 * w441 - (w440 * c29 + w142 * w439) + (w98 * w241 + w144 * w242),
+            w82 * w449 - (w448 * c29 + w142 * w447) + (w104 * w241 + w146 * w242),
+        ),
+        ca.horzcat(  # coupler.q2
+            w91 * w415 - (w116 * w411 + w122 * w410 - w412 * c30 + w143 * w414) + (w74 * w248 + w141 * w249),
+            w143 * w423 - w421 * c30 - w91 * w425 - (w82 * w248 + w142 * w249),
+            w143 * w432 - w430 * c30 - w91 * w434 - (w91 * w248 + w143 * w249),
+            w91 * w441 - (w440 * c30 + w143 * w439) + (w98 * w248 + w144 * w249),
+            w91 * w449 - (w448 * c30 + w143 * w447) + (w104 * w248 + w146 * w249),
+        ),
+        ca.horzcat(  # rocker.q1
+            w413 * c31 + w144 * w414 - w98 * w415 + (w74 * w255 + w141 * w256),
+            w98 * w425 - (w422 * c31 + w144 * w423) - (w82 * w255 + w142 * w256),
+            w98 * w434 - (w431 * c31 + w144 * w432) - (w91 * w255 + w143 * w256),
+            w144 * w439 - w438 * c31 - w98 * w441 + (w98 * w255 + w144 * w256),
+            w144 * w447 - w446 * c31 - w98 * w449 + (w104 * w255 + w146 * w256),
+        ),
+        ca.horzcat(  # rocker.q2
+            w413 * c32 + w146 * w414 - w104 * w415 + (w74 * w260 + w141 * w261),
+            w104 * w425 - (w422 * c32 + w146 * w423) - (w82 * w260 + w142 * w261),
+            w104 * w434 - (w431 * c32 + w146 * w432) - (w91 * w260 + w143 * w261),
+            w146 * w439 - w438 * c32 - w104 * w441 + (w98 * w260 + w144 * w261),
+            w146 * w447 - w446 * c32 - w104 * w449 + (w104 * w260 + w146 * w261),
+        ),
+    )
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -3353,7 +3610,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

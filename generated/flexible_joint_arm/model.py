@@ -74,8 +74,8 @@ def constants() -> ca.Function:
         -gear1_stiffness,  # c25
         -gear2_stiffness,  # c26
         link2_center_of_mass_x * (link2_mass * (2 * link1_tip_x)),  # c27
-        link1_tip_x * w0,  # c28
-        w4,  # c29
+        w4,  # c28
+        link1_tip_x * w0,  # c29
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -782,37 +782,89 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    29 operations.
+    gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    136 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     c = ca.SX.sym("c", 30)
     link1_theta = q_i[0]
     link2_theta = q_i[2]
+    link1_theta_dot = q_i_dot[0]
+    link2_theta_dot = q_i_dot[2]
     link1_theta_ddot = q_i_ddot[0]
     link2_theta_ddot = q_i_ddot[2]
-    c7 = c[7]
-    # intermediate terms (3)
-    w0 = ca.sin(link2_theta - link1_theta) * c7
-    w1 = link2_theta_ddot * w0
-    w2 = link1_theta_ddot * w0
+    gear1_stiffness = c[2]
+    gear2_stiffness = c[5]
+    link1_tip_x = c[11]
+    rotor2_mass = c[14]
+    link2_mass = c[15]
+    c16 = c[16]
+    gravity_y = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    c25 = c[25]
+    c26 = c[26]
+    c28 = c[28]
+    # intermediate terms (25)
+    w0 = ca.cos(link1_theta) * link1_tip_x
+    w1 = ca.sin(link1_theta)
+    w2 = w1 * link1_tip_x
+    w3 = link1_theta_dot**2
+    w4 = link1_theta_ddot * w2 + w0 * w3
+    w5 = w0 * (w4 * rotor2_mass)
+    w6 = w0 * link1_theta_ddot - w2 * w3
+    w7 = w6 * rotor2_mass
+    w8 = w4 * link2_mass
+    w9 = link2_theta_dot**2
+    w10 = ca.sin(link2_theta) * c16
+    w11 = w9 * w10
+    w12 = w6 * link2_mass
+    w13 = ca.cos(link2_theta) * c16
+    w14 = w13 * link2_theta_ddot
+    w15 = w5 - w2 * (c20 - w7) - (gear1_stiffness + w1 * c28) - (w5 + w2 * w7) + (w0 * w8 - w2 * (c21 + w11 - (w12 + w14)))
+    w16 = w9 * w13
+    w17 = w10 * link2_theta_ddot
+    w18 = w6 * w10
+    w19 = w4 * w13
+    w20 = 2 * link1_theta_dot
+    w21 = w2 * w20
+    w22 = w0 * w20
+    w23 = w0 * (w21 * rotor2_mass) - w2 * (w22 * rotor2_mass) + w0 * (w21 * link2_mass) - w2 * (w22 * link2_mass)
+    w24 = 2 * link2_theta_dot
     # outputs
-    dMa_dq_i = ca.SX(4, 4)
+    J_q = ca.SX(4, 4)
     # link1.theta
-    dMa_dq_i[0, 0] = w1
-    dMa_dq_i[0, 2] = -w1
+    J_q[0, 0] = w15 - (w2 * w12 + w0 * (w16 + (w8 + w17)))
+    J_q[0, 1] = gear1_stiffness
+    J_q[0, 2] = w0 * (w16 + w17) - w2 * (w14 - w11)
+    # rotor1.theta
+    J_q[1, 0] = gear1_stiffness
+    J_q[1, 1] = c25
     # link2.theta
-    dMa_dq_i[2, 0] = w2
-    dMa_dq_i[2, 2] = -w2
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q[2, 0] = -(w18 - w19)
+    J_q[2, 2] = -(gear2_stiffness + w10 * gravity_y + (w19 - w18))
+    J_q[2, 3] = gear2_stiffness
+    # rotor2.theta
+    J_q[3, 2] = gear2_stiffness
+    J_q[3, 3] = c26
+    J_v = ca.SX(4, 4)
+    # link1.theta
+    J_v[0, 0] = w23
+    J_v[0, 2] = w0 * (w10 * w24) - w2 * (w13 * w24)
+    # link2.theta
+    J_v[2, 0] = -(w10 * w22 - w13 * w21)
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -902,8 +954,8 @@ def forward_dynamics() -> ca.Function:
     w16 = w3 * w15
     w17 = w3 * w11
     w18 = link2_mass - w5 * w14
-    w19 = w0 * c29 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
-    w20 = (w19 + w3 * (c20 + w13 * rotor2_mass) - w12 * (w17 * rotor2_mass)) / (c28 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
+    w19 = w0 * c28 - w1 - w2 + w3 * (c21 + w4 * w5 - w7 * w9 + w10 * w13) + w16 * w17 - w12 * (w4 * w6 + w9 * w14 + w13 * w15 + w17 * w18)
+    w20 = (w19 + w3 * (c20 + w13 * rotor2_mass) - w12 * (w17 * rotor2_mass)) / (c29 + (c13 + w3 * (w3 * w10) - (w12 * (w16 - w12 * w18) + w12 * w16)))
     # outputs
     q_i_ddot = ca.vertcat(
         w20,  # link1.theta
@@ -1072,7 +1124,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,

@@ -1256,25 +1256,37 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 9) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 9) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 46) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    191 operations.
+    gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    484 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
+    q_d_dot = ca.SX.sym("q_d_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
     c = ca.SX.sym("c", 46)
     rod_q1 = q_i[0]
     rod_q2 = q_i[1]
     rod_q3 = q_i[2]
     rod_q4 = q_i[3]
+    crank_theta = q_d[2]
     rod_theta = q_d[5]
+    rod_q1_dot = q_i_dot[0]
+    rod_q2_dot = q_i_dot[1]
+    rod_q3_dot = q_i_dot[2]
+    rod_q4_dot = q_i_dot[3]
+    crank_theta_dot = q_d_dot[2]
+    rod_theta_dot = q_d_dot[5]
     rod_q1_ddot = q_i_ddot[0]
     rod_q2_ddot = q_i_ddot[1]
     rod_q3_ddot = q_i_ddot[2]
@@ -1296,61 +1308,136 @@ def dMa_dq_i() -> ca.Function:
     rod_phi_cross_phi_3_0 = c[14]
     rod_phi_cross_phi_3_1 = c[15]
     rod_inertia = c[16]
-    c40 = c[40]
-    c41 = c[41]
-    # intermediate terms (35)
-    w0 = ca.sin(rod_theta)
-    w1 = w0 * rod_end_shape_0_3
+    rod_rho_dot_phi_2_0 = c[17]
+    rod_rho_dot_phi_3_0 = c[18]
+    rod_K_ff_0_0 = c[19]
+    rod_phi_integral_1_0 = c[20]
+    crank_tip_x = c[21]
+    rod_K_ff_1_1 = c[22]
+    rod_K_ff_2_2 = c[23]
+    rod_K_ff_2_3 = c[24]
+    rod_phi_integral_0_2 = c[25]
+    rod_K_ff_3_3 = c[26]
+    rod_phi_integral_0_3 = c[27]
+    rod_first_moment_x = c[28]
+    omega = c[29]
+    c38 = c[38]
+    c45 = c[45]
+    # intermediate terms (85)
+    w0 = rod_theta_dot**2
+    w1 = 2 * rod_theta_dot
     w2 = ca.cos(rod_theta)
-    w3 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w3 = rod_q4_dot * rod_end_shape_0_3
     w4 = w2 * w3
-    w5 = w1 / w4
-    w6 = w5 * rod_q4_ddot
-    w7 = rod_q1 * rod_M_ff_0_0
-    w8 = w6 * rod_phi_cross_phi_3_0 + w5 * (w6 * (2 * w7) + rod_q3_ddot * rod_phi_cross_phi_2_0 + rod_q4_ddot * rod_phi_cross_phi_3_0)
-    w9 = rod_q2 * rod_M_ff_1_1
-    w10 = rod_q3 * rod_M_ff_2_2
-    w11 = rod_q4 * rod_M_ff_2_3
-    w12 = w11 + (c40 + w10)
-    w13 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w14 = w5 / w4
-    w15 = w2 * rod_end_shape_0_3
-    w16 = w14 * w15
-    w17 = rod_q4_ddot * w16
-    w18 = w0 * w3
-    w19 = w15 / w4 + w14 * w18
-    w20 = rod_q4_ddot * w19
-    w21 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w22 = rod_q1 * rod_phi_cross_phi_2_0
-    w23 = (w1 * w6 - w17 * w18) * slider_mass
-    w24 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w25 = rod_q3 * rod_M_ff_2_3
-    w26 = rod_q4 * rod_M_ff_3_3
-    w27 = w26 + (c41 + w25)
-    w28 = rod_inertia + (rod_q1 * w7 + rod_q2 * w9 + rod_q3 * w12 + rod_q4 * w27)
-    w29 = rod_q1_ddot * rod_phi_cross_phi_0_3 + (w6 * (w25 + (w26 + w27)) - w17 * w28) + rod_q2_ddot * rod_phi_cross_phi_1_3
-    w30 = (w6 * w18 + rod_q4_ddot * w15) * slider_mass
-    w31 = w1 * w30
-    w32 = rod_q1_ddot * w13 - w6 * w28 + w21 * rod_q2_ddot - rod_q3_ddot * w22 - rod_q4_ddot * w24 - w18 * w30
-    w33 = (w4 * w6 + w18 * w20 - w1 * rod_q4_ddot) * slider_mass
-    w34 = w15 * w23 - w17 * w24 + (w5 * (w29 + (w18 * w23 + w31)) + w16 * w32) - w5 * (w20 * w24 + (w15 * w33 - w31) - (w19 * w32 - w5 * (w20 * w28 + (w18 * w33 + w4 * w30))))
+    w5 = ca.sin(rod_theta)
+    w6 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w7 = w5 * w6
+    w8 = w1 * w4 - w0 * w7
+    w9 = crank_theta_dot**2
+    w10 = w9 * (ca.sin(crank_theta) * crank_tip_x)
+    w11 = w2 * w6
+    w12 = (w8 - w10) / w11
+    w13 = w5 * rod_end_shape_0_3
+    w14 = w13 / w11
+    w15 = w12 + w14 * rod_q4_ddot
+    w16 = rod_theta_dot * -2.0
+    w17 = ca.cos(crank_theta) * crank_tip_x
+    w18 = w9 * w17
+    w19 = w18 * (w2 * rod_phi_integral_1_0) + w10 * (w5 * rod_phi_integral_1_0)
+    w20 = rod_q1 * rod_M_ff_0_0
+    w21 = w19 - w15 * (2 * w20) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
+    w22 = rod_q2 * rod_M_ff_1_1
+    w23 = w14 * (w16 * (rod_q2_dot * rod_M_ff_1_1) + (w15 * (2 * w22) + rod_q4_ddot * rod_phi_cross_phi_3_1))
+    w24 = w0 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w25 = w18 * (w5 * rod_phi_integral_0_2)
+    w26 = w10 * (w2 * rod_phi_integral_0_2)
+    w27 = rod_q3 * rod_M_ff_2_2
+    w28 = rod_q4 * rod_M_ff_2_3
+    w29 = rod_rho_dot_phi_2_0 + (w27 + w28)
+    w30 = rod_rho_dot_phi_2_0 + w29
+    w31 = w16 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w25 - w26 - w15 * (w28 + (w27 + w30)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w32 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w33 = w12 / w11
+    w34 = w3 * w5
+    w35 = w1 * w34 + w0 * w11
+    w36 = w2 * rod_end_shape_0_3
+    w37 = w14 / w11
+    w38 = w36 / w11 + w7 * w37
+    w39 = w7 * w33 - w35 / w11 + rod_q4_ddot * w38
+    w40 = w36 * w37
+    w41 = w0 * w13 / w11 + w33 * w36 + rod_q4_ddot * w40
+    w42 = rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3
+    w43 = (2 * w4 - w1 * w7) / w11
+    w44 = w17 * omega / w11
+    w45 = w44 / w11
+    w46 = w36 * w45 + rod_q4_dot * w40 + w14 * (w7 * w45 + rod_q4_dot * w38)
+    w47 = w14 * (w19 - w32 * w39) - (w15 * rod_phi_cross_phi_0_3 + w32 * w41) + (w1 * w20 + 2 * w42 + w32 * w43) * w46
+    w48 = rod_q4_dot * rod_phi_cross_phi_1_3
+    w49 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w50 = w46 * (w1 * w22 + 2 * w48 + w43 * w49) - (w15 * rod_phi_cross_phi_1_3 + w41 * w49 + w14 * (w39 * w49))
+    w51 = rod_q1 * rod_phi_cross_phi_2_0
+    w52 = rod_q1_dot * rod_phi_cross_phi_2_0
+    w53 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w54 = (w13 * w15 - w7 * w41 - w0 * w36) * slider_mass
+    w55 = w18 * (w5 * rod_phi_integral_0_3) - w10 * (w2 * rod_phi_integral_0_3)
+    w56 = rod_q3 * rod_M_ff_2_3
+    w57 = rod_q4 * rod_M_ff_3_3
+    w58 = rod_rho_dot_phi_3_0 + (w56 + w57)
+    w59 = rod_rho_dot_phi_3_0 + w58
+    w60 = rod_inertia + (rod_q1 * w20 + rod_q2 * w22 + rod_q3 * w30 + rod_q4 * w59)
+    w61 = w55 - (w15 * (w56 + (w57 + w59)) - w41 * w60) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w62 = (w7 * w15 - (w18 + w35) + rod_q4_ddot * w36) * slider_mass
+    w63 = w13 * w62
+    w64 = rod_q1_dot * w20 + rod_q2_dot * w22 + rod_q3_dot * w29 + rod_q4_dot * w58
+    w65 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w66 = rod_q1 * rod_phi_integral_1_0
+    w67 = w5 * w65 + w2 * w66
+    w68 = w2 * w65 - w5 * w66
+    w69 = w18 * w67 - w10 * w68 - w15 * w60 + rod_q1_ddot * w32 + w49 * rod_q2_ddot - rod_q3_ddot * w51 - rod_q4_ddot * w53
+    w70 = w16 * w64 - w69 + w7 * w62
+    w71 = w14 * (w16 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w61 + (w7 * w54 + w63)) - w40 * w70
+    w72 = (w11 * w15 + w7 * w39 - w8 - w13 * rod_q4_ddot) * slider_mass
+    w73 = w55 + w39 * w53 + (w36 * w72 - w63) + (w14 * (w7 * w72 + w11 * w62 - (w18 * w68 + w10 * w67 - w39 * w60)) + w38 * w70)
+    w74 = rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1
+    w75 = (w7 * w43 - (w1 * w11 + 2 * w34)) * slider_mass
+    w76 = w0 * rod_M_ff_3_3 - rod_K_ff_3_3 + w41 * w53 - w36 * w54 - w71 + w14 * w73 + w46 * (w1 * w58 + 2 * w74 - w43 * w53 - w36 * w75 - w14 * (w64 * -2.0 + w43 * w60 + w7 * w75))
+    w77 = w44 + rod_q4_dot * w14
+    w78 = 2 * -w77
+    w79 = w77 * -2.0
+    w80 = w14 * (2 * w77)
+    w81 = 2 * -w14
+    w82 = (w4 * w81 + w36 * w78 - w7 * w80) / w11
+    w83 = (w7 * w82 - (w11 * w80 + (w34 * w81 + w13 * w78))) * slider_mass
+    w84 = w58 * w80 + w74 * w81 - w53 * w82 - w36 * w83 - w14 * (w7 * w83 - (w64 * (w14 * -2.0) + w58 * w79 - w60 * w82))
     # outputs
-    dMa_dq_i = ca.SX(4, 4)
+    J_q = ca.vertcat(
+        ca.horzcat(w0 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w15 * c45, w47),  # rod.q1
+        ca.horzcat(0.0, w0 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0, w50),  # rod.q2
+        ca.horzcat(  # rod.q3
+            w15 * c38, 0.0, w0 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w24 + w41 * w51 + w14 * (w39 * w51 - (w26 - w25)) + w46 * (w1 * w29 + 2 * w52 - w43 * w51),
+        ),
+        ca.horzcat(  # rod.q4
+            -(w15 * rod_phi_cross_phi_3_0 + w14 * (w16 * (rod_q1_dot * rod_M_ff_0_0) - w21)),
+            -(w15 * rod_phi_cross_phi_3_1 + w23), w24 - w14 * w31, w76,
+        ),
+    )
+    J_v = ca.SX(4, 4)
     # rod.q1
-    dMa_dq_i[0, 2] = w6 * rod_phi_cross_phi_0_2
-    dMa_dq_i[0, 3] = w6 * rod_phi_cross_phi_0_3 + w13 * w17 + w5 * (w13 * w20)
+    J_v[0, 2] = w78 * rod_phi_cross_phi_0_2
+    J_v[0, 3] = w20 * w80 + (w42 * w81 + w78 * rod_phi_cross_phi_0_3) + w32 * w82
     # rod.q2
-    dMa_dq_i[1, 3] = w6 * rod_phi_cross_phi_1_3 + w17 * w21 + w5 * (w20 * w21)
+    J_v[1, 3] = w22 * w80 + (w48 * w81 + w78 * rod_phi_cross_phi_1_3) + w49 * w82
     # rod.q3
-    dMa_dq_i[2, 0] = w6 * rod_phi_cross_phi_2_0
-    dMa_dq_i[2, 3] = -(w17 * w22 + w5 * (w20 * w22))
+    J_v[2, 0] = w78 * rod_phi_cross_phi_2_0
+    J_v[2, 3] = w29 * w80 + w52 * w81 - w51 * w82
     # rod.q4
-    dMa_dq_i[3, 0] = w8
-    dMa_dq_i[3, 1] = w6 * rod_phi_cross_phi_3_1 + w5 * (w6 * (2 * w9) + rod_q4_ddot * rod_phi_cross_phi_3_1)
-    dMa_dq_i[3, 2] = w5 * (rod_q1_ddot * rod_phi_cross_phi_0_2 + w6 * (w11 + (w10 + w12)))
-    dMa_dq_i[3, 3] = w34
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v[3, 0] = w78 * rod_phi_cross_phi_3_0 + w14 * (w20 * w79)
+    J_v[3, 1] = w78 * rod_phi_cross_phi_3_1 + w14 * (w22 * w79)
+    J_v[3, 2] = w14 * (w29 * w79)
+    J_v[3, 3] = w84
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -1778,7 +1865,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

@@ -1332,24 +1332,33 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    451 operations.
+    gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    890 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
     c = ca.SX.sym("c", 43)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
     rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
     rod_q1_ddot = q_i_ddot[1]
     rod_q2_ddot = q_i_ddot[2]
@@ -1374,128 +1383,227 @@ def dMa_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
+    gravity_y = c[23]
+    c24 = c[24]
+    c26 = c[26]
+    c27 = c[27]
+    c28 = c[28]
+    c29 = c[29]
+    c30 = c[30]
     c36 = c[36]
     c37 = c[37]
-    # intermediate terms (102)
+    # intermediate terms (180)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c9
-    w3 = w2 + rod_q2 * c10
-    w4 = rod_q2 * c12
-    w5 = rod_q1 * c11 + w4
-    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w2 = rod_q1 * c6
+    w3 = rod_q2 * c7
+    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w5 = w1 * w4
+    w6 = w0 / w5
     w7 = ca.sin(rod_theta)
-    w8 = rod_q1 * c13
-    w9 = w1 * w6 - w7 * w8
-    w10 = ca.sin(crank_theta) * crank_tip_x
-    w11 = rod_q1 * c6
-    w12 = rod_q2 * c7
-    w13 = rod_length - (rod_q1 * w11 + rod_q2 * w12) * 0.5
-    w14 = w1 * w13
-    w15 = w10 / w14
-    w16 = crank_theta_ddot * w15
-    w17 = crank_theta_ddot * w10
-    w18 = w17 * c3
-    w19 = w0 * crank_theta_ddot
-    w20 = w19 * c3
-    w21 = w7 * w11
-    w22 = w21 / w14
-    w23 = w0 / w14
-    w24 = w7 * w12
-    w25 = w24 / w14
-    w26 = w22 * rod_q1_ddot - crank_theta_ddot * w23 + w25 * rod_q2_ddot
-    w27 = w9 * w26
-    w28 = w1 * c13
-    w29 = w28 - w3 * w7
-    w30 = rod_q1_ddot * w29
-    w31 = w5 * w7
-    w32 = rod_q2_ddot * w31
-    w33 = w6 * w7 + w1 * w8
-    w34 = w7 * w13
-    w35 = (w19 + w16 * w34) * slider_mass
-    w36 = w26 * w33
-    w37 = w7 * c13
-    w38 = w1 * w3 + w37
-    w39 = rod_q1_ddot * w38
-    w40 = w1 * w5
-    w41 = rod_q2_ddot * w40
-    w42 = w1 * w11
-    w43 = w1 * w12
-    w44 = (w17 + w26 * w34 + rod_q1_ddot * w42 + rod_q2_ddot * w43) * slider_mass
-    w45 = w0 * (w9 * w16 - w18) - w10 * (w20 + w27 + w30 - w32) + (w10 * (w20 + w16 * w33 + w35) + w0 * (w18 + w36 + w39 + w41 + w44))
-    w46 = w19 * w33
-    w47 = w9 * w17
-    w48 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w49 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w50 = c14 + (rod_q1 * w48 + rod_q2 * w49)
-    w51 = w46 - w47 + w16 * w50 + w34 * w35
-    w52 = w17 * w33 + w9 * w19 + w26 * w50 + rod_q1_ddot * c21 + rod_q2_ddot * c22 + w34 * w44
-    w53 = w22 / w14
-    w54 = w42 / w14 + w34 * w53
-    w55 = w23 / w14
-    w56 = w34 * w55
-    w57 = w25 / w14
-    w58 = w43 / w14 + w34 * w57
-    w59 = rod_q1_ddot * w54 - crank_theta_ddot * w56 + rod_q2_ddot * w58
-    w60 = (w14 * w26 + w34 * w59 - w21 * rod_q1_ddot - w24 * rod_q2_ddot) * slider_mass
-    w61 = w47 - w46 + w50 * w59 + (w34 * w60 + w14 * w44)
-    w62 = w0 * (w9 * w59 - w36 - w39 - w41) + w10 * (w30 + (w27 + w33 * w59) - w32 + w60) - (w23 * w61 + w52 * w56)
-    w63 = w19 * w38
-    w64 = w17 * w29
-    w65 = w21 * w44
-    w66 = w64 - w63 + w59 * c21 + (w42 * w60 - w65) + (w22 * w61 + w52 * w54)
-    w67 = w19 * w40 + w17 * w31
-    w68 = w24 * w44
-    w69 = w59 * c22 - w67 + (w43 * w60 - w68) + (w25 * w61 + w52 * w58)
-    w70 = w7 * c6 / w14 + w42 * w53
-    w71 = w42 * w55
-    w72 = w42 * w57
-    w73 = rod_q1_ddot * w70 - crank_theta_ddot * w71 + rod_q2_ddot * w72
-    w74 = (w2 + w3 + rod_q2 * c11) * 0.5
-    w75 = w37 + w1 * w74
-    w76 = w7 * c9
-    w77 = w7 * c11
-    w78 = w28 - w7 * w74
-    w79 = w1 * c9
-    w80 = w1 * c11
-    w81 = w1 * c6
-    w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * slider_mass
-    w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
-    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c36 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
-    w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
-    w86 = w43 * w53
-    w87 = w43 * w55
-    w88 = w7 * c7 / w14 + w43 * w57
-    w89 = rod_q1_ddot * w86 - crank_theta_ddot * w87 + rod_q2_ddot * w88
-    w90 = (rod_q1 * c10 + (w4 + w5)) * 0.5
-    w91 = w1 * w90
-    w92 = w7 * c10
-    w93 = w7 * c12
-    w94 = w7 * w90
-    w95 = w1 * c10
-    w96 = w1 * c12
-    w97 = w1 * c7
-    w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * slider_mass
-    w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
-    w100 = w26 * (w49 + rod_q2 * c37 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
-    w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
+    w8 = rod_q1 * c9
+    w9 = w8 + rod_q2 * c10
+    w10 = rod_q2 * c12
+    w11 = rod_q1 * c11 + w10
+    w12 = c8 - (rod_q1 * w9 + rod_q2 * w11) * 0.5
+    w13 = rod_q1 * c13
+    w14 = w7 * w12 + w1 * w13
+    w15 = crank_theta_dot**2
+    w16 = ca.sin(crank_theta)
+    w17 = w16 * crank_tip_x
+    w18 = w15 * w17
+    w19 = w0 * crank_theta_ddot - w18
+    w20 = w14 * w19
+    w21 = w1 * w12 - w7 * w13
+    w22 = w0 * w15
+    w23 = crank_theta_ddot * w17 + w22
+    w24 = w21 * w23
+    w25 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w26 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w27 = c14 + (rod_q1 * w25 + rod_q2 * w26)
+    w28 = w17 / w5
+    w29 = w22 / w5 + crank_theta_ddot * w28
+    w30 = w4 * w7
+    w31 = (w19 + w29 * w30) * slider_mass
+    w32 = w20 - w24 + w27 * w29 + w30 * w31
+    w33 = rod_theta_dot * -2.0
+    w34 = w25 * rod_q1_dot + w26 * rod_q2_dot
+    w35 = rod_q1_dot * c6
+    w36 = rod_q2_dot * c7
+    w37 = rod_q1_dot * w35 + rod_q2_dot * w36
+    w38 = w7 * w37
+    w39 = 2 * rod_theta_dot
+    w40 = w2 * rod_q1_dot + w3 * rod_q2_dot
+    w41 = w1 * w40
+    w42 = w39 * w41
+    w43 = rod_theta_dot**2
+    w44 = w30 * w43
+    w45 = (w18 + (w38 + w42 + w44)) / w5
+    w46 = w2 * w7
+    w47 = w46 / w5
+    w48 = w3 * w7
+    w49 = w48 / w5
+    w50 = w45 - w6 * crank_theta_ddot + w47 * rod_q1_ddot + w49 * rod_q2_ddot
+    w51 = w33 * w34 + w21 * gravity_y - (w14 * w23 + w19 * w21 + w27 * w50 + rod_q1_ddot * c21 + rod_q2_ddot * c22)
+    w52 = w7 * w40
+    w53 = w39 * w52
+    w54 = w1 * w37
+    w55 = w5 * w43
+    w56 = w1 * w2
+    w57 = w1 * w3
+    w58 = (w53 - (w54 + w55) - w23 - w30 * w50 - rod_q1_ddot * w56 - rod_q2_ddot * w57) * slider_mass
+    w59 = w51 + w30 * w58
+    w60 = w23 * c3
+    w61 = w14 * w43
+    w62 = rod_q1_dot * c9
+    w63 = w62 + rod_q2_dot * c10
+    w64 = rod_q2_dot * c12
+    w65 = rod_q1_dot * c11 + w64
+    w66 = rod_q1_dot * w63 + rod_q2_dot * w65
+    w67 = w7 * w66
+    w68 = w9 * rod_q1_dot + w11 * rod_q2_dot
+    w69 = rod_q1_dot * c13
+    w70 = w1 * w68 + w7 * w69
+    w71 = w39 * w70
+    w72 = w19 * c3
+    w73 = w21 * w50
+    w74 = w1 * c13
+    w75 = w74 - w7 * w9
+    w76 = rod_q1_ddot * w75
+    w77 = w7 * w11
+    w78 = rod_q2_ddot * w77
+    w79 = w21 * w43
+    w80 = w1 * w69 - w7 * w68
+    w81 = w39 * w80
+    w82 = w1 * w66
+    w83 = w14 * w50
+    w84 = w7 * c13
+    w85 = w1 * w9 + w84
+    w86 = rod_q1_ddot * w85
+    w87 = w1 * w11
+    w88 = rod_q2_ddot * w87
+    w89 = w16 * c24 + (w0 * (w21 * w29 - w60) + w17 * (c26 + (w61 + w67 + w71) - (w72 + w73 + w76 - w78))) + (w17 * (w31 + (w72 + w14 * w29)) + w0 * (w79 + w81 + w82 + (w60 + w83 + w86 + w88) - w58))
+    w90 = w45 / w5
+    w91 = w6 / w5
+    w92 = w30 * w91
+    w93 = w47 / w5
+    w94 = w56 / w5 + w30 * w93
+    w95 = w49 / w5
+    w96 = w57 / w5 + w30 * w95
+    w97 = (w55 + (w54 - w53)) / w5 + w30 * w90 - crank_theta_ddot * w92 + rod_q1_ddot * w94 + rod_q2_ddot * w96
+    w98 = (w42 + (w38 + w44) - (w5 * w50 + w30 * w97) + w46 * rod_q1_ddot + w48 * rod_q2_ddot) * slider_mass
+    w99 = w0 * (w81 + (w79 + w82) - (w21 * w97 - w83 - w86 - w88)) - w17 * (w76 + (w73 + w14 * w97) - w78 - (w67 + (w61 + w71)) - w98)
+    w100 = w30 * w98 + w5 * w58 - (w14 * gravity_y + (w24 - w20 + w27 * w97))
+    w101 = w99 - (w6 * w100 + w59 * w92)
+    w102 = (2 * w41 + w30 * w39) / w5
+    w103 = (2 * w52 - w5 * w39 - w30 * w102) * slider_mass
+    w104 = w34 * -2.0 - w27 * w102 + w30 * w103
+    w105 = w0 * (w14 * w39 + 2 * w70 - w21 * w102) - w17 * (w21 * w39 + 2 * w80 + w14 * w102 - w103) - w6 * w104
+    w106 = rod_q1_dot * w94 - crank_theta_dot * w92 + rod_q2_dot * w96
+    w107 = crank_theta_dot * w28 - w6 * w106
+    w108 = w25 * w39 - w102 * c21 + w56 * w103 + w47 * w104
+    w109 = w19 * w85
+    w110 = w23 * w75
+    w111 = w46 * w58
+    w112 = w56 * w98 - w111 - (w85 * gravity_y + (w110 - w109 + w97 * c21)) + (w47 * w100 + w59 * w94)
+    w113 = w26 * w39 - w102 * c22 + w57 * w103 + w49 * w104
+    w114 = w19 * w87 + w23 * w77
+    w115 = w48 * w58
+    w116 = w57 * w98 - w115 - (w87 * gravity_y + (w97 * c22 - w114)) + (w49 * w100 + w59 * w96)
+    w117 = (w8 + w9 + rod_q2 * c11) * 0.5
+    w118 = w74 - w7 * w117
+    w119 = rod_q2_dot * c11
+    w120 = w62 + w119
+    w121 = w56 * w91
+    w122 = w7 * c6 / w5 + w56 * w93
+    w123 = w56 * w95
+    w124 = (w39 * (w1 * w35) - w43 * w46) / w5 + w56 * w90 - crank_theta_ddot * w121 + rod_q1_ddot * w122 + rod_q2_ddot * w123
+    w125 = w84 + w1 * w117
+    w126 = w7 * c9
+    w127 = w7 * c11
+    w128 = w43 * w118 + w39 * (w1 * w120) - (w21 * w124 - w50 * w125 - rod_q1_ddot * w126 - rod_q2_ddot * w127)
+    w129 = w1 * c9
+    w130 = w1 * c11
+    w131 = w50 * w118 + w14 * w124 + rod_q1_ddot * w129 + rod_q2_ddot * w130 - (w43 * w125 + w39 * (w7 * w120))
+    w132 = w1 * c6
+    w133 = (w39 * (w7 * w35) + w43 * w56 - (w30 * w124 - w46 * w50) - rod_q1_ddot * w132) * slider_mass
+    w134 = w33 * (rod_q1_dot * c36 - rod_q2_dot * c19) - w125 * gravity_y - (w23 * w118 - w19 * w125 + (w50 * (w25 + rod_q1 * c36 - rod_q2 * c19) + w27 * w124))
+    w135 = w134 + (w30 * w133 - w111)
+    w136 = rod_q1_dot * w122 - crank_theta_dot * w121 + rod_q2_dot * w123 + w47 * w106
+    w137 = w43 * c36 - c27 - w126 * gravity_y - (w23 * w129 - w19 * w126 + w124 * c21) + (w56 * w133 + w58 * w132)
+    w138 = w57 * w133 - (w43 * c19 + w127 * gravity_y + (w23 * w130 - w19 * w127 + w124 * c22)) + (w49 * w135 + w59 * w123)
+    w139 = rod_q1_dot * c10
+    w140 = w64 + w139
+    w141 = (rod_q1 * c10 + (w10 + w11)) * 0.5
+    w142 = w7 * w141
+    w143 = w57 * w91
+    w144 = w57 * w93
+    w145 = w7 * c7 / w5 + w57 * w95
+    w146 = (w39 * (w1 * w36) - w43 * w48) / w5 + w57 * w90 - crank_theta_ddot * w143 + rod_q1_ddot * w144 + rod_q2_ddot * w145
+    w147 = w1 * w141
+    w148 = w7 * c10
+    w149 = w7 * c12
+    w150 = w39 * (w1 * w140) - w43 * w142 - (w21 * w146 - w50 * w147 - rod_q1_ddot * w148 - rod_q2_ddot * w149)
+    w151 = w1 * c10
+    w152 = w1 * c12
+    w153 = w14 * w146 - w50 * w142 + rod_q1_ddot * w151 + rod_q2_ddot * w152 - (w43 * w147 + w39 * (w7 * w140))
+    w154 = w1 * c7
+    w155 = (w39 * (w7 * w36) + w43 * w57 - (w30 * w146 - w48 * w50) - rod_q2_ddot * w154) * slider_mass
+    w156 = w33 * (rod_q2_dot * c37 - rod_q1_dot * c17) - w147 * gravity_y - (w50 * (w26 + rod_q2 * c37 - rod_q1 * c17) + w27 * w146 - (w23 * w142 + w19 * w147))
+    w157 = w156 + (w30 * w155 - w115)
+    w158 = rod_q1_dot * w144 - crank_theta_dot * w143 + rod_q2_dot * w145 + w49 * w106
+    w159 = w56 * w155 - (w43 * c17 + w148 * gravity_y + (w23 * w151 - w19 * w148 + w146 * c21)) + (w47 * w157 + w59 * w144)
+    w160 = w43 * c37 - c29 - w149 * gravity_y - (w23 * w152 - w19 * w149 + w146 * c22) + (w57 * w155 + w58 * w154)
+    w161 = 2 * crank_theta_dot
+    w162 = w0 * w161
+    w163 = w17 * w161
+    w164 = w163 / w5
+    w165 = (w162 + w30 * w164) * slider_mass
+    w166 = w14 * w162 - w21 * w163 + w27 * w164 + w30 * w165
+    w167 = w6 * w166 - (w0 * (w21 * w164 - w163 * c3) + w17 * (w165 + (w162 * c3 + w14 * w164))) - w6 * w105
+    w168 = w119 + (w62 + w63)
+    w169 = 2 * w35
+    w170 = (w7 * w169 + w39 * w56) / w5
+    w171 = (w39 * w46 - w1 * w169 - w30 * w170) * slider_mass
+    w172 = w25 * w33 - w27 * w170 + w30 * w171
+    w173 = w0 * (w7 * w168 + w39 * w85 - w21 * w170) - w17 * (w39 * w75 + w1 * w168 + w14 * w170 - w171) - w6 * w172
+    w174 = w139 + (w64 + w65)
+    w175 = 2 * w36
+    w176 = (w7 * w175 + w39 * w57) / w5
+    w177 = (w39 * w48 - w1 * w175 - w30 * w176) * slider_mass
+    w178 = w26 * w33 - w27 * w176 + w30 * w177
+    w179 = w0 * (w7 * w174 + w39 * w87 - w21 * w176) - w17 * (w1 * w174 - w39 * w77 + w14 * w176 - w177) - w6 * w178
     # outputs
-    dMa_dq_i = ca.vertcat(
+    J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w45 - (w23 * w51 - w15 * w52) - w23 * w62, w83 - (w23 * w84 + w52 * w71) + w22 * w62,
-            w99 - (w23 * w100 + w52 * w87) + w25 * w62,
+            w6 * w32 + w28 * w59 - w89 - w6 * w101 + w105 * w107,
+            w0 * w128 - w17 * (w131 - w133) - (w6 * w135 + w59 * w121) + w47 * w101 + w105 * w136,
+            w0 * w150 - w17 * (w153 - w155) - (w6 * w157 + w59 * w143) + w49 * w101 + w105 * w158,
         ),
         ca.horzcat(  # rod.q1
-            w63 - w64 + w16 * c21 + w35 * w42 + w22 * w51 - w23 * w66, w85,
-            w17 * w95 - w19 * w92 + w89 * c21 + w42 * w98 + (w22 * w100 + w52 * w86) + w25 * w66,
+            w107 * w108 - (w109 - w110 + w29 * c21 + w31 * w56 + w32 * w47 + w6 * w112),
+            w137 + (w47 * w135 + w59 * w122) + w47 * w112 + w108 * w136, w159 + w49 * w112 + w108 * w158,
         ),
         ca.horzcat(  # rod.q2
-            w67 + w16 * c22 + w35 * w43 + w25 * w51 - w23 * w69,
-            w17 * w80 - w19 * w77 + w73 * c22 + w43 * w82 + (w25 * w84 + w52 * w72) + w22 * w69, w101,
+            w107 * w113 - (w114 + w29 * c22 + w31 * w57 + w32 * w49 + w6 * w116), w138 + w47 * w116 + w113 * w136,
+            w160 + (w49 * w157 + w59 * w145) + w49 * w116 + w113 * w158,
         ),
     )
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(w167, w173 + w47 * w105, w179 + w49 * w105),  # crank.theta
+        ca.horzcat(  # rod.q1
+            -(w85 * w162 - w75 * w163 + w164 * c21 + w56 * w165 + w47 * w166 + w6 * w108),
+            w56 * w171 - (c28 + w170 * c21) + w47 * w172 + w47 * w108,
+            w56 * w177 - w176 * c21 + w47 * w178 + w49 * w108,
+        ),
+        ca.horzcat(  # rod.q2
+            -(w87 * w162 + w77 * w163 + w164 * c22 + w57 * w165 + w49 * w166 + w6 * w113),
+            w57 * w171 - w170 * c22 + w49 * w172 + w47 * w113,
+            w57 * w177 - (c30 + w176 * c22) + w49 * w178 + w49 * w113,
+        ),
+    )
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -2142,7 +2250,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

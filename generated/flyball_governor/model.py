@@ -21,8 +21,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 44) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
-    334 operations.
+    gives c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    309 operations.
     """
     p = ca.SX.sym("p", 44)
     gravity_z = p[0]
@@ -67,7 +67,7 @@ def constants() -> ca.Function:
     left_spring_stiffness = p[39]
     left_spring_damping = p[40]
     left_spring_free_length = p[41]
-    # intermediate terms (53)
+    # intermediate terms (51)
     w0 = (left_rod_inertia_xx + left_rod_inertia_yy + left_rod_inertia_zz) / 2.0
     w1 = w0 - left_rod_inertia_xx + left_rod_mass * left_rod_center_of_mass_x**2
     w2 = w0 - left_rod_inertia_zz
@@ -119,8 +119,6 @@ def constants() -> ca.Function:
     w48 = w1 + w16
     w49 = -4.0 * w48
     w50 = -4.0 * w20
-    w51 = 2 * right_rod_inertia_xx + -2.0 * right_rod_inertia_zz + right_rod_center_of_mass_x * (right_rod_center_of_mass_x * (-2.0 * right_rod_mass))
-    w52 = 2 * left_rod_inertia_xx + -2.0 * left_rod_inertia_zz + left_rod_center_of_mass_x * (left_rod_center_of_mass_x * (-2.0 * left_rod_mass))
     # outputs
     c = ca.vertcat(
         w1,  # c0
@@ -229,10 +227,6 @@ def constants() -> ca.Function:
         2 * right_spring_damping,  # c103
         2 * left_spring_damping,  # c104
         2.0,  # c105
-        shaft_right_x * (right_rod_center_of_mass_x * (2 * right_rod_mass)),  # c106
-        w51,  # c107
-        shaft_left_x * (left_rod_center_of_mass_x * (2 * left_rod_mass)),  # c108
-        w52,  # c109
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -243,14 +237,14 @@ def condensed() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 4 x 4) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 4) [N, N m]: condensed force S^T (Q* - M s)
     195 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -347,12 +341,12 @@ def closure() -> ca.Function:
     """One Newton step on the loop unknowns, then q_d; C_loop before the step (Eq. 31).
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 28) [mixed]: dependent coordinates after one Newton step
     98 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -433,14 +427,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 28) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     354 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_d = ca.SX.sym("q_d", 28)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -578,7 +572,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 28) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 28) [mixed]: accelerations of the dependent coordinates
     659 operations.
     """
@@ -587,7 +581,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_d_dot = ca.SX.sym("q_d_dot", 28)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     spin_angle = q_i[0]
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
@@ -791,7 +785,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 28) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 28 x 32) [SI]: constraint Jacobian
     gives C_t (n_c = 28) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -801,7 +795,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_z = q[2]
@@ -1212,7 +1206,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 32 x 32) [SI]: mass matrix in all coordinates
     gives K (n x n = 32 x 32) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 32) [N, N m]: quadratic velocity force in all coordinates
@@ -1224,7 +1218,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -2323,7 +2317,7 @@ def reactions() -> ca.Function:
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
     takes q_ddot (n = 32) [mixed]: accelerations of all coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 28) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     2177 operations.
@@ -2331,7 +2325,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
     q_ddot = ca.SX.sym("q_ddot", 32)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     shaft_e0 = q[3]
     shaft_e1 = q[4]
     shaft_e2 = q[5]
@@ -3034,7 +3028,7 @@ def energy() -> ca.Function:
 
     takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 32) [mixed]: rates of all coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -3044,7 +3038,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 32)
     q_dot = ca.SX.sym("q_dot", 32)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     shaft_z = q[2]
     shaft_e0 = q[3]
     shaft_e1 = q[4]
@@ -3510,13 +3504,13 @@ def dQ_hat_dq_i() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i, through q_d
     326 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3642,13 +3636,13 @@ def dQ_hat_dq_i_dot() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     178 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3725,35 +3719,177 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 4 x 4) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    40 operations.
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 4 x 4) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 4 x 4) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    466 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
+    q_i_dot = ca.SX.sym("q_i_dot", 4)
     q_i_ddot = ca.SX.sym("q_i_ddot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
+    height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
+    spin_angle_dot = q_i_dot[0]
+    height_travel_dot = q_i_dot[1]
+    right_swing_angle_dot = q_i_dot[2]
+    left_swing_angle_dot = q_i_dot[3]
     spin_angle_ddot = q_i_ddot[0]
-    c106 = c[106]
-    c107 = c[107]
-    c108 = c[108]
-    c109 = c[109]
-    # intermediate terms (2)
+    c0 = c[0]
+    c1 = c[1]
+    shaft_left_x = c[3]
+    c4 = c[4]
+    c5 = c[5]
+    c7 = c[7]
+    c8 = c[8]
+    shaft_right_x = c[10]
+    c11 = c[11]
+    c12 = c[12]
+    gravity_z = c[18]
+    right_spring_free_length = c[20]
+    slider_right_x = c[21]
+    right_rod_middle_x = c[22]
+    shaft_right_z = c[23]
+    right_spring_stiffness = c[24]
+    right_spring_damping = c[25]
+    left_spring_free_length = c[26]
+    slider_left_x = c[27]
+    left_rod_middle_x = c[28]
+    shaft_left_z = c[29]
+    left_spring_stiffness = c[30]
+    left_spring_damping = c[31]
+    c105 = c[105]
+    # intermediate terms (91)
     w0 = ca.sin(right_swing_angle)
-    w1 = ca.sin(left_swing_angle)
+    w1 = w0 * right_rod_middle_x
+    w2 = height_travel - (shaft_right_z - w1)
+    w3 = ca.cos(right_swing_angle)
+    w4 = w3 * right_rod_middle_x
+    w5 = slider_right_x - (shaft_right_x + w4)
+    w6 = w5**2 + w2**2
+    w7 = ca.sqrt(w6)
+    w8 = right_spring_free_length / w7
+    w9 = w8 / w7
+    w10 = w9 * (w2 / w7)
+    w11 = 1.0 - w8
+    w12 = w4 * right_swing_angle_dot
+    w13 = height_travel_dot + w12
+    w14 = w13 * right_spring_damping
+    w15 = w1 * right_swing_angle_dot
+    w16 = (w5 * w15 + w2 * w13) * right_spring_damping
+    w17 = w2 * w16 / w6
+    w18 = w17 / w6
+    w19 = 2 * w2
+    w20 = (w2 * w10 + w11) * right_spring_stiffness + ((w2 * w14 + w16) / w6 - w18 * w19)
+    w21 = ca.sin(left_swing_angle)
+    w22 = w21 * left_rod_middle_x
+    w23 = height_travel - (shaft_left_z - w22)
+    w24 = ca.cos(left_swing_angle)
+    w25 = w24 * left_rod_middle_x
+    w26 = slider_left_x - (shaft_left_x - w25)
+    w27 = w26**2 + w23**2
+    w28 = ca.sqrt(w27)
+    w29 = left_spring_free_length / w28
+    w30 = w29 / w28
+    w31 = w30 * (w23 / w28)
+    w32 = 1.0 - w29
+    w33 = w25 * left_swing_angle_dot
+    w34 = height_travel_dot + w33
+    w35 = w34 * left_spring_damping
+    w36 = w22 * left_swing_angle_dot
+    w37 = (w23 * w34 - w26 * w36) * left_spring_damping
+    w38 = w23 * w37 / w27
+    w39 = w38 / w27
+    w40 = 2 * w23
+    w41 = (w23 * w31 + w32) * left_spring_stiffness + ((w23 * w35 + w37) / w27 - w39 * w40)
+    w42 = w5 * w16 / w6
+    w43 = w42 / w6
+    w44 = w26 * w37 / w27
+    w45 = w44 / w27
+    w46 = w3 * spin_angle_dot
+    w47 = right_swing_angle_dot * w46
+    w48 = w47 + (w47 + w0 * spin_angle_ddot)
+    w49 = w0 * spin_angle_dot
+    w50 = right_swing_angle_dot * w49
+    w51 = w3 * spin_angle_ddot
+    w52 = w3 * (w48 * c7) - w0 * ((w50 + (w50 - w51)) * c7 - spin_angle_ddot * c12) - (w3 * (w48 * c8) + w0 * ((w51 - w50 - w50) * c8))
+    w53 = w1 * (2 * w5) + w4 * w19
+    w54 = w9 * (w53 / (2 * w7))
+    w55 = (w5 * w12 + w1 * w15 + (w4 * w13 - w2 * w15)) * right_spring_damping
+    w56 = (w2 * w54 + w4 * w11) * right_spring_stiffness + ((w2 * w55 + w4 * w16) / w6 - w18 * w53)
+    w57 = w1 * ((w5 * w54 + w1 * w11) * right_spring_stiffness + ((w5 * w55 + w1 * w16) / w6 - w43 * w53)) + w4 * (w42 + w5 * w11 * right_spring_stiffness)
+    w58 = spin_angle_dot**2
+    w59 = w46**2 - w49**2
+    w60 = w57 + (w4 * w56 - w1 * (w17 + w2 * w11 * right_spring_stiffness)) + ((w3 * (w58 * shaft_right_x) - w0 * gravity_z) * c11 + (w59 * c7 - w59 * c8))
+    w61 = w24 * spin_angle_dot
+    w62 = left_swing_angle_dot * w61
+    w63 = w62 + (w62 + w21 * spin_angle_ddot)
+    w64 = w24 * spin_angle_ddot
+    w65 = w21 * spin_angle_dot
+    w66 = left_swing_angle_dot * w65
+    w67 = w24 * (w63 * c1) + w21 * ((w64 - w66 - w66) * c1) - (w24 * (w63 * c0) - w21 * (spin_angle_ddot * c5 + (w66 + (w66 - w64)) * c0))
+    w68 = w25 * w40 - w22 * (2 * w26)
+    w69 = w30 * (w68 / (2 * w28))
+    w70 = (w25 * w34 - w23 * w36 - (w26 * w33 - w22 * w36)) * left_spring_damping
+    w71 = (w23 * w69 + w25 * w32) * left_spring_stiffness + ((w23 * w70 + w25 * w37) / w27 - w39 * w68)
+    w72 = w22 * ((w26 * w69 - w22 * w32) * left_spring_stiffness + ((w26 * w70 - w22 * w37) / w27 - w45 * w68))
+    w73 = w72 + w25 * (w44 + w26 * w32 * left_spring_stiffness) - (w25 * w71 - w22 * (w38 + w23 * w32 * left_spring_stiffness))
+    w74 = w61**2 - w65**2
+    w75 = 2 * (w21 * left_swing_angle_dot)
+    w76 = 2 * (w0 * right_swing_angle_dot)
+    w77 = w21 * (2 * (w24 * left_swing_angle_dot) * c1) - w24 * (w75 * c0) + w75 * c5 - (w3 * (w76 * c7) - w0 * (2 * (w3 * right_swing_angle_dot) * c8) + w76 * c12)
+    w78 = 2 * spin_angle_dot
+    w79 = spin_angle_dot * (w0 * w3) * c105
+    w80 = spin_angle_dot * (w21 * w24) * c105
+    w81 = w2 * right_spring_damping
+    w82 = w2 * w81 / w6
+    w83 = w23 * left_spring_damping
+    w84 = w23 * w83 / w27
+    w85 = 2 * w49
+    w86 = (w1 * w5 + w2 * w4) * right_spring_damping
+    w87 = w2 * w86 / w6
+    w88 = 2 * w65
+    w89 = (w23 * w25 - w22 * w26) * left_spring_damping
+    w90 = w23 * w89 / w27
     # outputs
-    dMa_dq_i = ca.SX(4, 4)
+    J_q = ca.SX(4, 4)
     # spin.angle
-    dMa_dq_i[0, 2] = spin_angle_ddot * (w0 * ca.cos(right_swing_angle) * c107) - spin_angle_ddot * (w0 * c106)
-    dMa_dq_i[0, 3] = spin_angle_ddot * (w1 * c108) + spin_angle_ddot * (w1 * ca.cos(left_swing_angle) * c109)
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q[0, 2] = w52 + w48 * c12
+    J_q[0, 3] = -(w67 + w63 * c5)
+    # height.travel
+    J_q[1, 1] = -(w20 + w41)
+    J_q[1, 2] = -w56
+    J_q[1, 3] = -w71
+    # right_swing.angle
+    J_q[2, 1] = -(w1 * (w5 * w10 * right_spring_stiffness + (w5 * w14 / w6 - w19 * w43)) + w4 * w20)
+    J_q[2, 2] = -w60
+    # left_swing.angle
+    J_q[3, 1] = w22 * (w26 * w31 * left_spring_stiffness + (w26 * w35 / w27 - w40 * w45)) - w25 * w41
+    J_q[3, 3] = w73 - (w74 * c0 - w74 * c1 - (w21 * gravity_z + w24 * (w58 * shaft_left_x)) * c4)
+    J_v = ca.vertcat(
+        ca.horzcat(  # spin.angle
+            -w77, 0.0, w3 * (w85 * c7) - w0 * (2 * w46 * c8) + w85 * c12,
+            -(w21 * (2 * w61 * c1) - w24 * (w88 * c0) + w88 * c5),
+        ),
+        ca.horzcat(0.0, -(w82 + w84), -w87, -w90),  # height.travel
+        ca.horzcat(  # right_swing.angle
+            -(w0 * (w78 * shaft_right_x) * c11 + (w79 * c7 - w79 * c8)), -(w1 * (w5 * w81 / w6) + w4 * w82),
+            -(w1 * (w5 * w86 / w6) + w4 * w87), 0.0,
+        ),
+        ca.horzcat(  # left_swing.angle
+            -(w80 * c0 - w80 * c1 - w21 * (w78 * shaft_left_x) * c4), w22 * (w26 * w83 / w27) - w25 * w84, 0.0,
+            w22 * (w26 * w89 / w27) - w25 * w90,
+        ),
+    )
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -3761,13 +3897,13 @@ def forward_dynamics() -> ca.Function:
 
     takes q_i (n_i = 4) [mixed]: independent coordinates, in the order of the partition
     takes q_i_dot (n_i = 4) [mixed]: rates of the independent coordinates
-    takes c (n_const = 110) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 4) [mixed]: accelerations of the independent coordinates
     182 operations.
     """
     q_i = ca.SX.sym("q_i", 4)
     q_i_dot = ca.SX.sym("q_i_dot", 4)
-    c = ca.SX.sym("c", 110)
+    c = ca.SX.sym("c", 106)
     height_travel = q_i[1]
     right_swing_angle = q_i[2]
     left_swing_angle = q_i[3]
@@ -3939,7 +4075,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 15) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
-    76 operations.
+    gives c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    74 operations.
     """
     p = ca.SX.sym("p", 15)
     gravity_y = p[0]
@@ -36,13 +36,12 @@ def constants() -> ca.Function:
     rocker_tip_x = p[12]
     ground_right_x = p[13]
     motor_value = p[14]
-    # intermediate terms (6)
+    # intermediate terms (5)
     w0 = crank_inertia + crank_mass * crank_center_of_mass_x**2
     w1 = crank_tip_x * coupler_mass
-    w2 = rocker_inertia + rocker_mass * rocker_center_of_mass_x**2
-    w3 = coupler_mass * coupler_center_of_mass_x
-    w4 = crank_mass * crank_center_of_mass_x
-    w5 = rocker_mass * rocker_center_of_mass_x
+    w2 = coupler_mass * coupler_center_of_mass_x
+    w3 = crank_mass * crank_center_of_mass_x
+    w4 = rocker_mass * rocker_center_of_mass_x
     # outputs
     c = ca.vertcat(
         crank_tip_x,  # crank_tip_x
@@ -50,29 +49,28 @@ def constants() -> ca.Function:
         w0 + crank_tip_x * w1,  # c2
         coupler_tip_x,  # coupler_tip_x
         rocker_tip_x,  # rocker_tip_x
-        w2,  # c5
-        w3,  # c6
+        rocker_inertia + rocker_mass * rocker_center_of_mass_x**2,  # c5
+        w2,  # c6
         coupler_inertia + coupler_mass * coupler_center_of_mass_x**2,  # c7
         gravity_y,  # gravity_y
-        w4 * gravity_y,  # c9
+        w3 * gravity_y,  # c9
         motor_value,  # motor_value
         coupler_mass * gravity_y,  # c11
-        gravity_y * w5,  # c12
+        gravity_y * w4,  # c12
         ground_right_x,  # ground_right_x
         crank_mass,  # crank_mass
         w0,  # c15
         rocker_mass,  # rocker_mass
-        w4,  # c17
-        w5,  # c18
+        w3,  # c17
+        w4,  # c18
         crank_mass * gravity_y,  # c19
         rocker_mass * gravity_y,  # c20
         coupler_tip_x * (2 * coupler_tip_x),  # c21
         rocker_tip_x * (2 * rocker_tip_x),  # c22
-        coupler_inertia + coupler_center_of_mass_x * w3,  # c23
-        rocker_inertia + rocker_center_of_mass_x * w5,  # c24
+        coupler_inertia + coupler_center_of_mass_x * w2,  # c23
+        rocker_inertia + rocker_center_of_mass_x * w4,  # c24
         coupler_center_of_mass_x * (coupler_mass * (2 * crank_tip_x)),  # c25
         w1 * coupler_center_of_mass_x,  # c26
-        w2 + w2,  # c27
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -85,7 +83,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     110 operations.
@@ -94,7 +92,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -153,7 +151,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 2) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -161,7 +159,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -198,14 +196,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     44 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -239,7 +237,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     72 operations.
     """
@@ -248,7 +246,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -289,7 +287,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -299,7 +297,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -380,7 +378,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -392,7 +390,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -558,7 +556,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     141 operations.
@@ -566,7 +564,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q[2]
     coupler_theta = q[5]
     rocker_theta = q[8]
@@ -651,7 +649,7 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -661,7 +659,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_y = q[1]
     crank_theta = q[2]
     coupler_y = q[4]
@@ -770,7 +768,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     276 operations.
     """
@@ -778,7 +776,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -874,14 +872,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     78 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
@@ -919,72 +917,128 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 28) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    130 operations.
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    347 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 1)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 28)
+    c = ca.SX.sym("c", 27)
     crank_theta = q_i[0]
     coupler_theta = q_d[4]
     rocker_theta = q_d[7]
+    crank_theta_dot = q_i_dot[0]
+    coupler_theta_dot = q_d_dot[4]
+    rocker_theta_dot = q_d_dot[7]
     crank_theta_ddot = q_i_ddot[0]
     crank_tip_x = c[0]
     coupler_mass = c[1]
     coupler_tip_x = c[3]
     rocker_tip_x = c[4]
+    c5 = c[5]
     c6 = c[6]
     c7 = c[7]
-    c27 = c[27]
-    # intermediate terms (36)
-    w0 = ca.sin(crank_theta) * crank_tip_x
-    w1 = ca.cos(crank_theta) * crank_tip_x
-    w2 = crank_theta_ddot * w1
-    w3 = w2 * coupler_mass
-    w4 = ca.sin(coupler_theta)
-    w5 = w4 * c6
-    w6 = ca.sin(rocker_theta) * rocker_tip_x
-    w7 = ca.cos(rocker_theta) * rocker_tip_x
-    w8 = w4 * coupler_tip_x
-    w9 = ca.cos(coupler_theta)
-    w10 = w9 * coupler_tip_x
-    w11 = w7 * w8 - w6 * w10
-    w12 = (w0 * w6 + w1 * w7) / w11
-    w13 = crank_theta_ddot * w12
-    w14 = w0 * crank_theta_ddot
-    w15 = w14 * coupler_mass
-    w16 = (w1 * w6 - w0 * w7) / w11
-    w17 = crank_theta_ddot * w16
-    w18 = w5 * w17
-    w19 = w9 * c6
-    w20 = w17 * w19
-    w21 = (w1 * w8 - w0 * w10) / w11
-    w22 = (w0 * w8 + w1 * w10) / w11
-    w23 = crank_theta_ddot * w21
-    w24 = w0 * (w3 - w5 * w13) + w1 * (w15 + w18) - (w1 * (w15 + w13 * w19) + w0 * (w3 + w20)) - w22 * w23 * c27
-    w25 = w2 * w5
-    w26 = w14 * w19
-    w27 = w5 * w14 + w2 * w19 + w17 * c7
-    w28 = w7 * w10 + w6 * w8
-    w29 = w16 / w11 * w28
-    w30 = crank_theta_ddot * w29
-    w31 = w21 / w11
-    w32 = w0 * (w20 - w5 * w30) - w1 * (w18 + w19 * w30) + w23 * (w22 - w28 * w31) * c27 + (w16 * (w26 - w25 - w30 * c7) - w27 * w29)
-    w33 = w12 + w29
-    w34 = crank_theta_ddot * w33
-    w35 = w21 * (w1 * (w19 * w34) + w0 * (w5 * w34) + w31 * (w23 * w28) * c27 + (w16 * (w34 * c7) + w27 * w33))
+    gravity_y = c[8]
+    c9 = c[9]
+    c11 = c[11]
+    c12 = c[12]
+    c21 = c[21]
+    c22 = c[22]
+    # intermediate terms (77)
+    w0 = ca.cos(crank_theta) * crank_tip_x
+    w1 = coupler_theta_dot**2
+    w2 = ca.cos(coupler_theta)
+    w3 = w2 * c6
+    w4 = w1 * w3
+    w5 = ca.cos(rocker_theta)
+    w6 = w5 * rocker_tip_x
+    w7 = ca.sin(coupler_theta)
+    w8 = w7 * coupler_tip_x
+    w9 = w1 * w8
+    w10 = ca.sin(rocker_theta)
+    w11 = w10 * rocker_tip_x
+    w12 = w2 * coupler_tip_x
+    w13 = w1 * w12
+    w14 = w6 * w8 - w11 * w12
+    w15 = rocker_theta_dot**2
+    w16 = w6 * w15
+    w17 = crank_theta_dot**2
+    w18 = w0 * w17
+    w19 = w16 - w13 - w18
+    w20 = w11 * w15
+    w21 = ca.sin(crank_theta)
+    w22 = w21 * crank_tip_x
+    w23 = w17 * w22
+    w24 = w20 - w9 - w23
+    w25 = (w6 * w19 + w11 * w24) / w14
+    w26 = w6 * w12 + w8 * w11
+    w27 = w25 / w14 * w26
+    w28 = (w0 * w11 - w6 * w22) / w14
+    w29 = w26 * (w28 / w14)
+    w30 = (w6 * w9 - w11 * w13) / w14 - w27 - crank_theta_ddot * w29
+    w31 = w25 + crank_theta_ddot * w28
+    w32 = w7 * c6
+    w33 = w31 * w32
+    w34 = w3 * w31
+    w35 = w1 * w32
+    w36 = (w12 * w19 + w8 * w24) / w14
+    w37 = (w0 * w8 - w12 * w22) / w14
+    w38 = w5 * c12 - (w36 + crank_theta_ddot * w37) * c5
+    w39 = (w0 * w12 + w8 * w22) / w14
+    w40 = w26 * (w37 / w14)
+    w41 = w39 - w40
+    w42 = w26 * (w36 / w14)
+    w43 = w37 * (((w9 * w12 - w8 * w19 + (w12 * w24 - w8 * w13)) / w14 - w42 + crank_theta_ddot * w41) * c5)
+    w44 = w18 + w22 * crank_theta_ddot
+    w45 = w3 * w44
+    w46 = w0 * crank_theta_ddot - w23
+    w47 = w32 * w46
+    w48 = w3 * gravity_y - (w32 * w44 + w3 * w46 + w31 * c7)
+    w49 = w0 * (w4 - (w3 * w30 - w33)) - w22 * (w34 + w30 * w32 - w35) + (w38 * w41 - w43) - (w28 * (w32 * gravity_y + (w45 - w47 + w30 * c7)) + w29 * w48)
+    w50 = w38 * w40 - w37 * (w10 * c12 + (w42 + (w8 * w16 - w12 * w20) / w14 + crank_theta_ddot * w40) * c5)
+    w51 = (w0 * w6 + w11 * w22) / w14
+    w52 = w29 + w51
+    w53 = w27 + (w6 * w24 + w11 * w16 - (w11 * w19 + w6 * w20)) / w14 + crank_theta_ddot * w52
+    w54 = (w6 * w23 - w11 * w18) / w14 - crank_theta_ddot * w51
+    w55 = w44 * coupler_mass
+    w56 = w46 * coupler_mass
+    w57 = w21 * c9 + (w0 * (w3 * w54 - w55) + w22 * (c11 + w35 - (w34 + w56))) + (w22 * (w56 + w32 * w54) + w0 * (w4 + (w33 + w55)))
+    w58 = w57 + (w37 * (((w12 * w23 - w8 * w18) / w14 - crank_theta_ddot * w39) * c5) + w38 * w39) + (w28 * (w47 - w45 + w54 * c7) + w48 * w51)
+    w59 = w28 * w49 + w37 * (w50 - (w0 * (w3 * w53) + w22 * (w32 * w53)) + (w48 * w52 - w28 * (w53 * c7))) - w58
+    w60 = 2 * coupler_theta_dot
+    w61 = (w6 * (w12 * w60) + w11 * (w8 * w60)) / w14
+    w62 = w0 * (w32 * w60 + w3 * w61) - w22 * (w3 * w60 - w32 * w61) + w37 * (coupler_theta_dot * c21 / w14 * c5)
+    w63 = (w62 + w28 * (w61 * c7)) * (w37 * (crank_theta_dot * w52) - w28 * (crank_theta_dot * w29) - crank_theta_dot * w51)
+    w64 = 2 * rocker_theta_dot
+    w65 = rocker_theta_dot * c22 / w14
+    w66 = w0 * (w3 * w65) + w22 * (w32 * w65) + w37 * ((w12 * (w6 * w64) + w8 * (w11 * w64)) / w14 * c5) + w28 * (w65 * c7)
+    w67 = w63 - w66 * (w28 * (crank_theta_dot * w41) + w37 * (crank_theta_dot * w40) - crank_theta_dot * w39)
+    w68 = w28 * (2 * (crank_theta_dot * w28))
+    w69 = w37 * (2 * (crank_theta_dot * w37))
+    w70 = 2 * crank_theta_dot
+    w71 = w0 * w70
+    w72 = w6 * w69 - w12 * w68 - w71
+    w73 = w22 * w70
+    w74 = w11 * w69 - w8 * w68 - w73
+    w75 = (w6 * w72 + w11 * w74) / w14
+    w76 = w0 * (w32 * w68 - (w3 * w75 - w73 * coupler_mass)) - w22 * (w3 * w68 + (w71 * coupler_mass + w32 * w75))
     # outputs
-    dMa_dq_i = ca.vertcat(w24 + (w16 * (w25 - w26 - w13 * c7) - w12 * w27) + (w16 * w32 + w35))
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q = ca.vertcat(w59 + w67)
+    J_v = ca.vertcat(w76 - w37 * ((w12 * w72 + w8 * w74) / w14 * c5) - w28 * (w32 * w71 - w3 * w73 + w75 * c7))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def geometry() -> ca.Function:
@@ -1048,6 +1102,6 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "geometry": geometry,
 }

@@ -18,8 +18,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 18) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
-    94 operations.
+    gives c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    86 operations.
     """
     p = ca.SX.sym("p", 18)
     gravity_y = p[0]
@@ -40,15 +40,12 @@ def constants() -> ca.Function:
     top2_tip_x = p[15]
     upright2_tip_x = p[16]
     ground_foot2_x = p[17]
-    # intermediate terms (8)
+    # intermediate terms (5)
     w0 = 0.08333333333333333 + upright0_mass * upright0_center_of_mass_x**2
     w1 = 0.08333333333333333 + upright1_mass * upright1_center_of_mass_x**2
-    w2 = 0.08333333333333333 + upright2_mass * upright2_center_of_mass_x**2
-    w3 = top2_mass * top2_center_of_mass_x
-    w4 = top1_mass * top1_center_of_mass_x
-    w5 = upright0_mass * upright0_center_of_mass_x
-    w6 = upright1_mass * upright1_center_of_mass_x
-    w7 = upright2_mass * upright2_center_of_mass_x
+    w2 = upright0_mass * upright0_center_of_mass_x
+    w3 = upright1_mass * upright1_center_of_mass_x
+    w4 = upright2_mass * upright2_center_of_mass_x
     # outputs
     c = ca.vertcat(
         upright0_tip_x,  # upright0_tip_x
@@ -61,32 +58,29 @@ def constants() -> ca.Function:
         w1 + upright1_tip_x * (upright1_tip_x * top2_mass),  # c7
         top2_tip_x,  # top2_tip_x
         upright2_tip_x,  # upright2_tip_x
-        w2,  # c10
-        w3,  # c11
+        0.08333333333333333 + upright2_mass * upright2_center_of_mass_x**2,  # c10
+        top2_mass * top2_center_of_mass_x,  # c11
         0.08333333333333333 + top2_mass * top2_center_of_mass_x**2,  # c12
-        w4,  # c13
+        top1_mass * top1_center_of_mass_x,  # c13
         0.08333333333333333 + top1_mass * top1_center_of_mass_x**2,  # c14
         gravity_y,  # gravity_y
-        w5 * gravity_y,  # c16
+        w2 * gravity_y,  # c16
         top1_mass * gravity_y,  # c17
-        gravity_y * w6,  # c18
+        gravity_y * w3,  # c18
         top2_mass * gravity_y,  # c19
-        gravity_y * w7,  # c20
+        gravity_y * w4,  # c20
         ground_foot1_x,  # ground_foot1_x
         ground_foot2_x,  # ground_foot2_x
         upright0_mass,  # upright0_mass
         w0,  # c24
         upright1_mass,  # upright1_mass
         upright2_mass,  # upright2_mass
-        w5,  # c27
-        w6,  # c28
-        w7,  # c29
+        w2,  # c27
+        w3,  # c28
+        w4,  # c29
         upright0_mass * gravity_y,  # c30
         upright1_mass * gravity_y,  # c31
         upright2_mass * gravity_y,  # c32
-        w4 * (upright0_tip_x + upright0_tip_x),  # c33
-        w2 + w2,  # c34
-        w3 * (upright1_tip_x + upright1_tip_x),  # c35
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -99,7 +93,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     209 operations.
@@ -108,7 +102,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -204,7 +198,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 14) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 4) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 2) [SI]: determinants of the loop blocks, zero if singular
@@ -212,7 +206,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -281,14 +275,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     78 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -336,7 +330,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 14) [mixed]: accelerations of the dependent coordinates
     130 operations.
     """
@@ -345,7 +339,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -408,7 +402,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 14) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 14 x 15) [SI]: constraint Jacobian
     gives C_t (n_c = 14) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -418,7 +412,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_x = q[0]
     upright0_y = q[1]
     upright0_theta = q[2]
@@ -552,7 +546,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 15 x 15) [SI]: mass matrix in all coordinates
     gives K (n x n = 15 x 15) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 15) [N, N m]: quadratic velocity force in all coordinates
@@ -564,7 +558,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q[2]
     top1_theta = q[5]
     upright1_theta = q[8]
@@ -831,7 +825,7 @@ def reactions() -> ca.Function:
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
     takes q_ddot (n = 15) [mixed]: accelerations of all coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 14) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 7) [N, N m]: world force and moment of a joint on its body b, at b
     257 operations.
@@ -839,7 +833,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
     q_ddot = ca.SX.sym("q_ddot", 15)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q[2]
     top1_theta = q[5]
     upright1_theta = q[8]
@@ -979,7 +973,7 @@ def energy() -> ca.Function:
 
     takes q (n = 15) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 15) [mixed]: rates of all coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -989,7 +983,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 15)
     q_dot = ca.SX.sym("q_dot", 15)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_y = q[1]
     upright0_theta = q[2]
     top1_y = q[4]
@@ -1145,7 +1139,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     563 operations.
     """
@@ -1153,7 +1147,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 14)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -1322,14 +1316,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     170 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
@@ -1402,25 +1396,35 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 14) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 14) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 36) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    310 operations.
+    takes c (n_const = 33) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    682 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 14)
+    q_i_dot = ca.SX.sym("q_i_dot", 1)
+    q_d_dot = ca.SX.sym("q_d_dot", 14)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 36)
+    c = ca.SX.sym("c", 33)
     upright0_theta = q_i[0]
     top1_theta = q_d[4]
     upright1_theta = q_d[7]
     top2_theta = q_d[10]
     upright2_theta = q_d[13]
+    upright0_theta_dot = q_i_dot[0]
+    top1_theta_dot = q_d_dot[4]
+    upright1_theta_dot = q_d_dot[7]
+    top2_theta_dot = q_d_dot[10]
+    upright2_theta_dot = q_d_dot[13]
     upright0_theta_ddot = q_i_ddot[0]
     upright0_tip_x = c[0]
     top1_mass = c[1]
@@ -1435,90 +1439,171 @@ def dMa_dq_i() -> ca.Function:
     c12 = c[12]
     c13 = c[13]
     c14 = c[14]
-    c33 = c[33]
-    c34 = c[34]
-    c35 = c[35]
-    # intermediate terms (76)
-    w0 = ca.sin(upright0_theta)
-    w1 = w0 * upright0_tip_x
-    w2 = ca.cos(upright0_theta)
-    w3 = w2 * upright0_tip_x
-    w4 = upright0_theta_ddot * w3
-    w5 = w4 * top1_mass
-    w6 = ca.sin(top1_theta)
-    w7 = w6 * c13
-    w8 = ca.sin(upright1_theta)
-    w9 = w8 * upright1_tip_x
-    w10 = ca.cos(upright1_theta)
-    w11 = w10 * upright1_tip_x
-    w12 = w6 * top1_tip_x
-    w13 = ca.cos(top1_theta)
-    w14 = w13 * top1_tip_x
-    w15 = w11 * w12 - w9 * w14
-    w16 = (w1 * w9 + w3 * w11) / w15
-    w17 = upright0_theta_ddot * w16
-    w18 = w1 * upright0_theta_ddot
-    w19 = w18 * top1_mass
-    w20 = (w3 * w9 - w1 * w11) / w15
-    w21 = upright0_theta_ddot * w20
-    w22 = w13 * c13
-    w23 = (w3 * w12 - w1 * w14) / w15
-    w24 = (w1 * w12 + w3 * w14) / w15
-    w25 = upright0_theta_ddot * w24
-    w26 = w11 * w25
-    w27 = ca.cos(top2_theta)
-    w28 = w27 * c11
-    w29 = ca.sin(upright2_theta)
-    w30 = w29 * upright2_tip_x
-    w31 = ca.cos(upright2_theta)
-    w32 = w31 * upright2_tip_x
-    w33 = ca.sin(top2_theta)
-    w34 = w33 * top2_tip_x
-    w35 = w27 * top2_tip_x
-    w36 = w32 * w34 - w30 * w35
-    w37 = (w11 * w30 - w9 * w32) / w36
-    w38 = w25 * w37
-    w39 = w9 * w25
-    w40 = w33 * c11
-    w41 = (w11 * w34 - w9 * w35) / w36
-    w42 = w25 * c5 + w11 * (w26 * top2_mass + w28 * w38) + w9 * (w39 * top2_mass + w38 * w40) + w41 * (w25 * w41 * c10)
-    w43 = upright0_theta_ddot * w23
-    w44 = w11 * w43
-    w45 = w37 * w43
-    w46 = w44 * top2_mass + w28 * w45
-    w47 = w9 * w43
-    w48 = w47 * top2_mass + w40 * w45
-    w49 = w40 * w47 + w28 * w44 + w45 * c12
-    w50 = w43 * c5 + w11 * w46 + w9 * w48 + w41 * (w41 * w43 * c10) + w37 * w49
-    w51 = w1 * (w5 - w7 * w17) + w3 * (w19 + w7 * w21) - (w3 * (w19 + w17 * w22) + w1 * (w5 + w21 * w22)) - (w23 * (w42 + w37 * (w39 * w40 + w26 * w28 + w38 * c12)) + w24 * w50)
-    w52 = w7 * w18 + w4 * w22 + w21 * c14
-    w53 = w23 * w41
-    w54 = w23 * w37
-    w55 = w9 * w23
-    w56 = w40 * w54 + w55 * top2_mass
-    w57 = w11 * w23
-    w58 = w54 * c12 + w40 * w55 + w28 * w57
-    w59 = w28 * w54 + w57 * top2_mass
-    w60 = w50 + upright0_theta_ddot * (w41 * (w53 * c10) + w9 * w56 + w37 * w58 + w11 * w59 + w23 * c5)
-    w61 = w60 / w15
-    w62 = w52 + upright0_theta_ddot * (w20 * c14 + w1 * w7 + w3 * w22)
-    w63 = w60 * (w23 / w15) + w20 / w15 * w62
-    w64 = w13 * (w20 * (w0 * upright0_theta_ddot) * c33 + (w3 * w61 - w11 * w63) * top1_tip_x) - w6 * ((w9 * w63 - w1 * w61) * top1_tip_x + w20 * (upright0_theta_ddot * w2) * c33)
-    w65 = w41 * (w23 * w43) * c34
-    w66 = w65 / w36
-    w67 = w23 * w49 + w43 * w58
-    w68 = w67 / w36
-    w69 = w62 / w15
-    w70 = w10 * ((w23 * w48 - w35 * w66 + w43 * w56 - w32 * w68 + w14 * w63 + w3 * w69) * upright1_tip_x) - w8 * ((w34 * w66 + w23 * w46 + w30 * w68 + w43 * w59 - w12 * w63 - w1 * w69) * upright1_tip_x)
-    w71 = w65 * (w41 / w36) + w67 * (w37 / w36)
-    w72 = w27 * (w37 * (w23 * (w23 * (upright0_theta_ddot * w8))) * c35 + (w11 * w66 - w32 * w71) * top2_tip_x)
-    w73 = w33 * ((w30 * w71 - w9 * w66) * top2_tip_x + w37 * (w23 * (w23 * (upright0_theta_ddot * w10))) * c35)
-    w74 = w29 * ((w34 * w71 + w9 * w68) * upright2_tip_x) + w31 * ((w35 * w71 + w11 * w68) * upright2_tip_x)
-    w75 = w51 + (w20 * (w4 * w7 - w18 * w22 - w17 * c14) - w16 * w52) + (w20 * w64 + w23 * w70 + w54 * (w72 - w73) + w53 * w74)
+    gravity_y = c[15]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    # intermediate terms (153)
+    w0 = ca.cos(top1_theta)
+    w1 = ca.cos(upright0_theta) * upright0_tip_x
+    w2 = ca.cos(upright1_theta)
+    w3 = w0 * top1_tip_x
+    w4 = upright1_theta_dot**2
+    w5 = w2 * upright1_tip_x
+    w6 = w4 * w5
+    w7 = top1_theta_dot**2
+    w8 = upright0_theta_dot**2
+    w9 = w1 * w8
+    w10 = w6 - w3 * w7 - w9
+    w11 = ca.sin(top1_theta)
+    w12 = w11 * top1_tip_x
+    w13 = ca.sin(upright1_theta)
+    w14 = w13 * upright1_tip_x
+    w15 = w4 * w14
+    w16 = ca.sin(upright0_theta)
+    w17 = w16 * upright0_tip_x
+    w18 = w8 * w17
+    w19 = w15 - w7 * w12 - w18
+    w20 = w5 * w12 - w3 * w14
+    w21 = (w3 * w10 + w12 * w19) / w20
+    w22 = (w1 * w12 - w3 * w17) / w20
+    w23 = w21 + w22 * upright0_theta_ddot
+    w24 = top2_theta_dot**2
+    w25 = ca.sin(top2_theta)
+    w26 = w25 * c11
+    w27 = w5 * w23 - w15
+    w28 = ca.cos(top2_theta)
+    w29 = w28 * c11
+    w30 = ca.cos(upright2_theta)
+    w31 = w30 * upright2_tip_x
+    w32 = upright2_theta_dot**2
+    w33 = w28 * top2_tip_x
+    w34 = w31 * w32 - w24 * w33 - w6
+    w35 = ca.sin(upright2_theta)
+    w36 = w35 * upright2_tip_x
+    w37 = w25 * top2_tip_x
+    w38 = w32 * w36 - w24 * w37 - w15
+    w39 = w31 * w37 - w33 * w36
+    w40 = (w31 * w34 + w36 * w38) / w39
+    w41 = (w5 * w36 - w14 * w31) / w39
+    w42 = w40 + w23 * w41
+    w43 = c19 + w24 * w26 - (w27 * top2_mass + w29 * w42)
+    w44 = w6 + w14 * w23
+    w45 = w24 * w29 + (w44 * top2_mass + w26 * w42)
+    w46 = (w33 * w34 + w37 * w38) / w39
+    w47 = (w5 * w37 - w14 * w33) / w39
+    w48 = w30 * c20 - (w46 + w23 * w47) * c10
+    w49 = w29 * gravity_y - (w26 * w44 + w27 * w29 + w42 * c12)
+    w50 = w2 * c18 - w23 * c5 + w5 * w43 - w14 * w45 + w47 * w48 + w41 * w49
+    w51 = w22 * w47
+    w52 = w51 * c10
+    w53 = w22 * w41
+    w54 = w14 * w22
+    w55 = w26 * w53 + w54 * top2_mass
+    w56 = w5 * w22
+    w57 = w53 * c12 + w26 * w54 + w29 * w56
+    w58 = w29 * w53 + w56 * top2_mass
+    w59 = w47 * w52 + w14 * w55 + w41 * w57 + w5 * w58 + w22 * c5
+    w60 = w50 - upright0_theta_ddot * w59
+    w61 = w60 / w20
+    w62 = w59 / w20
+    w63 = w22 / w20
+    w64 = (w1 * w14 - w5 * w17) / w20
+    w65 = w64 / w20
+    w66 = w0 * c13
+    w67 = w11 * c13
+    w68 = w9 + w17 * upright0_theta_ddot
+    w69 = w1 * upright0_theta_ddot - w18
+    w70 = (w5 * w10 + w14 * w19) / w20
+    w71 = w70 + upright0_theta_ddot * w64
+    w72 = w66 * gravity_y - (w67 * w68 + w66 * w69 + w71 * c14)
+    w73 = w64 * c14 + w17 * w67 + w1 * w66
+    w74 = w72 - upright0_theta_ddot * w73
+    w75 = w59 * (w21 / w20) - w60 * w63 - w65 * w74 + w73 * (w70 / w20)
+    w76 = w73 / w20
+    w77 = w12 * w62 + w14 * w76
+    w78 = (w1 * w61 - w19 * w62 + w5 * w75 + w7 * w77) * top1_tip_x + (w1 * w7 - (w64 * w68 + w17 * w71)) * c13
+    w79 = w3 * w62 + w5 * w76
+    w80 = (w7 * w79 - (w17 * w61 + w10 * w62 + w14 * w75)) * top1_tip_x + (w64 * gravity_y - w64 * w69 - w7 * w17 - w1 * w71) * c13
+    w81 = w74 / w20
+    w82 = w22 * w48 - w23 * w52
+    w83 = w82 / w39
+    w84 = w22 * w49 - w23 * w57
+    w85 = w84 / w39
+    w86 = w52 / w39
+    w87 = w57 / w39
+    w88 = w37 * w86 + w36 * w87
+    w89 = w58 + w88 - w77
+    w90 = (w1 * w81 - (w33 * w83 + w22 * w45 + w23 * w55 + w31 * w85) - w3 * w75 - w19 * w76 + w4 * w89) * upright1_tip_x
+    w91 = w33 * w86 + w31 * w87
+    w92 = w91 - w55 - w79
+    w93 = (w37 * w83 + w22 * w43 + w36 * w85 - w23 * w58 - w17 * w81 + w12 * w75 - w10 * w76 + w4 * w92) * upright1_tip_x
+    w94 = w47 / w39
+    w95 = w41 / w39
+    w96 = w52 * (w46 / w39) - w82 * w94 - w84 * w95 + w57 * (w40 / w39)
+    w97 = (w5 * w83 - w38 * w86 + w31 * w96 + w24 * w88) * top2_tip_x + (w24 * w56 - (w44 * w53 + w42 * w54)) * c11
+    w98 = (w24 * w91 - (w14 * w83 + w34 * w86 + w36 * w96)) * top2_tip_x + (w53 * gravity_y - w27 * w53 - w24 * w54 - w42 * w56) * c11
+    w99 = w64 * (w0 * w78 - w11 * w80) + w22 * (w2 * w90 - w13 * (w22 * c18 + w93)) + w53 * (w28 * w97 - w25 * w98)
+    w100 = w30 * ((w5 * w85 - w33 * w96 - w38 * w87 - w32 * w88) * upright2_tip_x) - w35 * (w51 * c20 + (w37 * w96 - w14 * w85 - w34 * w87 - w32 * w91) * upright2_tip_x)
+    w101 = (w14 * w17 + w1 * w5) / w20
+    w102 = (w5 * w18 - w9 * w14) / w20 - upright0_theta_ddot * w101
+    w103 = w68 * top1_mass
+    w104 = w69 * top1_mass
+    w105 = w16 * c16 + (w1 * (w66 * w102 - w103) + w17 * (c17 + w7 * w67 - (w104 + w66 * w71))) + (w17 * (w104 + w67 * w102) + w1 * (w7 * w66 + (w103 + w67 * w71)))
+    w106 = (w12 * w17 + w1 * w3) / w20
+    w107 = (w3 * w18 - w9 * w12) / w20 - upright0_theta_ddot * w106
+    w108 = w5 * w107
+    w109 = w41 * w107
+    w110 = w14 * w107
+    w111 = w107 * c5 + w5 * (w108 * top2_mass + w29 * w109) + w14 * (w110 * top2_mass + w26 * w109) + w47 * (w47 * w107 * c10)
+    w112 = w105 + (w22 * (w111 + w41 * (w26 * w110 + w29 * w108 + w109 * c12)) + w50 * w106) + (w64 * (w67 * w69 - w66 * w68 + w102 * c14) + w72 * w101)
+    w113 = 2 * top1_theta_dot
+    w114 = w12 * w14 + w3 * w5
+    w115 = w65 * w114
+    w116 = w22 * (upright0_theta_dot * (w101 + w115)) - w64 * (upright0_theta_dot * w115) - upright0_theta_dot * w101
+    w117 = w63 * w114
+    w118 = upright0_theta_dot * (w106 - w117)
+    w119 = upright0_theta_dot * w117
+    w120 = upright0_theta_dot * w106
+    w121 = (w113 * (w12 * w77 + w3 * w79) + w113 * (w1 * w67 - w17 * w66)) * w116 + 2 * upright1_theta_dot * (w14 * w89 + w5 * w92) * (w64 * w118 + w22 * w119 - w120)
+    w122 = 2 * top2_theta_dot
+    w123 = upright0_theta_dot * w22
+    w124 = (w14 * w36 + w5 * w31) / w39
+    w125 = w31 * w33 + w36 * w37
+    w126 = w95 * w125
+    w127 = w64 * (w41 * w118) + w22 * (w41 * w119 - w123 * w124) - w53 * (w123 * w126) + w51 * (w123 * (w124 + w126))
+    w128 = (w14 * w37 + w5 * w33) / w39
+    w129 = w94 * w125
+    w130 = w64 * (w47 * w118) + w22 * (w47 * w119 - w123 * w128) + w53 * (w123 * (w128 - w129)) + w51 * (w123 * w129)
+    w131 = w121 + (w122 * (w37 * w88 + w33 * w91) + w122 * (w26 * w56 - w29 * w54)) * (w127 - w41 * w120) - 2 * upright2_theta_dot * (w36 * w88 + w31 * w91) * (w130 - w47 * w120)
+    w132 = w64 * (2 * (upright0_theta_dot * w64))
+    w133 = w22 * (2 * w123)
+    w134 = w5 * w133
+    w135 = 2 * upright0_theta_dot
+    w136 = w1 * w135
+    w137 = w134 - w3 * w132 - w136
+    w138 = w14 * w133
+    w139 = w17 * w135
+    w140 = w138 - w12 * w132 - w139
+    w141 = (w5 * w137 + w14 * w140) / w20
+    w142 = w1 * (w67 * w132 - (w66 * w141 - w139 * top1_mass)) - w17 * (w66 * w132 + (w136 * top1_mass + w67 * w141))
+    w143 = w53 * (2 * (w41 * w123))
+    w144 = (w3 * w137 + w12 * w140) / w20
+    w145 = w5 * w144 - w138
+    w146 = w51 * (2 * (w47 * w123))
+    w147 = w31 * w146 - w33 * w143 - w134
+    w148 = w36 * w146 - w37 * w143 - w138
+    w149 = (w31 * w147 + w36 * w148) / w39 + w41 * w144
+    w150 = w134 + w14 * w144
+    w151 = w5 * (w26 * w143 - (w145 * top2_mass + w29 * w149)) - w144 * c5 - w14 * (w29 * w143 + (w150 * top2_mass + w26 * w149))
+    w152 = w151 - w47 * (((w33 * w147 + w37 * w148) / w39 + w47 * w144) * c10) - w41 * (w26 * w150 + w29 * w145 + w149 * c12)
     # outputs
-    dMa_dq_i = ca.vertcat(w75)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q = ca.vertcat(w99 + w51 * w100 - w112 + w131)
+    J_v = ca.vertcat(w142 + w22 * w152 - w64 * (w67 * w136 - w66 * w139 + w141 * c14))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def geometry() -> ca.Function:
@@ -1603,6 +1688,6 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "geometry": geometry,
 }

@@ -1230,24 +1230,33 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 3) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 3) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 3) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 34) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 3 x 3) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    451 operations.
+    gives J_q (n_i x n_i = 3 x 3) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 3 x 3) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    860 operations.
     """
     q_i = ca.SX.sym("q_i", 3)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 3)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 3)
     c = ca.SX.sym("c", 34)
     crank_theta = q_i[0]
     rod_q1 = q_i[1]
     rod_q2 = q_i[2]
     rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
     rod_q1_ddot = q_i_ddot[1]
     rod_q2_ddot = q_i_ddot[2]
@@ -1272,128 +1281,218 @@ def dMa_dq_i() -> ca.Function:
     c20 = c[20]
     c21 = c[21]
     c22 = c[22]
+    c23 = c[23]
+    c24 = c[24]
     c27 = c[27]
     c28 = c[28]
-    # intermediate terms (102)
+    # intermediate terms (178)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = rod_q1 * c9
-    w3 = w2 + rod_q2 * c10
-    w4 = rod_q2 * c12
-    w5 = rod_q1 * c11 + w4
-    w6 = c8 - (rod_q1 * w3 + rod_q2 * w5) * 0.5
+    w2 = rod_q1 * c6
+    w3 = rod_q2 * c7
+    w4 = rod_length - (rod_q1 * w2 + rod_q2 * w3) * 0.5
+    w5 = w1 * w4
+    w6 = w0 / w5
     w7 = ca.sin(rod_theta)
-    w8 = rod_q1 * c13
-    w9 = w1 * w6 - w7 * w8
-    w10 = ca.sin(crank_theta) * crank_tip_x
-    w11 = rod_q1 * c6
-    w12 = rod_q2 * c7
-    w13 = rod_length - (rod_q1 * w11 + rod_q2 * w12) * 0.5
-    w14 = w1 * w13
-    w15 = w10 / w14
-    w16 = crank_theta_ddot * w15
-    w17 = crank_theta_ddot * w10
-    w18 = w17 * c3
-    w19 = w0 * crank_theta_ddot
-    w20 = w19 * c3
-    w21 = w7 * w11
-    w22 = w21 / w14
-    w23 = w0 / w14
-    w24 = w7 * w12
-    w25 = w24 / w14
-    w26 = w22 * rod_q1_ddot - crank_theta_ddot * w23 + w25 * rod_q2_ddot
-    w27 = w9 * w26
-    w28 = w1 * c13
-    w29 = w28 - w3 * w7
-    w30 = rod_q1_ddot * w29
-    w31 = w5 * w7
-    w32 = rod_q2_ddot * w31
-    w33 = w6 * w7 + w1 * w8
-    w34 = w7 * w13
-    w35 = (w19 + w16 * w34) * slider_mass
-    w36 = w26 * w33
-    w37 = w7 * c13
-    w38 = w1 * w3 + w37
-    w39 = rod_q1_ddot * w38
-    w40 = w1 * w5
-    w41 = rod_q2_ddot * w40
-    w42 = w1 * w11
-    w43 = w1 * w12
-    w44 = (w17 + w26 * w34 + rod_q1_ddot * w42 + rod_q2_ddot * w43) * slider_mass
-    w45 = w0 * (w9 * w16 - w18) - w10 * (w20 + w27 + w30 - w32) + (w10 * (w20 + w16 * w33 + w35) + w0 * (w18 + w36 + w39 + w41 + w44))
-    w46 = w19 * w33
-    w47 = w9 * w17
-    w48 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
-    w49 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
-    w50 = c14 + (rod_q1 * w48 + rod_q2 * w49)
-    w51 = w46 - w47 + w16 * w50 + w34 * w35
-    w52 = w17 * w33 + w9 * w19 + w26 * w50 + rod_q1_ddot * c21 + rod_q2_ddot * c22 + w34 * w44
-    w53 = w22 / w14
-    w54 = w42 / w14 + w34 * w53
-    w55 = w23 / w14
-    w56 = w34 * w55
-    w57 = w25 / w14
-    w58 = w43 / w14 + w34 * w57
-    w59 = rod_q1_ddot * w54 - crank_theta_ddot * w56 + rod_q2_ddot * w58
-    w60 = (w14 * w26 + w34 * w59 - w21 * rod_q1_ddot - w24 * rod_q2_ddot) * slider_mass
-    w61 = w47 - w46 + w50 * w59 + (w34 * w60 + w14 * w44)
-    w62 = w0 * (w9 * w59 - w36 - w39 - w41) + w10 * (w30 + (w27 + w33 * w59) - w32 + w60) - (w23 * w61 + w52 * w56)
-    w63 = w19 * w38
-    w64 = w17 * w29
-    w65 = w21 * w44
-    w66 = w64 - w63 + w59 * c21 + (w42 * w60 - w65) + (w22 * w61 + w52 * w54)
-    w67 = w19 * w40 + w17 * w31
-    w68 = w24 * w44
-    w69 = w59 * c22 - w67 + (w43 * w60 - w68) + (w25 * w61 + w52 * w58)
-    w70 = w7 * c6 / w14 + w42 * w53
-    w71 = w42 * w55
-    w72 = w42 * w57
-    w73 = rod_q1_ddot * w70 - crank_theta_ddot * w71 + rod_q2_ddot * w72
-    w74 = (w2 + w3 + rod_q2 * c11) * 0.5
-    w75 = w37 + w1 * w74
-    w76 = w7 * c9
-    w77 = w7 * c11
-    w78 = w28 - w7 * w74
-    w79 = w1 * c9
-    w80 = w1 * c11
-    w81 = w1 * c6
-    w82 = (w34 * w73 - w21 * w26 + rod_q1_ddot * w81) * slider_mass
-    w83 = w0 * (w9 * w73 - w26 * w75 - rod_q1_ddot * w76 - rod_q2_ddot * w77) + w10 * (w26 * w78 + w33 * w73 + rod_q1_ddot * w79 + rod_q2_ddot * w80 + w82)
-    w84 = w17 * w78 - w19 * w75 + (w26 * (w48 + rod_q1 * c27 - rod_q2 * c19) + w50 * w73) + (w34 * w82 - w65)
-    w85 = w17 * w79 - w19 * w76 + w73 * c21 + (w42 * w82 + w44 * w81) + (w22 * w84 + w52 * w70) + w22 * w66
-    w86 = w43 * w53
-    w87 = w43 * w55
-    w88 = w7 * c7 / w14 + w43 * w57
-    w89 = rod_q1_ddot * w86 - crank_theta_ddot * w87 + rod_q2_ddot * w88
-    w90 = (rod_q1 * c10 + (w4 + w5)) * 0.5
-    w91 = w1 * w90
-    w92 = w7 * c10
-    w93 = w7 * c12
-    w94 = w7 * w90
-    w95 = w1 * c10
-    w96 = w1 * c12
-    w97 = w1 * c7
-    w98 = (w34 * w89 - w24 * w26 + rod_q2_ddot * w97) * slider_mass
-    w99 = w0 * (w9 * w89 - w26 * w91 - rod_q1_ddot * w92 - rod_q2_ddot * w93) + w10 * (w33 * w89 - w26 * w94 + rod_q1_ddot * w95 + rod_q2_ddot * w96 + w98)
-    w100 = w26 * (w49 + rod_q2 * c28 - rod_q1 * c17) + w50 * w89 - (w17 * w94 + w19 * w91) + (w34 * w98 - w68)
-    w101 = w17 * w96 - w19 * w93 + w89 * c22 + (w43 * w98 + w44 * w97) + (w25 * w100 + w52 * w88) + w25 * w69
+    w8 = rod_q1 * c9
+    w9 = w8 + rod_q2 * c10
+    w10 = rod_q2 * c12
+    w11 = rod_q1 * c11 + w10
+    w12 = c8 - (rod_q1 * w9 + rod_q2 * w11) * 0.5
+    w13 = rod_q1 * c13
+    w14 = w7 * w12 + w1 * w13
+    w15 = crank_theta_dot**2
+    w16 = ca.sin(crank_theta) * crank_tip_x
+    w17 = w15 * w16
+    w18 = w0 * crank_theta_ddot - w17
+    w19 = w14 * w18
+    w20 = w1 * w12 - w7 * w13
+    w21 = w0 * w15
+    w22 = crank_theta_ddot * w16 + w21
+    w23 = w20 * w22
+    w24 = rod_q1 * c15 - (rod_q1 * c16 + rod_q2 * c17)
+    w25 = rod_q2 * c18 - (rod_q1 * c19 + rod_q2 * c20)
+    w26 = c14 + (rod_q1 * w24 + rod_q2 * w25)
+    w27 = w16 / w5
+    w28 = w21 / w5 + crank_theta_ddot * w27
+    w29 = w4 * w7
+    w30 = (w18 + w28 * w29) * slider_mass
+    w31 = w19 - w23 + w26 * w28 + w29 * w30
+    w32 = rod_theta_dot * -2.0
+    w33 = w24 * rod_q1_dot + w25 * rod_q2_dot
+    w34 = rod_q1_dot * c6
+    w35 = rod_q2_dot * c7
+    w36 = rod_q1_dot * w34 + rod_q2_dot * w35
+    w37 = w7 * w36
+    w38 = 2 * rod_theta_dot
+    w39 = w2 * rod_q1_dot + w3 * rod_q2_dot
+    w40 = w1 * w39
+    w41 = w38 * w40
+    w42 = rod_theta_dot**2
+    w43 = w29 * w42
+    w44 = (w17 + (w37 + w41 + w43)) / w5
+    w45 = w2 * w7
+    w46 = w45 / w5
+    w47 = w3 * w7
+    w48 = w47 / w5
+    w49 = w44 - w6 * crank_theta_ddot + w46 * rod_q1_ddot + w48 * rod_q2_ddot
+    w50 = w7 * w39
+    w51 = w38 * w50
+    w52 = w1 * w36
+    w53 = w5 * w42
+    w54 = w1 * w2
+    w55 = w1 * w3
+    w56 = (w51 - (w52 + w53) - w22 - w29 * w49 - rod_q1_ddot * w54 - rod_q2_ddot * w55) * slider_mass
+    w57 = w32 * w33 - (w14 * w22 + w18 * w20 + w26 * w49 + rod_q1_ddot * c21 + rod_q2_ddot * c22) + w29 * w56
+    w58 = w22 * c3
+    w59 = w14 * w42
+    w60 = rod_q1_dot * c9
+    w61 = w60 + rod_q2_dot * c10
+    w62 = rod_q2_dot * c12
+    w63 = rod_q1_dot * c11 + w62
+    w64 = rod_q1_dot * w61 + rod_q2_dot * w63
+    w65 = w7 * w64
+    w66 = w9 * rod_q1_dot + w11 * rod_q2_dot
+    w67 = rod_q1_dot * c13
+    w68 = w1 * w66 + w7 * w67
+    w69 = w38 * w68
+    w70 = w18 * c3
+    w71 = w20 * w49
+    w72 = w1 * c13
+    w73 = w72 - w7 * w9
+    w74 = rod_q1_ddot * w73
+    w75 = w7 * w11
+    w76 = rod_q2_ddot * w75
+    w77 = w20 * w42
+    w78 = w1 * w67 - w7 * w66
+    w79 = w38 * w78
+    w80 = w1 * w64
+    w81 = w14 * w49
+    w82 = w7 * c13
+    w83 = w1 * w9 + w82
+    w84 = rod_q1_ddot * w83
+    w85 = w1 * w11
+    w86 = rod_q2_ddot * w85
+    w87 = w0 * (w20 * w28 - w58) + w16 * (w59 + w65 + w69 - (w70 + w71 + w74 - w76)) + (w16 * (w30 + (w70 + w14 * w28)) + w0 * (w77 + w79 + w80 + (w58 + w81 + w84 + w86) - w56))
+    w88 = w44 / w5
+    w89 = w6 / w5
+    w90 = w29 * w89
+    w91 = w46 / w5
+    w92 = w54 / w5 + w29 * w91
+    w93 = w48 / w5
+    w94 = w55 / w5 + w29 * w93
+    w95 = (w53 + (w52 - w51)) / w5 + w29 * w88 - crank_theta_ddot * w90 + rod_q1_ddot * w92 + rod_q2_ddot * w94
+    w96 = (w41 + (w37 + w43) - (w5 * w49 + w29 * w95) + w45 * rod_q1_ddot + w47 * rod_q2_ddot) * slider_mass
+    w97 = w0 * (w79 + (w77 + w80) - (w20 * w95 - w81 - w84 - w86)) - w16 * (w74 + (w71 + w14 * w95) - w76 - (w65 + (w59 + w69)) - w96)
+    w98 = w29 * w96 + w5 * w56 - (w23 - w19 + w26 * w95)
+    w99 = w97 - (w6 * w98 + w57 * w90)
+    w100 = (2 * w40 + w29 * w38) / w5
+    w101 = (2 * w50 - w5 * w38 - w29 * w100) * slider_mass
+    w102 = w33 * -2.0 - w26 * w100 + w29 * w101
+    w103 = w0 * (w14 * w38 + 2 * w68 - w20 * w100) - w16 * (w20 * w38 + 2 * w78 + w14 * w100 - w101) - w6 * w102
+    w104 = rod_q1_dot * w92 - crank_theta_dot * w90 + rod_q2_dot * w94
+    w105 = crank_theta_dot * w27 - w6 * w104
+    w106 = w24 * w38 - w100 * c21 + w54 * w101 + w46 * w102
+    w107 = w18 * w83
+    w108 = w22 * w73
+    w109 = w45 * w56
+    w110 = w54 * w96 - w109 - (w108 - w107 + w95 * c21) + (w46 * w98 + w57 * w92)
+    w111 = w25 * w38 - w100 * c22 + w55 * w101 + w48 * w102
+    w112 = w18 * w85 + w22 * w75
+    w113 = w47 * w56
+    w114 = w55 * w96 - w113 - (w95 * c22 - w112) + (w48 * w98 + w57 * w94)
+    w115 = (w8 + w9 + rod_q2 * c11) * 0.5
+    w116 = w72 - w7 * w115
+    w117 = rod_q2_dot * c11
+    w118 = w60 + w117
+    w119 = w54 * w89
+    w120 = w7 * c6 / w5 + w54 * w91
+    w121 = w54 * w93
+    w122 = (w38 * (w1 * w34) - w42 * w45) / w5 + w54 * w88 - crank_theta_ddot * w119 + rod_q1_ddot * w120 + rod_q2_ddot * w121
+    w123 = w82 + w1 * w115
+    w124 = w7 * c9
+    w125 = w7 * c11
+    w126 = w42 * w116 + w38 * (w1 * w118) - (w20 * w122 - w49 * w123 - rod_q1_ddot * w124 - rod_q2_ddot * w125)
+    w127 = w1 * c9
+    w128 = w1 * c11
+    w129 = w49 * w116 + w14 * w122 + rod_q1_ddot * w127 + rod_q2_ddot * w128 - (w42 * w123 + w38 * (w7 * w118))
+    w130 = w1 * c6
+    w131 = (w38 * (w7 * w34) + w42 * w54 - (w29 * w122 - w45 * w49) - rod_q1_ddot * w130) * slider_mass
+    w132 = w32 * (rod_q1_dot * c27 - rod_q2_dot * c19) - (w22 * w116 - w18 * w123 + (w49 * (w24 + rod_q1 * c27 - rod_q2 * c19) + w26 * w122))
+    w133 = w132 + (w29 * w131 - w109)
+    w134 = rod_q1_dot * w120 - crank_theta_dot * w119 + rod_q2_dot * w121 + w46 * w104
+    w135 = w42 * c27 - c23 - (w22 * w127 - w18 * w124 + w122 * c21) + (w54 * w131 + w56 * w130) + (w46 * w133 + w57 * w120)
+    w136 = w55 * w131 - (w42 * c19 + (w22 * w128 - w18 * w125 + w122 * c22)) + (w48 * w133 + w57 * w121) + w46 * w114
+    w137 = rod_q1_dot * c10
+    w138 = w62 + w137
+    w139 = (rod_q1 * c10 + (w10 + w11)) * 0.5
+    w140 = w7 * w139
+    w141 = w55 * w89
+    w142 = w55 * w91
+    w143 = w7 * c7 / w5 + w55 * w93
+    w144 = (w38 * (w1 * w35) - w42 * w47) / w5 + w55 * w88 - crank_theta_ddot * w141 + rod_q1_ddot * w142 + rod_q2_ddot * w143
+    w145 = w1 * w139
+    w146 = w7 * c10
+    w147 = w7 * c12
+    w148 = w38 * (w1 * w138) - w42 * w140 - (w20 * w144 - w49 * w145 - rod_q1_ddot * w146 - rod_q2_ddot * w147)
+    w149 = w1 * c10
+    w150 = w1 * c12
+    w151 = w14 * w144 - w49 * w140 + rod_q1_ddot * w149 + rod_q2_ddot * w150 - (w42 * w145 + w38 * (w7 * w138))
+    w152 = w1 * c7
+    w153 = (w38 * (w7 * w35) + w42 * w55 - (w29 * w144 - w47 * w49) - rod_q2_ddot * w152) * slider_mass
+    w154 = w32 * (rod_q2_dot * c28 - rod_q1_dot * c17) - (w49 * (w25 + rod_q2 * c28 - rod_q1 * c17) + w26 * w144 - (w22 * w140 + w18 * w145))
+    w155 = w154 + (w29 * w153 - w113)
+    w156 = rod_q1_dot * w142 - crank_theta_dot * w141 + rod_q2_dot * w143 + w48 * w104
+    w157 = w54 * w153 - (w42 * c17 + (w22 * w149 - w18 * w146 + w144 * c21)) + (w46 * w155 + w57 * w142) + w48 * w110
+    w158 = w42 * c28 - c24 - (w22 * w150 - w18 * w147 + w144 * c22) + (w55 * w153 + w56 * w152) + (w48 * w155 + w57 * w143)
+    w159 = 2 * crank_theta_dot
+    w160 = w0 * w159
+    w161 = w16 * w159
+    w162 = w161 / w5
+    w163 = (w160 + w29 * w162) * slider_mass
+    w164 = w14 * w160 - w20 * w161 + w26 * w162 + w29 * w163
+    w165 = w6 * w164 - (w0 * (w20 * w162 - w161 * c3) + w16 * (w163 + (w160 * c3 + w14 * w162))) - w6 * w103
+    w166 = w117 + (w60 + w61)
+    w167 = 2 * w34
+    w168 = (w7 * w167 + w38 * w54) / w5
+    w169 = (w38 * w45 - w1 * w167 - w29 * w168) * slider_mass
+    w170 = w24 * w32 - w26 * w168 + w29 * w169
+    w171 = w0 * (w7 * w166 + w38 * w83 - w20 * w168) - w16 * (w38 * w73 + w1 * w166 + w14 * w168 - w169) - w6 * w170
+    w172 = w137 + (w62 + w63)
+    w173 = 2 * w35
+    w174 = (w7 * w173 + w38 * w55) / w5
+    w175 = (w38 * w47 - w1 * w173 - w29 * w174) * slider_mass
+    w176 = w25 * w32 - w26 * w174 + w29 * w175
+    w177 = w0 * (w7 * w172 + w38 * w85 - w20 * w174) - w16 * (w1 * w172 - w38 * w75 + w14 * w174 - w175) - w6 * w176
     # outputs
-    dMa_dq_i = ca.vertcat(
+    J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w45 - (w23 * w51 - w15 * w52) - w23 * w62, w83 - (w23 * w84 + w52 * w71) + w22 * w62,
-            w99 - (w23 * w100 + w52 * w87) + w25 * w62,
+            w6 * w31 + w27 * w57 - w87 - w6 * w99 + w103 * w105,
+            w0 * w126 - w16 * (w129 - w131) - (w6 * w133 + w57 * w119) + w46 * w99 + w103 * w134,
+            w0 * w148 - w16 * (w151 - w153) - (w6 * w155 + w57 * w141) + w48 * w99 + w103 * w156,
         ),
         ca.horzcat(  # rod.q1
-            w63 - w64 + w16 * c21 + w35 * w42 + w22 * w51 - w23 * w66, w85,
-            w17 * w95 - w19 * w92 + w89 * c21 + w42 * w98 + (w22 * w100 + w52 * w86) + w25 * w66,
+            w105 * w106 - (w107 - w108 + w28 * c21 + w30 * w54 + w31 * w46 + w6 * w110),
+            w135 + w46 * w110 + w106 * w134, w157 + w106 * w156,
         ),
         ca.horzcat(  # rod.q2
-            w67 + w16 * c22 + w35 * w43 + w25 * w51 - w23 * w69,
-            w17 * w80 - w19 * w77 + w73 * c22 + w43 * w82 + (w25 * w84 + w52 * w72) + w22 * w69, w101,
+            w105 * w111 - (w112 + w28 * c22 + w30 * w55 + w31 * w48 + w6 * w114), w136 + w111 * w134,
+            w158 + w48 * w114 + w111 * w156,
         ),
     )
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(w165, w171 + w46 * w103, w177 + w48 * w103),  # crank.theta
+        ca.horzcat(  # rod.q1
+            -(w83 * w160 - w73 * w161 + w162 * c21 + w54 * w163 + w46 * w164 + w6 * w106),
+            w54 * w169 - w168 * c21 + w46 * w170 + w46 * w106, w54 * w175 - w174 * c21 + w46 * w176 + w48 * w106,
+        ),
+        ca.horzcat(  # rod.q2
+            -(w85 * w160 + w75 * w161 + w162 * c22 + w55 * w163 + w48 * w164 + w6 * w111),
+            w55 * w169 - w168 * c22 + w48 * w170 + w46 * w111, w55 * w175 - w174 * c22 + w48 * w176 + w48 * w111,
+        ),
+    )
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -2021,7 +2120,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

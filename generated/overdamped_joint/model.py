@@ -571,34 +571,56 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 2) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 2) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 2) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    16 operations.
+    gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    52 operations.
     """
     q_i = ca.SX.sym("q_i", 2)
+    q_i_dot = ca.SX.sym("q_i_dot", 2)
     q_i_ddot = ca.SX.sym("q_i_ddot", 2)
     c = ca.SX.sym("c", 21)
     rod_theta = q_i[0]
     finger_theta = q_i[1]
+    rod_theta_dot = q_i_dot[0]
+    finger_theta_dot = q_i_dot[1]
     rod_theta_ddot = q_i_ddot[0]
     finger_theta_ddot = q_i_ddot[1]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
     c3 = c[3]
-    # intermediate terms (3)
-    w0 = ca.sin(finger_theta - rod_theta) * c3
-    w1 = finger_theta_ddot * w0
-    w2 = rod_theta_ddot * w0
+    c5 = c[5]
+    c6 = c[6]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    # intermediate terms (9)
+    w0 = finger_theta - rod_theta
+    w1 = ca.sin(w0)
+    w2 = ca.cos(w0) * c3
+    w3 = finger_theta_dot**2 * w2
+    w4 = w1 * c3
+    w5 = finger_theta_ddot * w4
+    w6 = rod_theta_ddot * w4
+    w7 = rod_theta_dot**2 * w2
+    w8 = w1 * c19
     # outputs
-    dMa_dq_i = ca.vertcat(
-        ca.horzcat(w1, -w1),  # rod.theta
-        ca.horzcat(w2, -w2),  # finger.theta
+    J_q = ca.vertcat(
+        ca.horzcat(c17 - ca.sin(rod_theta) * c5 - w3 - w5, w5 + (spring_stiffness + w3)),  # rod.theta
+        ca.horzcat(spring_stiffness + w7 - w6, w6 - spring_stiffness - w7 - ca.sin(finger_theta) * c6),  # finger.theta
     )
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(c18, spring_damping + finger_theta_dot * w8),  # rod.theta
+        ca.horzcat(spring_damping - rod_theta_dot * w8, c18),  # finger.theta
+    )
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -799,7 +821,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "blocks": blocks,

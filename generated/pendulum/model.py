@@ -345,16 +345,24 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, [], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
-    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    2 operations.
+    takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    7 operations.
     """
+    q_i = ca.SX.sym("q_i", 1)
+    c = ca.SX.sym("c", 9)
+    rod_theta = q_i[0]
+    c8 = c[8]
     # outputs
-    dMa_dq_i = ca.SX(1, 1)
-    inputs, outputs = [], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+    J_q = ca.vertcat(ca.sin(rod_theta) * c8)
+    J_v = ca.SX(1, 1)
+    inputs, outputs = [q_i, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -417,7 +425,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

@@ -17,8 +17,8 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 11) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
-    76 operations.
+    gives c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
+    40 operations.
     """
     p = ca.SX.sym("p", 11)
     gravity_y = p[0]
@@ -32,15 +32,8 @@ def constants() -> ca.Function:
     slider_inertia = p[8]
     crank_tip_x = p[9]
     rod_tip_x = p[10]
-    # intermediate terms (8)
+    # intermediate terms (1)
     w0 = crank_mass * crank_center_of_mass_x
-    w1 = 2 * crank_tip_x
-    w2 = rod_mass * w1
-    w3 = rod_center_of_mass_x * w2
-    w4 = rod_tip_x * (slider_mass * w1)
-    w5 = 2 * rod_mass
-    w6 = rod_tip_x * (rod_tip_x * (2 * slider_mass))
-    w7 = rod_center_of_mass_x * (rod_tip_x * w2)
     # outputs
     c = ca.vertcat(
         crank_inertia + crank_mass * crank_center_of_mass_x**2,  # c0
@@ -59,15 +52,6 @@ def constants() -> ca.Function:
         slider_inertia,  # slider_inertia
         crank_mass * gravity_y,  # c14
         slider_mass * gravity_y,  # c15
-        w3,  # c16
-        w3 + w4,  # c17
-        slider_mass * (crank_tip_x * w1),  # c18
-        w6,  # c19
-        w7,  # c20
-        w7 + rod_tip_x * w4,  # c21
-        rod_center_of_mass_x * (rod_center_of_mass_x * w5) + 2 * rod_inertia,  # c22
-        rod_tip_x * w6,  # c23
-        rod_center_of_mass_x * (rod_center_of_mass_x * (rod_tip_x * w5)) + rod_inertia * (2 * rod_tip_x),  # c24
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -80,7 +64,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 1) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 1) [N, N m]: condensed force S^T (Q* - M s)
     87 operations.
@@ -89,7 +73,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -137,7 +121,7 @@ def closure() -> ca.Function:
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_next (n_d = 8) [mixed]: dependent coordinates after one Newton step
     gives C_loop (loops = 1) [m, rad]: loop closure error before a Newton step
     gives det_loop (loop blocks = 1) [SI]: determinants of the loop blocks, zero if singular
@@ -145,7 +129,7 @@ def closure() -> ca.Function:
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_tip_x = c[1]
@@ -174,14 +158,14 @@ def velocities() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     30 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -209,7 +193,7 @@ def accelerations() -> ca.Function:
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_d_ddot (n_d = 8) [mixed]: accelerations of the dependent coordinates
     44 operations.
     """
@@ -218,7 +202,7 @@ def accelerations() -> ca.Function:
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -251,7 +235,7 @@ def constraints() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives C (n_c = 8) [m, rad]: constraint rows C(q, t) = 0 in scene order
     gives C_q (n_c x n = 8 x 9) [SI]: constraint Jacobian
     gives C_t (n_c = 8) [m/s, rad/s]: partial time derivative of C (prescribed motions)
@@ -261,7 +245,7 @@ def constraints() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_x = q[0]
     crank_y = q[1]
     crank_theta = q[2]
@@ -334,7 +318,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 9 x 9) [SI]: mass matrix in all coordinates
     gives K (n x n = 9 x 9) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 9) [N, N m]: quadratic velocity force in all coordinates
@@ -346,7 +330,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -479,7 +463,7 @@ def reactions() -> ca.Function:
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
     takes q_ddot (n = 9) [mixed]: accelerations of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 8) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 3 x 4) [N, N m]: world force and moment of a joint on its body b, at b
     107 operations.
@@ -487,7 +471,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
     q_ddot = ca.SX.sym("q_ddot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q[2]
     rod_theta = q[5]
     crank_theta_dot = q_dot[2]
@@ -557,7 +541,7 @@ def energy() -> ca.Function:
 
     takes q (n = 9) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 9) [mixed]: rates of all coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -567,7 +551,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 9)
     q_dot = ca.SX.sym("q_dot", 9)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_y = q[1]
     crank_theta = q[2]
     rod_y = q[4]
@@ -670,7 +654,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i, through q_d
     149 operations.
     """
@@ -678,7 +662,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
     q_d_dot = ca.SX.sym("q_d_dot", 8)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -743,14 +727,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 1) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     58 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
     q_i_dot = ca.SX.sym("q_i_dot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
     crank_theta_dot = q_i_dot[0]
@@ -783,60 +767,93 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 1) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 1) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 1) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 25) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 1) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    82 operations.
+    takes c (n_const = 16) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 1) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 1) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    200 operations.
     """
     q_i = ca.SX.sym("q_i", 1)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 1)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 1)
-    c = ca.SX.sym("c", 25)
+    c = ca.SX.sym("c", 16)
     crank_theta = q_i[0]
     rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
     crank_tip_x = c[1]
+    rod_mass = c[2]
+    slider_mass = c[3]
     rod_tip_x = c[5]
-    c16 = c[16]
-    c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
-    c20 = c[20]
-    c21 = c[21]
-    c22 = c[22]
-    c23 = c[23]
-    c24 = c[24]
-    # intermediate terms (21)
-    w0 = ca.cos(crank_theta)
+    c6 = c[6]
+    c7 = c[7]
+    gravity_y = c[8]
+    c9 = c[9]
+    c10 = c[10]
+    # intermediate terms (48)
+    w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = ca.sin(crank_theta)
-    w3 = w1 * rod_tip_x
-    w4 = crank_theta_ddot * (w2 * crank_tip_x / w3)
-    w5 = w0 * crank_tip_x / w3
-    w6 = crank_theta_ddot * w5
-    w7 = ca.sin(rod_theta)
-    w8 = w5 / w3
-    w9 = w0 * w1
-    w10 = w6 * w8
-    w11 = w0 * w7
-    w12 = w5 * w6
-    w13 = w1 * w2
-    w14 = w2 * w7
-    w15 = w4 * w5
-    w16 = w7**2
-    w17 = w8 * w12
-    w18 = w6 * (w13 * c16) + (crank_theta_ddot * (w0 * w2 * c18) + (w4 * (w9 * c16) + w7 * w9 * c20 * w10))
-    w19 = w10 * (w7 * w14 * c21) + (w4 * (w14 * c17) + (w12 * (w13 * c17) + w18)) - w11 * c16 * w12 - w6 * (w11 * c17)
-    w20 = w19 - w1 * w7 * c19 * (w5 * w12) - w15 * c22 - w15 * (w16 * c19) - w7 * w16 * c23 * w17 - w17 * (w7 * c24)
+    w2 = w1 * rod_tip_x
+    w3 = w0 / w2
+    w4 = ca.sin(rod_theta)
+    w5 = w4 * c6
+    w6 = crank_theta_dot**2
+    w7 = ca.sin(crank_theta)
+    w8 = w7 * crank_tip_x
+    w9 = w6 * w8
+    w10 = w0 * crank_theta_ddot - w9
+    w11 = w5 * w10
+    w12 = w1 * c6
+    w13 = w0 * w6
+    w14 = crank_theta_ddot * w8 + w13
+    w15 = w12 * w14
+    w16 = w8 / w2
+    w17 = w13 / w2 + crank_theta_ddot * w16
+    w18 = w4 * rod_tip_x
+    w19 = (w10 + w17 * w18) * slider_mass
+    w20 = rod_theta_dot**2
+    w21 = w18 * w20
+    w22 = (w9 + w21) / w2
+    w23 = w22 - w3 * crank_theta_ddot
+    w24 = (w14 + w2 * w20 + w18 * w23) * slider_mass
+    w25 = w12 * gravity_y - (w5 * w14 + w10 * w12 + w23 * c7) - w18 * w24
+    w26 = w14 * rod_mass
+    w27 = w5 * w20
+    w28 = w10 * rod_mass
+    w29 = w12 * w23
+    w30 = w12 * w20
+    w31 = w5 * w23
+    w32 = w7 * c9 + (w0 * (w12 * w17 - w26) + w8 * (c10 + w27 - (w28 + w29))) + (w8 * (w19 + (w28 + w5 * w17)) + w0 * (w24 + (w30 + (w26 + w31))))
+    w33 = w18 * (w3 / w2)
+    w34 = w20 + w18 * (w22 / w2) - crank_theta_ddot * w33
+    w35 = (w2 * w23 + w18 * w34 - w21) * slider_mass
+    w36 = w0 * (w30 - (w12 * w34 - w31)) - w8 * (w29 + w5 * w34 - w27 + w35) - (w25 * w33 - w3 * (w5 * gravity_y + (w15 - w11 + w34 * c7) + (w18 * w35 + w2 * w24)))
+    w37 = 2 * rod_theta_dot
+    w38 = w18 * w37 / w2
+    w39 = (w2 * w37 + w18 * w38) * slider_mass
+    w40 = (w0 * (w5 * w37 - w12 * w38) - w8 * (w12 * w37 + w5 * w38 + w39) + w3 * (w38 * c7 + w18 * w39)) * (crank_theta_dot * w16 + w3 * (crank_theta_dot * w33))
+    w41 = w3 * (2 * (w3 * crank_theta_dot))
+    w42 = 2 * crank_theta_dot
+    w43 = w8 * w42
+    w44 = (w18 * w41 + w43) / w2
+    w45 = w0 * w42
+    w46 = (w45 + w2 * w41 + w18 * w44) * slider_mass
+    w47 = w0 * (w5 * w41 - (w12 * w44 - w43 * rod_mass)) - w8 * (w12 * w41 + (w45 * rod_mass + w5 * w44) + w46)
     # outputs
-    dMa_dq_i = ca.vertcat(w20)
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q = ca.vertcat(w3 * (w11 - w15 + w17 * c7 + w18 * w19) + w16 * w25 - w32 - w3 * w36 + w40)
+    J_v = ca.vertcat(w47 + w3 * (w5 * w45 - w12 * w43 + w44 * c7 + w18 * w46))
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def geometry() -> ca.Function:
@@ -890,6 +907,6 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "geometry": geometry,
 }

@@ -2464,16 +2464,19 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 9) [mixed]: independent coordinates, in the order of the partition
+    takes q_i_dot (n_i = 9) [mixed]: rates of the independent coordinates
     takes q_i_ddot (n_i = 9) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 42) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 9 x 9) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    818 operations.
+    gives J_q (n_i x n_i = 9 x 9) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 9 x 9) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    2665 operations.
     """
     q_i = ca.SX.sym("q_i", 9)
+    q_i_dot = ca.SX.sym("q_i_dot", 9)
     q_i_ddot = ca.SX.sym("q_i_ddot", 9)
     c = ca.SX.sym("c", 42)
     link1_theta1 = q_i[0]
@@ -2485,6 +2488,15 @@ def dMa_dq_i() -> ca.Function:
     link3_theta1 = q_i[6]
     link3_theta2 = q_i[7]
     link3_theta3 = q_i[8]
+    link1_theta1_dot = q_i_dot[0]
+    link1_theta2_dot = q_i_dot[1]
+    link1_theta3_dot = q_i_dot[2]
+    link2_theta1_dot = q_i_dot[3]
+    link2_theta2_dot = q_i_dot[4]
+    link2_theta3_dot = q_i_dot[5]
+    link3_theta1_dot = q_i_dot[6]
+    link3_theta2_dot = q_i_dot[7]
+    link3_theta3_dot = q_i_dot[8]
     link1_theta1_ddot = q_i_ddot[0]
     link1_theta2_ddot = q_i_ddot[1]
     link1_theta3_ddot = q_i_ddot[2]
@@ -2496,10 +2508,7 @@ def dMa_dq_i() -> ca.Function:
     link3_theta3_ddot = q_i_ddot[8]
     c0 = c[0]
     c1 = c[1]
-    c2 = c[2]
     c3 = c[3]
-    c4 = c[4]
-    c5 = c[5]
     link1_end_x = c[6]
     link2_mass = c[7]
     link3_mass = c[8]
@@ -2508,277 +2517,723 @@ def dMa_dq_i() -> ca.Function:
     c13 = c[13]
     c14 = c[14]
     c15 = c[15]
-    c16 = c[16]
     c17 = c[17]
-    c18 = c[18]
-    c19 = c[19]
     c21 = c[21]
     c22 = c[22]
-    c23 = c[23]
     c24 = c[24]
-    c25 = c[25]
-    c26 = c[26]
+    gravity_z = c[27]
+    c28 = c[28]
     c37 = c[37]
-    # intermediate terms (195)
-    w0 = ca.cos(link1_theta1)
-    w1 = ca.cos(link1_theta2)
-    w2 = w0 * w1 * link1_end_x
-    w3 = ca.sin(link1_theta1)
-    w4 = w1 * w3 * link1_end_x
-    w5 = ca.sin(link1_theta2)
-    w6 = w5 * link1_end_x
-    w7 = w0 * w6
-    w8 = link1_theta1_ddot * w4 + link1_theta2_ddot * w7
-    w9 = w8 * link2_mass
-    w10 = w8 * link3_mass
-    w11 = w9 + w10
-    w12 = ca.cos(link2_theta1)
-    w13 = ca.cos(link2_theta3)
-    w14 = w12 * w13
-    w15 = ca.sin(link2_theta1)
-    w16 = ca.sin(link2_theta2)
-    w17 = w15 * w16
-    w18 = ca.sin(link2_theta3)
-    w19 = w14 + w17 * w18
-    w20 = ca.cos(link2_theta2)
-    w21 = w13 * w20
-    w22 = link2_theta1_ddot * w21 - w18 * link2_theta2_ddot
-    w23 = w22 * c11
-    w24 = w19 * w23
-    w25 = w13 * w15
-    w26 = w16 * w25
-    w27 = w12 * w18
-    w28 = w26 - w27
-    w29 = w18 * w20
-    w30 = link2_theta1_ddot * w29 + w13 * link2_theta2_ddot
-    w31 = w30 * c11
-    w32 = w3 * w6
-    w33 = w2 * link1_theta1_ddot - link1_theta2_ddot * w32
-    w34 = w33 * link2_mass
-    w35 = ca.cos(link3_theta1)
-    w36 = ca.cos(link3_theta3)
-    w37 = w35 * w36
-    w38 = ca.sin(link3_theta1)
-    w39 = ca.sin(link3_theta2)
-    w40 = w38 * w39
-    w41 = ca.sin(link3_theta3)
-    w42 = w37 + w40 * w41
-    w43 = ca.cos(link3_theta2)
-    w44 = w36 * w43
-    w45 = link3_theta1_ddot * w44 - w41 * link3_theta2_ddot
-    w46 = w45 * c13
-    w47 = w42 * w46
-    w48 = w36 * w38
-    w49 = w39 * w48
-    w50 = w35 * w41
-    w51 = w49 - w50
-    w52 = w41 * w43
-    w53 = link3_theta1_ddot * w52 + w36 * link3_theta2_ddot
-    w54 = w53 * c13
-    w55 = w12 * w20
-    w56 = w55 * link2_end_x
-    w57 = link2_theta1_ddot * w56
-    w58 = w16 * link2_end_x
-    w59 = w15 * w58
-    w60 = link2_theta2_ddot * w59
-    w61 = w33 + w57 - w60
-    w62 = w47 - w51 * w54 + w61 * link3_mass
-    w63 = w24 - w28 * w31 + w34 + w62
-    w64 = w12 * w16
-    w65 = w18 * w64 - w25
-    w66 = w15 * w18
-    w67 = w66 + w14 * w16
-    w68 = w23 * w65 - w31 * w67
-    w69 = w35 * w39
-    w70 = w41 * w69 - w48
-    w71 = w38 * w41
-    w72 = w71 + w37 * w39
-    w73 = w46 * w70 - w54 * w72
-    w74 = w15 * w20
-    w75 = w74 * link2_end_x
-    w76 = link2_theta1_ddot * w75
-    w77 = w12 * w58
-    w78 = link2_theta2_ddot * w77
-    w79 = w8 + w76 + w78
-    w80 = w73 - w79 * link3_mass
-    w81 = w68 - w9 + w80
-    w82 = w33 * link3_mass
-    w83 = w34 + w82
-    w84 = w1 * link1_end_x
-    w85 = link1_theta2_ddot * w84
-    w86 = w20 * link2_end_x
-    w87 = w85 + link2_theta2_ddot * w86
-    w88 = w46 * w52 - w44 * w54 - w87 * link3_mass
-    w89 = w74 * c11
-    w90 = w33 * w89
-    w91 = w55 * c11
-    w92 = w8 * w91
-    w93 = w16 * c11
-    w94 = w12 * w93
-    w95 = w15 * w93
-    w96 = w20 * c11
-    w97 = w38 * w43
-    w98 = w97 * c13
-    w99 = w35 * w43
-    w100 = w99 * c13
-    w101 = w39 * c13
-    w102 = w35 * w101
-    w103 = w38 * w101
-    w104 = w43 * c13
-    w105 = w0 * w84
-    w106 = w3 * w5 * link1_end_x
-    w107 = link1_theta2_ddot * w105 - link1_theta1_ddot * w106
-    w108 = w107 * link3_mass
-    w109 = w107 * link2_mass + w108
-    w110 = ca.sin(link1_theta3)
-    w111 = w1 * w110
-    w112 = ca.cos(link1_theta3)
-    w113 = link1_theta1_ddot * w111 + link1_theta2_ddot * w112
-    w114 = w113 * c3
-    w115 = w113 * c1 + w114
-    w116 = link1_theta1_ddot * w5
-    w117 = w110 * w116 * c4
-    w118 = w1 * link1_theta1_ddot * c2
-    w119 = w1 * w112
-    w120 = link1_theta1_ddot * w119 - link1_theta2_ddot * w110
-    w121 = w120 * c3
-    w122 = w121 + w120 * c0
-    w123 = w112 * w116 * c5
-    w124 = w115 * (w5 * w110) + w111 * w117 + (w1 * ((link1_theta3_ddot - w116) * c2) - w5 * w118) + (w122 * (w5 * w112) + w119 * w123)
-    w125 = w0 * w5 * link1_end_x
-    w126 = w3 * w84
-    w127 = link1_theta1_ddot * w125 + link1_theta2_ddot * w126
-    w128 = w127 * link3_mass
-    w129 = w127 * link2_mass + w128
-    w130 = link1_theta2_ddot * w6
-    w131 = w130 * link3_mass
-    w132 = w110 * w123 - w112 * w117 - (w84 * (w130 * link2_mass + w131) - w6 * (w23 * w29 - w21 * w31 - w85 * link2_mass + w88))
-    w133 = w121 + w120 * c1
-    w134 = w114 + w113 * c0
-    w135 = w76 + w78
-    w136 = w135 * link3_mass
-    w137 = w68 - w136
-    w138 = w57 - w60
-    w139 = w138 * link3_mass
-    w140 = w24 + w31 * (w27 - w26) + w139
-    w141 = w13 * w16
-    w142 = link2_theta1_ddot * w141
-    w143 = w142 * c11
-    w144 = w16 * w18
-    w145 = link2_theta1_ddot * w144
-    w146 = w145 * c11
-    w147 = w64 * link2_end_x
-    w148 = w15 * w86
-    w149 = link2_theta1_ddot * w147 + link2_theta2_ddot * w148
-    w150 = w149 * link3_mass
-    w151 = w23 * (w18 * w74) - w19 * w143 - (w31 * (w20 * w25) - w28 * w146) - w150
-    w152 = w12 * w86
-    w153 = w17 * link2_end_x
-    w154 = link2_theta2_ddot * w152 - link2_theta1_ddot * w153
-    w155 = w154 * link3_mass
-    w156 = w23 * (w18 * w55) - w65 * w143 - (w31 * (w14 * w20) - w67 * w146) - w155
-    w157 = link2_theta2_ddot * w58
-    w158 = w157 * link3_mass
-    w159 = w30 * c17
-    w160 = w30 * c15 + w159
-    w161 = w145 * c18
-    w162 = link2_theta1_ddot * w20 * c16
-    w163 = w144 * w160 + w29 * w161 + (w20 * ((link2_theta3_ddot - w16 * link2_theta1_ddot) * c16) - w16 * w162)
-    w164 = w22 * c17
-    w165 = w164 + w22 * c14
-    w166 = w142 * c19
-    w167 = w163 + (w141 * w165 + w21 * w166) + (w8 * (w17 * c11) + w33 * (w64 * c11)) + (w56 * w150 + w62 * w147)
-    w168 = w18 * w166 - w13 * w161 + (w8 * (w12 * w96) - w33 * (w15 * w96) - w85 * w93) - (w86 * w158 - w58 * w88)
-    w169 = w23 * (w13 * w17 - w27) - w19 * w31 - (w23 * w28 - w31 * (w14 + w16 * w66))
-    w170 = w23 * (w66 + w13 * w64) - w31 * w65 - (w31 * (w25 - w16 * w27) + w23 * w67)
-    w171 = w164 + w22 * c15
-    w172 = w159 + w30 * c14
-    w173 = w47 + w54 * (w50 - w49)
-    w174 = w36 * w39
-    w175 = link3_theta1_ddot * w174
-    w176 = w175 * c13
-    w177 = w39 * w41
-    w178 = link3_theta1_ddot * w177
-    w179 = w178 * c13
-    w180 = w46 * (w41 * w97) - w42 * w176 - (w54 * (w43 * w48) - w51 * w179)
-    w181 = w46 * (w41 * w99) - w70 * w176 - (w54 * (w37 * w43) - w72 * w179)
-    w182 = w54 * w174 + w44 * w179 - (w46 * w177 + w52 * w176)
-    w183 = w53 * c24
-    w184 = w53 * c22 + w183
-    w185 = w178 * c25
-    w186 = link3_theta1_ddot * w43 * c23
-    w187 = w177 * w184 + w52 * w185 + (w43 * ((link3_theta3_ddot - w39 * link3_theta1_ddot) * c23) - w39 * w186)
-    w188 = w45 * c24
-    w189 = w188 + w45 * c21
-    w190 = w175 * c26
-    w191 = w46 * (w36 * w40 - w50) - w42 * w54 - (w46 * w51 - w54 * (w37 + w39 * w71))
-    w192 = w46 * (w71 + w36 * w69) - w54 * w70 - (w54 * (w48 - w39 * w50) + w46 * w72)
-    w193 = w188 + w45 * c22
-    w194 = w183 + w53 * c21
+    c38 = c[38]
+    c39 = c[39]
+    c40 = c[40]
+    c41 = c[41]
+    # intermediate terms (610)
+    w0 = ca.cos(link1_theta2)
+    w1 = ca.sin(link1_theta1)
+    w2 = w0 * w1
+    w3 = w2 * link1_end_x
+    w4 = ca.cos(link1_theta1)
+    w5 = w0 * w4
+    w6 = link1_theta3_dot * w5 - w1 * link1_theta2_dot
+    w7 = w4 * link1_theta2_dot + w2 * link1_theta3_dot
+    w8 = w5 * link1_end_x
+    w9 = w3 * w6 - w7 * w8
+    w10 = ca.sin(link1_theta2)
+    w11 = link1_theta3_dot * w10
+    w12 = link1_theta1_dot - w11
+    w13 = w3 * w12
+    w14 = w10 * link1_end_x
+    w15 = w13 + w7 * w14
+    w16 = w6 * w9 + w12 * w15
+    w17 = w0 * link1_theta3_dot
+    w18 = ca.cos(link1_theta3)
+    w19 = w17 * w18
+    w20 = link1_theta2_dot * w10
+    w21 = ca.sin(link1_theta3)
+    w22 = w19 - w20 * w21
+    w23 = link1_theta3_dot * link1_theta2_dot
+    w24 = w21 * w23
+    w25 = link1_theta1_dot * w22 - w24
+    w26 = w4 * w10
+    w27 = w1 * w18
+    w28 = w21 * w26 - w27
+    w29 = link1_theta2_dot * link1_theta1_dot
+    w30 = w0 * w29
+    w31 = w17 * w21
+    w32 = link1_theta2_dot * w18
+    w33 = w31 + w10 * w32
+    w34 = w18 * w23
+    w35 = link1_theta1_dot * w33 + w34
+    w36 = w4 * w18
+    w37 = w1 * w21
+    w38 = w10 * w36 + w37
+    w39 = w25 * w28 - w5 * w30 - w35 * w38
+    w40 = w0 * w21
+    w41 = w0 * w18
+    w42 = w10 * w30 + w25 * w40 - w35 * w41
+    w43 = w14 * w39 + w8 * w42
+    w44 = w8 * link1_theta1_ddot
+    w45 = w1 * w14
+    w46 = link1_theta2_ddot * w45
+    w47 = w16 - w43 - w44 + w46
+    w48 = w47 * link3_mass
+    w49 = w47 * link2_mass + w48
+    w50 = ca.cos(link2_theta1)
+    w51 = ca.sin(link2_theta2)
+    w52 = w50 * w51
+    w53 = ca.sin(link2_theta3)
+    w54 = ca.cos(link2_theta3)
+    w55 = ca.sin(link2_theta1)
+    w56 = w54 * w55
+    w57 = w52 * w53 - w56
+    w58 = link2_theta3_dot - w51 * link2_theta1_dot
+    w59 = ca.cos(link2_theta2)
+    w60 = w53 * w59
+    w61 = w54 * link2_theta2_dot
+    w62 = link2_theta1_dot * w60 + w61
+    w63 = w58 * w62
+    w64 = w54 * w59
+    w65 = link2_theta1_ddot * w64 - w53 * link2_theta2_ddot
+    w66 = link2_theta3_dot * w59
+    w67 = w53 * w66
+    w68 = w67 + w51 * w61
+    w69 = link2_theta3_dot * link2_theta2_dot
+    w70 = w54 * w69
+    w71 = link2_theta1_dot * w68 + w70
+    w72 = w65 - w71
+    w73 = w63 + w72
+    w74 = w73 * c11
+    w75 = w50 * w59
+    w76 = w62**2
+    w77 = w53 * link2_theta2_dot
+    w78 = link2_theta1_dot * w64 - w77
+    w79 = w78**2
+    w80 = (w76 + w79) * c11
+    w81 = w53 * w55
+    w82 = w50 * w54
+    w83 = w81 + w51 * w82
+    w84 = w58 * w78
+    w85 = w54 * w66
+    w86 = w51 * link2_theta2_dot
+    w87 = w85 - w53 * w86
+    w88 = w53 * w69
+    w89 = link2_theta1_dot * w87 - w88
+    w90 = w60 * link2_theta1_ddot + w54 * link2_theta2_ddot
+    w91 = w89 + w90
+    w92 = w84 - w91
+    w93 = w92 * c11
+    w94 = w57 * w74 - w75 * w80 + w83 * w93
+    w95 = w7 * w9
+    w96 = w8 * w12
+    w97 = w96 + w6 * w14
+    w98 = w12 * w97
+    w99 = w1 * w10
+    w100 = w36 + w21 * w99
+    w101 = w25 * w100
+    w102 = w2 * w30
+    w103 = w10 * w27
+    w104 = w4 * w21
+    w105 = w103 - w104
+    w106 = w101 - w102 - w35 * w105
+    w107 = w3 * w42
+    w108 = w3 * link1_theta1_ddot
+    w109 = w4 * w14
+    w110 = link1_theta2_ddot * w109
+    w111 = w95 - w98 - (w14 * w106 + w107) - w108 - w110
+    w112 = ca.cos(link3_theta1)
+    w113 = ca.sin(link3_theta2)
+    w114 = w112 * w113
+    w115 = ca.sin(link3_theta3)
+    w116 = ca.cos(link3_theta3)
+    w117 = ca.sin(link3_theta1)
+    w118 = w116 * w117
+    w119 = w114 * w115 - w118
+    w120 = link3_theta3_dot - w113 * link3_theta1_dot
+    w121 = ca.cos(link3_theta2)
+    w122 = w115 * w121
+    w123 = w116 * link3_theta2_dot
+    w124 = link3_theta1_dot * w122 + w123
+    w125 = w120 * w124
+    w126 = w116 * w121
+    w127 = link3_theta1_ddot * w126 - w115 * link3_theta2_ddot
+    w128 = link3_theta3_dot * w121
+    w129 = w115 * w128
+    w130 = w129 + w113 * w123
+    w131 = link3_theta3_dot * link3_theta2_dot
+    w132 = w116 * w131
+    w133 = w127 - (link3_theta1_dot * w130 + w132)
+    w134 = w125 + w133
+    w135 = w134 * c13
+    w136 = w112 * w121
+    w137 = w124**2
+    w138 = w115 * link3_theta2_dot
+    w139 = link3_theta1_dot * w126 - w138
+    w140 = w139**2
+    w141 = (w137 + w140) * c13
+    w142 = w115 * w117
+    w143 = w112 * w116
+    w144 = w142 + w113 * w143
+    w145 = w120 * w139
+    w146 = w116 * w128
+    w147 = w113 * link3_theta2_dot
+    w148 = w146 - w115 * w147
+    w149 = w115 * w131
+    w150 = w122 * link3_theta1_ddot + w116 * link3_theta2_ddot
+    w151 = link3_theta1_dot * w148 - w149 + w150
+    w152 = w145 - w151
+    w153 = w152 * c13
+    w154 = w119 * w135 - w136 * w141 + w144 * w153
+    w155 = w55 * w59
+    w156 = w50 * link2_theta2_dot + link2_theta3_dot * w155
+    w157 = link2_theta3_dot * w75 - w55 * link2_theta2_dot
+    w158 = w155 * link2_end_x
+    w159 = w75 * link2_end_x
+    w160 = w157 * w158 - w156 * w159
+    w161 = w156 * w160
+    w162 = w51 * link2_theta3_dot
+    w163 = link2_theta1_dot - w162
+    w164 = w159 * w163
+    w165 = w51 * link2_end_x
+    w166 = w164 + w157 * w165
+    w167 = w163 * w166
+    w168 = w51 * w55
+    w169 = w82 + w53 * w168
+    w170 = w89 * w169
+    w171 = link2_theta1_dot * link2_theta2_dot
+    w172 = w59 * w171
+    w173 = w155 * w172
+    w174 = w51 * w56
+    w175 = w50 * w53
+    w176 = w174 - w175
+    w177 = w170 - w173 - w71 * w176
+    w178 = w51 * w172 + w60 * w89 - w64 * w71
+    w179 = w158 * w178
+    w180 = link2_theta1_ddot * w158
+    w181 = w50 * w165
+    w182 = link2_theta2_ddot * w181
+    w183 = w111 + (w161 - w167 - (w165 * w177 + w179)) - w180 - w182
+    w184 = w154 + w183 * link3_mass
+    w185 = w94 + w111 * link2_mass + w184
+    w186 = w102 - w101 - w35 * (w104 - w103)
+    w187 = w14 * w186 - w107 - (w98 - w95) - w108 - w110
+    w188 = w187 * link3_mass
+    w189 = w187 * link2_mass + w188
+    w190 = w74 * w169
+    w191 = w80 * w155
+    w192 = w44 + (w43 - w16) - w46
+    w193 = w113 * w117
+    w194 = w143 + w115 * w193
+    w195 = w135 * w194
+    w196 = w117 * w121
+    w197 = w141 * w196
+    w198 = w113 * w118
+    w199 = w112 * w115
+    w200 = w198 - w199
+    w201 = w57 * w89 - w75 * w172 - w71 * w83
+    w202 = w159 * w178 + w165 * w201
+    w203 = w158 * w163
+    w204 = w156 * w165 + w203
+    w205 = w163 * w204 + w157 * w160
+    w206 = link2_theta1_ddot * w159
+    w207 = w55 * w165
+    w208 = link2_theta2_ddot * w207
+    w209 = w192 + (w202 - w205) + w206 - w208
+    w210 = w195 - w197 + w153 * w200 + w209 * link3_mass
+    w211 = w190 - w191 + w93 * w176 + w192 * link2_mass + w210
+    w212 = w0 * link1_end_x
+    w213 = w8 * w39
+    w214 = w3 * w186 + w213 - (w213 - w3 * w106)
+    w215 = w3 * w39 - w8 * w106 + (w6 * w97 + w7 * w15) - link1_theta2_ddot * w212
+    w216 = w215 - gravity_z
+    w217 = w59 * link2_end_x
+    w218 = w215 + (w158 * w201 - w159 * w177 + (w157 * w166 + w156 * w204)) - link2_theta2_ddot * w217 - gravity_z
+    w219 = w113 * w141 + w122 * w135 + w126 * w153 + w218 * link3_mass
+    w220 = w212 * (w214 * link2_mass + w214 * link3_mass) + (w45 * w189 + w109 * w211) + (w49 * w109 - w45 * w185)
+    w221 = w75 * c11
+    w222 = w155 * c11
+    w223 = w51 * c11
+    w224 = w50 * w223
+    w225 = w55 * w223
+    w226 = w59 * c11
+    w227 = w136 * c13
+    w228 = w196 * c13
+    w229 = w113 * c13
+    w230 = w112 * w229
+    w231 = w117 * w229
+    w232 = w121 * c13
+    w233 = link1_theta3_dot * w99
+    w234 = w26 * link1_end_x
+    w235 = link1_theta3_dot * w26
+    w236 = w99 * link1_end_x
+    w237 = w8 * w233 + w7 * w234 - (w3 * w235 + w6 * w236)
+    w238 = w6 * w212
+    w239 = w238 - w14 * w235 - (w8 * w17 + w12 * w234)
+    w240 = w0 * link1_theta2_dot
+    w241 = link1_theta1_dot * (w11 * w18 + w21 * w240)
+    w242 = w10 * w29
+    w243 = link1_theta1_dot * (w0 * w32 - w11 * w21)
+    w244 = w25 * (w2 * w21) - w100 * w241 + w10 * (link1_theta1_dot * (w2 * link1_theta2_dot)) * c38 - (w35 * (w0 * w27) + w105 * w243)
+    w245 = w10 * w21
+    w246 = w10 * w18
+    w247 = w0 * w30 - w10 * w242 - (w25 * w245 + w40 * w241) - (w41 * w243 - w35 * w246)
+    w248 = w7 * w237 - w9 * w233 - (w12 * w239 - w17 * w97) - (w14 * w244 + w106 * w212 + (w3 * w247 - w42 * w236))
+    w249 = w4 * w212
+    w250 = w248 + link1_theta1_ddot * w236 - link1_theta2_ddot * w249
+    w251 = w250 * link3_mass
+    w252 = w250 * link2_mass + w251
+    w253 = w25 * (w5 * w21) - w28 * w241 + w10 * (link1_theta1_dot * (w5 * link1_theta2_dot)) * c38 - (w35 * (w0 * w36) + w38 * w243)
+    w254 = w7 * w212
+    w255 = w254 - w14 * w233 - (w3 * w17 + w12 * w236)
+    w256 = w8 * w247 - w42 * w234 + (w14 * w253 + w39 * w212) - (w12 * w255 - w15 * w17 + (w6 * w237 - w9 * w235))
+    w257 = w1 * w212
+    w258 = w256 - link1_theta1_ddot * w234 - link1_theta2_ddot * w257
+    w259 = w258 * link3_mass
+    w260 = w258 * link2_mass + w259
+    w261 = link1_theta3_dot - link1_theta1_dot * w10
+    w262 = link1_theta2_dot * w21
+    w263 = link1_theta1_dot * w41 - w262
+    w264 = w261 * w263
+    w265 = w40 * link1_theta1_ddot + w18 * link1_theta2_ddot
+    w266 = w25 + w265
+    w267 = (w264 + w266) * c1 - (w264 - w266) * c3
+    w268 = w0 * link1_theta1_dot
+    w269 = link1_theta1_dot * w246
+    w270 = w263 * w268 + w261 * w269
+    w271 = w241 + link1_theta1_ddot * w245
+    w272 = (w270 + w271) * c1 + (w271 - w270) * c3
+    w273 = w32 + link1_theta1_dot * w40
+    w274 = w263 * w273
+    w275 = link1_theta3_ddot - w10 * link1_theta1_ddot - w30
+    w276 = w242 - w0 * link1_theta1_ddot
+    w277 = link1_theta1_dot * w245
+    w278 = w263 * w277 + w269 * w273
+    w279 = (w276 - w278) * c0 + (w276 + w278) * c1
+    w280 = w261 * w273
+    w281 = w41 * link1_theta1_ddot - w21 * link1_theta2_ddot
+    w282 = w281 - w35
+    w283 = (w280 + w282) * c3 - (w280 - w282) * c0
+    w284 = w268 * w273 + w261 * w277
+    w285 = w243 + link1_theta1_ddot * w246
+    w286 = (w284 + w285) * c3 + (w285 - w284) * c0
+    w287 = w245 * w267 + w40 * w272 + (w0 * ((w274 + w275) * c0 - (w274 - w275) * c1) + w10 * w279) + (w246 * w283 + w41 * w286)
+    w288 = w3 * w253 - w39 * w236 - (w8 * w244 - w106 * w234) + (w6 * w239 - w97 * w235 + (w7 * w255 - w15 * w233))
+    w289 = w288 + w14 * link1_theta2_ddot
+    w290 = w212 * (w289 * link2_mass + w289 * link3_mass) - w14 * (w51 * w80 + w60 * w74 + w64 * w93 + w216 * link2_mass + w219)
+    w291 = w290 - (w21 * w286 - w18 * w272 - w10 * c28) + (w45 * w260 + w211 * w257) + (w109 * w252 + w185 * w249)
+    w292 = w34 + link1_theta1_dot * (w31 + w18 * w20)
+    w293 = link1_theta1_dot * (w19 - w10 * w262) - w24
+    w294 = w25 * (w18 * w99 - w104) - w100 * w292 - (w105 * w293 - w35 * (w36 + w10 * w37))
+    w295 = w25 * w41 - w40 * w292 - (w41 * w293 - w35 * w40)
+    w296 = w14 * w294 + w3 * w295
+    w297 = w296 * link3_mass
+    w298 = w296 * link2_mass + w297
+    w299 = w281 - w292
+    w300 = (w299 - w280) * c1 + (w280 + w299) * c3
+    w301 = w263**2 - w273**2
+    w302 = w301 * c0 - w301 * c1
+    w303 = w265 + w293
+    w304 = (w264 - w303) * c3 - (w264 + w303) * c0
+    w305 = w25 * (w37 + w18 * w26) - w28 * w292 - (w35 * (w27 - w10 * w104) + w38 * w293)
+    w306 = w8 * w295 + w14 * w305
+    w307 = w306 * link3_mass
+    w308 = w306 * link2_mass + w307
+    w309 = w3 * w305 - w8 * w294
+    w310 = w212 * (w309 * link2_mass + w309 * link3_mass) - (w18 * w300 - w21 * w267 - (w18 * w283 + w21 * w304))
+    w311 = w175 - w174
+    w312 = w208 + (w205 - w202 - w206)
+    w313 = w312 * link3_mass
+    w314 = w191 - w190 + w93 * w311 + w313
+    w315 = w173 - w170 - w71 * w311
+    w316 = w165 * w315 - w179 - (w167 - w161) - w180 - w182
+    w317 = w316 * link3_mass
+    w318 = w94 + w317
+    w319 = w159 * w201
+    w320 = w158 * w315 + w319 - (w319 - w158 * w177)
+    w321 = w320 * link3_mass
+    w322 = w217 * w321 + (w192 * w224 - w111 * w225) + (w207 * w317 + w181 * w210) + (w181 * w313 - w184 * w207)
+    w323 = w53 * w75
+    w324 = link2_theta1_dot * w59
+    w325 = w51 * w53
+    w326 = link2_theta1_dot * w325
+    w327 = w62 * w324 + w58 * w326
+    w328 = w51 * w54
+    w329 = link2_theta1_dot * (w59 * w61 - w53 * w162)
+    w330 = link2_theta1_ddot * w328 + w329
+    w331 = w327 + w330
+    w332 = w331 * c11
+    w333 = 2 * w62
+    w334 = 2 * w78
+    w335 = link2_theta1_dot * w328
+    w336 = (w326 * w333 + w334 * w335) * c11
+    w337 = w59 * w82
+    w338 = w59 * link2_theta2_dot
+    w339 = link2_theta1_dot * (w54 * w162 + w53 * w338)
+    w340 = w339 + link2_theta1_ddot * w325
+    w341 = w78 * w324 + w58 * w335
+    w342 = w340 - w341
+    w343 = w342 * c11
+    w344 = link2_theta3_dot * w168
+    w345 = w52 * link2_end_x
+    w346 = w52 * link2_theta3_dot
+    w347 = w168 * link2_end_x
+    w348 = w159 * w344 + w156 * w345 - (w158 * w346 + w157 * w347)
+    w349 = w157 * w217
+    w350 = w349 - w165 * w346 - (w66 * w159 + w163 * w345)
+    w351 = w53 * w155
+    w352 = w51 * w171
+    w353 = w56 * w59
+    w354 = w89 * w351 - w169 * w339 + link2_theta2_dot * (w59 * (link2_theta1_dot * w168)) * c38 - (w71 * w353 + w176 * w329)
+    w355 = w59 * w172 - w51 * w352 - (w89 * w325 + w60 * w339) - (w64 * w329 - w71 * w328)
+    w356 = w156 * w348 - w160 * w344 - (w163 * w350 - w66 * w166) - (w165 * w354 + w177 * w217 + (w158 * w355 - w178 * w347))
+    w357 = w50 * w217
+    w358 = w356 + link2_theta1_ddot * w347 - link2_theta2_ddot * w357
+    w359 = w358 * link3_mass
+    w360 = w74 * w323 - w57 * w332 + (w52 * w80 + w75 * w336) + (w93 * w337 + w83 * w343) + w359
+    w361 = w89 * w323 - w57 * w339 + link2_theta2_dot * (w59 * (w52 * link2_theta1_dot)) * c38 - (w71 * w337 + w83 * w329)
+    w362 = w156 * w217
+    w363 = w362 - w165 * w344 - (w66 * w158 + w163 * w347)
+    w364 = w159 * w355 - w178 * w345 + (w165 * w361 + w201 * w217) - (w163 * w363 - w66 * w204 + (w157 * w348 - w160 * w346))
+    w365 = w55 * w217
+    w366 = w364 - link2_theta1_ddot * w345 - link2_theta2_ddot * w365
+    w367 = w366 * link3_mass
+    w368 = w74 * w351 - w169 * w332 + (w80 * w168 + w155 * w336) + (w93 * w353 + w176 * w343) + w367
+    w369 = w158 * w361 - w201 * w347 - (w159 * w354 - w177 * w345) + (w157 * w350 - w166 * w346 + (w156 * w363 - w204 * w344))
+    w370 = w369 + link2_theta2_ddot * w165
+    w371 = w370 * link3_mass
+    w372 = w212 * (w59 * w80 - w51 * w336 - (w74 * w325 + w60 * w332) + (w64 * w343 - w93 * w328) + w371) + w45 * w368
+    w373 = (w84 + w91) * c15 - w92 * c17
+    w374 = (w340 + w341) * c15 + w342 * c17
+    w375 = w62 * w78
+    w376 = link2_theta3_ddot - w51 * link2_theta1_ddot - w172
+    w377 = w352 - w59 * link2_theta1_ddot
+    w378 = w78 * w326 + w62 * w335
+    w379 = (w377 - w378) * c14 + (w377 + w378) * c15
+    w380 = w73 * c17 - (w63 - w72) * c14
+    w381 = w331 * c17 + (w330 - w327) * c14
+    w382 = w325 * w373 + w60 * w374 + (w59 * ((w375 + w376) * c14 - (w375 - w376) * c15) + w51 * w379) + (w328 * w380 + w64 * w381)
+    w383 = w158 * w359 - w184 * w347 - (w111 * (w168 * c11) - w192 * (w52 * c11) - w382 + (w159 * w367 - w210 * w345))
+    w384 = w217 * w371 - w165 * w219 - (w53 * w381 - w54 * w374 - (w111 * (w50 * w226) + w192 * (w55 * w226) - w216 * w223))
+    w385 = w81 + w52 * w54
+    w386 = link2_theta1_dot * (w85 - w51 * w77) - w88
+    w387 = w90 + w386
+    w388 = w84 - w387
+    w389 = w388 * c11
+    w390 = (w78 * w333 - w62 * w334) * c11
+    w391 = w56 - w51 * w175
+    w392 = w70 + link2_theta1_dot * (w67 + w54 * w86)
+    w393 = w65 - w392
+    w394 = w63 + w393
+    w395 = w394 * c11
+    w396 = w54 * w168 - w175
+    w397 = w82 + w51 * w81
+    w398 = w89 * w396 - w169 * w392 - (w176 * w386 - w71 * w397)
+    w399 = w64 * w89 - w60 * w392 - (w64 * w386 - w60 * w71)
+    w400 = w165 * w398 + w158 * w399
+    w401 = w400 * link3_mass
+    w402 = w74 * w385 + w57 * w389 - w75 * w390 + (w93 * w391 - w83 * w395) - w401
+    w403 = w89 * w385 - w57 * w392 - (w71 * w391 + w83 * w386)
+    w404 = w159 * w399 + w165 * w403
+    w405 = w404 * link3_mass
+    w406 = w74 * w396 + w169 * w389 - w155 * w390 - (w93 * w397 + w176 * w395) + w405
+    w407 = w158 * w403 - w159 * w398
+    w408 = w407 * link3_mass
+    w409 = w212 * (w51 * w390 + (w64 * w74 + w60 * w389) - (w60 * w93 + w64 * w395) + w408) + w45 * w406 + w109 * w402
+    w410 = (w393 - w63) * c15 + w394 * c17
+    w411 = w79 - w76
+    w412 = w411 * c14 - w411 * c15
+    w413 = w388 * c17 - (w84 + w387) * c14
+    w414 = -(w158 * w401 + (w64 * w373 + w60 * w410 - w51 * w412 + (w64 * w413 - w60 * w380) + w159 * w405))
+    w415 = w197 - w195 + w153 * (w199 - w198)
+    w416 = link3_theta1_dot * w121
+    w417 = w113 * w115
+    w418 = link3_theta1_dot * w417
+    w419 = w124 * w416 + w120 * w418
+    w420 = w113 * w116
+    w421 = w113 * link3_theta3_dot
+    w422 = link3_theta1_ddot * w420 + link3_theta1_dot * (w121 * w123 - w115 * w421)
+    w423 = w419 + w422
+    w424 = w423 * c13
+    w425 = 2 * w124
+    w426 = 2 * w139
+    w427 = link3_theta1_dot * w420
+    w428 = (w418 * w425 + w426 * w427) * c13
+    w429 = w121 * link3_theta2_dot
+    w430 = link3_theta1_dot * (w116 * w421 + w115 * w429) + link3_theta1_ddot * w417
+    w431 = w139 * w416 + w120 * w427
+    w432 = w430 - w431
+    w433 = w432 * c13
+    w434 = w135 * (w115 * w136) - w119 * w424 + (w114 * w141 + w136 * w428) + (w153 * (w121 * w143) + w144 * w433)
+    w435 = w135 * (w115 * w196) - w194 * w424 + (w141 * w193 + w196 * w428) + (w153 * (w118 * w121) + w200 * w433)
+    w436 = w121 * w141 - w113 * w428 - (w135 * w417 + w122 * w424) + (w126 * w433 - w153 * w420)
+    w437 = (w145 + w151) * c22 - w152 * c24
+    w438 = (w430 + w431) * c22 + w432 * c24
+    w439 = w124 * w139
+    w440 = link3_theta1_dot * link3_theta2_dot
+    w441 = link3_theta3_ddot - w113 * link3_theta1_ddot - w121 * w440
+    w442 = w113 * w440 - w121 * link3_theta1_ddot
+    w443 = w139 * w418 + w124 * w427
+    w444 = (w442 - w443) * c21 + (w442 + w443) * c22
+    w445 = w134 * c24 - (w125 - w133) * c21
+    w446 = w423 * c24 + (w422 - w419) * c21
+    w447 = w417 * w437 + w122 * w438 + (w121 * ((w439 + w441) * c21 - (w439 - w441) * c22) + w113 * w444) + (w420 * w445 + w126 * w446)
+    w448 = w150 + (link3_theta1_dot * (w146 - w113 * w138) - w149)
+    w449 = w145 - w448
+    w450 = w449 * c13
+    w451 = (w139 * w425 - w124 * w426) * c13
+    w452 = w127 - (w132 + link3_theta1_dot * (w129 + w116 * w147))
+    w453 = w125 + w452
+    w454 = w453 * c13
+    w455 = w135 * (w142 + w114 * w116) + w119 * w450 - w136 * w451 + (w153 * (w118 - w113 * w199) - w144 * w454)
+    w456 = w135 * (w116 * w193 - w199) + w194 * w450 - w196 * w451 - (w153 * (w143 + w113 * w142) + w200 * w454)
+    w457 = w113 * w451 + (w126 * w135 + w122 * w450) - (w122 * w153 + w126 * w454)
+    w458 = (w452 - w125) * c22 + w453 * c24
+    w459 = w140 - w137
+    w460 = w459 * c21 - w459 * c22
+    w461 = w449 * c24 - (w145 + w448) * c21
+    w462 = w22 * w100 - w2 * w240 - w33 * w105
+    w463 = w10 * w240 + w22 * w40 - w33 * w41
+    w464 = w96 + w97 + (w14 * w462 + w3 * w463)
+    w465 = w464 * link3_mass
+    w466 = w464 * link2_mass + w465
+    w467 = w41 * w261 - w10 * w263
+    w468 = (w22 + w467) * c1 - (w467 - w22) * c3
+    w469 = w40 * w263
+    w470 = w41 * w273
+    w471 = w469 + w470
+    w472 = (w471 - w240) * c0 - (w240 + w471) * c1
+    w473 = w40 * w261 - w10 * w273
+    w474 = (w473 - w33) * c3 - (w33 + w473) * c0
+    w475 = w22 * w28 - w5 * w240 - w33 * w38
+    w476 = w8 * w463 + w14 * w475 - (w13 + w15)
+    w477 = w476 * link3_mass
+    w478 = w476 * link2_mass + w477
+    w479 = w3 * w475 - w8 * w462 + (w6 * w8 + w3 * w7)
+    w480 = w212 * (w479 * link2_mass + w479 * link3_mass) - (w18 * w468 - w21 * w474) + w45 * w478 - w109 * w466
+    w481 = w277 + link1_theta3_dot * w21
+    w482 = w269 + link1_theta3_dot * w18
+    w483 = w10 * w268 - w40 * w481 - w41 * w482
+    w484 = w100 * w481 + w2 * w268 + w105 * w482
+    w485 = w4 * w9 - w254 + w12 * w45 - (w3 * w483 - w14 * w484)
+    w486 = w485 * link3_mass
+    w487 = w485 * link2_mass + w486
+    w488 = w18 * w261
+    w489 = (w488 - w482) * c3 - (w482 + w488) * c0
+    w490 = w21 * w261
+    w491 = (w481 + w490) * c1 + (w481 - w490) * c3
+    w492 = w18 * w263 - w21 * w273
+    w493 = (w492 - w268) * c0 - (w268 + w492) * c1
+    w494 = w28 * w481 + w5 * w268 + w38 * w482
+    w495 = w8 * w483 - w14 * w494 - (w12 * w109 - (w238 + w1 * w9))
+    w496 = w495 * link3_mass
+    w497 = w495 * link2_mass + w496
+    w498 = w8 * w484 - w3 * w494 + (w4 * w15 + w7 * w109 - (w1 * w97 + w6 * w45))
+    w499 = w212 * (w498 * link2_mass + w498 * link3_mass) + (w18 * w491 + w21 * w489) + w45 * w497 + w109 * w487
+    w500 = w3 * w5 - w2 * w8
+    w501 = w5 * w14 - w8 * w10
+    w502 = w100 * w263 - w105 * w273
+    w503 = w469 - w470
+    w504 = w2 * w9 + w7 * w500 - (w12 * w501 - w10 * w97) - (w14 * w502 + w3 * w503)
+    w505 = w504 * link3_mass
+    w506 = w504 * link2_mass + w505
+    w507 = (w263 + w263) * c1
+    w508 = (w273 + w273) * c39
+    w509 = w28 * w263 - w38 * w273
+    w510 = w2 * w14 - w3 * w10
+    w511 = w8 * w503 + w14 * w509 - (w12 * w510 - w10 * w15 + (w5 * w9 + w6 * w500))
+    w512 = w511 * link3_mass
+    w513 = w511 * link2_mass + w512
+    w514 = w3 * w509 - w8 * w502 + (w5 * w97 + w6 * w501 + (w2 * w15 + w7 * w510))
+    w515 = w212 * (w514 * link2_mass + w514 * link3_mass) - (w18 * w507 - w21 * w508) + w45 * w513 + w109 * w506
+    w516 = w58 * w60 - w51 * w62
+    w517 = w516 - w68
+    w518 = w517 * c11
+    w519 = (w60 * w333 + w64 * w334) * c11
+    w520 = w58 * w64 - w51 * w78
+    w521 = w520 - w87
+    w522 = w521 * c11
+    w523 = w87 * w169 - w155 * w338 - w68 * w176
+    w524 = w51 * w338 + w60 * w87 - w64 * w68
+    w525 = w164 + w166 + (w165 * w523 + w158 * w524)
+    w526 = w525 * link3_mass
+    w527 = w57 * w518 - w75 * w519 + w83 * w522 - w526
+    w528 = w57 * w87 - w75 * w338 - w68 * w83
+    w529 = w159 * w524 + w165 * w528 - (w203 + w204)
+    w530 = w529 * link3_mass
+    w531 = w169 * w518 - w155 * w519 + w176 * w522 + w530
+    w532 = w158 * w528 - w159 * w523 + (w157 * w159 + w156 * w158)
+    w533 = w532 * link3_mass
+    w534 = (w87 + w520) * c15 - w521 * c17
+    w535 = w60 * w78
+    w536 = w62 * w64
+    w537 = w535 + w536
+    w538 = (w537 - w338) * c14 - (w338 + w537) * c15
+    w539 = w517 * c17 - (w68 + w516) * c14
+    w540 = w54 * w58
+    w541 = w335 + w54 * link2_theta3_dot
+    w542 = w540 - w541
+    w543 = w542 * c11
+    w544 = (w54 * w333 - w53 * w334) * c11
+    w545 = w326 + w53 * link2_theta3_dot
+    w546 = w53 * w58
+    w547 = w545 - w546
+    w548 = w547 * c11
+    w549 = w51 * w324 - w60 * w545 - w64 * w541
+    w550 = w169 * w545 + w155 * w324 + w176 * w541
+    w551 = w50 * w160 - w362 + w163 * w207 - (w158 * w549 - w165 * w550)
+    w552 = w551 * link3_mass
+    w553 = w57 * w543 - w75 * w544 + w83 * w548 + w552
+    w554 = w57 * w545 + w75 * w324 + w83 * w541
+    w555 = w159 * w549 - w165 * w554 - (w163 * w181 - (w349 + w55 * w160))
+    w556 = w555 * link3_mass
+    w557 = w169 * w543 - w155 * w544 + w176 * w548 + w556
+    w558 = w159 * w550 - w158 * w554 + (w50 * w204 + w156 * w181 - (w55 * w166 + w157 * w207))
+    w559 = w558 * link3_mass
+    w560 = w542 * c17 - (w540 + w541) * c14
+    w561 = (w545 + w546) * c15 + w547 * c17
+    w562 = w54 * w78 - w53 * w62
+    w563 = (w562 - w324) * c14 - (w324 + w562) * c15
+    w564 = w75 * w158 - w155 * w159
+    w565 = w75 * w165 - w51 * w159
+    w566 = w78 * w169 - w62 * w176
+    w567 = w535 - w536
+    w568 = w155 * w160 + w156 * w564 - (w163 * w565 - w51 * w166) - (w165 * w566 + w158 * w567)
+    w569 = w568 * link3_mass
+    w570 = w57 * w78 - w62 * w83
+    w571 = w155 * w165 - w51 * w158
+    w572 = w159 * w567 + w165 * w570 - (w163 * w571 - w51 * w204 + (w75 * w160 + w157 * w564))
+    w573 = w572 * link3_mass
+    w574 = w158 * w570 - w159 * w566 + (w75 * w166 + w157 * w565 + (w155 * w204 + w156 * w571))
+    w575 = w574 * link3_mass
+    w576 = (w78 + w78) * c15
+    w577 = (w62 + w62) * c40
+    w578 = w120 * w122 - w113 * w124
+    w579 = w578 - w130
+    w580 = w579 * c13
+    w581 = (w122 * w425 + w126 * w426) * c13
+    w582 = w120 * w126 - w113 * w139
+    w583 = w582 - w148
+    w584 = w583 * c13
+    w585 = w119 * w580 - w136 * w581 + w144 * w584
+    w586 = w194 * w580 - w196 * w581 + w200 * w584
+    w587 = w113 * w581 + w122 * w580 + w126 * w584
+    w588 = (w148 + w582) * c22 - w583 * c24
+    w589 = w122 * w139 + w124 * w126
+    w590 = (w589 - w429) * c21 - (w429 + w589) * c22
+    w591 = w579 * c24 - (w130 + w578) * c21
+    w592 = w116 * w120
+    w593 = w427 + w116 * link3_theta3_dot
+    w594 = w592 - w593
+    w595 = w594 * c13
+    w596 = (w116 * w425 - w115 * w426) * c13
+    w597 = w418 + w115 * link3_theta3_dot
+    w598 = w115 * w120
+    w599 = w597 - w598
+    w600 = w599 * c13
+    w601 = w119 * w595 - w136 * w596 + w144 * w600
+    w602 = w194 * w595 - w196 * w596 + w200 * w600
+    w603 = w113 * w596 + w122 * w595 + w126 * w600
+    w604 = w594 * c24 - (w592 + w593) * c21
+    w605 = (w597 + w598) * c22 + w599 * c24
+    w606 = w116 * w139 - w115 * w124
+    w607 = (w606 - w416) * c21 - (w416 + w606) * c22
+    w608 = (w139 + w139) * c22
+    w609 = (w124 + w124) * c41
     # outputs
-    dMa_dq_i = ca.SX(9, 9)
-    # link1.theta1
-    dMa_dq_i[0, 0] = -(w2 * w11 + w4 * w63 + (w2 * w81 - w4 * w83))
-    dMa_dq_i[0, 1] = w4 * w109 + w81 * w106 - (w124 + (w2 * w129 + w63 * w125))
-    dMa_dq_i[0, 2] = w115 * w119 + w111 * w133 - (w111 * w122 + w119 * w134)
-    dMa_dq_i[0, 3] = w2 * w137 + w4 * w140
-    dMa_dq_i[0, 4] = w2 * w151 - w4 * w156
-    dMa_dq_i[0, 5] = w2 * w169 - w4 * w170
-    dMa_dq_i[0, 6] = w2 * w73 + w4 * w173
-    dMa_dq_i[0, 7] = w2 * w180 - w4 * w181
-    dMa_dq_i[0, 8] = w2 * w191 - w4 * w192
-    # link1.theta2
-    dMa_dq_i[1, 0] = w7 * w83 + w32 * w81 - (w7 * w63 - w11 * w32)
-    dMa_dq_i[1, 1] = w132 - (w63 * w126 - w32 * w129) - (w81 * w105 - w7 * w109)
-    dMa_dq_i[1, 2] = w112 * w133 - w110 * w115 - (w112 * w122 - w110 * w134)
-    dMa_dq_i[1, 3] = w7 * w140 - w32 * w137
-    dMa_dq_i[1, 4] = -(w84 * (w31 * w141 + w21 * w146 - (w23 * w144 + w29 * w143) + w158) + w32 * w151 + w7 * w156)
-    dMa_dq_i[1, 5] = -(w32 * w169 + w7 * w170)
-    dMa_dq_i[1, 6] = w7 * w173 - w32 * w73
-    dMa_dq_i[1, 7] = -(w84 * w182 + w32 * w180 + w7 * w181)
-    dMa_dq_i[1, 8] = -(w32 * w191 + w7 * w192)
-    # link1.theta3
-    dMa_dq_i[2, 1] = -w118
-    # link2.theta1
-    dMa_dq_i[3, 0] = w90 - w92 - w10 * w56 + w75 * w82
-    dMa_dq_i[3, 1] = w89 * w107 - w91 * w127 - w56 * w128 + w75 * w108
-    dMa_dq_i[3, 3] = w92 - w90 - (w56 * w136 + w62 * w75) - (w56 * w80 - w75 * w139)
-    dMa_dq_i[3, 4] = w75 * w155 + w80 * w153 - w167
-    dMa_dq_i[3, 5] = w21 * w160 + w29 * w171 - (w29 * w165 + w21 * w172)
-    dMa_dq_i[3, 6] = w56 * w73 + w75 * w173
-    dMa_dq_i[3, 7] = w56 * w180 - w75 * w181
-    dMa_dq_i[3, 8] = w56 * w191 - w75 * w192
-    # link2.theta2
-    dMa_dq_i[4, 0] = w16 * (w8 * w15) * c37 + w33 * w64 * c37
-    dMa_dq_i[4, 1] = w94 * w107 + w95 * w127 - w96 * w130 - w86 * w131 + w59 * w128 + w77 * w108
-    dMa_dq_i[4, 3] = w77 * w139 + w59 * w80 - (w33 * w94 + w8 * w95 + (w62 * w77 - w59 * w136))
-    dMa_dq_i[4, 4] = w168 - (w62 * w148 - w59 * w150) - (w80 * w152 - w77 * w155)
-    dMa_dq_i[4, 5] = w13 * w171 - w18 * w160 - (w13 * w165 - w18 * w172)
-    dMa_dq_i[4, 6] = w77 * w173 - w59 * w73
-    dMa_dq_i[4, 7] = -(w86 * w182 + w59 * w180 + w77 * w181)
-    dMa_dq_i[4, 8] = -(w59 * w191 + w77 * w192)
-    # link2.theta3
-    dMa_dq_i[5, 4] = -w162
-    # link3.theta1
-    dMa_dq_i[6, 0] = w33 * w98 - w8 * w100
-    dMa_dq_i[6, 1] = w98 * w107 - w100 * w127
-    dMa_dq_i[6, 3] = w98 * w138 - w100 * w135
-    dMa_dq_i[6, 4] = w98 * w154 - w100 * w149
-    dMa_dq_i[6, 6] = w79 * w100 - w61 * w98
-    dMa_dq_i[6, 7] = -(w187 + (w174 * w189 + w44 * w190) + (w79 * (w40 * c13) + w61 * (w69 * c13)))
-    dMa_dq_i[6, 8] = w44 * w184 + w52 * w193 - (w52 * w189 + w44 * w194)
-    # link3.theta2
-    dMa_dq_i[7, 0] = w33 * w102 + w8 * w103
-    dMa_dq_i[7, 1] = w102 * w107 + w103 * w127 - w104 * w130
-    dMa_dq_i[7, 3] = w102 * w138 + w103 * w135
-    dMa_dq_i[7, 4] = w102 * w154 + w103 * w149 - w104 * w157
-    dMa_dq_i[7, 6] = -(w79 * w103 + w61 * w102)
-    dMa_dq_i[7, 7] = w41 * w190 - w36 * w185 + (w79 * (w35 * w104) - w61 * (w38 * w104) - w87 * w101)
-    dMa_dq_i[7, 8] = w36 * w193 - w41 * w184 - (w36 * w189 - w41 * w194)
-    # link3.theta3
-    dMa_dq_i[8, 7] = -w186
-    inputs, outputs = [q_i, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q = ca.vertcat(
+        ca.horzcat(  # link1.theta1
+            w3 * w49 + w8 * w185 - (w8 * w189 - w3 * w211),
+            w3 * w252 - w185 * w236 - (w8 * w260 - w211 * w234 - w287),
+            -(w3 * w298 + (w41 * w267 + w40 * w300 - w10 * w302 + (w41 * w304 - w40 * w283) + w8 * w308)),
+            w3 * w314 - w8 * w318, w3 * w360 - w8 * w368, w3 * w402 - w8 * w406, w3 * w415 - w8 * w154,
+            w3 * w434 - w8 * w435, w3 * w455 - w8 * w456,
+        ),
+        ca.horzcat(  # link1.theta2
+            w220, w291, w310 + w45 * w308 - w109 * w298, w212 * w321 + w45 * w318 + w109 * w314, w372 + w109 * w360,
+            w409, w45 * w154 + w109 * w415, w212 * w436 + w45 * w435 + w109 * w434,
+            w212 * w457 + w45 * w456 + w109 * w455,
+        ),
+        ca.horzcat(0.0, -w279, -w302, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(  # link2.theta1
+            w48 * w158 - (w187 * w221 - w47 * w222 + w159 * w188),
+            w158 * w251 - (w221 * w258 - w222 * w250 + w159 * w259), -(w75 * w306 * c37 + w155 * w296 * c37),
+            w158 * w313 + w159 * w184 - (w159 * w317 - w158 * w210 - (w192 * w222 + w111 * w221)), w383, w414,
+            w158 * w415 - w154 * w159, w158 * w434 - w159 * w435, w158 * w455 - w159 * w456,
+        ),
+        ca.horzcat(  # link2.theta2
+            w168 * w187 * c37 + (w59 * w214 * c37 + w51 * (w47 * w50) * c37),
+            w168 * w258 * c37 + (w59 * w289 * c37 + w52 * w250 * c37),
+            w225 * w306 - w224 * w296 + w59 * w309 * c37 + w207 * w307 - w181 * w297, w322,
+            w384 + (w207 * w367 + w210 * w365) + (w181 * w359 + w184 * w357),
+            w217 * w408 - (w54 * w410 - w53 * w373 - (w54 * w380 + w53 * w413)) + w207 * w405 - w181 * w401,
+            w154 * w207 + w181 * w415, w217 * w436 + w207 * w435 + w181 * w434,
+            w217 * w457 + w207 * w456 + w181 * w455,
+        ),
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, -w379, -w412, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(  # link3.theta1
+            -(w187 * w227 - w47 * w228), -(w227 * w258 - w228 * w250), -(w227 * w306 + w228 * w296),
+            -(w227 * w316 - w228 * w312), -(w227 * w366 - w228 * w358), -(w227 * w404 + w228 * w400),
+            w209 * w228 + w183 * w227, -(w183 * (w193 * c13) - w209 * (w114 * c13) - w447),
+            -(w126 * w437 + w122 * w458 - w113 * w460 + (w126 * w461 - w122 * w445)),
+        ),
+        ca.horzcat(  # link3.theta2
+            w47 * w230 + w187 * w231 + w214 * w232, w230 * w250 + w231 * w258 + w232 * w289,
+            w231 * w306 - w230 * w296 + w232 * w309, w230 * w312 + w231 * w316 + w232 * w320,
+            w230 * w358 + w231 * w366 + w232 * w370, w231 * w404 - w230 * w400 + w232 * w407,
+            w209 * w230 - w183 * w231,
+            -(w115 * w446 - w116 * w438 - (w183 * (w112 * w232) + w209 * (w117 * w232) - w218 * w229)),
+            -(w116 * w458 - w115 * w437 - (w116 * w445 + w115 * w461)),
+        ),
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w444, -w460),  # link3.theta3
+    )
+    J_v = ca.vertcat(
+        ca.horzcat(  # link1.theta1
+            -(w3 * w466 + (w40 * w468 - w10 * w472 + w41 * w474 + w8 * w478)),
+            w3 * w487 - (w41 * w489 - (w40 * w491 + w10 * w493) + w8 * w497),
+            w3 * w506 - (w40 * w507 + w41 * w508 + w8 * w513), w3 * w527 - w8 * w531, w3 * w553 - w8 * w557,
+            w3 * w569 - w8 * w573, w3 * w585 - w8 * w586, w3 * w601 - w8 * w602, 0.0,
+        ),
+        ca.horzcat(  # link1.theta2
+            w480, w499, w515, w212 * (w51 * w519 + w60 * w518 + w64 * w522 + w533) + w45 * w531 + w109 * w527,
+            w212 * (w51 * w544 + w60 * w543 + w64 * w548 + w559) + w45 * w557 + w109 * w553,
+            w212 * w575 + w45 * w573 + w109 * w569, w212 * w587 + w45 * w586 + w109 * w585,
+            w212 * w603 + w45 * w602 + w109 * w601, 0.0,
+        ),
+        ca.horzcat(-w472, -w493, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),  # link1.theta3
+        ca.horzcat(  # link2.theta1
+            -(w75 * w476 * c37 + w155 * w464 * c37), w158 * w486 - (w221 * w495 - w222 * w485 + w159 * w496),
+            w158 * w505 - (w221 * w511 - w222 * w504 + w159 * w512),
+            -(w158 * w526 + (w60 * w534 - w51 * w538 + w64 * w539 + w159 * w530)),
+            w158 * w552 - (w64 * w560 - (w60 * w561 + w51 * w563) + w159 * w556),
+            w158 * w569 - (w60 * w576 + w64 * w577 + w159 * w573), w158 * w585 - w159 * w586,
+            w158 * w601 - w159 * w602, 0.0,
+        ),
+        ca.horzcat(  # link2.theta2
+            w225 * w476 - w224 * w464 + w59 * w479 * c37 + w207 * w477 - w181 * w465,
+            w168 * w495 * c37 + (w59 * w498 * c37 + w52 * w485 * c37),
+            w168 * w511 * c37 + (w59 * w514 * c37 + w52 * w504 * c37),
+            w217 * w533 - (w54 * w534 - w53 * w539) + w207 * w530 - w181 * w526,
+            w217 * w559 + (w54 * w561 + w53 * w560) + w207 * w556 + w181 * w552,
+            w217 * w575 - (w54 * w576 - w53 * w577) + w207 * w573 + w181 * w569,
+            w217 * w587 + w207 * w586 + w181 * w585, w217 * w603 + w207 * w602 + w181 * w601, 0.0,
+        ),
+        ca.horzcat(0.0, 0.0, 0.0, -w538, -w563, 0.0, 0.0, 0.0, 0.0),  # link2.theta3
+        ca.horzcat(  # link3.theta1
+            -(w227 * w476 + w228 * w464), -(w227 * w495 - w228 * w485), -(w227 * w511 - w228 * w504),
+            -(w227 * w529 + w228 * w525), -(w227 * w555 - w228 * w551), -(w227 * w572 - w228 * w568),
+            -(w122 * w588 - w113 * w590 + w126 * w591), -(w126 * w604 - (w122 * w605 + w113 * w607)),
+            -(w122 * w608 + w126 * w609),
+        ),
+        ca.horzcat(  # link3.theta2
+            w231 * w476 - w230 * w464 + w232 * w479, w230 * w485 + w231 * w495 + w232 * w498,
+            w230 * w504 + w231 * w511 + w232 * w514, w231 * w529 - w230 * w525 + w232 * w532,
+            w230 * w551 + w231 * w555 + w232 * w558, w230 * w568 + w231 * w572 + w232 * w574,
+            -(w116 * w588 - w115 * w591), w116 * w605 + w115 * w604, -(w116 * w608 - w115 * w609),
+        ),
+        ca.horzcat(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w590, -w607, 0.0),  # link3.theta3
+    )
+    inputs, outputs = [q_i, q_i_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_i_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -3150,7 +3605,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

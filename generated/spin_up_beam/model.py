@@ -1259,16 +1259,61 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, [], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
-    gives dMa_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    26 operations.
+    takes q_d_dot (n_d = 3) [mixed]: rates of the dependent coordinates
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    113 operations.
     """
+    q_d_dot = ca.SX.sym("q_d_dot", 3)
+    c = ca.SX.sym("c", 136)
+    beam_theta_dot = q_d_dot[2]
+    c10 = c[10]
+    c20 = c[20]
+    c27 = c[27]
+    c34 = c[34]
+    c41 = c[41]
+    c111 = c[111]
+    c112 = c[112]
+    c113 = c[113]
+    c114 = c[114]
+    c115 = c[115]
+    c116 = c[116]
+    c117 = c[117]
+    c118 = c[118]
+    c119 = c[119]
+    c120 = c[120]
+    c121 = c[121]
+    c122 = c[122]
+    c123 = c[123]
+    c124 = c[124]
+    c125 = c[125]
+    c126 = c[126]
+    c127 = c[127]
+    c128 = c[128]
+    c129 = c[129]
+    c130 = c[130]
+    c131 = c[131]
+    c132 = c[132]
+    c133 = c[133]
+    c134 = c[134]
+    c135 = c[135]
+    # intermediate terms (1)
+    w0 = beam_theta_dot**2
     # outputs
-    dMa_dq_i = ca.SX(5, 5)
-    inputs, outputs = [], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+    J_q = ca.vertcat(
+        ca.horzcat(w0 * c111 - c10, w0 * c116, w0 * c121, w0 * c126, w0 * c131),  # beam.q1
+        ca.horzcat(w0 * c112, w0 * c117 - c20, w0 * c122, w0 * c127, w0 * c132),  # beam.q2
+        ca.horzcat(w0 * c113, w0 * c118, w0 * c123 - c27, w0 * c128, w0 * c133),  # beam.q3
+        ca.horzcat(w0 * c114, w0 * c119, w0 * c124, w0 * c129 - c34, w0 * c134),  # beam.q4
+        ca.horzcat(w0 * c115, w0 * c120, w0 * c125, w0 * c130, w0 * c135 - c41),  # beam.q5
+    )
+    J_v = ca.SX(5, 5)
+    inputs, outputs = [q_d_dot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_d_dot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -2479,7 +2524,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,

@@ -1358,18 +1358,23 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 5) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 8) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 5) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 8) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 5) [mixed]: accelerations of the independent coordinates
     takes c (n_const = 44) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 5 x 5) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    386 operations.
+    gives J_q (n_i x n_i = 5 x 5) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 5 x 5) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    816 operations.
     """
     q_i = ca.SX.sym("q_i", 5)
     q_d = ca.SX.sym("q_d", 8)
+    q_i_dot = ca.SX.sym("q_i_dot", 5)
+    q_d_dot = ca.SX.sym("q_d_dot", 8)
     q_i_ddot = ca.SX.sym("q_i_ddot", 5)
     c = ca.SX.sym("c", 44)
     crank_theta = q_i[0]
@@ -1378,6 +1383,12 @@ def dMa_dq_i() -> ca.Function:
     rod_q3 = q_i[3]
     rod_q4 = q_i[4]
     rod_theta = q_d[4]
+    crank_theta_dot = q_i_dot[0]
+    rod_q1_dot = q_i_dot[1]
+    rod_q2_dot = q_i_dot[2]
+    rod_q3_dot = q_i_dot[3]
+    rod_q4_dot = q_i_dot[4]
+    rod_theta_dot = q_d_dot[4]
     crank_theta_ddot = q_i_ddot[0]
     rod_q1_ddot = q_i_ddot[1]
     rod_q2_ddot = q_i_ddot[2]
@@ -1395,8 +1406,10 @@ def dMa_dq_i() -> ca.Function:
     rod_inertia = c[11]
     rod_M_ff_0_0 = c[12]
     rod_M_ff_1_1 = c[13]
+    rod_rho_dot_phi_2_0 = c[14]
     rod_M_ff_2_2 = c[15]
     rod_M_ff_2_3 = c[16]
+    rod_rho_dot_phi_3_0 = c[17]
     rod_M_ff_3_3 = c[18]
     rod_rho_cross_phi_0_0 = c[19]
     rod_phi_cross_phi_0_2 = c[20]
@@ -1406,116 +1419,213 @@ def dMa_dq_i() -> ca.Function:
     rod_phi_cross_phi_2_0 = c[24]
     rod_phi_cross_phi_3_0 = c[25]
     rod_phi_cross_phi_3_1 = c[26]
-    c38 = c[38]
-    c39 = c[39]
-    # intermediate terms (85)
+    rod_K_ff_0_0 = c[27]
+    rod_K_ff_1_1 = c[28]
+    rod_K_ff_2_2 = c[29]
+    rod_K_ff_2_3 = c[30]
+    rod_K_ff_3_3 = c[31]
+    c36 = c[36]
+    c43 = c[43]
+    # intermediate terms (149)
     w0 = ca.cos(crank_theta) * crank_tip_x
     w1 = ca.cos(rod_theta)
-    w2 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
-    w3 = ca.sin(rod_theta)
-    w4 = rod_q1 * rod_phi_integral_1_0
-    w5 = w1 * w2 - w3 * w4
-    w6 = ca.sin(crank_theta) * crank_tip_x
-    w7 = rod_end_x + rod_q4 * rod_end_shape_0_3
-    w8 = w1 * w7
-    w9 = w6 / w8
-    w10 = crank_theta_ddot * w9
-    w11 = crank_theta_ddot * w6
-    w12 = w11 * rod_mass
-    w13 = w0 * crank_theta_ddot
-    w14 = w13 * rod_mass
-    w15 = w0 / w8
-    w16 = w3 * rod_end_shape_0_3
-    w17 = w16 / w8
-    w18 = crank_theta_ddot * w15 + w17 * rod_q4_ddot
-    w19 = w5 * w18
-    w20 = w1 * rod_phi_integral_1_0
-    w21 = w20 * rod_q1_ddot
-    w22 = w3 * rod_phi_integral_0_2
-    w23 = w22 * rod_q3_ddot
-    w24 = w3 * rod_phi_integral_0_3
-    w25 = rod_q4_ddot * w24
-    w26 = w2 * w3 + w1 * w4
-    w27 = w18 * w26
-    w28 = w3 * rod_phi_integral_1_0
-    w29 = rod_q1_ddot * w28
-    w30 = w1 * rod_phi_integral_0_2
-    w31 = rod_q3_ddot * w30
-    w32 = w1 * rod_phi_integral_0_3
-    w33 = rod_q4_ddot * w32
-    w34 = w3 * w7
-    w35 = w1 * rod_end_shape_0_3
-    w36 = (w18 * w34 - w11 + rod_q4_ddot * w35) * slider_mass
-    w37 = (w13 + w10 * w34) * slider_mass
-    w38 = w0 * (w5 * w10 - w12) - w6 * (w14 - w19 + w21 + w23 + w25) - (w0 * (w27 - w12 - w29 + w31 + w33 + w36) - w6 * (w14 + w10 * w26 + w37))
-    w39 = w13 * w26
-    w40 = w5 * w11
-    w41 = rod_q1 * rod_M_ff_0_0
-    w42 = rod_q2 * rod_M_ff_1_1
-    w43 = rod_q3 * rod_M_ff_2_2
-    w44 = rod_q4 * rod_M_ff_2_3
-    w45 = w44 + (c38 + w43)
-    w46 = rod_q3 * rod_M_ff_2_3
-    w47 = rod_q4 * rod_M_ff_3_3
-    w48 = w47 + (c39 + w46)
-    w49 = rod_inertia + (rod_q1 * w41 + rod_q2 * w42 + rod_q3 * w45 + rod_q4 * w48)
-    w50 = w39 - w40 + w10 * w49 + w34 * w37
-    w51 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
-    w52 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
-    w53 = rod_q1 * rod_phi_cross_phi_2_0
-    w54 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
-    w55 = w11 * w26 + w5 * w13 - w18 * w49 + rod_q1_ddot * w51 + w52 * rod_q2_ddot - rod_q3_ddot * w53 - rod_q4_ddot * w54
-    w56 = w55 - w34 * w36
-    w57 = w15 / w8
-    w58 = w34 * w57
-    w59 = w17 / w8
-    w60 = w35 / w8 + w34 * w59
-    w61 = crank_theta_ddot * w58 + rod_q4_ddot * w60
-    w62 = (w8 * w18 + w34 * w61 - w16 * rod_q4_ddot) * slider_mass
-    w63 = w40 - w39 - w49 * w61 - (w34 * w62 + w8 * w36)
-    w64 = w0 * (w33 + (w31 - (w29 + (w5 * w61 - w27)))) - w6 * (w19 + w26 * w61 - w21 - w23 - w25 + w62) - (w15 * w63 + w56 * w58)
-    w65 = w13 * w28
-    w66 = w11 * w20
-    w67 = w66 - w65
-    w68 = w67 - w51 * w61
-    w69 = w52 * w61
-    w70 = w11 * w22 + w13 * w30
-    w71 = w70 + w53 * w61
-    w72 = w13 * w32 + w11 * w24
-    w73 = w16 * w36
-    w74 = w72 + w54 * w61 + (w35 * w62 - w73) - (w17 * w63 + w56 * w60)
-    w75 = w67 - w18 * (2 * w41) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
-    w76 = w18 * (2 * w42) + rod_q4_ddot * rod_phi_cross_phi_3_1
-    w77 = w70 - w18 * (w44 + (w43 + w45)) - rod_q1_ddot * rod_phi_cross_phi_0_2
-    w78 = w35 * w57
-    w79 = w35 * w59
-    w80 = crank_theta_ddot * w78 + rod_q4_ddot * w79
-    w81 = (w16 * w18 - w34 * w80) * slider_mass
-    w82 = w72 - (w18 * (w46 + (w47 + w48)) - w49 * w80) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
-    w83 = w82 - (w73 + w34 * w81)
-    w84 = w0 * (w18 * w32 - w5 * w80) + w6 * (w18 * w24 - w26 * w80 + w81) + (w15 * w83 - w56 * w78) + w17 * w64
+    w2 = rod_end_x + rod_q4 * rod_end_shape_0_3
+    w3 = w1 * w2
+    w4 = w0 / w3
+    w5 = ca.sin(rod_theta)
+    w6 = rod_first_moment_x + (rod_q3 * rod_phi_integral_0_2 + rod_q4 * rod_phi_integral_0_3)
+    w7 = rod_q1 * rod_phi_integral_1_0
+    w8 = w5 * w6 + w1 * w7
+    w9 = crank_theta_dot**2
+    w10 = ca.sin(crank_theta) * crank_tip_x
+    w11 = w9 * w10
+    w12 = w0 * crank_theta_ddot - w11
+    w13 = w8 * w12
+    w14 = w1 * w6 - w5 * w7
+    w15 = w0 * w9
+    w16 = crank_theta_ddot * w10 + w15
+    w17 = w14 * w16
+    w18 = rod_q1 * rod_M_ff_0_0
+    w19 = rod_q2 * rod_M_ff_1_1
+    w20 = rod_q3 * rod_M_ff_2_2
+    w21 = rod_q4 * rod_M_ff_2_3
+    w22 = rod_rho_dot_phi_2_0 + (w20 + w21)
+    w23 = rod_rho_dot_phi_2_0 + w22
+    w24 = rod_q3 * rod_M_ff_2_3
+    w25 = rod_q4 * rod_M_ff_3_3
+    w26 = rod_rho_dot_phi_3_0 + (w24 + w25)
+    w27 = rod_rho_dot_phi_3_0 + w26
+    w28 = rod_inertia + (rod_q1 * w18 + rod_q2 * w19 + rod_q3 * w23 + rod_q4 * w27)
+    w29 = w10 / w3
+    w30 = w15 / w3 + crank_theta_ddot * w29
+    w31 = w2 * w5
+    w32 = (w12 + w30 * w31) * slider_mass
+    w33 = w13 - w17 + w28 * w30 + w31 * w32
+    w34 = rod_theta_dot * -2.0
+    w35 = w18 * rod_q1_dot + w19 * rod_q2_dot + w22 * rod_q3_dot + w26 * rod_q4_dot
+    w36 = 2 * rod_theta_dot
+    w37 = rod_q4_dot * rod_end_shape_0_3
+    w38 = w1 * w37
+    w39 = rod_theta_dot**2
+    w40 = w36 * w38 - w31 * w39
+    w41 = (w40 - w11) / w3
+    w42 = w5 * rod_end_shape_0_3
+    w43 = w42 / w3
+    w44 = w41 + w4 * crank_theta_ddot + w43 * rod_q4_ddot
+    w45 = rod_rho_cross_phi_0_0 - (rod_q3 * rod_phi_cross_phi_0_2 + rod_q4 * rod_phi_cross_phi_0_3)
+    w46 = rod_rho_cross_phi_1_0 - rod_q4 * rod_phi_cross_phi_1_3
+    w47 = rod_q1 * rod_phi_cross_phi_2_0
+    w48 = rod_q1 * rod_phi_cross_phi_3_0 + rod_q2 * rod_phi_cross_phi_3_1
+    w49 = w8 * w16 + w12 * w14 - w28 * w44 + w45 * rod_q1_ddot + w46 * rod_q2_ddot - w47 * rod_q3_ddot - rod_q4_ddot * w48
+    w50 = w5 * w37
+    w51 = w3 * w39 + w36 * w50
+    w52 = w1 * rod_end_shape_0_3
+    w53 = (w31 * w44 - (w16 + w51) + rod_q4_ddot * w52) * slider_mass
+    w54 = w34 * w35 - w49 + w31 * w53
+    w55 = w16 * rod_mass
+    w56 = w8 * w39
+    w57 = rod_q3_dot * rod_phi_integral_0_2 + rod_q4_dot * rod_phi_integral_0_3
+    w58 = rod_q1_dot * rod_phi_integral_1_0
+    w59 = w1 * w57 - w5 * w58
+    w60 = w36 * w59
+    w61 = w12 * rod_mass
+    w62 = w14 * w44
+    w63 = w1 * rod_phi_integral_1_0
+    w64 = rod_q1_ddot * w63
+    w65 = w5 * rod_phi_integral_0_2
+    w66 = rod_q3_ddot * w65
+    w67 = w5 * rod_phi_integral_0_3
+    w68 = rod_q4_ddot * w67
+    w69 = w5 * w57 + w1 * w58
+    w70 = w14 * w39 + w36 * w69
+    w71 = w8 * w44
+    w72 = w5 * rod_phi_integral_1_0
+    w73 = rod_q1_ddot * w72
+    w74 = w1 * rod_phi_integral_0_2
+    w75 = rod_q3_ddot * w74
+    w76 = w1 * rod_phi_integral_0_3
+    w77 = rod_q4_ddot * w76
+    w78 = w0 * (w14 * w30 - w55) + w10 * (w56 - w60 - (w61 - w62 + w64 + w66 + w68)) + (w10 * (w32 + (w61 + w8 * w30)) + w0 * (w70 - (w71 - w55 - w73 + w75 + w77) - w53))
+    w79 = w41 / w3
+    w80 = w4 / w3
+    w81 = w31 * w80
+    w82 = w43 / w3
+    w83 = w52 / w3 + w31 * w82
+    w84 = w31 * w79 - w51 / w3 + crank_theta_ddot * w81 + rod_q4_ddot * w83
+    w85 = (w3 * w44 + w31 * w84 - w40 - w42 * rod_q4_ddot) * slider_mass
+    w86 = w0 * (w70 - (w77 + (w75 - (w73 + (w14 * w84 - w71))))) - w10 * (w60 - w56 - (w62 + w8 * w84 - w64 - w66 - w68) - w85)
+    w87 = w31 * w85 + w3 * w53 - (w17 - w13 - w28 * w84)
+    w88 = w86 - (w4 * w87 + w54 * w81)
+    w89 = (2 * w38 - w31 * w36) / w3
+    w90 = (w31 * w89 - (w3 * w36 + 2 * w50)) * slider_mass
+    w91 = w35 * -2.0 + w28 * w89 + w31 * w90
+    w92 = w0 * (w8 * w36 - 2 * w59 + w14 * w89) - w10 * (w14 * w36 + 2 * w69 - w8 * w89 - w90) - w4 * w91
+    w93 = crank_theta_dot * w81 + rod_q4_dot * w83
+    w94 = crank_theta_dot * w29 + w4 * w93
+    w95 = w16 * w63
+    w96 = w12 * w72
+    w97 = w95 - w96
+    w98 = w97 - w45 * w84
+    w99 = rod_q3_dot * rod_phi_cross_phi_0_2 + rod_q4_dot * rod_phi_cross_phi_0_3
+    w100 = w18 * w36 + 2 * w99 + w45 * w89
+    w101 = rod_q4_dot * rod_phi_cross_phi_1_3
+    w102 = w19 * w36 + 2 * w101 + w46 * w89
+    w103 = w46 * w84
+    w104 = w16 * w65 + w12 * w74
+    w105 = w104 + w47 * w84
+    w106 = rod_q1_dot * rod_phi_cross_phi_2_0
+    w107 = w22 * w36 + 2 * w106 - w47 * w89
+    w108 = w12 * w76 + w16 * w67
+    w109 = w42 * w53
+    w110 = w108 + w48 * w84 + (w52 * w85 - w109) + (w43 * w87 + w54 * w83)
+    w111 = rod_q1_dot * rod_phi_cross_phi_3_0 + rod_q2_dot * rod_phi_cross_phi_3_1
+    w112 = w26 * w36 + 2 * w111 - w48 * w89 - w52 * w90 - w43 * w91
+    w113 = w97 - w44 * (2 * w18) - rod_q3_ddot * rod_phi_cross_phi_2_0 - rod_q4_ddot * rod_phi_cross_phi_3_0
+    w114 = w34 * (rod_q1_dot * rod_M_ff_0_0) - w113
+    w115 = w34 * (rod_q2_dot * rod_M_ff_1_1) + (w44 * (2 * w19) + rod_q4_ddot * rod_phi_cross_phi_3_1)
+    w116 = w34 * (rod_q3_dot * rod_M_ff_2_2 + rod_q4_dot * rod_M_ff_2_3) - (w104 - w44 * (w21 + (w20 + w23)) - rod_q1_ddot * rod_phi_cross_phi_0_2)
+    w117 = w39 * rod_M_ff_2_3 - rod_K_ff_2_3
+    w118 = w52 * w80
+    w119 = w52 * w82
+    w120 = w39 * w42 / w3 + w52 * w79 + crank_theta_ddot * w118 + rod_q4_ddot * w119
+    w121 = (w42 * w44 - w31 * w120 - w39 * w52) * slider_mass
+    w122 = w108 - (w44 * (w24 + (w25 + w27)) - w28 * w120) - rod_q1_ddot * rod_phi_cross_phi_0_3 - rod_q2_ddot * rod_phi_cross_phi_1_3
+    w123 = w34 * (rod_q3_dot * rod_M_ff_2_3 + rod_q4_dot * rod_M_ff_3_3) - w122 + (w109 + w31 * w121)
+    w124 = w0 * (w39 * w67 + (w44 * w76 - w14 * w120)) - w10 * (w39 * w76 - (w44 * w67 - w8 * w120) - w121) - (w4 * w123 - w54 * w118)
+    w125 = crank_theta_dot * w118 + rod_q4_dot * w119 + w43 * w93
+    w126 = w39 * rod_M_ff_3_3 - rod_K_ff_3_3 + w48 * w120 - w52 * w121 - (w43 * w123 - w54 * w119) + w43 * w110
+    w127 = w4 * crank_theta_dot + rod_q4_dot * w43
+    w128 = 2 * w127
+    w129 = w4 * w128
+    w130 = 2 * -w4
+    w131 = 2 * crank_theta_dot
+    w132 = w10 * w131
+    w133 = (w38 * w130 - w31 * w129 - w132) / w3
+    w134 = w0 * w131
+    w135 = (w31 * w133 - (w134 + (w3 * w129 + w50 * w130))) * slider_mass
+    w136 = w0 * (w8 * w129 - w59 * w130 + (w132 * rod_mass + w14 * w133)) - w10 * (w14 * w129 + w69 * w130 - (w8 * w133 - w134 * rod_mass) - w135)
+    w137 = w31 * w135 - (w35 * (w4 * -2.0) + (w8 * w134 - w14 * w132 - w28 * w133))
+    w138 = 2 * -w127
+    w139 = w127 * -2.0
+    w140 = w18 * w139
+    w141 = w19 * w139
+    w142 = w22 * w139
+    w143 = w43 * w128
+    w144 = 2 * -w43
+    w145 = (w38 * w144 + w52 * w138 - w31 * w143) / w3
+    w146 = (w31 * w145 - (w3 * w143 + (w50 * w144 + w42 * w138))) * slider_mass
+    w147 = w0 * (w8 * w143 - (w59 * w144 + w76 * w138) + w14 * w145) - w10 * (w14 * w143 + (w69 * w144 + w67 * w138) - w8 * w145 - w146)
+    w148 = w31 * w146 - (w35 * (w43 * -2.0) + w26 * w139 - w28 * w145)
     # outputs
-    dMa_dq_i = ca.vertcat(
+    J_q = ca.vertcat(
         ca.horzcat(  # crank.theta
-            w38 - (w15 * w50 - w9 * w56) - w15 * w64, w0 * (w18 * w28) - w6 * (w18 * w20) - w15 * w75, w15 * w76,
-            -(w0 * (w18 * w30) + w6 * (w18 * w22) + w15 * w77), -w84,
+            w4 * w33 + w29 * w54 - w78 - w4 * w88 + w92 * w94,
+            w0 * (w39 * w63 - w44 * w72) + w10 * (w39 * w72 + w44 * w63) - w4 * w114, -(w4 * w115),
+            w0 * (w39 * w65 + w44 * w74) - w10 * (w39 * w74 - w44 * w65) - w4 * w116, w124 - w43 * w88 + w92 * w125,
         ),
         ca.horzcat(  # rod.q1
-            w65 - w66 + w10 * w51 - w15 * w68, 0.0, 0.0, w18 * rod_phi_cross_phi_0_2,
-            w18 * rod_phi_cross_phi_0_3 + w51 * w80 - w17 * w68,
+            w4 * w98 - (w96 - w95 + w30 * w45) + w94 * w100, w39 * rod_M_ff_0_0 - rod_K_ff_0_0, 0.0, w44 * c43,
+            w43 * w98 - (w44 * rod_phi_cross_phi_0_3 + w45 * w120) + w100 * w125,
         ),
-        ca.horzcat(w10 * w52 + w15 * w69, 0.0, 0.0, 0.0, w18 * rod_phi_cross_phi_1_3 + w52 * w80 + w17 * w69),  # rod.q2
+        ca.horzcat(  # rod.q2
+            w94 * w102 - (w30 * w46 + w4 * w103), 0.0, w39 * rod_M_ff_1_1 - rod_K_ff_1_1, 0.0,
+            w102 * w125 - (w44 * rod_phi_cross_phi_1_3 + w46 * w120 + w43 * w103),
+        ),
         ca.horzcat(  # rod.q3
-            -(w70 + w10 * w53 + w15 * w71), w18 * rod_phi_cross_phi_2_0, 0.0, 0.0, -(w53 * w80 + w17 * w71),
+            w104 + w30 * w47 + w4 * w105 + w94 * w107, w44 * c36, 0.0, w39 * rod_M_ff_2_2 - rod_K_ff_2_2,
+            w117 + w47 * w120 + w43 * w105 + w107 * w125,
         ),
         ca.horzcat(  # rod.q4
-            -(w72 + w10 * w54 + w35 * w37 + w17 * w50 + w15 * w74), w18 * rod_phi_cross_phi_3_0 - w17 * w75,
-            w18 * rod_phi_cross_phi_3_1 + w17 * w76, -(w17 * w77),
-            w35 * w81 - w54 * w80 - (w17 * w83 - w56 * w79) - w17 * w74,
+            w108 + w30 * w48 + w32 * w52 + w33 * w43 + w4 * w110 + w94 * w112,
+            -(w44 * rod_phi_cross_phi_3_0 + w43 * w114), -(w44 * rod_phi_cross_phi_3_1 + w43 * w115),
+            w117 - w43 * w116, w126 + w112 * w125,
         ),
     )
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_v = ca.vertcat(
+        ca.horzcat(  # crank.theta
+            w136 - w4 * w137, w0 * (w72 * w138) - w10 * (w63 * w138) + w4 * w140, w4 * w141,
+            w4 * w142 - (w0 * (w74 * w138) + w10 * (w65 * w138)), w147 - w4 * w148,
+        ),
+        ca.horzcat(  # rod.q1
+            w18 * w129 + w99 * w130 - (w72 * w134 - w63 * w132 - w45 * w133), 0.0, 0.0,
+            w138 * rod_phi_cross_phi_0_2, w18 * w143 + (w99 * w144 + w138 * rod_phi_cross_phi_0_3) + w45 * w145,
+        ),
+        ca.horzcat(  # rod.q2
+            w19 * w129 + w101 * w130 + w46 * w133, 0.0, 0.0, 0.0,
+            w19 * w143 + (w101 * w144 + w138 * rod_phi_cross_phi_1_3) + w46 * w145,
+        ),
+        ca.horzcat(  # rod.q3
+            w22 * w129 + w106 * w130 - (w47 * w133 - (w65 * w132 + w74 * w134)), w138 * rod_phi_cross_phi_2_0, 0.0,
+            0.0, w22 * w143 + w106 * w144 - w47 * w145,
+        ),
+        ca.horzcat(  # rod.q4
+            w26 * w129 + w111 * w130 - (w48 * w133 - (w76 * w134 + w67 * w132)) - w52 * w135 - w43 * w137,
+            w138 * rod_phi_cross_phi_3_0 + w43 * w140, w138 * rod_phi_cross_phi_3_1 + w43 * w141, w43 * w142,
+            w26 * w143 + w111 * w144 - w48 * w145 - w52 * w146 - w43 * w148,
+        ),
+    )
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -1990,7 +2100,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

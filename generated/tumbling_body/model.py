@@ -16,15 +16,15 @@ def constants() -> ca.Function:
     """Everything that depends on the parameters p only.
 
     takes p (n_p = 6) [SI]: parameters: every physical number of a scene that is not zero
-    gives c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
-    55 operations.
+    gives c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
+    77 operations.
     """
     p = ca.SX.sym("p", 6)
     body_mass = p[0]
     body_inertia_xx = p[1]
     body_inertia_yy = p[2]
     body_inertia_zz = p[3]
-    # intermediate terms (15)
+    # intermediate terms (21)
     w0 = (body_inertia_xx + body_inertia_yy + body_inertia_zz) / 2.0
     w1 = w0 - body_inertia_yy
     w2 = w0 - body_inertia_zz
@@ -40,6 +40,12 @@ def constants() -> ca.Function:
     w12 = -4.0 * w5
     w13 = 4.0 * w5
     w14 = -4.0 * w6
+    w15 = -2.0 * w1
+    w16 = -2.0 * w2
+    w17 = w15 + w16
+    w18 = -2.0 * w4
+    w19 = w16 + w18
+    w20 = w15 + w18
     # outputs
     c = ca.vertcat(
         body_mass,  # body_mass
@@ -58,7 +64,13 @@ def constants() -> ca.Function:
         w7 + w14,  # c13
         w9 + w12,  # c14
         w13 + w14,  # c15
-        w11 + w10,  # c16
+        w17,  # c16
+        w19,  # c17
+        w20,  # c18
+        -2.0 * w19 + 2 * w20,  # c19
+        2 * w17 + -2.0 * w20,  # c20
+        -2.0 * w17 + 2 * w19,  # c21
+        w11 + w10,  # c22
     )
     inputs, outputs = [p], [ca.densify(c)]
     return ca.Function("constants", inputs, outputs, ["p"], ["c"])
@@ -71,7 +83,7 @@ def condensed() -> ca.Function:
     takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M_hat (n_i x n_i = 6 x 6) [SI]: condensed mass matrix S^T M S
     gives Q_hat (n_i = 6) [N, N m]: condensed force S^T (Q* - M s)
     237 operations.
@@ -80,7 +92,7 @@ def condensed() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -300,7 +312,7 @@ def augmented() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives M (n x n = 7 x 7) [SI]: mass matrix in all coordinates
     gives K (n x n = 7 x 7) [SI]: stiffness matrix in all coordinates
     gives Q_v (n = 7) [N, N m]: quadratic velocity force in all coordinates
@@ -312,7 +324,7 @@ def augmented() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -424,7 +436,7 @@ def reactions() -> ca.Function:
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
     takes q_ddot (n = 7) [mixed]: accelerations of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives lam (n_c = 1) [N, N m]: Lagrange multipliers; the constraint force on q is -C_q^T lam
     gives joint_forces (3 or 6 x joints = 6 x 0) [N, N m]: world force and moment of a joint on its body b, at b
     100 operations.
@@ -432,7 +444,7 @@ def reactions() -> ca.Function:
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
     q_ddot = ca.SX.sym("q_ddot", 7)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -479,7 +491,7 @@ def energy() -> ca.Function:
 
     takes q (n = 7) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
     takes q_dot (n = 7) [mixed]: rates of all coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives kinetic (1) [J]: kinetic energy
     gives elastic (1) [J]: energy stored in bodies and springs
     gives potential (1) [J]: potential energy of the weight
@@ -489,7 +501,7 @@ def energy() -> ca.Function:
     """
     q = ca.SX.sym("q", 7)
     q_dot = ca.SX.sym("q_dot", 7)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e0 = q[3]
     body_e1 = q[4]
     body_e2 = q[5]
@@ -590,7 +602,7 @@ def dQ_hat_dq_i() -> ca.Function:
     takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i, through q_d
     444 operations.
     """
@@ -598,7 +610,7 @@ def dQ_hat_dq_i() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -736,14 +748,14 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives dQ_hat_dq_i_dot (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat by q_i_dot, through q_d_dot
     274 operations.
     """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -830,99 +842,211 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["q_i", "q_d", "q_i_dot", "c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
     takes q_i (n_i = 6) [mixed]: independent coordinates, in the order of the partition
     takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
+    takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
+    takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
     takes q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
-    gives dMa_dq_i (n_i x n_i = 6 x 6) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    296 operations.
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 6 x 6) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 6 x 6) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    746 operations.
     """
     q_i = ca.SX.sym("q_i", 6)
     q_d = ca.SX.sym("q_d", 1)
+    q_i_dot = ca.SX.sym("q_i_dot", 6)
+    q_d_dot = ca.SX.sym("q_d_dot", 1)
     q_i_ddot = ca.SX.sym("q_i_ddot", 6)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
     body_e0 = q_d[0]
+    body_e1_dot = q_i_dot[3]
+    body_e2_dot = q_i_dot[4]
+    body_e3_dot = q_i_dot[5]
+    body_e0_dot = q_d_dot[0]
     body_e1_ddot = q_i_ddot[3]
     body_e2_ddot = q_i_ddot[4]
     body_e3_ddot = q_i_ddot[5]
-    c3 = c[3]
-    c5 = c[5]
-    c6 = c[6]
-    # intermediate terms (52)
-    w0 = body_e3 * -2.0
-    w1 = 2 * body_e3_ddot
-    w2 = body_e2 * -2.0
-    w3 = body_e1_ddot / body_e0
-    w4 = (w1 - w2 * w3) * c5
-    w5 = 2 * body_e0
+    c1 = c[1]
+    c2 = c[2]
+    c4 = c[4]
+    c16 = c[16]
+    c17 = c[17]
+    c18 = c[18]
+    c19 = c[19]
+    c20 = c[20]
+    c21 = c[21]
+    # intermediate terms (136)
+    w0 = body_e2 * -2.0
+    w1 = body_e3 * -2.0
+    w2 = 2 * body_e0
+    w3 = 2 * body_e1
+    w4 = body_e0_dot * w0 + body_e1_dot * w1 + body_e2_dot * w2 + body_e3_dot * w3
+    w5 = 2 * body_e2
     w6 = body_e1 * -2.0
-    w7 = body_e1 / body_e0
-    w8 = body_e2 / body_e0
-    w9 = body_e3 / body_e0
-    w10 = body_e1_ddot * w7 + w8 * body_e2_ddot + body_e3_ddot * w9
-    w11 = w10 * -2.0
-    w12 = (w3 * w6 + w11) * c3
-    w13 = 2 * body_e2
-    w14 = (body_e2_ddot * -2.0 - w0 * w3) * c6
-    w15 = 2 * body_e3
-    w16 = (body_e1_ddot * w5 - w6 * w10 + body_e2_ddot * w15 + body_e3_ddot * w2) * c3
-    w17 = w16 * -2.0
-    w18 = w17 - w6 * w12 + w2 * w4 + w0 * w14
-    w19 = 2 * body_e1
-    w20 = (w0 * body_e1_ddot - w2 * w10 + w5 * body_e2_ddot + body_e3_ddot * w19) * c5
-    w21 = (body_e1_ddot * w13 - w0 * w10 + w6 * body_e2_ddot + body_e3_ddot * w5) * c6
-    w22 = w6 * w16 + w2 * w20 + w0 * w21
-    w23 = w22 / body_e0
-    w24 = 2 * w16
-    w25 = 2 * body_e1_ddot
-    w26 = w7 / body_e0
-    w27 = w8 / body_e0
-    w28 = w9 / body_e0
-    w29 = body_e1_ddot * w26 + body_e2_ddot * w27 + body_e3_ddot * w28
-    w30 = (w25 + w6 * w29) * c3
-    w31 = 2 * body_e2_ddot
-    w32 = (w2 * w29 + w31) * c5
-    w33 = (w1 + w0 * w29) * c6
-    w34 = w6 * w30 + w2 * w32 + w0 * w33
-    w35 = w24 + w5 * w30 + w0 * w32 + w13 * w33 - (w7 * w34 - w22 * w26)
-    w36 = w21 * -2.0
-    w37 = 2 * w20
-    w38 = w15 * w30 + (w37 + w5 * w32) + w6 * w33 - (w8 * w34 - w22 * w27)
-    w39 = 2 * w21
-    w40 = w2 * w30 + w19 * w32 + (w39 + w5 * w33) - (w9 * w34 - w22 * w28)
-    w41 = body_e2_ddot / body_e0
-    w42 = (body_e3_ddot * -2.0 - w6 * w41) * c3
-    w43 = (w11 + w2 * w41) * c5
-    w44 = (w25 - w0 * w41) * c6
-    w45 = w20 * -2.0
-    w46 = w6 * w42 + (w45 - w2 * w43) + w0 * w44
-    w47 = body_e3_ddot / body_e0
-    w48 = (w31 - w6 * w47) * c3
-    w49 = (body_e1_ddot * -2.0 - w2 * w47) * c5
-    w50 = (w11 + w0 * w47) * c6
-    w51 = w6 * w48 + w2 * w49 + (w36 - w0 * w50)
+    w7 = body_e0_dot * w1 + body_e1_dot * w5 + body_e2_dot * w6 + w2 * body_e3_dot
+    w8 = w4 * w7
+    w9 = body_e1 / body_e0
+    w10 = (body_e0_dot**2 + body_e1_dot**2 + body_e2_dot**2 + body_e3_dot**2) / body_e0 + body_e1_ddot * w9
+    w11 = body_e2 / body_e0
+    w12 = body_e3 / body_e0
+    w13 = w10 + w11 * body_e2_ddot + w12 * body_e3_ddot
+    w14 = 2 * body_e3
+    w15 = w2 * body_e1_ddot - w6 * w13 + body_e2_ddot * w14 + w0 * body_e3_ddot
+    w16 = (w8 + w15) * c1 - (w8 - w15) * c2
+    w17 = 2 * w16
+    w18 = 2 * body_e2_dot
+    w19 = w7 * w18
+    w20 = 2 * body_e3_dot
+    w21 = w19 + w4 * w20
+    w22 = 2 * body_e1_ddot
+    w23 = (w21 + w22) * c1 - (w21 - w22) * c2
+    w24 = 2 * body_e1_dot
+    w25 = body_e0_dot * w6 + body_e1_dot * w2 + body_e2_dot * w14 + w0 * body_e3_dot
+    w26 = w20 * w25
+    w27 = w7 * w24 + w26
+    w28 = 2 * body_e2_ddot
+    w29 = (w27 + w28) * c2 - (w27 - w28) * c4
+    w30 = w4 * w24
+    w31 = w30 + w18 * w25
+    w32 = 2 * body_e3_ddot
+    w33 = (w31 + w32) * c4 - (w31 - w32) * c1
+    w34 = w17 + w2 * w23 + w1 * w29 + w5 * w33
+    w35 = body_e2_dot * -2.0
+    w36 = w7 * w20 + w4 * w35
+    w37 = w13 * -2.0
+    w38 = (w36 - w37) * c1 - (w36 + w37) * c2
+    w39 = body_e0_dot * -2.0
+    w40 = w7 * w39
+    w41 = w40 + w25 * w35
+    w42 = (w32 + w41) * c2 - (w41 - w32) * c4
+    w43 = w4 * w39
+    w44 = w26 + w43
+    w45 = body_e2_ddot * -2.0
+    w46 = (w44 + w45) * c4 - (w44 - w45) * c1
+    w47 = w7 * w25
+    w48 = w1 * body_e1_ddot - w0 * w13 + w2 * body_e2_ddot + w3 * body_e3_ddot
+    w49 = (w47 + w48) * c2 - (w47 - w48) * c4
+    w50 = w4 * w25
+    w51 = w5 * body_e1_ddot - w1 * w13 + w6 * body_e2_ddot + w2 * body_e3_ddot
+    w52 = (w50 + w51) * c4 - (w50 - w51) * c1
+    w53 = (w6 * w16 + w0 * w49 + w1 * w52) / body_e0
+    w54 = w0 * w7
+    w55 = w54 + w1 * w4
+    w56 = w55 * c1 - w55 * c2
+    w57 = w1 * w25
+    w58 = w6 * w7 + w57
+    w59 = w58 * c2 - w58 * c4
+    w60 = w4 * w6
+    w61 = w60 + w0 * w25
+    w62 = w61 * c4 - w61 * c1
+    w63 = w2 * w56 + w1 * w59 + w5 * w62
+    w64 = (body_e1_dot - body_e0_dot * w9) / body_e0
+    w65 = body_e1 * c16
+    w66 = body_e2 * c17
+    w67 = body_e3 * c18
+    w68 = w2 * w65 + body_e2 * body_e3 * c19
+    w69 = 2 * body_e0_dot
+    w70 = (body_e1_ddot + w9 * w13 - w64 * w69) / body_e0
+    w71 = w6 * w23 + w0 * w29 + w1 * w33 - w53
+    w72 = w16 * -2.0
+    w73 = w6 * w56 + w0 * w59 + w1 * w62
+    w74 = w6 * w65 + w0 * w66 + w1 * w67
+    w75 = w9 * w71 - (w72 + w6 * w38 + w0 * w42 + w1 * w46) + w64 * w73 + w70 * w74
+    w76 = 2 * w49
+    w77 = w14 * w23 + (w76 + w2 * w29) + w6 * w33
+    w78 = w52 * -2.0
+    w79 = w14 * w56 + w2 * w59 + w6 * w62
+    w80 = w2 * w66 + body_e3 * body_e1 * c20
+    w81 = 2 * w52
+    w82 = w0 * w23 + w3 * w29 + (w81 + w2 * w33)
+    w83 = w0 * w56 + w3 * w59 + w2 * w62
+    w84 = body_e2 * body_e1 * c21 + w2 * w67
+    w85 = w30 + w40
+    w86 = body_e3_ddot * -2.0
+    w87 = (w85 + w86) * c1 - (w85 - w86) * c2
+    w88 = body_e3_dot * -2.0
+    w89 = w7 * w88 + w24 * w25
+    w90 = (w89 - w37) * c2 - (w37 + w89) * c4
+    w91 = w25 * w39
+    w92 = w4 * w88 + w91
+    w93 = (w22 + w92) * c4 - (w92 - w22) * c1
+    w94 = (body_e2_dot - body_e0_dot * w11) / body_e0
+    w95 = (body_e2_ddot + w11 * w13 - w69 * w94) / body_e0
+    w96 = w49 * -2.0
+    w97 = w11 * w71 - (w6 * w87 + (w96 + w0 * w90) + w1 * w93) + w73 * w94 + w74 * w95
+    w98 = body_e1_dot * -2.0
+    w99 = w43 + w7 * w98
+    w100 = (w28 + w99) * c1 - (w99 - w28) * c2
+    w101 = w19 + w91
+    w102 = body_e1_ddot * -2.0
+    w103 = (w101 + w102) * c2 - (w101 - w102) * c4
+    w104 = w4 * w18 + w25 * w98
+    w105 = (w104 - w37) * c4 - (w37 + w104) * c1
+    w106 = (body_e3_dot - body_e0_dot * w12) / body_e0
+    w107 = (body_e3_ddot + w12 * w13 - w69 * w106) / body_e0
+    w108 = w12 * w71 - (w6 * w100 + w0 * w103 + (w78 + w1 * w105)) + w73 * w106 + w74 * w107
+    w109 = w1 * w7 + w4 * w5
+    w110 = w109 * c1 - w109 * c2
+    w111 = w2 * w7
+    w112 = w111 + w5 * w25
+    w113 = w112 * c2 - w112 * c4
+    w114 = w2 * w4
+    w115 = w57 + w114
+    w116 = w115 * c4 - w115 * c1
+    w117 = (w24 - w9 * w69) / body_e0
+    w118 = w9 * w73 - (w6 * w110 + w0 * w113 + w1 * w116) + w74 * w117
+    w119 = w60 + w111
+    w120 = w119 * c1 - w119 * c2
+    w121 = w7 * w14 + w6 * w25
+    w122 = w121 * c2 - w121 * c4
+    w123 = w2 * w25
+    w124 = w4 * w14 + w123
+    w125 = w124 * c4 - w124 * c1
+    w126 = (w18 - w11 * w69) / body_e0
+    w127 = w11 * w73 - (w6 * w120 + w0 * w122 + w1 * w125) + w74 * w126
+    w128 = w114 + w3 * w7
+    w129 = w128 * c1 - w128 * c2
+    w130 = w54 + w123
+    w131 = w130 * c2 - w130 * c4
+    w132 = w0 * w4 + w3 * w25
+    w133 = w132 * c4 - w132 * c1
+    w134 = (w20 - w12 * w69) / body_e0
+    w135 = w12 * w73 - (w6 * w129 + w0 * w131 + w1 * w133) + w74 * w134
     # outputs
-    dMa_dq_i = ca.SX(6, 6)
+    J_q = ca.SX(6, 6)
     # body.e1
-    dMa_dq_i[3, 3] = w0 * w4 - w5 * w12 + w13 * w14 - (w7 * w18 + w23) - w7 * w35
-    dMa_dq_i[3, 4] = w5 * w42 - w0 * w43 + (w39 + w13 * w44) - w7 * w46 - w8 * w35
-    dMa_dq_i[3, 5] = w5 * w48 + (w45 + w0 * w49) - w13 * w50 - w7 * w51 - w9 * w35
+    J_q[3, 3] = w9 * w34 - (w2 * w38 + w1 * w42 + w5 * w46 - w53) + w63 * w64 + w68 * w70 - w9 * w75
+    J_q[3, 4] = w11 * w34 - (w2 * w87 + w1 * w90 + (w81 + w5 * w93)) + w63 * w94 + w68 * w95 - w9 * w97
+    J_q[3, 5] = w12 * w34 - (w2 * w100 + (w96 + w1 * w103) + w5 * w105) + w63 * w106 + w68 * w107 - w9 * w108
     # body.e2
-    dMa_dq_i[4, 3] = w4 * w5 - w12 * w15 + (w36 + w6 * w14) - w8 * w18 - w7 * w38
-    dMa_dq_i[4, 4] = w15 * w42 - w5 * w43 + w6 * w44 - (w23 + w8 * w46) - w8 * w38
-    dMa_dq_i[4, 5] = w24 + w15 * w48 + w5 * w49 - w6 * w50 - w8 * w51 - w9 * w38
+    J_q[4, 3] = w9 * w77 - (w14 * w38 + w2 * w42 + (w78 + w6 * w46)) + w64 * w79 + w70 * w80 - w11 * w75
+    J_q[4, 4] = w11 * w77 - (w14 * w87 + w2 * w90 + w6 * w93 - w53) + w79 * w94 + w80 * w95 - w11 * w97
+    J_q[4, 5] = w12 * w77 - (w17 + w14 * w100 + w2 * w103 + w6 * w105) + w79 * w106 + w80 * w107 - w11 * w108
     # body.e3
-    dMa_dq_i[5, 3] = w37 + w4 * w19 - w2 * w12 + w5 * w14 - w9 * w18 - w7 * w40
-    dMa_dq_i[5, 4] = w17 + w2 * w42 - w19 * w43 + w5 * w44 - w9 * w46 - w8 * w40
-    dMa_dq_i[5, 5] = w2 * w48 + w19 * w49 - w5 * w50 - (w23 + w9 * w51) - w9 * w40
-    inputs, outputs = [q_i, q_d, q_i_ddot, c], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, ["q_i", "q_d", "q_i_ddot", "c"], ["dMa_dq_i"])
+    J_q[5, 3] = w9 * w82 - (w0 * w38 + (w76 + w3 * w42) + w2 * w46) + w64 * w83 + w70 * w84 - w12 * w75
+    J_q[5, 4] = w11 * w82 - (w72 + w0 * w87 + w3 * w90 + w2 * w93) + w83 * w94 + w84 * w95 - w12 * w97
+    J_q[5, 5] = w12 * w82 - (w0 * w100 + w3 * w103 + w2 * w105 - w53) + w83 * w106 + w84 * w107 - w12 * w108
+    J_v = ca.SX(6, 6)
+    # body.e1
+    J_v[3, 3] = w9 * w63 - (w2 * w110 + w1 * w113 + w5 * w116) + w68 * w117 - w9 * w118
+    J_v[3, 4] = w11 * w63 - (w2 * w120 + w1 * w122 + w5 * w125) + w68 * w126 - w9 * w127
+    J_v[3, 5] = w12 * w63 - (w2 * w129 + w1 * w131 + w5 * w133) + w68 * w134 - w9 * w135
+    # body.e2
+    J_v[4, 3] = w9 * w79 - (w14 * w110 + w2 * w113 + w6 * w116) + w80 * w117 - w11 * w118
+    J_v[4, 4] = w11 * w79 - (w14 * w120 + w2 * w122 + w6 * w125) + w80 * w126 - w11 * w127
+    J_v[4, 5] = w12 * w79 - (w14 * w129 + w2 * w131 + w6 * w133) + w80 * w134 - w11 * w135
+    # body.e3
+    J_v[5, 3] = w9 * w83 - (w0 * w110 + w3 * w113 + w2 * w116) + w84 * w117 - w12 * w118
+    J_v[5, 4] = w11 * w83 - (w0 * w120 + w3 * w122 + w2 * w125) + w84 * w126 - w12 * w127
+    J_v[5, 5] = w12 * w83 - (w0 * w129 + w3 * w131 + w2 * w133) + w84 * w134 - w12 * w135
+    inputs, outputs = [q_i, q_d, q_i_dot, q_d_dot, q_i_ddot, c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["q_i", "q_d", "q_i_dot", "q_d_dot", "q_i_ddot", "c"], ["J_q", "J_v"])
 
 
 def forward_dynamics() -> ca.Function:
@@ -932,7 +1056,7 @@ def forward_dynamics() -> ca.Function:
     takes q_d (n_d = 1) [mixed]: dependent coordinates, q_d = f(q_i, t)
     takes q_i_dot (n_i = 6) [mixed]: rates of the independent coordinates
     takes q_d_dot (n_d = 1) [mixed]: rates of the dependent coordinates
-    takes c (n_const = 17) [SI]: what depends on p only, computed once a run: c = constants(p)
+    takes c (n_const = 23) [SI]: what depends on p only, computed once a run: c = constants(p)
     gives q_i_ddot (n_i = 6) [mixed]: accelerations of the independent coordinates
     225 operations.
     """
@@ -940,7 +1064,7 @@ def forward_dynamics() -> ca.Function:
     q_d = ca.SX.sym("q_d", 1)
     q_i_dot = ca.SX.sym("q_i_dot", 6)
     q_d_dot = ca.SX.sym("q_d_dot", 1)
-    c = ca.SX.sym("c", 17)
+    c = ca.SX.sym("c", 23)
     body_e1 = q_i[3]
     body_e2 = q_i[4]
     body_e3 = q_i[5]
@@ -960,7 +1084,7 @@ def forward_dynamics() -> ca.Function:
     c9 = c[9]
     c11 = c[11]
     c12 = c[12]
-    c16 = c[16]
+    c22 = c[22]
     # intermediate terms (46)
     w0 = 2 * body_e0
     w1 = body_e1 * -2.0
@@ -991,7 +1115,7 @@ def forward_dynamics() -> ca.Function:
     w26 = body_e1 * body_e2 * c11 + w0 * w7
     w27 = body_e3 / body_e0
     w28 = w26 - w22 * w27
-    w29 = w10 * w24 + body_e0 * body_e2 * c16 - (w21 * w28 + w8 * w27)
+    w29 = w10 * w24 + body_e0 * body_e2 * c22 - (w21 * w28 + w8 * w27)
     w30 = w4 * (w4 * c3) + w10 * (w10 * c5) + w0 * (w0 * c6) - (w27 * w28 + w26 * w27)
     w31 = w29 / w30
     w32 = w9 * w26 - (w4 * w14 + w10 * w18 + w0 * w20) - w23 * w27
@@ -1059,7 +1183,7 @@ FUNCTIONS = {
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "forward_dynamics": forward_dynamics,
     "geometry": geometry,
 }

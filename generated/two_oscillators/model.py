@@ -197,16 +197,29 @@ def dQ_hat_dq_i_dot() -> ca.Function:
     return ca.Function("dQ_hat_dq_i_dot", inputs, outputs, ["c"], ["dQ_hat_dq_i_dot"])
 
 
-def dMa_dq_i() -> ca.Function:
-    """Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot.
+def residual_jacobian() -> ca.Function:
+    """Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot.
 
-    gives dMa_dq_i (n_i x n_i = 2 x 2) [SI]: total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot
-    5 operations.
+    takes c (n_const = 11) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives J_q (n_i x n_i = 2 x 2) [SI]: total derivative of Q_hat - M_hat a by q_i at fixed a = q_i_ddot
+    gives J_v (n_i x n_i = 2 x 2) [SI]: the same as dQ_hat_dq_i_dot, in a linear system
+    12 operations.
     """
+    c = ca.SX.sym("c", 11)
+    c3 = c[3]
+    c5 = c[5]
+    c10 = c[10]
     # outputs
-    dMa_dq_i = ca.SX(2, 2)
-    inputs, outputs = [], [ca.densify(dMa_dq_i)]
-    return ca.Function("dMa_dq_i", inputs, outputs, [], ["dMa_dq_i"])
+    J_q = ca.SX(2, 2)
+    # x_L
+    J_q[0, 0] = c3
+    # x_S
+    J_q[1, 1] = c5
+    J_v = ca.SX(2, 2)
+    # x_S
+    J_v[1, 1] = c10
+    inputs, outputs = [c], [ca.densify(J_q), ca.densify(J_v)]
+    return ca.Function("residual_jacobian", inputs, outputs, ["c"], ["J_q", "J_v"])
 
 
 def deflections() -> ca.Function:
@@ -310,7 +323,7 @@ FUNCTIONS = {
     "energy": energy,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
-    "dMa_dq_i": dMa_dq_i,
+    "residual_jacobian": residual_jacobian,
     "deflections": deflections,
     "blocks": blocks,
     "substep_2": substep_2,

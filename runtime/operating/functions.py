@@ -9,7 +9,7 @@ import numpy as np
 
 from runtime.contract.model import Model, ModelError
 from runtime.operating.mode_solver import State
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 
 CLOSURE_ITERATIONS = 4
 CLOSED = 1e-9  # rad or m: a larger error before the last Newton step means that the loops did not close
@@ -97,11 +97,15 @@ def _built(model: Model) -> ca.Function:
     q_d_dot = equations.rates(motion, v)
     M, Q = equations.condensed(motion, v)
     arguments = {"q_i": q, "q_d": motion.q_d, "q_i_dot": v, "q_d_dot": q_d_dot, "q_i_ddot": a, "t": t}
-    J_q = (
-        equations.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - equations.call("dMa_dq_i", **arguments)["dMa_dq_i"]
-    )
-    J_v = equations.damping(motion, v) if velocity_dependent(model) else ca.SX.zeros(n, n)
-    outputs = [M, Q, J_q, J_v, all_coordinates(model, q, motion.q_d), all_coordinates(model, v, q_d_dot)]
+    found = equations.call("residual_jacobian", **arguments)
+    outputs = [
+        M,
+        Q,
+        found["J_q"],
+        found["J_v"],
+        all_coordinates(model, q, motion.q_d),
+        all_coordinates(model, v, q_d_dot),
+    ]
     outputs += [tangents(model, equations, motion), equations.loop_part(motion.q_d), motion.C_loop]
     outputs.append(equations.force_rate(motion, v, a))
     return ca.Function("operating_point", [t, q, v, a, loop, c], [ca.densify(value) for value in outputs])

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from runtime.schemes.stage_equations import StageEquations, velocity_dependent
+from runtime.schemes.stage_equations import StageEquations
 
 CLOSURE_ITERATIONS = 3
 
@@ -59,8 +59,7 @@ class ModeSolver:
     @staticmethod
     def possible(model: Model) -> bool:
         """Was the model generated with the Jacobians that modes need?"""
-        needed = ["dQ_hat_dq_i", "dMa_dq_i"] + ["dQ_hat_dq_i_dot"] * velocity_dependent(model)
-        return all(model.has(name) for name in needed)
+        return model.has("residual_jacobian")
 
     @staticmethod
     def _built(model: Model) -> ca.Function:

@@ -182,8 +182,8 @@ class StageEquations:
         M_hat, Q_hat = self.condensed(motion, q_i_dot)
         a = solve_symmetric(M_hat, Q_hat)
         arguments = {**self._arguments(motion, q_i_dot), "q_i_ddot": a}
-        J_q = self.call("dQ_hat_dq_i", **arguments)["dQ_hat_dq_i"] - self.call("dMa_dq_i", **arguments)["dMa_dq_i"]
-        return LinearisedEquations(M_hat, Q_hat, a, J_q, self.damping(motion, q_i_dot))
+        found = self.call("residual_jacobian", **arguments)
+        return LinearisedEquations(M_hat, Q_hat, a, found["J_q"], found["J_v"])
 
     def force_rate(self, motion: ClosedConfiguration, q_i_dot: ca.SX, q_i_ddot: ca.SX) -> ca.SX:
         """d(Q_hat - M_hat q_i_ddot)/dt at fixed q_i and q_i_dot, q_d = f(q_i, t) included."""

@@ -48,6 +48,11 @@ def total(terms: Iterable[ca.SX]) -> ca.SX:
     return result
 
 
+def length(expressions: Sequence[ca.SX]) -> int:
+    """Number of distinct operations of expressions together."""
+    return int(ca.n_nodes(ca.cse(ca.densify(ca.vertcat(*(ca.vec(value) for value in expressions))))))
+
+
 def dot(u: Sequence[ca.SX], v: Sequence[ca.SX]) -> ca.SX:
     """Sum of u_k v_k."""
     return total(_binary(_MUL, x, y) for x, y in zip(u, v, strict=True))

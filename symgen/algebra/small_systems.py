@@ -1,4 +1,4 @@
-"""Small linear systems in symbols: Cramer's rule up to 3x3, QR beyond; the determinant comes with the solution."""
+"""Small linear systems in symbols: Cramer's rule up to 4x4, QR beyond; the determinant comes with the solution."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from itertools import combinations
 
 import casadi as ca
 
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, sub
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
 
-CRAMER_LIMIT = 3  # larger systems are solved by QR, which needs no pivoting either
+CRAMER_LIMIT = 4  # larger systems are solved by QR, which needs no pivoting either
 SIGNED_LIMIT = 6  # up to here the determinant is expanded by minors (192 products), which gives its sign
 
 
@@ -66,6 +66,8 @@ def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:
     n = len(U)
     if n == 2:
         return [[U[1][1], -U[0][1]], [-U[1][0], U[0][0]]]
+    if n == 4:
+        return _adjugate_of_four(U)
 
     def cofactor(i: int, j: int) -> ca.SX:
         a, b = [k for k in range(3) if k != i], [k for k in range(3) if k != j]
@@ -73,3 +75,19 @@ def _adjugate(U: list[list[ca.SX]]) -> list[list[ca.SX]]:
         return minor if (i + j) % 2 == 0 else -minor
 
     return [[cofactor(j, i) for j in range(3)] for i in range(3)]
+
+
+def _adjugate_of_four(U: list[list[ca.SX]]) -> list[list[ca.SX]]:
+    """From the minors of the first two rows and of the last two, each of which four cofactors share."""
+    minors = [
+        {(j, k): sub(mul(U[r][j], U[r + 1][k]), mul(U[r][k], U[r + 1][j])) for j, k in combinations(range(4), 2)}
+        for r in (0, 2)
+    ]
+
+    def cofactor(i: int, j: int) -> ca.SX:
+        left, pair = (U[1 - i], minors[1]) if i < 2 else (U[5 - i], minors[0])
+        a, b, c = (k for k in range(4) if k != j)
+        value = add(sub(mul(left[a], pair[b, c]), mul(left[b], pair[a, c])), mul(left[c], pair[a, b]))
+        return value if (i + j) % 2 == 0 else neg(value)
+
+    return [[cofactor(j, i) for j in range(4)] for i in range(4)]

@@ -16,9 +16,11 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg, sub
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, length, mul, neg, sub
 from symgen.condensed.condensation import Condensed, Substitution, congruence
 from symgen.system.topology import Topology
+
+LONGEST_ELIMINATION = 24  # coordinates of joints up to which it may be the shorter way
 
 
 class NoInertia(Exception):
@@ -81,8 +83,19 @@ def given_side(column: int) -> Side:
 
 
 def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
-    """q_ddot of every coordinate of a tree, by column."""
-    return tree_solutions(system, topology, [forces_side(system)])[0]
+    """q_ddot of every independent coordinate of a tree, by column, by the shorter of two ways.
+
+    Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
+    """
+    solve, columns = system.reduced.free_joints, system.choice.independent
+    if solve is None or any(s.e for s in system.inner):
+        return tree_solutions(system, topology, [forces_side(system)])[0]
+    imposed = {s.column: s.c_acceleration for s in system.inner}
+    other = solve(dict(enumerate(system.reduced.force(imposed))), frozenset(columns))
+    if len(columns) > LONGEST_ELIMINATION:
+        return other
+    found = tree_solutions(system, topology, [forces_side(system)])[0]
+    return min(found, other, key=lambda form: length([form[column] for column in columns]))
 
 
 def tree_solutions(

@@ -80,22 +80,28 @@ def _matrix(block: LoopBlock, entries: Entries) -> list[list[ca.SX]]:
     return [[entries[row].get(column, ZERO) for column in block.columns] for row in block.rows]
 
 
-def solve_forward(blocks: list[LoopBlock], entries: Entries, side: Mapping[int, ca.SX]) -> tuple[Row, list[ca.SX]]:
-    """(x of U x = side by column, determinant of each block); side by constraint row."""
-    x: Row = {}
+def solve_forward(
+    blocks: list[LoopBlock], entries: Entries, sides: Sequence[Mapping[int, ca.SX]]
+) -> tuple[list[Row], list[ca.SX]]:
+    """(x of U x = side by column for each side, determinant of each block); sides by constraint row."""
+    x: list[Row] = [{} for _ in sides]
     determinants = []
     for block in blocks:
-        rest = []
-        for row in block.rows:
-            value = side[row]
-            for column, known in x.items():
-                if column in entries[row]:
-                    value = sub(value, mul(entries[row][column], known))
-            rest.append(value)
-        solved, determinant = solve_small(_matrix(block, entries), [rest])
-        x |= dict(zip(block.columns, solved[0], strict=True))
+        rests = [
+            [_rest(side[row], entries[row], known) for row in block.rows] for side, known in zip(sides, x, strict=True)
+        ]
+        solved, determinant = solve_small(_matrix(block, entries), rests)
+        for known, values in zip(x, solved, strict=True):
+            known |= dict(zip(block.columns, values, strict=True))
         determinants.append(determinant)
     return x, determinants
+
+
+def _rest(value: ca.SX, row: Row, known: Row) -> ca.SX:
+    for column, solved in known.items():
+        if column in row:
+            value = sub(value, mul(row[column], solved))
+    return value
 
 
 def solve_transposed(blocks: list[LoopBlock], entries: Entries, side: Mapping[int, ca.SX]) -> dict[int, ca.SX]:

@@ -154,7 +154,7 @@ def _closure(system: Condensed, a: Arguments) -> Kernel:
         U: dict[int, Row] = {row: {} for row in choice.loop_rows}
         for (row, column), value in zip(entries, flat[1:], strict=True):
             U[row][column] = value + 0
-        step, determinants = solve_forward(system.loops.blocks, U, dict(zip(choice.loop_rows, C, strict=True)))
+        (step,), determinants = solve_forward(system.loops.blocks, U, [dict(zip(choice.loop_rows, C, strict=True))])
         x_loop = [eq.q[c] - step[c] for c in choice.loop_columns]
         loops = ca.vertcat(*(eq.q[c] for c in choice.loop_columns))
         outputs = {

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 
+from symgen.algebra.scalar import length
 from symgen.condensed.condensation import Condensed
+from symgen.kernels.held_multipliers import held_jacobians, loops_alone
 from symgen.kernels.kernel import Kernel
 
 if TYPE_CHECKING:
@@ -17,7 +19,7 @@ SMALL_SYSTEM = 8  # independent coordinates up to which two forms of a Jacobian 
 
 
 def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], Kernel]]:
-    """Builders of dQ_hat/dq_i, dQ_hat/dq_i_dot and d(M_hat q_i_ddot)/dq_i."""
+    """Builders of dQ_hat/dq_i, dQ_hat/dq_i_dot, and both of Q_hat - M_hat q_i_ddot."""
     return {
         "dQ_hat_dq_i": lambda: Kernel(
             a.select("q_i", "q_d", "q_i_dot", "q_d_dot"),
@@ -27,17 +29,20 @@ def jacobian_kernels(system: Condensed, a: Arguments) -> dict[str, Callable[[], 
             a.select("q_i", "q_d", "q_i_dot", "q_d_dot"),
             {"dQ_hat_dq_i_dot": ca.densify(_by_velocity(system, a, system.generalised_force({})))},
         ),
-        "dMa_dq_i": lambda: Kernel(
-            a.select("q_i", "q_d", q_i_ddot=a.q_i_ddot),
-            {"dMa_dq_i": ca.densify(_by_position(system, a, _inertia_force(system, a)))},
-        ),
+        "residual_jacobian": lambda: _residual_jacobian(system, a),
     }
 
 
-def _inertia_force(system: Condensed, a: Arguments) -> ca.SX:
-    """M_hat q_i_ddot as S^T M S q_i_ddot."""
-    values = {column: a.q_i_ddot[k] for k, column in enumerate(system.choice.independent)}
-    return system.project(system.reduced.inertia(system.tangent(values)))
+def _residual_jacobian(system: Condensed, a: Arguments) -> Kernel:
+    """J_q and J_v of Q_hat - M_hat q_i_ddot together, which share what both need."""
+    if loops_alone(system):
+        J_q, J_v = held_jacobians(system, a)
+    else:
+        given = {column: a.q_i_ddot[k] for k, column in enumerate(system.choice.independent)}
+        residual = system.generalised_force(given)
+        J_q, J_v = _by_position(system, a, residual), _by_velocity(system, a, residual)
+    inputs = a.select("q_i", "q_d", "q_i_dot", "q_d_dot", q_i_ddot=a.q_i_ddot)
+    return Kernel(inputs, {"J_q": ca.densify(J_q), "J_v": ca.densify(J_v)})
 
 
 def _following(system: Condensed, a: Arguments) -> tuple[list[int], ca.SX, ca.SX]:
@@ -77,12 +82,7 @@ def _by_velocity(system: Condensed, a: Arguments, force: ca.SX) -> ca.SX:
     if a.q_i.numel() > SMALL_SYSTEM:
         return chained
     substituted = ca.jacobian(ca.substitute(force, q_d_dot, _rates(system, a, columns)), a.q_i_dot)
-    return min(chained, substituted, key=_length)
-
-
-def _length(expression: ca.SX) -> int:
-    """Number of distinct operations of an expression."""
-    return int(ca.n_nodes(ca.cse(ca.densify(expression))))
+    return min(chained, substituted, key=lambda form: length([form]))
 
 
 def _rates(system: Condensed, a: Arguments, columns: list[int]) -> ca.SX:

@@ -126,12 +126,12 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "dQ_hat_dq_i_dot",
         ),
         _spec(
-            "dMa_dq_i",
+            "residual_jacobian",
             "",
-            "Total derivative of M_hat q_i_ddot by q_i at fixed q_i_ddot",
+            "Total derivatives of Q_hat - M_hat q_i_ddot by q_i and by q_i_dot at fixed q_i_ddot",
             "accelerations",
-            "q_i q_d q_i_ddot t u c",
-            "dMa_dq_i",
+            f"{STATE} q_i_ddot t u c",
+            "J_q J_v",
         ),
         _spec(
             "substep",

@@ -27,8 +27,15 @@ from symgen.system.signals import input_records, input_symbols
 class InertiaForces(Protocol):
     """Inertia forces of a tree of frames."""
 
-    def __call__(self, accelerations: Row, moving: bool = True) -> Row:
+    def __call__(self, accelerations: Row) -> Row:
         """By column."""
+
+
+class FreeJointAccelerations(Protocol):
+    """Accelerations of a tree of frames in O(N)."""
+
+    def __call__(self, force: Row, free: frozenset[int]) -> Row:
+        """M_hat^-1 force by column; free: the columns that accelerate."""
 
 
 @dataclass
@@ -38,7 +45,8 @@ class Equations:
     Columns follow `coordinates`; M is symmetric with both triangles stored.
 
     Q_F holds loads, gravity and damping; Q_star = Q_v - K q + Q_F. inertia_forces, where the bodies are a tree of
-    frames: accelerations -> M q_ddot - Q_v, or M q_ddot alone; Q_v holds the weight too there, not Q_F.
+    frames: accelerations -> M q_ddot - Q_v; Q_v holds the weight too there, not Q_F.
+    free_joints: accelerations for a force on such a tree, if joints place all its bodies.
     placed_columns: coordinates of the frames of placed bodies, which no mass and no other constraint knows of.
     Energies [J] and powers [W] are scalars.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
@@ -74,6 +82,7 @@ class Equations:
     inputs: list[InputRecord] = field(default_factory=list)
     baumgarte: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))
     inertia_forces: InertiaForces | None = None
+    free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
 
     @cached_property
@@ -105,12 +114,6 @@ class Equations:
             sub(sub(value, springs.get(column, ZERO)), inertia.get(column, ZERO))
             for column, value in enumerate(self.Q_F)
         ]
-
-    def inertia(self, accelerations: Row) -> Row:
-        """M x''."""
-        if self.inertia_forces is None:
-            return matrix_times(self.M, accelerations)
-        return self.inertia_forces(accelerations, moving=False)
 
     def loads_on(self, body: str) -> list[str]:
         """Names of the loads and frictions that act on a body."""

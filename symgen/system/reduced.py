@@ -28,6 +28,7 @@ from symgen.scene.joints import Joint
 from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
 from symgen.system.frames.body_moves import Bend
+from symgen.system.frames.free_joints import floats, free_joint_accelerations
 from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
 from symgen.system.frames.linkage import links_of
 from symgen.system.frames.paths import Path
@@ -174,6 +175,7 @@ def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, top
         measures={},
         body_columns={},
         measure_units={},
+        load_forces={},
         placed_columns=frozenset(
             column
             for column, coordinate in enumerate(whole.coordinates)
@@ -184,15 +186,16 @@ def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, top
     equations = Mechanism(scene, table, space, blank, topology).equations
     equations.M = mass_rows(space.tree, len(equations.q))
     equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
+    if not floats(space.tree):
+        equations.free_joints = partial(free_joint_accelerations, space.tree)
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
     return equations
 
 
-def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row, moving: bool = True) -> Row:
-    """By the tree's recursion; not moving: of the accelerations alone, without rates and weight."""
-    base = [neg(component) if moving else ZERO for component in equations.gravity]
-    rates = dict(enumerate(equations.q_dot)) if moving else {}
-    force = inverse_dynamics(tree, base, rates, accelerations)
+def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row) -> Row:
+    """M x'' - Q_v and the weight, by the tree's recursion."""
+    base = [neg(component) for component in equations.gravity]
+    force = inverse_dynamics(tree, base, dict(enumerate(equations.q_dot)), accelerations)
     add_scaled(force, ONE, floating_forces(tree, equations.M, base, accelerations))
     return force

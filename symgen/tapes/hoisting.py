@@ -28,16 +28,18 @@ def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
     graph = Graph()
     tapes = {name: _simplified(kernel, graph, p) for name, kernel in kernels.items()}
     once, rest = split(tapes, {"p": p.numel()}, _input_time, Time.RUN, Place("c", 0), hold_inputs=True)
-    return {"constants": _constants(once), **{name: _without_unused_inputs(tape) for name, tape in rest.items()}}
+    tapes = {"constants": replace(once, output_names=["c"])}
+    tapes |= {name: _without_unused_inputs(tape) for name, tape in rest.items()}
+    return {name: _as_loaded(name, tape) for name, tape in tapes.items()}
 
 
 def _input_time(name: str, entry: int) -> Time:
     return Time.RUN if name == "p" else Time.STEP
 
 
-def _constants(once: Tape) -> Tape:
-    tape = replace(once, output_names=["c"])
-    simplified = read_tape(as_function("constants", tape))  # as CasADi will when it loads the emitted text
+def _as_loaded(name: str, tape: Tape) -> Tape:
+    """The tape as CasADi will simplify it when it loads the emitted text."""
+    simplified = read_tape(as_function(name, tape))
     return tape if simplified.operations == tape.operations else simplified
 
 

@@ -40,7 +40,14 @@ def compare_at(model: Model, twin: ModuleType, params: Any, q_i: Any, q_i_dot: A
             _get(model, "dQ_hat_dq_i_dot", "dQ_hat_dq_i_dot", values),
             twin.dQ_hat_dq_i_dot(params, q_i, q_i_dot, t),
         ),
-        "dMa_dq_i": (_get(model, "dMa_dq_i", "dMa_dq_i", {**values, "q_i_ddot": a}), twin.dMa_dq_i(params, q_i, a, t)),
+        "J_q": (
+            _get(model, "residual_jacobian", "J_q", {**values, "q_i_ddot": a}),
+            np.asarray(twin.dQ_hat_dq_i(params, q_i, q_i_dot, t)) - np.asarray(twin.dMa_dq_i(params, q_i, a, t)),
+        ),
+        "J_v": (
+            _get(model, "residual_jacobian", "J_v", {**values, "q_i_ddot": a}),
+            twin.dQ_hat_dq_i_dot(params, q_i, q_i_dot, t),
+        ),
     }
     for name, (generated, derived) in pairs.items():
         derived = np.asarray(derived, dtype=float)

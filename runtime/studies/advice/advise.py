@@ -85,10 +85,9 @@ def candidates(model: Model) -> list[Spec]:
     n, found = len(model.q_i), []
     if model.has("deflections"):
         found.append(Spec("exponential_rk4"))
-    if model.has("dQ_hat_dq_i") and 40 * n**3 < MOST_OPERATIONS:
+    if model.has("residual_jacobian") and 40 * n**3 < MOST_OPERATIONS:
         found.append(Spec("exponential", (1,)))
-        jacobians = sum(model.operations.get(name, 0) for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot", "dMa_dq_i"))
-        if jacobians < LONG_JACOBIANS:
+        if model.operations.get("residual_jacobian", 0) < LONG_JACOBIANS:
             found += [
                 Spec("exponential", (2,)),
                 Spec("exponential", (4,)),
@@ -134,7 +133,7 @@ def advise(
             f"none of {', '.join(one.label for one in searches)} reached {tolerance:g} on {model.name}; "
             "loosen the tolerance or grade fewer coordinates"
         )
-    solver = ModeSolver(model, setting.c) if model.has("dQ_hat_dq_i") else None
+    solver = ModeSolver(model, setting.c) if model.has("residual_jacobian") else None
     states = _states(problem) if solver else []
     note("computing frequencies and stability")
     best, limit = _within_limit(problem, done, states)

@@ -100,7 +100,7 @@ def stability_chart(
     Raises SchemeError, ModelError or InitialStateError for arguments that cannot be used.
     """
     name = scheme or str(model.simulation["scheme"])
-    if not model.has("dQ_hat_dq_i"):
+    if not model.has("residual_jacobian"):
         raise ModelError(f"model {model.name} was generated without its Jacobians; regenerate it with all functions")
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
     if not end > 0:

@@ -55,7 +55,7 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("linearised", (2,)),
         Spec("linearised", (8,), {"propagation": "central_difference"}),
     ]
-    if len(model.q_i) > LARGE or not model.has("dQ_hat_dq_i"):
+    if len(model.q_i) > LARGE or not model.has("residual_jacobian"):
         specs = []
     if model.has("deflections"):
         specs = [Spec("exponential_rk4"), *specs]
@@ -70,7 +70,7 @@ def usual_methods(model: Model) -> list[Method]:
         Spec("rk4"),
         Spec("dop853"),
     ]
-    if len(model.q_i) <= LARGE and model.has("dQ_hat_dq_i"):
+    if len(model.q_i) <= LARGE and model.has("residual_jacobian"):
         specs += [Spec("radau", None, {"eps": (1e-6,)}), Spec("generalized_alpha"), Spec("hht")]
     adaptive = [name for name in ADAPTIVE if len(model.q_i) <= LARGE or name in FOR_LARGE]
     return [Method(spec.label, spec) for spec in specs] + [Method(name) for name in adaptive]

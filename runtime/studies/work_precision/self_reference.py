@@ -72,7 +72,7 @@ def self_reference(
     """
     times, late = np.linspace(0.0, t_end, SAMPLES + 1), False
     for method, m in METHODS:
-        if method == "exponential" and not model.has("dQ_hat_dq_i"):
+        if method == "exponential" and not model.has("residual_jacobian"):
             continue
         path = OneStepPath(model, c, state, method, m)
         path.step, previous = t_end / FIRST_STEPS, None

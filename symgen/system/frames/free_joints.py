@@ -1,0 +1,183 @@
+"""Accelerations of a tree of frames in O(N): the articulated-body recursion, for a generalised force given by column.
+
+From the tips to the ground each frame carries the inertia of all beyond it with its joints free, and the wrench that is
+left of the forces there. A coordinate is eliminated at the last move on this way that depends on it; on the way out its
+acceleration follows from that of the frame. Rates and weight are in the force already: nothing here depends on them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from symgen.algebra.rows import Row
+from symgen.algebra.scalar import ONE, ZERO, add, div, mul, neg, sub
+from symgen.algebra.vectors import scaled, zeros
+from symgen.system.frames.articulated import Articulated
+from symgen.system.frames.body_moves import Float
+from symgen.system.frames.motion import NOTHING, Motion, Twist, Wrench, no_masses
+from symgen.system.frames.moves import Move, Turn
+from symgen.system.frames.tree import GROUND, FrameTree
+
+Place = tuple[int, int]  # frame, and how many of its moves lie before
+
+
+def floats(tree: FrameTree) -> bool:
+    """Is there a body that no joint places?"""
+    return any(isinstance(move, Float) for frame in tree.frames for move in frame.moves)
+
+
+def free_joint_accelerations(tree: FrameTree, force: Row, free: frozenset[int]) -> Row:
+    """x'' of M x'' = force by column; free: the columns that accelerate. Only for a tree in which no body floats."""
+    return _FreeJoints(tree, force, free).accelerations
+
+
+@dataclass(frozen=True)
+class _Freed:
+    """An eliminated coordinate: x'' = inverse (force - wrench . motion - sum others x_j'')."""
+
+    column: int
+    inverse: ca.SX
+    force: ca.SX
+    wrench: Wrench
+    others: Row
+
+
+@dataclass
+class _State:
+    """What is beyond a place: inertia, and by column momenta, masses and forces; the wrench that is left."""
+
+    inertia: Articulated
+    momenta: dict[int, Wrench]
+    wrench: Wrench
+
+
+class _FreeJoints:
+    """One solution of M x'' = force for a tree without bodies that float; `accelerations` is the result.
+
+    free: the columns to solve for; the others do not accelerate here.
+    """
+
+    def __init__(self, tree: FrameTree, force: Row, free: frozenset[int]) -> None:
+        self._tree, self._free = tree, free
+        self._force = {column: force.get(column, ZERO) for column in free}
+        self._mass: dict[tuple[int, int], ca.SX] = {}
+        self._freed: dict[Place, list[_Freed]] = {}
+        self._last = self._last_places()
+        self._inward()
+        self.accelerations: Row = {}
+        self._outward()
+
+    def _last_places(self) -> dict[int, Place]:
+        """Where each column is met last on the way to the ground."""
+        last: dict[int, Place] = {}
+        for k in reversed(range(len(self._tree.frames))):
+            frame = self._tree.frames[k]
+            for column in [] if frame.inertia is None else frame.inertia.momenta:
+                last[column] = (k, len(frame.moves))
+            for place in reversed(range(len(frame.moves))):
+                for column in frame.moves[place].twists:
+                    last[column] = (k, place)
+        return last
+
+    # ---- from the tips to the ground -------------------------------------------------------------------------
+
+    def _inward(self) -> None:
+        states = [_State(Articulated.of(no_masses()), {}, NOTHING) for _ in self._tree.frames]
+        for k in reversed(range(len(self._tree.frames))):
+            frame, state = self._tree.frames[k], states[k]
+            if frame.inertia is not None:
+                state.inertia = state.inertia.plus(Articulated.of(frame.inertia.rigid))
+                for (row, column), value in frame.inertia.own_masses().items():
+                    self._add(row, column, value)
+                for column, wrench in frame.inertia.momenta.items():
+                    if column in self._free:
+                        _gather(state.momenta, column, wrench)
+            self._eliminate((k, len(frame.moves)), state, None)
+            for place in reversed(range(len(frame.moves))):
+                self._through(frame.moves[place], (k, place), state)
+            if frame.parent != GROUND:
+                into = states[frame.parent]
+                into.inertia = into.inertia.plus(state.inertia)
+                into.wrench = into.wrench.plus(state.wrench)
+                for column, wrench in state.momenta.items():
+                    _gather(into.momenta, column, wrench)
+
+    def _through(self, move: Move, place: Place, state: _State) -> None:
+        twists = {column: twist for column, twist in move.twists.items() if column in self._free}
+        own = {column: state.inertia.momentum(twist) for column, twist in twists.items()}
+        known = dict(state.momenta)
+        for column, twist in twists.items():
+            self._force[column] = sub(self._force[column], state.wrench.along(twist))
+            for other, wrench in known.items():
+                value = wrench.along(twist)
+                self._add(column, other, add(value, value) if column == other else value)
+        for position, column in enumerate(twists):
+            for other in list(twists)[position:]:
+                self._add(column, other, own[column].along(twists[other]))
+        for column, wrench in own.items():
+            _gather(state.momenta, column, wrench)
+        hinge = move.axis if isinstance(move, Turn) and not set(twists) & set(known) else None
+        self._eliminate(place, state, hinge)
+        state.inertia = move.composite(state.inertia)  # type: ignore[arg-type, assignment]
+        state.wrench = move.wrench(state.wrench)
+        state.momenta = {column: move.wrench(wrench) for column, wrench in state.momenta.items()}
+
+    def _eliminate(self, place: Place, state: _State, hinge: int | None) -> None:
+        """The columns that are met nowhere nearer to the ground. hinge: the axis of a turn of its own."""
+        for column in sorted(state.momenta):
+            if self._last[column] != place:
+                continue
+            wrench, force = state.momenta.pop(column), self._force.pop(column)
+            inverse = div(ONE, self._mass.pop((column, column)))
+            others: Row = {}
+            for other in (c for c in state.momenta if _pair(c, column) in self._mass):
+                others[other] = self._mass.pop(_pair(other, column))
+            self._freed.setdefault(place, []).append(_Freed(column, inverse, force, wrench, others))
+            share = mul(inverse, force)
+            state.wrench = state.wrench.plus(Wrench(scaled(share, wrench.f), scaled(share, wrench.n)))
+            state.inertia = state.inertia.less(wrench, inverse)
+            if hinge is not None:
+                state.inertia = state.inertia.free_about(hinge)
+            for other, value in others.items():
+                factor = neg(mul(inverse, value))
+                self._force[other] = add(self._force[other], mul(factor, force))
+                mine = state.momenta[other]
+                state.momenta[other] = mine.plus(Wrench(scaled(factor, wrench.f), scaled(factor, wrench.n)))
+                for second, mass in others.items():
+                    if second >= other:
+                        self._add(other, second, mul(factor, mass))
+
+    def _add(self, i: int, j: int, value: ca.SX) -> None:
+        if i in self._free and j in self._free and not value.is_zero():
+            self._mass[_pair(i, j)] = add(self._mass.get(_pair(i, j), ZERO), value)
+
+    # ---- and back out ----------------------------------------------------------------------------------------
+
+    def _outward(self) -> None:
+        motions: list[Motion] = []
+        for k, frame in enumerate(self._tree.frames):
+            motion = Motion(zeros(), zeros(), zeros()) if frame.parent == GROUND else motions[frame.parent]
+            for place, move in enumerate(frame.moves):
+                before = move.motion(motion, {}, {})
+                self._solve((k, place), before)
+                motion = move.motion(motion, {}, self.accelerations)
+            self._solve((k, len(frame.moves)), motion)
+            motions.append(motion)
+
+    def _solve(self, place: Place, motion: Motion) -> None:
+        """The columns eliminated at a place; motion: that of the frame without them."""
+        for freed in reversed(self._freed.get(place, [])):
+            rest = sub(freed.force, freed.wrench.along(Twist(motion.alpha, motion.a)))
+            for other, value in freed.others.items():
+                rest = sub(rest, mul(value, self.accelerations[other]))
+            self.accelerations[freed.column] = mul(freed.inverse, rest)
+
+
+def _pair(i: int, j: int) -> tuple[int, int]:
+    return (i, j) if i <= j else (j, i)
+
+
+def _gather(momenta: dict[int, Wrench], column: int, wrench: Wrench) -> None:
+    momenta[column] = momenta[column].plus(wrench) if column in momenta else wrench

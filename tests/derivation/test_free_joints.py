@@ -1,0 +1,100 @@
+"""The recursion of articulated bodies solves M x'' = force, and costs the same for each further body."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from symgen.scene import Scene, SceneBuilder
+from symgen.system.build import build_system
+from symgen.system.equations import Equations
+
+JOINTS = ("revolute", "universal", "cylindrical", "revolute", "screw", "planar", "prismatic", "revolute")
+
+
+def mixed_chain() -> Scene:
+    """Rigid bodies and beams in turn, on joints of every kind that places a body, each with a twig."""
+    rng = np.random.default_rng(4)
+    builder = SceneBuilder("mixed", space="spatial").gravity(0.0, 0.0, -9.81)
+    builder.ground(markers={"tip": {"axis": rng.normal(size=3)}})
+    before = "ground.tip"
+    for k, kind in enumerate(JOINTS):
+        name = f"body{k}"
+        if k % 2:
+            bent = {"ends": "clamped-free", "modes": 1}
+            builder.beam(
+                name,
+                length=0.5,
+                density=2700.0,
+                area=1e-4,
+                second_moment=1e-9,
+                second_moment_z=2e-9,
+                youngs_modulus=7e10,
+                lateral=bent,
+                lateral_z=bent,
+                stiffening=k == 3,
+                markers={
+                    "foot": {"at": 0.7, "axis": rng.normal(size=3)},
+                    "tip": {"at": 1.0, "axis": rng.normal(size=3)},
+                },
+            )
+        else:
+            markers = {
+                label: {"position": rng.uniform(-1, 1, 3), "axis": rng.normal(size=3)} for label in ("foot", "tip")
+            }
+            builder.rigid(name, mass=1.0, inertia=[0.1, 0.12, 0.15], center_of_mass=[0.1, 0, 0.2], markers=markers)
+        lead = {"lead": 0.3} if kind == "screw" else {}
+        ends = (before, f"{name}.foot") if k % 3 else (f"{name}.foot", before)
+        builder.joint(kind, f"joint{k}", *ends, **lead)
+        builder.rigid(f"twig{k}", mass=0.2, inertia=[0.01, 0.02, 0.02], center_of_mass=[0.0, 0.3, 0.0])
+        builder.joint("revolute", f"twist{k}", f"{name}.tip", f"twig{k}.origin")
+        before = f"{name}.tip"
+    return builder.build()
+
+
+def hinges(n: int) -> Scene:
+    rng = np.random.default_rng(5)
+    builder = SceneBuilder("hinges", space="spatial")
+    for k in range(n):
+        markers = {"tip": {"position": rng.uniform(-1, 1, 3), "axis": rng.normal(size=3)}}
+        builder.rigid(f"body{k}", mass=1.0, inertia=[0.1, 0.12, 0.15], center_of_mass=[0.1, 0, 0.2], markers=markers)
+        builder.joint("revolute", f"hinge{k}", f"body{k - 1}.tip" if k else "ground.origin", f"body{k}.origin")
+    return builder.build()
+
+
+def solution(equations: Equations, force: ca.SX) -> tuple[list[int], ca.SX]:
+    """(columns of the tree, accelerations)."""
+    columns = [column for column, row in enumerate(equations.M) if row]
+    assert equations.free_joints is not None
+    found = equations.free_joints({c: force[k] for k, c in enumerate(columns)}, frozenset(columns))
+    return columns, ca.vertcat(*(found[column] for column in columns))
+
+
+def test_accelerations_give_the_force_back() -> None:
+    system = build_system(mixed_chain())
+    equations, rng = system.reduced, np.random.default_rng(6)
+    size = sum(bool(row) for row in equations.M)
+    force = ca.SX.sym("force", size)
+    columns, accelerations = solution(equations, force)
+    M = ca.SX(size, size)
+    for i, row in enumerate(columns):
+        for j, column in enumerate(columns):
+            M[i, j] = equations.M[row].get(column, ca.SX(0))
+    values = ca.Function(
+        "values", [ca.vertcat(*equations.q), system.parameters.vector(), force], [ca.densify(M), accelerations]
+    )
+    defaults = [entry.default for entry in system.parameters.entries]
+    for _ in range(3):
+        q, f = 0.3 * rng.uniform(-1, 1, len(equations.q)), rng.normal(size=size)
+        matrix, found = (np.asarray(value) for value in values(q, defaults, f))
+        expected = np.linalg.solve(matrix, f)
+        assert np.abs(found.ravel() - expected).max() < 1e-9 * np.abs(expected).max()
+
+
+def test_each_further_body_costs_the_same() -> None:
+    counts = []
+    for n in (6, 9, 12):
+        equations = build_system(hinges(n)).reduced
+        columns, accelerations = solution(equations, ca.SX.sym("force", n))
+        counts.append(ca.n_nodes(ca.cse(accelerations)))
+    assert abs((counts[2] - counts[1]) - (counts[1] - counts[0])) <= 0.02 * (counts[1] - counts[0])
