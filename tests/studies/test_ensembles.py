@@ -14,7 +14,7 @@ from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.engine.llvm_code import host
 from runtime.schemes.catalogue import SCHEMES
-from runtime.studies.ensemble.lane_programs import LanePrograms
+from runtime.studies.ensemble.lane_programs import LanePrograms, programs_of
 from runtime.studies.ensemble.lane_runs import LaneRuns
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.samples import table_of
@@ -198,6 +198,18 @@ def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
         np.testing.assert_array_equal(found[name][2], expected.outputs[name])
     with pytest.raises(ArgumentError, match="wind.*samples"):
         ensemble(model, inputs={"force": forces, "wind": ([0.0, 1.0], [0.0, 1.0])}, outputs=["cart.x"])
+
+
+def test_a_loop_makes_programs_once(built_in: Load) -> None:
+    """Other samples, names and numbers of cases need no other programs; another output does."""
+    model = built_in("pendulum")
+
+    def asked(names: tuple[list[str], list[str]], cases: int, output: str) -> Question:
+        return Question.ask(model, names, cases, None, None, None, None, 0.0, None, None, [output], None, None)
+
+    first = programs_of(model, asked(([], ["rod.theta"]), 2, "tip_y"))
+    assert programs_of(model, asked((["length"], []), 9, "tip_y")) is first
+    assert programs_of(model, asked((["length"], []), 9, "tip_x")) is not first
 
 
 def test_width_follows_the_processor(built_in: Load) -> None:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import threading
+from collections import deque
 from collections.abc import Mapping
 from functools import cached_property
+from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -107,6 +110,29 @@ class LanePrograms:
             return self.row.slice(name)
         inside, first = self.lane.slice(name), self.row.slice("lane").start
         return slice(first + inside.start, first + inside.stop)
+
+
+def programs_of(model: Model, question: Question, width: int | None = None) -> LanePrograms:
+    """The programs of a question: those of an earlier one that differs in its samples only, if they are still there."""
+    key = f"{width} {question.programs_key}"
+    with _LOCK:
+        for kept in _KEPT:
+            if kept.model is model and kept.key == key:
+                return kept.programs
+    made = LanePrograms(model, question, width)
+    with _LOCK:
+        _KEPT.append(_Kept(model, key, made))
+    return made
+
+
+class _Kept(NamedTuple):
+    model: Model
+    key: str
+    programs: LanePrograms
+
+
+_LOCK = threading.Lock()
+_KEPT: deque[_Kept] = deque(maxlen=4)  # a loop that asks again and again makes programs once
 
 
 def _length(model: Model) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
 from runtime.studies.ensemble.account import cause_of
-from runtime.studies.ensemble.lane_programs import LanePrograms
+from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
 from runtime.studies.ensemble.question import Question
 from runtime.studies.ensemble.starts import Starts
@@ -35,7 +35,7 @@ class LaneRuns:
 
     def __init__(self, model: Model, question: Question, width: int | None = None) -> None:
         self.question = question
-        self.programs = LanePrograms(model, question, width)
+        self.programs = programs_of(model, question, width)
         self.steps = self.programs.plan.steps
         self._z, self._c = self.programs.rows_of("lane").start, self.programs.rows_of("ready").start
 

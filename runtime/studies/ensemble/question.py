@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from math import ceil
 from typing import Any
 
@@ -119,6 +119,11 @@ class Question:
     def as_text(self) -> str:
         """JSON."""
         return json.dumps({"format": FORMAT, **asdict(self)}, indent=1, sort_keys=True)
+
+    @property
+    def programs_key(self) -> str:
+        """What programs depend on: all but the cases and what of them is varied."""
+        return replace(self, parameters=[], initial=[], cases=0, samples="").as_text()
 
     @property
     def key(self) -> str:
