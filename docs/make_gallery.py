@@ -18,7 +18,15 @@ SECTIONS = {
     "Driven mechanisms and robots": ["five_bar_robot", "quick_return"],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],
     "Flexible bodies": ["rotor_blades", "spin_up", "finite_element_bar", "mesh_connecting_rod"],
-    "Control, optimisation, studies": ["cart_pole", "optimise_torque", "parameter_study"],
+    "Control, optimisation, studies": [
+        "cart_pole",
+        "optimise_torque",
+        "parameter_study",
+        "monte_carlo",
+        "design_rod",
+        "identify_hub_beam",
+        "ensemble_on_dask",
+    ],
     "The paper: its figures and its schemes": [
         "partitioned_bar",
         "floating_frame",

@@ -25,13 +25,14 @@ def build():
     """One corner of a car: two arms hinged to the body, an upright on two balls, a tie rod, a strut, a tyre."""
     builder = SceneBuilder("double_wishbone", space="spatial", title="Double wishbone").gravity(0, 0, -9.81)
     rail = {"rail": {"position": (0, 0.2, 0.35)}}
-    rim = {f"rim{k}": at(0.04, 0.3 * np.sin(k * np.pi / 12), 0.3 * np.cos(k * np.pi / 12)) for k in range(24)}
+    wheel = {"type": "cylinder", "radius": 0.3, "length": 0.16, "axis": (0, 1, 0), "position": (0, 0.13, 0)}
+    post = {"type": "box", "size": (0.04, 0.03, 0.35), "position": (0, -0.06, 0.05)}
     balls = {name: at(y - HUB[0], z - HUB[1]) for name, (_, _, y, z) in ARMS.items()}
     builder.ground(markers=rail).rigid("chassis", mass=MASSES["chassis"], inertia=[20, 20, 20], markers={
         **{name: at(*ends[:2]) for name, ends in ARMS.items()}, **rail,
         "strut": at(0.42, 0.68), "rack": at(0.32, 0.27, -0.12)})
     builder.rigid("upright", mass=MASSES["upright"], inertia=[0.5, 0.8, 0.5],
-                  markers={**balls, "arm": at(-0.06, -0.04, -0.12), **rim})
+                  markers={**balls, "arm": at(-0.06, -0.04, -0.12)}, shape=[wheel, post])
     builder.prismatic("body", "ground.rail", "chassis.rail").initial({"upright.y": HUB[0], "upright.z": HUB[1]})
     for name, (y, z, out, up) in ARMS.items():
         builder.rigid(name, mass=MASSES[name], inertia=[0.1, 0.02, 0.1], center_of_mass=(0, 0.2, 0), markers={
@@ -41,8 +42,8 @@ def build():
         builder.spherical(f"{name}_ball", f"{name}.ball", f"upright.{name}")
     builder.distance("tie_rod", "chassis.rack", "upright.arm", length=0.36)
     builder.spring_damper("strut", "chassis.strut", "lower.strut", stiffness=60e3, damping=1e4, free_length=0.58)
-    builder.measure("hub", "z", marker_b="upright.origin")
-    builder.force("tyre", "upright.origin", 0, 0, f"max(0, 2e5 * ({BUMP} + {HUB[1]} - hub) - 500 * hub_dot)")
+    tyre = f"max(0, 2e5 * ({BUMP} + {HUB[1]} - hub) - 500 * hub_dot)"
+    builder.measure("hub", "z", marker_b="upright.origin").force("tyre", "upright.origin", 0, 0, tyre)
     return builder.simulation(t_end=2.5, dt=1e-3, scheme="rk4", save_every=5).build()
 
 
@@ -54,7 +55,6 @@ def main(picture: Path | None = None) -> None:
     print(f"{run.status}, energy and work agree to {np.abs(run.energy_balance()).max():.1e} J")
     tyre = 2e5 * (HUB[1] - run["hub"][run.t < 1.5][-1])
     print(f"tyre at rest {tyre:.1f} N, weight {9.81 * sum(MASSES.values()):.1f} N")
-    print(f"camber between {camber[run.t > 1.5].min():.2f} and {camber[run.t > 1.5].max():.2f} deg")
     if picture:
         left, right = (figure := Figure(figsize=(10, 4.5), layout="constrained", dpi=120)).subplots(1, 2)
         plots.snapshots(run, ax=left, instants=[1.5, 1.6])

@@ -27,7 +27,7 @@ def build():
     builder.revolute("yaw", "ground.origin", "ring.origin").revolute("pitch", "ring.y", "fork.y")
     builder.revolute("roll", "fork.x", "hub.x").rates({"yaw.angle": SPIN, "roll.angle": WOBBLE})
     for side in ("left", "right"):
-        builder.beam(side, length=REACH, density=1e3, area=LINE / 1e3, second_moment=1e-7, second_moment_z=1e-10,
+        builder.beam(side, length=REACH, density=1e2, area=LINE / 1e2, second_moment=1.2e-5, second_moment_z=1e-10,
                      youngs_modulus=2e10, lateral_z={"ends": "clamped-free", "modes": 1}, damping_ratio=0.7,
                      stiffening=True)
         builder.weld(f"hold_{side}", f"hub.{side}", f"{side}.start")

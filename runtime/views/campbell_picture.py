@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from runtime.contract.files import replacing
 from runtime.operating.campbell import Campbell
+from runtime.results.notebook_figure import NotebookFigure
 from runtime.views.style import COLOURS
 
 MOST_NAMED = 12  # modes in the legend
@@ -19,7 +20,7 @@ def campbell_picture(found: Campbell, path: str | Path | None = None) -> Figure:
 
     Along a speed, frequency = speed is drawn too. Raises OutputError if the file cannot be written.
     """
-    figure = Figure(figsize=(8, 5), layout="constrained")
+    figure = NotebookFigure(figsize=(8, 5), layout="constrained")
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     for k, name in enumerate(found.names):

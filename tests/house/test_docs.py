@@ -165,3 +165,17 @@ def test_pages_name_every_command_and_function() -> None:
     text = read(GUIDE / "cli.md")
     for command in ("new", "list", "show", "generate", "simulate", "animate", "demo"):
         assert re.search(rf"^\| `{command}\b", text, re.MULTILINE), command
+
+
+def test_the_first_steps_lead_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The scene and the commands of the page leave what the page says."""
+    page = GUIDE / "first-steps.md"
+    monkeypatch.chdir(tmp_path)
+    (scene,) = blocks(page, "toml")
+    (tmp_path / "pump.toml").write_text(scene, encoding="utf-8")
+    for line in blocks(page, "sh")[0].splitlines():
+        assert main(shlex.split(line)[1:]) == 0, (line, capsys.readouterr().err)
+    left = re.findall(r"`((?:results|report)/\w+\.\w+)`", read(page))
+    assert len(left) > 5 and not [name for name in left if not (tmp_path / name).is_file()]

@@ -50,7 +50,9 @@ def line(text: str, beginning: str) -> list[float]:
 
 def test_every_example_is_tested_and_in_the_gallery() -> None:
     tests = Path(__file__).read_text(encoding="utf-8")
-    gallery = (EXAMPLES.parent / "docs" / "gallery.md").read_text(encoding="utf-8")
+    docs = EXAMPLES.parent / "docs"
+    gallery = (docs / "gallery.md").read_text(encoding="utf-8")
+    assert gallery == runpy.run_path(str(docs / "make_gallery.py"))["page"](), "run: python docs/make_gallery.py NAME"
     names = {path.stem for path in EXAMPLES.glob("*.py")}
     assert set(re.findall(r'said\("(\w+)"', tests)) == names
     assert set(re.findall(r"\(\.\./examples/(\w+)\.py\)", gallery)) == names

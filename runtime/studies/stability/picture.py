@@ -11,6 +11,7 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 
 from runtime.contract.files import replacing
+from runtime.results.notebook_figure import NotebookFigure
 from runtime.studies.stability.chart import StabilityChart
 
 LEVELS = (0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1e-1, 1.0, np.inf)  # of growth in a major step
@@ -19,7 +20,7 @@ COLOURS = ("#e8f1f2", "#d3e6ea", "#b3d4db", "#8fb9c9", "#f4d58d", "#f0a35e", "#d
 
 def stability_picture(chart: StabilityChart, path: str | Path | None = None) -> Figure:
     """Spurious growth in a major step over dt_S for each m, limits as bars; with a path it also writes the file."""
-    figure = Figure(figsize=(9, 1.8 + 0.42 * max(3, len(chart.curves))), layout="constrained")
+    figure = NotebookFigure(figsize=(9, 1.8 + 0.42 * max(3, len(chart.curves))), layout="constrained")
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     norm = BoundaryNorm(np.arange(len(LEVELS)), len(COLOURS))

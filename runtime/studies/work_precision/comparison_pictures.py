@@ -11,6 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from runtime.contract.files import replacing
+from runtime.results.notebook_figure import NotebookFigure
 from runtime.studies.work_precision.comparison import Comparison
 from runtime.studies.work_precision.prepared_method import Trial
 
@@ -31,7 +32,7 @@ def picture_evaluations(comparison: Comparison, path: str | Path | None = None) 
 
 
 def _picture(comparison: Comparison, price: Callable[[Trial], float], label: str, path: str | Path | None) -> Figure:
-    figure = Figure(figsize=(11, 6.2), layout="constrained")
+    figure = NotebookFigure(figsize=(11, 6.2), layout="constrained")
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     shown = [curve for curve in comparison.ranked() if curve.trials]
