@@ -17,14 +17,15 @@ def add(subparsers: Any) -> None:
         "simulate",
         run,
         "Simulate a scene or a generated model.",
-        "With --out it leaves model/, solution.npz, solution.csv, report.json and report.md.",
+        "With --out it leaves model/, solution.npz, solution.csv, report.json, report.md and pictures.",
     )
     add_scene(command)
     command.add_argument("--out", metavar="DIR", help="folder for the results (default: none are kept)")
     command.add_argument(
         "--plots",
-        action="store_true",
-        help="also leave motion.png, deformation.png, forces.png and energy.png (needs --out)",
+        action=argparse.BooleanOptionalAction,
+        default=None,
+        help="motion.png, deformation.png, forces.png and energy.png in --out (left unless --no-plots is given)",
     )
     add_run_options(command)
     command.add_argument("--checkpoint", metavar="FILE", help="file that `symgen resume` goes on from")
@@ -57,7 +58,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
         checkpoint_every=arguments.checkpoint_every,
     )
     files = leave_results(solution, folder) if folder else {}
-    if folder and arguments.plots:
+    if folder and arguments.plots is not False:
         files |= leave_pictures(solution, folder)
     lines = summary(solution) + ([f"results in {folder}"] if folder else [])
     return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

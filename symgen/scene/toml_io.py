@@ -16,6 +16,7 @@ from symgen.scene.errors import SceneError
 MAX_BYTES = 50_000_000
 MAX_KEY_PARTS = 100
 LONGEST_LINE = 100  # characters of a line that an error shows
+_WITH_UNIT = re.compile(r"=\s*([-+]?\d[\d.eE+-]*)\s*[A-Za-z]+[\w/^* ]*'?$")  # mass = 3.0 kg
 # dotted names longer than that: tomllib takes time with the square of their length
 _LONG_KEY = re.compile(
     r"""(?<![\w"'-])(?:(?:[\w-]{1,200}|"[^"\n]{0,200}"|'[^'\n]{0,200}')[ \t]*\.[ \t]*)""" + f"{{{MAX_KEY_PARTS}}}"
@@ -54,7 +55,10 @@ def parse(text: str, item: str) -> dict[str, Any]:
     except RecursionError:
         raise SceneError(item, "is nested too deeply", "flatten the lists and tables") from None
     except (ValueError, TypeError, AttributeError) as error:
-        raise SceneError(item, f"is not valid TOML ({error}){_line_of(text, error)}", "correct that line") from None
+        line = _line_of(text, error)
+        unit = _WITH_UNIT.search(line)
+        remedy = f"write the number alone: all are in SI units, here {unit[1]}" if unit else "correct that line"
+        raise SceneError(item, f"is not valid TOML ({error}){line}", remedy) from None
 
 
 def _line_of(text: str, error: Exception) -> str:

@@ -119,7 +119,6 @@ def test_simulate_and_animate(capsys, folder, tmp_path) -> None:
         *changes,
         "--out",
         tmp_path / "run",
-        "--plots",
     )
     assert code == 0 and data["report"]["status"]["ok"]
     assert data["report"]["parameters"]["torque"]["value"] == 0.2
@@ -151,7 +150,18 @@ def test_no_energy_balance_is_claimed_where_the_samples_were_not_kept(capsys, fo
 
 def test_a_run_that_fails_exits_with_one_and_keeps_its_report(capsys, folder, tmp_path) -> None:
     code, data = run(
-        capsys, "simulate", folder / "code", "--dt", 0.5, "--t-end", 500, "--engine", "interpreted", "--out", tmp_path
+        capsys,
+        "simulate",
+        folder / "code",
+        "--dt",
+        0.5,
+        "--t-end",
+        500,
+        "--engine",
+        "interpreted",
+        "--out",
+        tmp_path,
+        "--no-plots",
     )
     assert code == 1 and not data["report"]["status"]["ok"] and data["report"]["status"]["advice"]
     assert main(["simulate", str(folder / "code"), "--dt", "0.5", "--t-end", "500", "--engine", "interpreted"]) == 1

@@ -83,6 +83,8 @@ def test_a_number_with_its_unit_is_told_from_an_expression() -> None:
     text = 'name = "a"\n[[bodies]]\ntype = "rigid"\nname = "box"\nmass = "3.0 kg"\ninertia = 1.0\nfree = true\n'
     with pytest.raises(SceneError, match="all are in SI units .* here 3.0"):
         Scene.from_toml_text(text)
+    with pytest.raises(SceneError, match="line 5.*'mass = 3.0 kg'; write the number alone.* here 3.0"):
+        Scene.from_toml_text(text.replace('"3.0 kg"', "3.0 kg"))
 
 
 def test_an_error_of_the_toml_shows_its_line() -> None:

@@ -227,6 +227,5 @@ def _reason(spec: Spec, trial: Trial, limit: float | None, gain: float, fastest:
         return f"use one step for all coordinates: {spec.label} is {which} ({step}{bound})"
     if not np.isfinite(gain):
         return f"{spec.label}: {step}{bound}; no method with one step for all coordinates got there in useful time"
-    return (
-        f"{spec.label} is {gain:.2g} times as fast as the best method with one step for all coordinates ({step}{bound})"
-    )
+    faster = f"{gain:.2g} times as fast" if abs(gain - 1.0) >= 0.05 else "as fast"
+    return f"{spec.label} is {faster} as the best method with one step for all coordinates ({step}{bound})"
