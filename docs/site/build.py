@@ -61,7 +61,7 @@ def index(site: Path) -> list[dict[str, str]]:
         if article is None or path.name in ("404.html", "search.html"):
             continue
         for part in re.split(r"(?=<h[123] )", article[0]):
-            heading = re.match(r'<h[123] id="([^"]*)".*?>(.*?)</h', part, re.DOTALL)
+            heading = re.match(r'<h[123] id="([^"]*)".*?>(.*?)</h[123]>', part, re.DOTALL)
             if heading:
                 words = (_plain(heading[2]).rstrip("¶# "), _plain(part[heading.end() :])[:1500])
                 found.append({"to": f"{path.relative_to(site)}#{heading[1]}", "title": words[0], "text": words[1]})
