@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from runtime.contract.files import replacing
-from runtime.views.figure import NotebookFigure, grid
+from runtime.results.notebook_figure import NotebookFigure
+from runtime.views.figure import grid
 from runtime.views.style import COLOURS
 
 MOST_PANELS, MOST_CURVES = 8, 100
