@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import copyreg
 import hashlib
 import json
+from collections.abc import Mapping
+from dataclasses import replace
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.manifest import FORMAT, OLDER, described, manifest_digest
@@ -106,3 +110,25 @@ def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: M
         scene_toml=scene_toml,
         folder=str(path.resolve()),
     )
+
+
+def _reloaded(
+    folder: str, digest: str, numbers: Mapping[str, float], functions: Mapping[str, str], driven_by: str
+) -> Model:
+    """The model that was pickled: its folder, if it still holds the same."""
+    found = load_model(folder)
+    if found.digest != digest:
+        raise ModelError(f"{folder} was generated anew since a model of it was pickled; load it and begin anew")
+    sources = {name: ca.Function.deserialize(text) for name, text in functions.items()}
+    return replace(found, input_values=dict(numbers), sources=sources, driven_by=driven_by)
+
+
+def _reduced(model: Model) -> tuple[Any, ...]:
+    """How a model is pickled: by folder and hash, never with its code."""
+    if not model.folder:
+        raise ModelError(f"model {model.name} was not loaded from a folder, and cannot be pickled without one")
+    functions = {name: function.serialize() for name, function in model.sources.items()}
+    return _reloaded, (model.folder, model.digest, dict(model.input_values), functions, model.driven_by)
+
+
+copyreg.pickle(Model, _reduced)

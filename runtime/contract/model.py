@@ -26,8 +26,8 @@ class Model:
     initial_q, initial_q_dot (n) [m, rad, 1; per s]: the consistent initial state.
     initial_changes: {coordinate or rate: (given, used)} where the scene's initial state had to be corrected.
     digest: SHA-256 of the manifest; scene_toml: an opaque text that only the generator reads; folder: where it was
-    loaded from; "" if not known.
-    input_values, sources: constants and functions of time given for inputs (see `with_inputs`).
+    loaded from, by which it is pickled; "" if not known. input_values, sources: constants and functions of time given
+    for inputs (see `with_inputs`); driven_by: hash of what else drives a run.
     Kernels take the run's constants c = constants(p); `function(name)` gives the same function of p.
     """
 
@@ -41,6 +41,7 @@ class Model:
     folder: str = ""
     input_values: Mapping[str, float] = field(default_factory=dict)
     sources: Mapping[str, ca.Function] = field(default_factory=dict)
+    driven_by: str = ""
     _kernels: dict[str, ca.Function] = field(default_factory=dict, repr=False)
     _derived: dict[str, ca.Function] = field(default_factory=dict, repr=False)
 
@@ -63,6 +64,12 @@ class Model:
     def elastic(self) -> list[str]:
         """Names of the modal coordinates."""
         return [coordinate.name for coordinate in self.description.coordinates if coordinate.elastic]
+
+    @cached_property
+    def states(self) -> list[int]:
+        """Positions in q_i of the coordinates whose rates are states of controllers."""
+        states = {entry.name for entry in self.description.coordinates if entry.kind == "state"}
+        return [k for k, name in enumerate(self.q_i) if name in states]
 
     @property
     def q_i(self) -> list[str]:

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from runtime.contract.beams.records import BeamRecord, beam_records
 
-CoordinateKind = Literal["position", "angle", "euler_parameter", "modal"]
+CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
 ParameterKind = Literal["declared", "scene", "data", "input"]
 Bound = Literal["any", "positive", "not negative"]
@@ -27,7 +27,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "report": (),
 }
 RATES = ("", "/s", "/s^2")
-UNITS: dict[CoordinateKind, str] = {"position": "m", "angle": "rad", "euler_parameter": "1", "modal": "m"}
+UNITS: dict[CoordinateKind, str] = {"position": "m", "angle": "rad", "euler_parameter": "1", "modal": "m", "state": "s"}
 ROW_UNITS: dict[ConstraintKind, str] = {
     "distance": "m",
     "angle": "rad",
@@ -39,7 +39,7 @@ ROW_UNITS: dict[ConstraintKind, str] = {
 
 @dataclass(frozen=True)
 class Coordinate:
-    """An entry of q: the body or joint that owns it ("" in a structure), SI unit, value at rest where none is given."""
+    """An entry of q: its owner ("" in a structure), SI unit, value at rest. Of kind `state`: its rate is the owner."""
 
     name: str
     owner: str
@@ -92,8 +92,7 @@ class Parameter:
 class InputRecord:
     """A number that comes from outside during a run: SI unit, meaning, default.
 
-    rates: its rate and acceleration are entries of u behind it; filter [rad/s]: of the law that gives all three from a
-    target, 0 for none (runtime/contract/signals.py).
+    rates: rate and acceleration stand behind it in u; filter [rad/s]: see runtime/contract/signals.py, 0 for none.
     """
 
     name: str

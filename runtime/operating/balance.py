@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,8 +17,18 @@ PLACED = 1e-13  # rad or m: how well clamped dependent coordinates meet their va
 MOST_PLACINGS = 60
 
 
-def clamped_directions(S: np.ndarray) -> np.ndarray:
-    """Orthonormal basis (n_i x k) of the directions of q_i in which the clamped coordinates, rows of S, do not move."""
+def clamped_directions(S: np.ndarray, states: Sequence[int] = ()) -> np.ndarray:
+    """Orthonormal basis (n_i x k) of the directions of q_i in which the clamped coordinates, rows of S, do not move.
+
+    states: positions in q_i that stay apart, as the last directions.
+    """
+    if len(states):
+        mechanical = [k for k in range(S.shape[1]) if k not in states]
+        own = clamped_directions(S[:, mechanical])
+        basis = np.zeros((S.shape[1], own.shape[1] + len(states)))
+        basis[mechanical, : own.shape[1]] = own
+        basis[list(states), own.shape[1] :] = np.eye(len(states))
+        return basis
     if not len(S):
         return np.eye(S.shape[1])
     unit = (np.count_nonzero(S, axis=1) == 1).all()
@@ -33,6 +44,7 @@ def clamped_directions(S: np.ndarray) -> np.ndarray:
 class Clamped:
     """A model with coordinates `rows` of q clamped at `goal`, at time t [s] and rates v (n_i).
 
+    Nothing depends on the integral of a controller's state, so the entry of q_i stands for the state itself, its rate.
     It remembers the loop unknowns of the last state, from which the next closure starts.
     """
 
@@ -46,7 +58,19 @@ class Clamped:
 
     def state(self, q_i: np.ndarray) -> State:
         """The state at q_i."""
-        return State(self.t, q_i, self.v, self.loop)
+        return State(self.t, q_i, self.rates(q_i), self.loop)
+
+    def rates(self, q_i: np.ndarray) -> np.ndarray:
+        """q_i_dot (n_i): v, and the states of controllers."""
+        v = self.v.copy()
+        v[self.model.states] = q_i[self.model.states]
+        return v
+
+    def unknowns_slope(self, at: PointValues) -> np.ndarray:
+        """dQ_hat by the unknowns (n_i x n_i): by q_i, and by the states of controllers."""
+        slope = at.J_q.copy()
+        slope[:, self.model.states] = at.J_v[:, self.model.states]
+        return slope
 
     def values(self, q_i: np.ndarray) -> PointValues | None:
         """All functions at q_i, or None where they are not finite or the loops do not close."""
@@ -66,14 +90,16 @@ class Clamped:
         """dQ_hat/dq_i with the holding forces constant (n_i x n_i)."""
         dependent = [self.model.coordinates[row] not in self.model.q_i for row in self.rows]
         if not any(dependent):
-            return at.J_q
+            return self.unknowns_slope(at)
         force = np.zeros(len(self.model.coordinates))
         force[self.rows] = self.holding(at)
-        return np.asarray(at.J_q + self.functions.pull_slope(replace(self.state(q_i), loop=at.loop), force))
+        return np.asarray(
+            self.unknowns_slope(at) + self.functions.pull_slope(replace(self.state(q_i), loop=at.loop), force)
+        )
 
     def free(self, at: PointValues) -> np.ndarray:
         """Directions in which the clamped coordinates do not move (n_i x k)."""
-        return clamped_directions(at.S[self.rows])
+        return clamped_directions(at.S[self.rows], self.model.states)
 
     def balance(self, q_i: np.ndarray) -> Balance | None:
         """Force, slope and mass in the free directions."""
@@ -108,7 +134,7 @@ class Clamped:
         placed = self.placed(q_i)
         if placed is None:
             return Found(q_i, False, np.zeros(0), 0)
-        return balanced(self.balance, placed, self.advance)
+        return balanced(self.balance, placed, self.advance, len(self.model.states))
 
 
 def steady_rates(

@@ -10,7 +10,7 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model
+from runtime.contract.model import Model, ModelError
 from runtime.operating.equilibrium import Equilibrium, equilibrium, named
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
@@ -83,6 +83,11 @@ def campbell(
     Raises ModelError, NoEquilibrium and ArgumentError (no values).
     """
     wanted = np.asarray(values, dtype=float)
+    if model.states:
+        raise ModelError(
+            f"model {model.name} has controllers, whose real modes come and go with a parameter: ask for modes at each "
+            "value"
+        )
     if wanted.ndim != 1 or not len(wanted) or not np.isfinite(wanted).all():
         raise ArgumentError("campbell needs at least one finite value")
     sweep = Sweep(model, over, held or {}, rates or {}, parameters or {}, locked, t)

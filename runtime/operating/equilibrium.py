@@ -56,7 +56,10 @@ class Equilibrium:
     iterations: int
 
     def __getitem__(self, name: str) -> float:
-        """A coordinate or rate (`_dot`) by name. Raises ModelError for an unknown name."""
+        """A coordinate, rate (`_dot`) or state by name. Raises ModelError for an unknown name."""
+        for entry in self.model.description.coordinates:
+            if entry.kind == "state" and entry.owner == name:
+                name = f"{entry.name}_dot"
         for k, known in enumerate(self.model.coordinates):
             if name in (known, f"{known}_dot"):
                 return float((self.q if name == known else self.q_dot)[k])
@@ -100,7 +103,8 @@ def equilibrium(
     fixed = [*held, *(name for name in rates if name not in held)]
     _check_trim(model, trim, fixed)
     clamped, q_i = _clamped(model, p, t, held, rates, fixed, initial or {})
-    found = clamped.solve(q_i)
+    # a controller that wants something else than what is held has no balance before its inputs are solved for
+    found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
         raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
@@ -156,6 +160,7 @@ def _clamped(
     own = {name: value for name, value in held.items() if name in model.q_i}
     rows = [model.coordinates.index(name) for name in fixed]
     q_i, loop = given_position(model, p, functions.c, t, {**initial, **own})
+    q_i[model.states] = model.initial_q_dot[model.independent_columns][model.states]
     task = Clamped(model, functions, t, np.zeros(len(q_i)), rows, np.zeros(0), loop)
     at = task.values(q_i)
     if at is not None:
@@ -182,9 +187,11 @@ def _told(
 ) -> Equilibrium:
     model, at = clamped.model, clamped.values(q_i)
     assert at is not None
-    Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]])
+    states, v = model.states, clamped.rates(q_i)
+    Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]], states)
     K = -clamped.slope(q_i, at)
-    modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ at.J_v @ Z, Z.T @ K @ Z)
+    K[:, states] = 0.0
+    modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ at.J_v @ Z, Z.T @ K @ Z, len(states))
     forces = clamped.holding(at)
     names = [model.coordinates[row] for row in clamped.rows]
     return Equilibrium(
@@ -199,7 +206,7 @@ def _told(
         trimmed=trim,
         eigenvalues=modal.every_eigenvalue,
         stable=modal.stable,
-        steady=is_steady(at, clamped.v),
+        steady=is_steady(at, v),
         iterations=iterations,
     )
 

@@ -63,6 +63,7 @@ def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float]
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
     coordinate_of = {f"{name}_dot": name for name in model.coordinates}
+    coordinate_of |= {entry.owner: entry.name for entry in model.description.coordinates if entry.kind == "state"}
     for name, value in changes.items():
         if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
             raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")

@@ -27,7 +27,8 @@ class Linearisation:
     x (n): deviations of the coordinates `names` [m, rad]; u (n_u): deviations of the inputs; y (n_y) of the outputs.
     M (n, n), D (n, n) with gyroscopic terms, K (n, n) with geometric and follower terms; B (n, n_u); C (n_y, 2 n);
     names, input_names, output_names and their units; S (n_q, n): motion of all coordinates with x; state: where it
-    is; residual (n,): M x'' that the state itself has, zero at an equilibrium; eigenvalues and shapes: see `Modal`.
+    is; residual (n,): M x'' that the state itself has, zero at an equilibrium; eigenvalues and shapes: see `Modal`;
+    controllers: the last so many of x are integrals of controller states, which are left out of the first-order form.
     """
 
     model: Model
@@ -49,11 +50,12 @@ class Linearisation:
     residual: np.ndarray
     steady: bool = True
     locked: tuple[str, ...] = field(default=())
+    controllers: int = 0
 
     @cached_property
     def modal(self) -> Modal:
         """The modes with all that is known of them. Raises LinAlgError if M is not positive definite."""
-        return modal_analysis(self.M, self.D, self.K)
+        return modal_analysis(self.M, self.D, self.K, self.controllers)
 
     @property
     def frequencies(self) -> np.ndarray:
@@ -81,30 +83,41 @@ class Linearisation:
         shares = np.abs(self.shapes.conj() * (self.M @ self.shapes))
         return [
             ("rigid " if self.modal.rigid[k] else "") + self.names[int(shares[:, k].argmax())]
-            for k in range(len(self.names))
+            for k in range(shares.shape[1])
         ]
+
+    @cached_property
+    def _kept(self) -> np.ndarray:
+        """Which of (x, x') make the first-order state."""
+        n = len(self.names)
+        return np.delete(np.arange(2 * n), np.arange(n - self.controllers, n))
 
     @property
     def state_names(self) -> list[str]:
-        """(2 n) names of the first-order state: x, then its rates."""
-        return [*self.names, *(f"{name}_dot" for name in self.names)]
+        """(2 n - controllers) names of the first-order state: x, then its rates; controller states by their own."""
+        own = {
+            f"{entry.name}_dot": entry.owner for entry in self.model.description.coordinates if entry.kind == "state"
+        }
+        names = [*self.names, *(f"{name}_dot" for name in self.names)]
+        return [own.get(names[k], names[k]) for k in self._kept]
 
     @cached_property
     def A_state(self) -> np.ndarray:
-        """(2 n, 2 n) of z' = A z + B u with z = (x, x')."""
+        """(2 n, 2 n) of z' = A z + B u with z = (x, x'), less the integrals of controller states."""
         n = len(self.names)
         zero, unit = np.zeros((n, n)), np.eye(n)
-        return np.block([[zero, unit], [-np.linalg.solve(self.M, self.K), -np.linalg.solve(self.M, self.D)]])
+        A = np.block([[zero, unit], [-np.linalg.solve(self.M, self.K), -np.linalg.solve(self.M, self.D)]])
+        return np.asarray(A[np.ix_(self._kept, self._kept)])
 
     @cached_property
     def B_state(self) -> np.ndarray:
         """(2 n, n_u)."""
-        return np.vstack([np.zeros_like(self.B), np.linalg.solve(self.M, self.B)])
+        return np.vstack([np.zeros_like(self.B), np.linalg.solve(self.M, self.B)])[self._kept]
 
     @property
     def C_state(self) -> np.ndarray:
         """(n_y, 2 n)."""
-        return self.C
+        return self.C[:, self._kept]
 
     def frequency_response(self, omega: np.ndarray) -> np.ndarray:
         """(n_omega, n_y, n_u) H(i omega) = C (i omega - A)^-1 B + D, complex, at frequencies [rad/s].
@@ -114,6 +127,10 @@ class Linearisation:
         n = len(self.names)
         result = np.zeros((len(np.atleast_1d(omega)), len(self.output_names), len(self.input_names)), dtype=complex)
         for k, w in enumerate(np.atleast_1d(np.asarray(omega, dtype=float))):
+            if self.controllers:
+                A = self.A_state
+                result[k] = self.C_state @ _solved(1j * w * np.eye(len(A)) - A, self.B_state) + self.D_state
+                continue
             x = _solved(self.K - w**2 * self.M + 1j * w * self.D, self.B)
             result[k] = self.C[:, :n] @ x + 1j * w * (self.C[:, n:] @ x) + self.D_state
         return result
@@ -146,7 +163,7 @@ class Linearisation:
             told.append("the state is not an equilibrium: it accelerates")
         if not self.modal.stable:
             told.append("unstable: at least one mode grows")
-        poor = [k for k in range(len(self.names)) if self.basis_change[k] > POOR_BASIS]
+        poor = [k for k in range(len(self.basis_change)) if self.basis_change[k] > POOR_BASIS]
         told += [
             f"mode {k + 1} ({self.mode_names[k]}) changes by more than 1 % with one assumed mode less: take more modes"
             for k in poor[:3]
@@ -203,8 +220,8 @@ def _solved(matrix: np.ndarray, side: np.ndarray) -> np.ndarray:
 def _basis_change(system: Linearisation) -> np.ndarray:
     """Of each mode the change without the stiffest elastic coordinate that is coupled to it."""
     elastic = [k for k, name in enumerate(system.names) if name in system.model.elastic]
-    n, change = len(system.names), np.zeros(len(system.names))
-    if len(elastic) < 2:
+    n, change = len(system.names), np.zeros(len(system.mode_names))
+    if len(elastic) < 2 or system.controllers:
         return change
     own = np.sqrt(np.abs(np.diag(system.K)) / np.diag(system.M))
     K = 0.5 * (system.K + system.K.T)

@@ -51,7 +51,7 @@ def linearise(
     a = np.zeros(len(model.q_i)) if resting else np.linalg.solve(here.M, here.Q)
     values = here if resting else functions(point.state, a)
     rows = [model.coordinates.index(name) for name in locked]
-    Z = clamped_directions(values.S[rows])
+    Z = clamped_directions(values.S[rows], model.states)
     K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
     B = _inputs(model, point, a, input_names, values.S)
     C, through = _outputs(model, point, input_names, output_names)
@@ -76,6 +76,7 @@ def linearise(
         residual=np.zeros(Z.shape[1]) if resting else Z.T @ here.Q,
         steady=is_steady(here, point.state.q_i_dot),
         locked=locked,
+        controllers=len(model.states),
     )
 
 
@@ -112,8 +113,9 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
 
 def starting_rates(model: Model) -> dict[str, float]:
     """The rates of rigid independent coordinates at the scene's start that are not zero."""
+    left_out = {*model.elastic, *(model.q_i[k] for k in model.states)}
     rates = {name: float(model.initial_q_dot[model.coordinates.index(name)]) for name in model.q_i}
-    return {name: rate for name, rate in rates.items() if rate != 0 and name not in model.elastic}
+    return {name: rate for name, rate in rates.items() if rate != 0 and name not in left_out}
 
 
 def _held_slope(model: Model, functions: PointFunctions, point: _Point, S: np.ndarray, Q: np.ndarray) -> np.ndarray:

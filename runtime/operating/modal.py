@@ -42,9 +42,15 @@ class Modal:
         return not len(every) or float(every.real.max()) <= GROWING * float(np.abs(every).max(initial=0.0))
 
 
-def modal_analysis(M: np.ndarray, D: np.ndarray, K: np.ndarray) -> Modal:
-    """Modes of M x'' + D x' + K x = 0 (n x n each), M symmetric positive definite. Raises LinAlgError if it is not."""
+def modal_analysis(M: np.ndarray, D: np.ndarray, K: np.ndarray, states: int = 0) -> Modal:
+    """Modes of M x'' + D x' + K x = 0 (n x n each), M symmetric positive definite. Raises LinAlgError if it is not.
+
+    states: of the last so many coordinates only the rate counts, the state of a controller. Then there are as many
+    modes as conjugate pairs and real eigenvalues, each of which is a mode with ratio 1.
+    """
     n = len(M)
+    if states:
+        return _closed_loop(M, D, K, states)
     if not n:
         none = np.zeros(0)
         return Modal(none, none, none, np.zeros((0, 0)), np.zeros(0, dtype=bool), none)
@@ -94,6 +100,27 @@ def _general(D: np.ndarray, K: np.ndarray, free: int) -> Modal:
     return Modal(
         every[lead], frequencies, np.array([_damping(every, pair) for pair in pairs]), shapes[:, lead], rigid, every
     )
+
+
+def _closed_loop(M: np.ndarray, D: np.ndarray, K: np.ndarray, states: int) -> Modal:
+    n = len(M)
+    A = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
+    kept = np.delete(np.arange(2 * n), np.arange(n - states, n))
+    values, vectors = np.linalg.eig(A[np.ix_(kept, kept)])
+    fastest = float(np.abs(values).max(initial=0.0))
+    values = np.where(np.abs(values) <= GROWING * fastest, 0.0, values.astype(complex))
+    lead = sorted((k for k in range(len(values)) if values[k].imag >= 0), key=lambda k: abs(values[k]))
+    found = values[lead]
+    rigid = found == 0
+    x = vectors[: n - states, lead].astype(complex)
+    rates = vectors[len(kept) - states :, lead]
+    x = np.vstack([x, np.where(rigid, 0.0, rates / np.where(rigid, 1.0, found))])
+    size = np.abs(found)
+    ratios = np.where(rigid, 0.0, -found.real / np.where(rigid, 1.0, size))
+    mass = np.real(np.einsum("ik,ij,jk->k", x.conj(), M, x))
+    shapes = x / np.sqrt(np.maximum(mass, 1e-300))
+    largest = shapes[np.abs(shapes).argmax(axis=0), np.arange(len(found))]
+    return Modal(found, size, ratios, shapes * (np.abs(largest) / np.where(largest == 0, 1, largest)), rigid, values)
 
 
 def _pairs(values: np.ndarray, shapes: np.ndarray) -> list[tuple[int, int]]:

@@ -43,8 +43,11 @@ def added(x: np.ndarray, step: np.ndarray) -> np.ndarray:
     return np.asarray(x + step)
 
 
-def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added) -> Found:
+def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added, states: int = 0) -> Found:
     """Solve r(x) = 0 from x (n,).
+
+    states: how many of the last directions are states of controllers. With them there is no potential to go down, and
+    steps are Newton's own; no step is too long for a state.
 
     balance(x) gives (r, H, mass matrix) in k free directions, or None where it cannot be evaluated; advance(x, d) is
     the point that a step d (k,) in them leads to, or None.
@@ -70,7 +73,8 @@ def balanced(balance: Evaluate, x: np.ndarray, advance: Advance = added) -> Foun
             polished = advance(x, step) if size <= TOLERANCE * scale else None
             return Found(x if polished is None else polished, True, r, iteration)
         before = size
-        moved = _searched(balance, advance, x, np.linalg.solve(L.T, newton if near else _downhill(A, g)), r)
+        chosen = newton if near or states else _downhill(A, g)
+        moved = _searched(balance, advance, x, np.linalg.solve(L.T, chosen), r, states)
         if moved is None:
             break
         x, at = moved
@@ -100,10 +104,11 @@ def _downhill(A: np.ndarray, g: np.ndarray) -> np.ndarray:
 
 
 def _searched(
-    balance: Evaluate, advance: Advance, x: np.ndarray, step: np.ndarray, r: np.ndarray
+    balance: Evaluate, advance: Advance, x: np.ndarray, step: np.ndarray, r: np.ndarray, states: int
 ) -> tuple[np.ndarray, Balance] | None:
     """The step, at most LARGEST_STEP, halved while the force along it reverses by more than OVERSHOT of its start."""
-    step = step * min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
+    long = float(np.abs(step[: len(step) - states]).max(initial=0.0))
+    step = step * min(1.0, LARGEST_STEP / max(long, 1e-300))
     for _ in range(HALVINGS):
         there = advance(x, step)
         found = None if there is None else balance(there)

@@ -19,7 +19,7 @@ FORMAT = "symgen checkpoint 2"
 
 @dataclass(frozen=True)
 class CheckpointHeader:
-    """The run: model (digest of its manifest, its scene), plan. How far: steps done, rows streamed, what was kept.
+    """The run: model (manifest, inputs, scene), plan. How far: steps done, rows streamed, what was kept.
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy: what checks
@@ -28,6 +28,7 @@ class CheckpointHeader:
 
     model: str
     digest: str
+    driven_by: str
     scene_toml: str
     scheme: str
     dt: float
@@ -91,6 +92,10 @@ class CheckpointHeader:
                 f"it belongs to model {self.model} with manifest {self.digest[:12]}, not to {model.name} with "
                 f"{model.digest[:12]}{same}",
                 "give the model that it was made with",
+            )
+        if self.driven_by != model.driven_by:
+            raise ModelError(
+                f"checkpoint {path}", "its run was driven by other inputs", "give the inputs that it was made with"
             )
 
     def check_settings(self, wanted: Mapping[str, Any], path: str | Path) -> None:

@@ -72,9 +72,9 @@ class Schedule:
 
 
 def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
-    """The model with the constants and functions among the inputs; what is sampled changes its digest.
+    """The model with the constants and functions among the inputs; driven_by is a hash of functions and samples.
 
-    So a checkpoint is gone on with by a run that is driven alike. Raises ModelError and ArgumentError.
+    By it a checkpoint is gone on with by a run that is driven alike. Raises ModelError and ArgumentError.
     """
     if not inputs:
         return model
@@ -87,12 +87,12 @@ def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
     arrays = {name: value for name, value in sampled.items() if isinstance(value, tuple | list)}
     if not arrays and not found.sources:
         return found
-    digest = hashlib.sha256(model.digest.encode())
+    digest = hashlib.sha256()
     for name, function in sorted(found.sources.items()):
         digest.update(f"{name} {function.serialize()}".encode())
     for name, (times, values) in sorted(arrays.items()):
         digest.update(f"{name} {list(map(float, times))} {list(map(float, values))}".encode())
-    return replace(found, digest=digest.hexdigest())
+    return replace(found, driven_by=digest.hexdigest())
 
 
 def scheduled(model: Model, inputs: Mapping[str, InputValue] | None, t0: float, dt: float) -> Schedule:

@@ -238,6 +238,7 @@ class Run:
         return CheckpointHeader(
             model=model.name,
             digest=model.digest,
+            driven_by=model.driven_by,
             scene_toml=model.scene_toml,
             scheme=plan.name,
             dt=plan.grid.dt_L,

@@ -59,6 +59,7 @@ class ModelStepper:
         end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
         self.model, self.scheme, self.name = model, plan.scheme, plan.name
+        self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         self.dt = plan.grid.dt_L
         self._stepper = Stepper(plan.scheme, engine, wait=True)
         self.parameters = model.parameter_vector(parameters)
@@ -73,6 +74,10 @@ class ModelStepper:
         w = model.signals
         self._own_inputs = self._z[plan.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
         self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled by its model, settings and state; compiled anew."""
+        return _restored, (self.model, self._settings, self.save())
 
     # ---- stepping -------------------------------------------------------------------------------------------
 
@@ -239,3 +244,9 @@ class ModelStepper:
         self._ready[:] = self._stepper.ready(self._c, self.dt)
         self._constants[:] = self.scheme.constants(self._c, self.dt)
         self._sample = None
+
+
+def _restored(model: Model, settings: Mapping[str, Any], kept: SteppedState) -> ModelStepper:
+    stepper = ModelStepper(model, **settings)
+    stepper.restore(kept)
+    return stepper

@@ -124,7 +124,7 @@ class Scheme(ABC):
     @property
     def bookkeeping(self) -> list[str]:
         """The fields of z that do not act on any value of the motion."""
-        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT, Lasting.GIVEN)
+        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT)
 
     def _lasting(self, *kinds: Lasting) -> list[str]:
         return [name for name, one in self._fields.items() if one.lasting in kinds]

@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Protocol
+from functools import partial
+from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.records import Bound, BoundedQuantity, Parameter
+from symgen.algebra.curves import curve
 
 STRICTNESS: tuple[Bound, ...] = ("any", "not negative", "positive")
 
@@ -40,15 +42,39 @@ class Declaration(Protocol):
 class Readable(Protocol):
     """An expression that has been read."""
 
-    def to_casadi(self, environment: Mapping[str, ca.SX]) -> ca.SX:
+    def to_casadi(self, environment: Mapping[str, Any]) -> ca.SX:
         """Its value for values of the names in it."""
 
 
+class CurvePoints(Protocol):
+    """A curve through points."""
+
+    @property
+    def x(self) -> tuple[float, ...]:
+        """Rising."""
+
+    @property
+    def y(self) -> tuple[float, ...]:
+        """As many."""
+
+    @property
+    def interpolation(self) -> str:
+        """`linear` or `cubic`."""
+
+    @property
+    def outside(self) -> str:
+        """`hold` or `extend`."""
+
+
 class Declarations(Protocol):
-    """What the table asks of a scene: the declared parameters, and how a text that uses them is read."""
+    """What the table asks of a scene: declared parameters and tables, and how a text that uses them is read."""
 
     @property
     def parameters(self) -> Mapping[str, Declaration]:
+        """By name."""
+
+    @property
+    def tables(self) -> Mapping[str, CurvePoints]:
         """By name."""
 
     def expression(self, text: str, item: str) -> Readable:
@@ -165,9 +191,19 @@ class ParameterTable:
         self._data[name] = result
         return result
 
-    def environment(self) -> Mapping[str, ca.SX]:
-        """Declared parameters by name, for expressions in the scene."""
-        return {name: self._symbols[name] for name in self._declarations.parameters}
+    def environment(self) -> Mapping[str, Any]:
+        """Declared parameters by name, and tables as functions, for expressions in the scene."""
+        tables = {f"table {name}": partial(self._curve, name) for name in self._declarations.tables}
+        return {**{name: self._symbols[name] for name in self._declarations.parameters}, **tables}
+
+    def _curve(self, name: str, x: ca.SX) -> ca.SX:
+        """What a table gives at x; its points are data, which enter p where the table is used."""
+        table = self._declarations.tables[name]
+        points, values = (
+            ca.horzsplit(ca.densify(self.data(np.array(side), f"table/{name}.{axis}", "SI", "point of a table")))
+            for axis, side in (("x", table.x), ("y", table.y))
+        )
+        return curve(x, points, values, table.interpolation == "cubic", table.outside == "extend")
 
     def vector(self) -> ca.SX:
         """p as one SX column."""

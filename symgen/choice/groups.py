@@ -19,7 +19,7 @@ def choose_groups(system: System, independent: list[int]) -> list[Group]:
     """
     equations, requested = system.equations, system.requested
     names = [equations.names[column] for column in independent]
-    groups = _as_requested(requested.groups, names) if requested.groups else _by_kind(equations, independent)
+    groups = _as_requested(requested.groups, names, equations) if requested.groups else _by_kind(equations, independent)
     ratios = requested.ratios
     if ratios and len(ratios) != len(groups) - 1:
         raise DerivationError(
@@ -41,7 +41,7 @@ def _by_kind(equations: Equations, independent: list[int]) -> list[Group]:
     return [Group("L", rigid), Group("S", elastic)]
 
 
-def _as_requested(requested: Sequence[RequestedGroup], names: list[str]) -> list[Group]:
+def _as_requested(requested: Sequence[RequestedGroup], names: list[str], equations: Equations) -> list[Group]:
     groups = [
         Group(
             group.name,
@@ -50,6 +50,10 @@ def _as_requested(requested: Sequence[RequestedGroup], names: list[str]) -> list
         for group in requested
     ]
     grouped = [k for group in groups for k in group.positions]
+    states = {equations.names[column] for column in equations.states.values()}
+    left = [k for k, name in enumerate(names) if k not in grouped and name in states]
+    groups[0].positions.extend(left)  # controllers step with the slowest group unless the scene says otherwise
+    grouped += left
     missing = [name for k, name in enumerate(names) if k not in grouped]
     if missing:
         raise DerivationError(

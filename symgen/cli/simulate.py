@@ -28,6 +28,7 @@ def add(subparsers: Any) -> None:
         help="motion.png, deformation.png, forces.png and energy.png in --out (left unless --no-plots is given)",
     )
     add_run_options(command)
+    command.add_argument("--inputs", metavar="FILE.csv", help="samples of inputs: columns t,name,..., held in between")
     command.add_argument("--checkpoint", metavar="FILE", help="file that `symgen resume` goes on from")
     add_checkpoint_options(command)
     command.add_argument(
@@ -42,6 +43,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     """Simulate; exit code 1 if the run did not reach its end, with what was computed until then."""
     from runtime.views.report import run_report
     from symgen.cli.arguments import UsageError
+    from symgen.cli.input_files import input_samples
     from symgen.cli.running import exit_code, leave_pictures, leave_results, run_model, summary
     from symgen.cli.sources import opened_model
 
@@ -52,6 +54,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     solution = run_model(
         model,
         arguments,
+        inputs=input_samples(arguments.inputs) if arguments.inputs else None,
         outputs=arguments.outputs,
         stream=arguments.stream,
         checkpoint=arguments.checkpoint,

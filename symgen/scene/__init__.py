@@ -57,16 +57,18 @@ from symgen.scene.placing import Placement
 from symgen.scene.scene import Scene
 from symgen.scene.scene_files import read_mesh
 from symgen.scene.simulation import Baumgarte, CoordinateGroup, Initial, InitialValue, Partition, Simulation
+from symgen.scene.states import DeclaredState
 from symgen.scene.structure import Structure
+from symgen.scene.tables import CurveTable
 
 __all__ = [
     "AngleMeasure", "AnyBody", "AnyMarker", "AxialModes", "Baumgarte", "BeamBody", "BeamMarker", "Body",
-    "Bushing", "CoordinateMeasure", "CylindricalJoint",
+    "Bushing", "CoordinateMeasure", "CurveTable", "CylindricalJoint",
     "DistanceJoint", "DistanceMeasure", "Expression", "SpatialModalBody", "FlexibleMarker", "FlexibleStiffening",
     "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
     "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
-    "DeclaredInput", "DeclaredParameter", "Partition", "Placement", "PlanarJoint",
+    "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement", "PlanarJoint",
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",

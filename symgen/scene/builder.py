@@ -6,6 +6,7 @@ from typing import Any, Self
 
 from symgen.scene.errors import SceneError, show
 from symgen.scene.scene import Scene
+from symgen.scene.table_files import read_points
 
 MAX_NESTING = 20
 
@@ -35,6 +36,25 @@ class SceneBuilder:
         if name in inputs:
             raise SceneError(f"inputs.{name}", "is declared twice", "remove one of them")
         inputs[name] = _plain({"default": default, "unit": unit, "description": description, **fields}, "inputs")
+        return self
+
+    def table(self, name: str, **fields: Any) -> Self:
+        """A `CurveTable`: x and y, or the file of a CSV, which is read now."""
+        tables = self._data.setdefault("tables", {})
+        if name in tables:
+            raise SceneError(f"tables.{name}", "is declared twice", "remove one of them")
+        if "file" in fields:
+            path, columns = fields.pop("file"), fields.pop("columns", (0, 1))
+            fields |= read_points(path, columns, f"tables.{name}")
+        tables[name] = _plain(fields, "tables")
+        return self
+
+    def state(self, name: str, rate: float | str, initial: float = 0.0, unit: str = "", description: str = "") -> Self:
+        """Declare a state s' = rate of a controller, a filter or an actuator."""
+        states = self._data.setdefault("states", {})
+        if name in states:
+            raise SceneError(f"states.{name}", "is declared twice", "remove one of them")
+        states[name] = _plain({"rate": rate, "initial": initial, "unit": unit, "description": description}, "states")
         return self
 
     def gravity(self, *components: float | str) -> Self:

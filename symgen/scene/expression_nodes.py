@@ -44,6 +44,14 @@ class FunctionCall:
 
 
 @dataclass(frozen=True)
+class TableValue:
+    """What a declared table gives at an argument."""
+
+    table: str
+    argument: Node
+
+
+@dataclass(frozen=True)
 class Condition:
     """Comparisons ``operands[k] operators[k] operands[k + 1]``, all of which must hold."""
 
@@ -60,4 +68,4 @@ class Where:
     otherwise: Node
 
 
-Node = Constant | NamedValue | Negative | Binary | FunctionCall | Where
+Node = Constant | NamedValue | Negative | Binary | FunctionCall | TableValue | Where

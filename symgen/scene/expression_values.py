@@ -14,7 +14,17 @@ from typing import Any
 
 import casadi as ca
 
-from symgen.scene.expression_nodes import Binary, Condition, Constant, FunctionCall, NamedValue, Negative, Node, Where
+from symgen.scene.expression_nodes import (
+    Binary,
+    Condition,
+    Constant,
+    FunctionCall,
+    NamedValue,
+    Negative,
+    Node,
+    TableValue,
+    Where,
+)
 
 ARITY: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"), (1, 1)),
@@ -65,7 +75,12 @@ CASADI_FUNCTIONS: dict[str, Callable[..., ca.SX]] = {
 }
 
 
-def float_value(node: Node, env: Mapping[str, float]) -> float:
+def table_name(table: str) -> str:
+    """The entry of an environment that is a table: a function of one number."""
+    return f"table {table}"
+
+
+def float_value(node: Node, env: Mapping[str, Any]) -> float:
     """The number ``node`` stands for; only the chosen branch of a ``where`` is evaluated.
 
     Raises ArithmeticError, ValueError (outside a function's domain) or KeyError (a name without a value).
@@ -81,17 +96,19 @@ def float_value(node: Node, env: Mapping[str, float]) -> float:
             return FLOAT_ARITHMETIC[sign](float_value(left, env), float_value(right, env))
         case FunctionCall(function, arguments):
             return FLOAT_FUNCTIONS[function](*(float_value(part, env) for part in arguments))
+        case TableValue(table, argument):
+            return float(env[table_name(table)](float_value(argument, env)))
         case Where(condition, chosen, otherwise):
             return float_value(chosen if _float_condition(condition, env) else otherwise, env)
 
 
-def _float_condition(condition: Condition, env: Mapping[str, float]) -> bool:
+def _float_condition(condition: Condition, env: Mapping[str, Any]) -> bool:
     values = [float_value(part, env) for part in condition.operands]
     pairs = zip(condition.operators, values[:-1], values[1:], strict=True)
     return all(COMPARISONS[sign](left, right) for sign, left, right in pairs)
 
 
-def casadi_value(node: Node, env: Mapping[str, ca.SX]) -> ca.SX:
+def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
     """The CasADi expression ``node`` stands for. Raises KeyError for a name that ``env`` does not hold."""
     match node:
         case Constant(value):
@@ -104,12 +121,14 @@ def casadi_value(node: Node, env: Mapping[str, ca.SX]) -> ca.SX:
             return ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env))
         case FunctionCall(function, arguments):
             return CASADI_FUNCTIONS[function](*(casadi_value(part, env) for part in arguments))
+        case TableValue(table, argument):
+            return ca.SX(env[table_name(table)](casadi_value(argument, env)))
         case Where(condition, chosen, otherwise):
             holds = _casadi_condition(condition, env)
             return ca.if_else(holds, casadi_value(chosen, env), casadi_value(otherwise, env))
 
 
-def _casadi_condition(condition: Condition, env: Mapping[str, ca.SX]) -> ca.SX:
+def _casadi_condition(condition: Condition, env: Mapping[str, Any]) -> ca.SX:
     values = [casadi_value(part, env) for part in condition.operands]
     pairs = zip(condition.operators, values[:-1], values[1:], strict=True)
     return reduce(ca.logic_and, (COMPARISONS[sign](left, right) for sign, left, right in pairs))

@@ -2,7 +2,8 @@
 
 Python's `ast` reads the text; only the nodes in the tables below pass. Numbers, + - * / **, unary - and +,
 parentheses, ``pi``, ``t`` and declared names, the functions of `expression_values.ARITY`. Comparisons (also
-chained, ``0 <= t < 1``) stand only in the first argument of ``where(condition, a, b)``.
+chained, ``0 <= t < 1``) stand only in the first argument of ``where(condition, a, b)``, and text only as the name of a
+declared table, ``table("name", x)``.
 """
 
 from __future__ import annotations
@@ -13,16 +14,27 @@ import re
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 
 from symgen.scene.errors import SceneError, did_you_mean, show
-from symgen.scene.expression_nodes import Binary, Condition, Constant, FunctionCall, NamedValue, Negative, Node, Where
-from symgen.scene.expression_values import ARITY, casadi_value, float_value
+from symgen.scene.expression_nodes import (
+    Binary,
+    Condition,
+    Constant,
+    FunctionCall,
+    NamedValue,
+    Negative,
+    Node,
+    TableValue,
+    Where,
+)
+from symgen.scene.expression_values import ARITY, casadi_value, float_value, table_name
 
 MAX_CHARACTERS = 10_000
 MAX_DEPTH = 100
-RESERVED = frozenset({"t", "pi", *ARITY})
+RESERVED = frozenset({"t", "pi", "table", *ARITY})
 
 _OPERATORS: dict[type[ast.operator], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
@@ -43,21 +55,21 @@ _HINTS = {
 
 @dataclass(frozen=True)
 class Expression:
-    """A parsed expression. ``names``: the parameters, measures and ``t`` it uses (not ``pi``)."""
+    """A parsed expression. ``names``: the parameters, measures, tables and ``t`` it uses (not ``pi``)."""
 
     text: str
     item: str
     node: Node
     names: frozenset[str]
 
-    def to_casadi(self, env: Mapping[str, ca.SX]) -> ca.SX:
+    def to_casadi(self, env: Mapping[str, Any]) -> ca.SX:
         """The expression in CasADi symbols; raises SceneError when ``env`` lacks a name it uses."""
         missing = sorted(self.names - env.keys())
         if missing:
             raise SceneError(self.item, f"no symbol was given for '{missing[0]}'", "declare it as a parameter")
         return ca.SX(casadi_value(self.node, env))
 
-    def evaluate(self, env: Mapping[str, float]) -> float:
+    def evaluate(self, env: Mapping[str, Any]) -> float:
         """The expression as a number; raises SceneError when it is not finite or ``env`` lacks a name."""
         missing = sorted(self.names - env.keys())
         if missing:
@@ -93,7 +105,7 @@ def _syntax(text: str, item: str) -> ast.expr:
         raise SceneError(item, f"the expression has {len(text)} characters", remedy)
     if not text.strip():
         raise SceneError(item, "the expression is empty", "give a number or an expression")
-    bad = re.search(r"[^A-Za-z0-9_.+\-*/(),<>=! \t\r\n]", text)
+    bad = re.search(r"[^A-Za-z0-9_.+\-*/(),<>=! \t\r\n]", _OF_TABLE.sub("table(", text))
     if bad:
         hint = _HINTS.get(bad.group(), "use plain arithmetic, declared names and the listed functions")
         raise SceneError(item, f"the character {bad.group()!r} is not allowed in '{_short(text)}'", hint)
@@ -114,6 +126,7 @@ def _syntax(text: str, item: str) -> ast.expr:
         raise SceneError(item, problem, "check brackets and operators") from None
 
 
+_OF_TABLE = re.compile(r"""\btable\s*\(\s*(?:"\w{1,64}"|'\w{1,64}')""")  # the only place for text
 _WITH_UNIT = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s+[A-Za-z][A-Za-z0-9 /*()-]*")  # such as 3.0 kg, 2 N/m
 
 
@@ -160,10 +173,12 @@ class _Reader:
             raise self._error("t is not available here", "this quantity must be constant in time")
         if name in ARITY:
             raise self._error(f"the function '{name}' is used without arguments", f"write {name}(...)")
-        known = sorted(self.names | {"pi"}) + sorted(ARITY)
+        known = sorted({each for each in self.names if " " not in each} | {"pi"}) + sorted(ARITY)
         raise self._error(f"unknown name '{_short(name)}'", f"{did_you_mean(name, known)} Otherwise declare it")
 
     def _call(self, function: str, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
+        if function == "table":
+            return self._table(arguments, keywords, depth)
         if function not in ARITY:
             raise self._error(f"unknown function '{_short(function)}'", did_you_mean(function, sorted(ARITY)))
         low, high = ARITY[function]
@@ -175,6 +190,16 @@ class _Reader:
             condition = self._condition(arguments[0], depth + 1)
             return Where(condition, *(self.node(part, depth + 1) for part in arguments[1:]))
         return FunctionCall(function, tuple(self.node(part, depth + 1) for part in arguments))
+
+    def _table(self, arguments: list[ast.expr], keywords: bool, depth: int) -> Node:
+        match arguments:
+            case [ast.Constant(value=str(name)), argument] if not keywords:
+                if table_name(name) in self.names:
+                    return TableValue(name, self.node(argument, depth + 1))
+                first = table_name("")
+                known = sorted(each.removeprefix(first) for each in self.names if each.startswith(first))
+                raise self._error(f"there is no table '{_short(name)}'", did_you_mean(name, known))
+        raise self._error("table() takes the name of a table and a value", 'write table("name", t)')
 
     def _condition(self, tree: ast.expr, depth: int) -> Condition:
         if not isinstance(tree, ast.Compare) or any(type(sign) not in _COMPARISONS for sign in tree.ops):
@@ -198,6 +223,8 @@ def _names(node: Node | Condition) -> set[str]:
             return set().union(*(_names(part) for part in parts))
         case Where(condition, chosen, otherwise):
             return _names(condition) | _names(chosen) | _names(otherwise)
+        case TableValue(table, argument):
+            return {table_name(table)} | _names(argument)
     return set()
 
 

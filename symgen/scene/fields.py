@@ -66,7 +66,8 @@ class Scope(Enum):
 
     PARAMETERS = "parameters"
     TIME = "parameters, inputs and t"
-    MEASURES = "parameters, inputs, t, measures and their rates"
+    MEASURES = "parameters, inputs, t, measures, states and their rates"
+    STATES = "parameters, inputs, t, measures, their rates and states"
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from pydantic import Field
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
+from symgen.scene.expression_values import table_name
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
 from symgen.scene.flexible import FlexibleMarker, SpatialModalBody
@@ -21,7 +22,9 @@ from symgen.scene.modal import ModalBody, ModalMarker
 from symgen.scene.parameters import DeclaredParameter
 from symgen.scene.placing import Placement, placements_of
 from symgen.scene.simulation import Baumgarte, Initial, Partition, Simulation
+from symgen.scene.states import DeclaredState
 from symgen.scene.structure import Structure
+from symgen.scene.tables import CurveTable
 
 AnyBody = GroundBody | RigidBody | BeamBody | ModalBody | SpatialModalBody
 AnyMarker = RigidMarker | BeamMarker | ModalMarker | FlexibleMarker
@@ -47,6 +50,8 @@ class SceneParts(StrictModel):
     )
     parameters: dict[Name, DeclaredParameter] = Field(default_factory=dict)
     inputs: dict[Name, DeclaredInput] = Field(default_factory=dict)
+    tables: dict[Name, CurveTable] = Field(default_factory=dict)
+    states: dict[Name, DeclaredState] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     loads: tuple[Load, ...] = ()
@@ -85,7 +90,7 @@ class SceneParts(StrictModel):
         return body, markers[marker]
 
     def coordinates(self) -> list[str]:
-        """The names of the coordinates q, in order: R_o, theta, q1 ... q_nf of each body, then those of joints."""
+        """The names of the coordinates q, in order: R_o, theta, q1 ... of each body, those of joints, of states."""
         return [entry.name for entry in self.coordinate_records()]
 
     def coordinate_records(self) -> list[Coordinate]:
@@ -99,7 +104,11 @@ class SceneParts(StrictModel):
                 Coordinate(f"{body.name}.{part}", body.name, kind, UNITS[kind], 1.0 if part == "e0" else 0.0)
                 for part, kind in parts
             ]
-        return found + [entry for placement in self.placements() for entry in placement.records]
+        found += [entry for placement in self.placements() for entry in placement.records]
+        return found + [
+            Coordinate(f"{name}.integral", name, "state", f"{state.unit} s".strip())
+            for name, state in self.states.items()
+        ]
 
     @property
     def dimension(self) -> int:
@@ -140,5 +149,6 @@ class SceneParts(StrictModel):
         return {part: self.inputs[name].default if part == name else 0.0 for name in names for part in names[name]}
 
     def expression(self, text: str | float, item: str, extra_names: tuple[str, ...] = ()) -> Expression:
-        """Parse a quantity that may use the parameters and ``extra_names`` ("t"); raises SceneError."""
-        return parse_expression(text, frozenset((*self.parameters, *extra_names)), item)
+        """Parse a quantity that may use the parameters, tables and ``extra_names`` ("t"); raises SceneError."""
+        tables = map(table_name, self.tables)
+        return parse_expression(text, frozenset((*self.parameters, *tables, *extra_names)), item)

@@ -13,6 +13,7 @@ from symgen.scene.errors import SceneError, raise_all, show
 from symgen.scene.parts import SceneParts
 from symgen.scene.scene_card import scene_card
 from symgen.scene.scene_files import with_files
+from symgen.scene.table_files import with_tables
 from symgen.scene.translate import scene_errors
 
 
@@ -44,7 +45,8 @@ class Scene(SceneParts):
     @classmethod
     def from_toml(cls, path: str | Path) -> Scene:
         """The scene in a TOML file; raises SceneError, also when the file cannot be read."""
-        return cls.from_dict(with_files(toml_io.read(path), Path(path).parent))
+        folder = Path(path).parent
+        return cls.from_dict(with_tables(with_files(toml_io.read(path), folder), folder))
 
     @classmethod
     def from_toml_text(cls, text: str) -> Scene:

@@ -96,6 +96,11 @@ class Equations:
         return frozenset(column for column, coordinate in enumerate(self.coordinates) if coordinate.elastic)
 
     @cached_property
+    def states(self) -> dict[str, int]:
+        """Column of each controller state, by its name: the state is the rate of that coordinate."""
+        return {entry.owner: k for k, entry in enumerate(self.coordinates) if entry.kind == "state"}
+
+    @cached_property
     def Q_star(self) -> list[ca.SX]:
         """Q* = Q_F + Q_v - K q of (28), (32) and (33), per coordinate."""
         springs = matrix_times(self.K, dict(enumerate(self.q)))
@@ -137,9 +142,10 @@ class Equations:
         return list(dict.fromkeys(row.joint for row in self.constraints if row.joint))
 
     def kinetic(self) -> ca.SX:
-        """1/2 q_dot^T M q_dot."""
-        momenta = [total(mul(value, self.q_dot[column]) for column, value in entries.items()) for entries in self.M]
-        return dot(self.q_dot, momenta) / 2
+        """1/2 q_dot^T M q_dot, states left out."""
+        moving = [k for k in range(len(self.q)) if k not in self.states.values()]
+        momenta = [total(mul(value, self.q_dot[column]) for column, value in self.M[row].items()) for row in moving]
+        return dot([self.q_dot[row] for row in moving], momenta) / 2
 
 
 def blank_equations(scene: Scene) -> Equations:

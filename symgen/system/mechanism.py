@@ -12,7 +12,7 @@ import casadi as ca
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
-from symgen.algebra.scalar import add
+from symgen.algebra.scalar import ONE, add
 from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LoadEffect
@@ -103,8 +103,9 @@ class Mechanism(Generic[Marker]):
         for joint in scene.joints:
             self._add_joint(joint)
         equations.constraints += space.body_rows()
-        self.environment: Mapping[str, ca.SX] = {**table.environment(), "t": equations.t, **equations.u}
+        self.environment: Mapping[str, Any] = {**table.environment(), "t": equations.t, **equations.u}
         self._add_measures()
+        self._add_states()
         for load in scene.loads:
             self._add_effect(load.name, space.load(load, self._expression))
         equations.picture = space.picture()
@@ -128,7 +129,7 @@ class Mechanism(Generic[Marker]):
             self._add_inertia(body)
         for placement in self.topology.placements.values():
             eq.body_columns[placement.child] += [eq.names.index(name) for name in placement.coordinates]
-        eq.joint_columns = frozenset(range(first, len(eq.names)))
+        eq.joint_columns = frozenset(range(first, len(eq.names))) - set(eq.states.values())
 
     def _add_inertia(self, body: MovingBody) -> None:
         eq = self.equations
@@ -166,7 +167,7 @@ class Mechanism(Generic[Marker]):
         motion = [ca.SX(0)] * 3
         text = getattr(joint, "motion", None)
         if text is not None:
-            env: Mapping[str, ca.SX] = {**self.table.environment(), "t": eq.t, **eq.u}
+            env: Mapping[str, Any] = {**self.table.environment(), "t": eq.t, **eq.u}
             f = self.scene.expression(text, f"joints.{joint.name}.motion", ("t", *eq.u)).to_casadi(env)
             motion = [*motion_derivatives(self.scene, f, eq.t, eq.u, joint.name)]
         length = getattr(joint, "length", None)
@@ -195,6 +196,30 @@ class Mechanism(Generic[Marker]):
             return self.space.section_force(measure.type, measure.marker), unit
         value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
         return value, "rad" if measure.type == "angle" else "m"
+
+    def _add_states(self) -> None:
+        """s' = g(q, q', s, u, t) as the motion of a coordinate of unit inertia whose rate is s."""
+        eq = self.equations
+        if not eq.states:
+            return
+        self.environment = {**self.environment, **{name: eq.q_dot[column] for name, column in eq.states.items()}}
+        names = ("t", *eq.u, *eq.measures, *eq.states)
+        rates: dict[str, ca.SX] = {}
+        for name, column in eq.states.items():
+            state = self.scene.states[name]
+            item = f"states.{name}.rate"
+            if isinstance(state.rate, str):
+                rates[name] = self.scene.expression(state.rate, item, names).to_casadi(self.environment)
+            else:
+                rates[name] = self.table.quantity(state.rate, item, f"{state.unit or '1'}/s")
+            eq.M[column] = {column: ONE}
+            eq.Q_F[column] = rates[name]
+        for name, column in eq.states.items():
+            unit = self.scene.states[name].unit
+            eq.measures |= {name: eq.q_dot[column], f"{name}_dot": rates[name]}
+            eq.measure_units |= {name: unit, f"{name}_dot": f"{unit or '1'}/s"}
+        eq.body_columns["states"] = list(eq.states.values())
+        self.environment = {**self.environment, **eq.measures}
 
     def _expression(self, text: float | str, item: str) -> ca.SX:
         if not isinstance(text, str):

@@ -185,6 +185,8 @@ def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, top
     space = TreeSpace(scene, table, blank, topology, whole)
     equations = Mechanism(scene, table, space, blank, topology).equations
     equations.M = mass_rows(space.tree, len(equations.q))
+    for column in equations.states.values():  # of controllers, which no body knows of
+        equations.M[column] = {column: ONE}
     equations.inertia_forces = partial(_inertia_forces, space.tree, equations)
     if not floats(space.tree):
         equations.free_joints = partial(free_joint_accelerations, space.tree)
@@ -198,4 +200,7 @@ def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row) -
     base = [neg(component) for component in equations.gravity]
     force = inverse_dynamics(tree, base, dict(enumerate(equations.q_dot)), accelerations)
     add_scaled(force, ONE, floating_forces(tree, equations.M, base, accelerations))
+    for column in equations.states.values():
+        if column in accelerations:
+            force[column] = accelerations[column]
     return force

@@ -39,14 +39,26 @@ def requested_by(scene: Scene) -> Requested:
     """The requests of a scene."""
     orientations = {body.name: getattr(body, "orientation", "") for body in scene.moving_bodies}
     return Requested(
-        independent=scene.partition.independent or (),
+        independent=_independent(scene),
         groups=tuple(RequestedGroup(group.name, group.coordinates) for group in scene.partition.groups or ()),
         stiff=scene.partition.stiff,
         ratios=scene.simulation.m,
         coordinates=_given(scene.initial.coordinates),
-        rates=_given(scene.initial.rates),
+        rates=_given(scene.initial.rates | _states(scene)),
         euler_angles={name: kind for name, kind in orientations.items() if kind not in ("", "euler_parameters")},
     )
+
+
+def _independent(scene: Scene) -> tuple[str, ...]:
+    """Those that the scene names, and with them the coordinates of states."""
+    named = scene.partition.independent or ()
+    states = [f"{name}.integral" for name in scene.states]
+    return (*named, *(name for name in states if name not in named)) if named else ()
+
+
+def _states(scene: Scene) -> dict[str, InitialValue]:
+    """States at the start: rates of their coordinates."""
+    return {f"{name}.integral": InitialValue(value=state.initial, fixed=True) for name, state in scene.states.items()}
 
 
 def _given(entries: Mapping[str, InitialValue]) -> GivenValues:

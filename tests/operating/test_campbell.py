@@ -12,7 +12,7 @@ import pytest
 from runtime import campbell, unbalance_response
 from runtime.contract.model import Model, ModelError
 from symgen.scene import Scene, SceneBuilder
-from tests.support.rotor_scenes import gimbal
+from tests.support.rotor_scenes import gimbal, jeffcott
 
 Build = Callable[[Scene], Model]
 
@@ -71,18 +71,6 @@ def test_whirl_along_the_speed(model_of: Build) -> None:
     critical = [value for mode, value in found.crossings() if mode != rigid]
     exact = math.sqrt(k / (I_t + I_p))  # w = speed: I_t w^2 + I_p w^2 = k, backward
     assert len(critical) == 1 and critical[0] == pytest.approx(exact, rel=2e-3)
-
-
-def jeffcott(damping: float) -> Scene:
-    """A disk of 2 kg on a soft isotropic shaft, 800 N/m, turning in its plane."""
-    return (
-        SceneBuilder("jeffcott")
-        .rigid("disk", mass=2.0, inertia=0.05, free=True)
-        .measure("x", "x", marker_b="disk.origin")
-        .measure("y", "y", marker_b="disk.origin")
-        .force("shaft", "disk.origin", f"-800 * x - {damping} * x_dot", f"-800 * y - {damping} * y_dot")
-        .build()
-    )
 
 
 def test_steady_unbalance_response(model_of: Build) -> None:

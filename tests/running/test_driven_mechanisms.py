@@ -10,6 +10,7 @@ import pytest
 
 from runtime import SchemeError, simulate
 from runtime.contract.model import Model, ModelError
+from runtime.studies.stability.chart import stability_chart
 from symgen.cli import main
 from symgen.scene import Scene, SceneBuilder
 
@@ -156,6 +157,8 @@ def test_wrong_requests(model_of: Build, built_in: Load) -> None:
         simulate(model_of(scotch_yoke()), outputs=["yoke.x"])
     with pytest.raises(SchemeError, match="do not make a motion"):
         simulate(model_of(scotch_yoke()), dt=-1.0)
+    with pytest.raises(ModelError, match="nothing is stepped"):
+        stability_chart(model_of(scotch_yoke()))
 
 
 def test_on_the_command_line(tmp_path, capsys: pytest.CaptureFixture[str]) -> None:  # type: ignore[no-untyped-def]

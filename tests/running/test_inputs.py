@@ -7,47 +7,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 
-from runtime import SCHEMES, Sampled, SchemeError, SymgenError, equilibrium, linearise, resume, simulate
+from runtime import (
+    SCHEMES,
+    Sampled,
+    SchemeError,
+    Solution,
+    SymgenError,
+    resume,
+    simulate,
+)
 from runtime.contract.model import Model
+from symgen.cli import main
 from symgen.scene import Scene, SceneBuilder, SceneError
+from tests.support.input_scenes import cart, crane, wave
 
 Build = Callable[[Scene], Model]
-
-
-def cart(**simulation: Any) -> Scene:
-    """2 kg on a rail, pushed by an input."""
-    return (
-        SceneBuilder("cart")
-        .input("force", 0.0, "N", "push")
-        .rigid("cart", mass=2.0, inertia=0.1)
-        .prismatic("rail", "ground.origin", "cart.origin")
-        .force("push", "cart.origin", "force", 0.0)
-        .simulation(**{"t_end": 1.0, "dt": 1e-3, "scheme": "rk4", **simulation})
-        .build()
-    )
-
-
-def crane(**declared: Any) -> Scene:
-    """A pendulum of 1 m on a trolley that goes where an input says."""
-    return (
-        SceneBuilder("crane")
-        .input("way", 0.0, "m", "of the trolley", **declared)
-        .gravity(0, -9.81)
-        .rigid("trolley", mass=2.0, inertia=0.1)
-        .rigid("load", mass=1.0, inertia=0.0, center_of_mass=(0, -1.0))
-        .prismatic("rail", "ground.origin", "trolley.origin")
-        .prescribed_displacement("drive", "ground.origin", "trolley.origin", motion="way")
-        .revolute("hook", "trolley.origin", "load.origin")
-        .simulation(t_end=1.0, dt=1e-3, scheme="rk4")
-        .build()
-    )
-
-
-def wave(t: Any) -> Any:
-    """Way of the trolley [m]."""
-    return 0.1 * np.sin(3 * t)
 
 
 # ---- loads --------------------------------------------------------------------------------------------------
@@ -85,7 +60,7 @@ def test_a_run_with_samples_is_gone_on_with(model_of: Build, tmp_path: Any) -> N
     kept = tmp_path / "run.npz"
     whole = simulate(model, inputs=inputs, checkpoint=kept, checkpoint_every=400)
     np.testing.assert_array_equal(resume(model, kept, inputs=inputs).q, whole.q)
-    with pytest.raises(SymgenError, match="belongs to model cart"):
+    with pytest.raises(SymgenError, match="driven by other inputs"):
         resume(model, kept, inputs={"force": ([0.0], [1.0])})
 
 
@@ -166,58 +141,6 @@ def test_driven_mechanisms_follow_samples(model_of: Build) -> None:
     np.testing.assert_allclose(held["cart.x"][::5], wave(times), atol=1e-14)
 
 
-# ---- operating points ---------------------------------------------------------------------------------------
-
-
-def test_trim_and_columns_of_inputs(model_of: Build) -> None:
-    """A pendulum held at an angle while its trolley accelerates by -g tan(angle); columns of B by hand."""
-    model = model_of(crane(rates=True))
-    found = equilibrium(model, inputs={"way_ddot": None}, held={"load.theta": 0.1})
-    assert found.trimmed["way_ddot"] == pytest.approx(-9.81 * np.tan(0.1), rel=1e-12)
-    np.testing.assert_allclose(linearise(model, at={"load.theta": 0.3}, inputs=["way_ddot"]).B_state[1], -np.cos(0.3))
-    system = linearise(model_of(cart()), at={"cart.x": 0.0}, inputs=["force"], outputs=["cart.x", "force"])
-    np.testing.assert_array_equal(system.B_state, [[0.0], [0.5]])
-    np.testing.assert_array_equal(system.D_state, [[0.0], [1.0]])
-
-
-def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> None:
-    """K = m L (g cos th - x'' sin th) of the crane, with x'' of that time."""
-    model = model_of(crane(rates=True))
-    run = simulate(model, inputs={"way": wave})
-    angle, pull = run["load.theta"][700], run["trolley.x_ddot"][700]
-    K = linearise(model, at=(run, 700)).K[0, 0]
-    assert K == pytest.approx(9.81 * np.cos(angle) - pull * np.sin(angle), rel=1e-12)
-
-
-def test_the_linear_system_is_the_slope_of_the_simulation(model_of: Build) -> None:
-    """exp(A T) and its integral against central differences of runs over T: a PD loop about a bent crane."""
-    scene = (
-        SceneBuilder("arm")
-        .input("torque", 0.0, "N m")
-        .gravity(0, -9.81)
-        .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
-        .revolute("joint", "ground.origin", "arm.origin")
-        .measure("angle", "angle", "arm.origin")
-        .torque("motor", "arm.origin", "torque - 6 * angle - 0.8 * angle_dot")
-        .simulation(t_end=1.0, dt=1e-3, scheme="dop853")
-        .build()
-    )
-    model, T = model_of(scene), 0.2
-    rest = equilibrium(model, inputs={"torque": 3.0})
-    system = linearise(model, rest, inputs=["torque"])
-    exact = expm(np.block([[system.A_state, system.B_state], [np.zeros((1, 3))]]) * T)[:2]
-    stepper, found, e = model.stepper(), [], 1e-5
-    for k in range(3):
-        ends = []
-        for sign in (e, -e):
-            x = np.array([rest["arm.theta"], 0.0]) + sign * (np.arange(2) == k)
-            stepper.reset({"arm.theta": x[0], "arm.theta_dot": x[1]})
-            stepper.step({"torque": 3.0 + sign * (k == 2)}, 200)
-            ends.append([stepper.state["arm.theta"], stepper.state["arm.theta_dot"]])
-        found.append((np.array(ends[0]) - np.array(ends[1])) / (2 * e))
-    np.testing.assert_allclose(np.array(found).T, exact, rtol=1e-7, atol=1e-8)
-
-
 # ---- what cannot be -----------------------------------------------------------------------------------------
 
 
@@ -263,6 +186,22 @@ def test_motions_need_rates(model_of: Build, change: dict[str, Any], words: str)
 def test_what_cannot_be_an_input_is_refused_by_name(model_of: Build, inputs: dict[str, Any], words: str) -> None:
     with pytest.raises(SymgenError, match=words):
         simulate(model_of(cart()), inputs=inputs)
+
+
+def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    """Constants as parameters, samples from a CSV, what is wrong by its row."""
+    (tmp_path / "cart.toml").write_text(cart().to_toml(), encoding="utf-8")
+    (tmp_path / "push.csv").write_text("t,force\n0,1\n0.5,-1\n", encoding="utf-8")
+    words = ["simulate", str(tmp_path / "cart.toml"), "--json"]
+    assert main([*words, "--inputs", str(tmp_path / "push.csv"), "--out", str(tmp_path / "run")]) == 0
+    run = Solution.load(tmp_path / "run" / "solution.npz")
+    assert run.q[-1, 0] == pytest.approx(0.125, abs=1e-14)
+    assert main([*words, "--set", "force=3", "--out", str(tmp_path / "again")]) == 0
+    assert Solution.load(tmp_path / "again" / "solution.npz").q[-1, 0] == pytest.approx(0.75, abs=1e-12)
+    capsys.readouterr()
+    (tmp_path / "push.csv").write_text("t,force\n0,1\n0.5\n", encoding="utf-8")
+    assert main([*words, "--inputs", str(tmp_path / "push.csv")]) == 2
+    assert "row 3" in capsys.readouterr().out
 
 
 def test_a_controller_has_no_checkpoint(model_of: Build, tmp_path: Any) -> None:

@@ -34,3 +34,15 @@ def gimbal(stiffness: float, spin: float) -> Scene:
         .rates({"spin.angle": spin})
         .build()
     )
+
+
+def jeffcott(damping: float) -> Scene:
+    """A disk of 2 kg on a soft isotropic shaft, 800 N/m, turning in its plane."""
+    return (
+        SceneBuilder("jeffcott")
+        .rigid("disk", mass=2.0, inertia=0.05, free=True)
+        .measure("x", "x", marker_b="disk.origin")
+        .measure("y", "y", marker_b="disk.origin")
+        .force("shaft", "disk.origin", f"-800 * x - {damping} * x_dot", f"-800 * y - {damping} * y_dot")
+        .build()
+    )

@@ -10,6 +10,7 @@ from typing import Any, Unpack
 from runtime.contract.model import Model
 from runtime.results.meter import Meter
 from runtime.results.solution import Solution
+from runtime.running.inputs import bound
 from runtime.running.simulate import RunArguments
 from runtime.running.simulate import simulate as run
 from runtime.schemes.options import SchemeError
@@ -30,9 +31,9 @@ def simulate(
 
     scheme: a name of runtime.SCHEMES, or `auto`: the fastest one that keeps `tolerance` (1e-3) in the `graded`
     coordinates (all), with the step and m that advice finds. settings: see runtime.running.simulate.simulate, which
-    does the run: t_end, dt [s], m, parameters, initial, save_every, engine, options, t0, progress, force, start,
-    outputs, stream, checkpoint, checkpoint_every. progress = True shows how far the run is, on a terminal or in a
-    notebook.
+    does the run: t_end, dt [s], m, parameters, initial, inputs, save_every, engine, options, t0, progress, force,
+    start, outputs, stream, checkpoint, checkpoint_every. Advice looks at constants and functions among the inputs.
+    progress = True shows how far the run is, on a terminal or in a notebook.
 
     Numerical failure does not raise: see Solution.status. Raises SchemeError, ModelError, InitialStateError,
     OutputError or CompilerError for arguments that cannot be used.
@@ -48,7 +49,7 @@ def simulate(
     if settings.get("dt") is not None or settings.get("m") is not None or settings.get("options"):
         raise SchemeError("auto chooses dt, m and options itself; leave them out and give a tolerance")
     found = choose(
-        model,
+        bound(model, settings.get("inputs")),
         settings.get("t_end"),
         settings.get("parameters"),
         settings.get("initial"),

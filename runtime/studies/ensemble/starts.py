@@ -90,6 +90,6 @@ def in_lanes(model: Model, initial: list[str], start: str) -> bool:
 
 
 def _column(model: Model, name: str) -> int:
-    """The coordinate that a value or rate by name belongs to."""
-    rates = [f"{coordinate}_dot" for coordinate in model.coordinates]
+    """The coordinate that a value, a rate or a state of a controller by name belongs to."""
+    rates = [entry.owner if entry.kind == "state" else f"{entry.name}_dot" for entry in model.description.coordinates]
     return model.coordinates.index(name) if name in model.coordinates else rates.index(name)

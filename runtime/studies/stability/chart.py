@@ -99,6 +99,10 @@ def stability_chart(
     m: lists of ratios (a usual set by default); dt_range: smallest and largest step of the fastest group [s].
     Raises SchemeError, ModelError or InitialStateError for arguments that cannot be used.
     """
+    if not model.q_i:
+        raise ModelError(
+            f"every coordinate of model {model.name} is driven: nothing is stepped, so nothing is unstable"
+        )
     name = scheme or str(model.simulation["scheme"])
     if not model.has("residual_jacobian"):
         raise ModelError(f"model {model.name} was generated without its Jacobians; regenerate it with all functions")

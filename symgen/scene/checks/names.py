@@ -46,6 +46,7 @@ def _expression_names(scene: SceneParts) -> Iterator[SceneError]:
     taken = {name: "the expression language" for name in RESERVED}
     entries = [(f"parameters.{name}", name) for name in scene.parameters]
     entries += [(f"inputs.{name}", part) for name, entry in scene.inputs.items() for part in entry.names(name)]
+    entries += [(f"states.{name}", part) for name in scene.states for part in (name, f"{name}_dot")]
     for index, measure in enumerate(scene.measures):
         path = item_path("measures", index, measure.name)
         entries += [(path, measure.name), (path, f"{measure.name}_dot")]
@@ -69,5 +70,7 @@ def _contents(scene: SceneParts) -> Iterator[SceneError]:
             )
     if any(component != 0 for component in scene.gravity):
         yield SceneError("gravity", "has no effect on a structure", "remove it; give forces in structure.force")
+    if scene.states:
+        yield SceneError("states", "a structure has no controllers", "remove them, or build the scene from bodies")
     if scene.baumgarte is not None:
         yield SceneError("baumgarte", "a structure has no constraints to stabilise", "remove it")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from typing import Any
 
 from symgen.scene.errors import SceneError
+from symgen.scene.expression_values import table_name
 from symgen.scene.expressions import parse_expression
 from symgen.scene.fields import Bound, Meaning, Scope, quantities
 from symgen.scene.parts import SceneParts
@@ -30,23 +33,34 @@ def scene_quantities(scene: SceneParts) -> Iterator[tuple[str, float | str, Mean
             yield from quantities(entry, item_path(section, index, entry.name))
 
 
+WORD = re.compile(r"[A-Za-z]\w*")
+
+
 class _QuantityCheck:
     def __init__(self, scene: SceneParts) -> None:
         self.defaults, inputs = scene.parameter_defaults(), scene.input_defaults()
-        self.inputs = inputs
+        tables = {table_name(name): table.value for name, table in scene.tables.items()}
+        self.known: dict[str, Any] = {**self.defaults, **inputs, **tables, "t": 0.0}
+        states = [name for state in scene.states for name in (state, f"{state}_dot")]
+        self.states = frozenset(states)
         measured = [name for measure in scene.measures for name in (measure.name, f"{measure.name}_dot")]
         self.names = {
-            Scope.PARAMETERS: frozenset(self.defaults),
-            Scope.TIME: frozenset((*self.defaults, *inputs, "t")),
-            Scope.MEASURES: frozenset((*self.defaults, *inputs, "t", *measured)),
+            Scope.PARAMETERS: frozenset((*self.defaults, *tables)),
+            Scope.TIME: frozenset((*self.defaults, *inputs, *tables, "t")),
+            Scope.MEASURES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *states)),
+            Scope.STATES: frozenset((*self.defaults, *inputs, *tables, "t", *measured, *scene.states)),
         }
 
     def check(self, path: str, value: float | str, meaning: Meaning) -> None:
+        if meaning.scope is Scope.TIME and isinstance(value, str) and self.states & set(WORD.findall(value)):
+            raise SceneError(
+                path, "uses a state, which would have to be driven by the mechanism's own motor",
+                "let an input with rates or a filter give the motion, or a load in place of the motion",
+            )  # fmt: skip
         expression = parse_expression(value, self.names[meaning.scope], path)
-        env = {**self.defaults, **self.inputs, "t": 0.0}
-        if not expression.names <= env.keys():
+        if not expression.names <= self.known.keys():
             return  # it uses measures, whose values are not known before the motion is
-        number = expression.evaluate(env)
+        number = expression.evaluate(self.known)
         wrong = {Bound.ANY: False, Bound.POSITIVE: number <= 0, Bound.NON_NEGATIVE: number < 0}[meaning.bound]
         if wrong:
             shown = f"{number!r}" if not isinstance(value, str) else f"'{value[:60]}' = {number!r}"

@@ -1,0 +1,63 @@
+"""`symgen response`: frequency responses and unbalances on the command line, against closed forms."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symgen.cli import main
+from symgen.scene import SceneBuilder
+from tests.support.rotor_scenes import jeffcott
+
+
+def test_frequency_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """x / F = 1 / (k - m w^2 + i c w) of a damped slider, in JSON and in the file."""
+    scene = (
+        SceneBuilder("slider")
+        .input("push", 0.0, "N")
+        .rigid("mass", mass=2.0, inertia=0.1)
+        .prismatic("rail", "ground.origin", "mass.origin", damping=3.0)
+        .measure("x", "x", "mass.origin")
+        .force("spring", "mass.origin", "push - 50 * x", 0.0)
+        .build()
+    )
+    (tmp_path / "slider.toml").write_text(scene.to_toml(), encoding="utf-8")
+    words = ["response", str(tmp_path / "slider.toml"), "--input", "push", "--output", "x", "--frequencies", "1:20"]
+    assert main([*words, "--points", "7", "--json", "--out", str(tmp_path)]) == 0
+    found = json.loads(capsys.readouterr().out)
+    w = np.geomspace(1, 20, 7)
+    exact = 1 / (50 - 2 * w**2 + 3j * w)
+    np.testing.assert_allclose(found["omega"], w, rtol=1e-15)
+    np.testing.assert_allclose(found["responses"][0]["amplitude"], np.abs(exact), rtol=1e-12)
+    np.testing.assert_allclose(found["responses"][0]["phase"], np.angle(exact), rtol=1e-12)
+    rows = np.loadtxt(tmp_path / "response.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(rows, np.column_stack([w, np.abs(exact), np.angle(exact)]), rtol=1e-12)
+
+
+def test_unbalance(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Jeffcott: U W^2 / (k - m W^2 + i c W)."""
+    (tmp_path / "rotor.toml").write_text(jeffcott(8.0).to_toml(), encoding="utf-8")
+    words = ["response", str(tmp_path / "rotor.toml"), "--over", "disk.omega=5:60", "--unbalance", "2e-4"]
+    assert main([*words, "--at", "disk.x,disk.y", "--output", "x", "--points", "3", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    W = np.linspace(5, 60, 3)
+    exact = 2e-4 * W**2 / (800 - 2 * W**2 + 8j * W)
+    np.testing.assert_allclose(found["responses"][0]["amplitude"], np.abs(exact), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "words, told",
+    [
+        ([], "--input and --frequencies"),
+        (["--unbalance", "1"], "--at X,Y"),
+        (["--input", "hub.theta", "--frequencies", "5:1"], "rising"),
+        (["--input", "hub.theta", "--frequencies", "1:5", "--points", "1"], "at least 2"),
+        (["--input", "hub.phi", "--frequencies", "1:5"], "no input 'hub.phi'"),
+    ],
+)
+def test_wrong_words(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["response", "hub_beam", *words]) == 2
+    assert told in capsys.readouterr().err

@@ -1,0 +1,73 @@
+"""Inputs at operating points: trimmed, columns of linear systems, slopes of runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from runtime import equilibrium, gradient, linearise, simulate
+from runtime.contract.model import Model
+from runtime.gradients.objectives import End
+from symgen.scene import Scene, SceneBuilder
+from tests.support.input_scenes import cart, crane, wave
+
+Build = Callable[[Scene], Model]
+
+
+def test_trim_and_columns_of_inputs(model_of: Build) -> None:
+    """A pendulum held at an angle while its trolley accelerates by -g tan(angle); columns of B by hand."""
+    model = model_of(crane(rates=True))
+    found = equilibrium(model, inputs={"way_ddot": None}, held={"load.theta": 0.1})
+    assert found.trimmed["way_ddot"] == pytest.approx(-9.81 * np.tan(0.1), rel=1e-12)
+    np.testing.assert_allclose(linearise(model, at={"load.theta": 0.3}, inputs=["way_ddot"]).B_state[1], -np.cos(0.3))
+    system = linearise(model_of(cart()), at={"cart.x": 0.0}, inputs=["force"], outputs=["cart.x", "force"])
+    np.testing.assert_array_equal(system.B_state, [[0.0], [0.5]])
+    np.testing.assert_array_equal(system.D_state, [[0.0], [1.0]])
+
+
+def test_a_sample_is_linearised_with_the_inputs_of_its_time(model_of: Build) -> None:
+    """K = m L (g cos th - x'' sin th) of the crane, with x'' of that time."""
+    model = model_of(crane(rates=True))
+    run = simulate(model, inputs={"way": wave})
+    angle, pull = run["load.theta"][700], run["trolley.x_ddot"][700]
+    K = linearise(model, at=(run, 700)).K[0, 0]
+    assert K == pytest.approx(9.81 * np.cos(angle) - pull * np.sin(angle), rel=1e-12)
+
+
+def test_the_linear_system_is_the_slope_of_the_simulation(model_of: Build) -> None:
+    """exp(A T) and its integral against central differences of runs over T: a PD loop about a bent crane."""
+    scene = (
+        SceneBuilder("arm")
+        .input("torque", 0.0, "N m")
+        .gravity(0, -9.81)
+        .rigid("arm", mass=1.0, inertia=0.02, center_of_mass=(0.5, 0.0))
+        .revolute("joint", "ground.origin", "arm.origin")
+        .measure("angle", "angle", "arm.origin")
+        .torque("motor", "arm.origin", "torque - 6 * angle - 0.8 * angle_dot")
+        .simulation(t_end=1.0, dt=1e-3, scheme="dop853")
+        .build()
+    )
+    model, T = model_of(scene), 0.2
+    rest = equilibrium(model, inputs={"torque": 3.0})
+    system = linearise(model, rest, inputs=["torque"])
+    exact = expm(np.block([[system.A_state, system.B_state], [np.zeros((1, 3))]]) * T)[:2]
+    stepper, found, e = model.stepper(), [], 1e-5
+    for k in range(3):
+        ends = []
+        for sign in (e, -e):
+            x = np.array([rest["arm.theta"], 0.0]) + sign * (np.arange(2) == k)
+            stepper.reset({"arm.theta": x[0], "arm.theta_dot": x[1]})
+            stepper.step({"torque": 3.0 + sign * (k == 2)}, 200)
+            ends.append([stepper.state["arm.theta"], stepper.state["arm.theta_dot"]])
+        found.append((np.array(ends[0]) - np.array(ends[1])) / (2 * e))
+    np.testing.assert_allclose(np.array(found).T, exact, rtol=1e-7, atol=1e-8)
+
+
+@pytest.mark.parametrize("mode", ["forward", "reverse"])
+def test_gradients_by_inputs(model_of: Build, mode: str) -> None:
+    """x = F t^2 / 2 m: its slope by the force and by the mass."""
+    found = gradient(model_of(cart()), End("cart.x"), ["force", "cart.mass"], parameters={"force": 3.0}, mode=mode)
+    np.testing.assert_allclose([found["force"], found["cart.mass"]], [0.25, -0.375], rtol=1e-12)

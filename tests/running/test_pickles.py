@@ -1,0 +1,59 @@
+"""Models, solutions and steppers go to other processes by folder and hash."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from runtime import load_model, simulate
+from runtime.contract.model import Model, ModelError
+from symgen.generate import generate
+from symgen.scene import Scene, SceneBuilder
+
+
+def pushed(mass: float) -> Scene:
+    return (
+        SceneBuilder("pushed")
+        .input("force", 0.0, "N")
+        .rigid("cart", mass=mass, inertia=0.1)
+        .prismatic("rail", "ground.origin", "cart.origin")
+        .force("push", "cart.origin", "force", 0.0)
+        .simulation(t_end=0.1, dt=1e-3, scheme="rk4")
+        .build()
+    )
+
+
+def test_models_and_solutions(model_of: Callable[[Scene], Model]) -> None:
+    model = model_of(pushed(2.0)).with_inputs({"force": lambda t: ca.sin(9 * t)})
+    text = pickle.dumps(model)
+    assert len(text) < 10_000
+    run, copy = simulate(model), pickle.loads(text)
+    np.testing.assert_array_equal(simulate(copy).q, run.q)
+    again = pickle.loads(pickle.dumps(run))
+    np.testing.assert_array_equal(again["cart.x"], run["cart.x"])
+    assert again.status == run.status and again.model.digest == model.digest
+
+
+def test_steppers_go_on_where_they_were(model_of: Callable[[Scene], Model]) -> None:
+    stepper = model_of(pushed(2.0)).stepper(dt=2e-3)
+    stepper.step({"force": 3.0}, 10)
+    copy = pickle.loads(pickle.dumps(stepper))
+    for one in (stepper, copy):
+        one.step(10)
+    np.testing.assert_array_equal(copy.save().z, stepper.save().z)
+    assert copy.time == stepper.time == pytest.approx(0.04)
+
+
+def test_what_has_changed_is_not_taken(tmp_path: Path) -> None:
+    text = pickle.dumps(load_model(generate(pushed(2.0), tmp_path / "model")))
+    generate(pushed(2.0).model_copy(update={"title": "another"}), tmp_path / "model")
+    with pytest.raises(ModelError, match="generated anew"):
+        pickle.loads(text)
+    with pytest.raises(ModelError, match="without one"):
+        pickle.dumps(replace(load_model(tmp_path / "model"), folder=""))
