@@ -115,6 +115,9 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation(
         "load_forces", "", "", "3 x loads on beams", "N, N m", "world force and moment of a load on a beam, at R_o"
     ),
+    Notation(
+        "load_actions", "", "", "3 or 6 x loads", "N, N m", "world force and moment of a load on its marker, or b"
+    ),
     Notation("kinetic", "", "", "1", "J", "kinetic energy"),
     Notation("elastic", "", "", "1", "J", "energy stored in bodies and springs"),
     Notation("potential", "", "", "1", "J", "potential energy of the weight"),

@@ -199,6 +199,38 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot"], ["measures"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes q (n = 3) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 3) [mixed]: rates of all coordinates
+    takes c (n_const = 9) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
+    34 operations.
+    """
+    q = ca.SX.sym("q", 3)
+    q_dot = ca.SX.sym("q_dot", 3)
+    c = ca.SX.sym("c", 9)
+    bob_x = q[0]
+    bob_y = q[1]
+    bob_x_dot = q_dot[0]
+    bob_y_dot = q_dot[1]
+    spring_free_length = c[2]
+    spring_stiffness = c[3]
+    spring_damping = c[4]
+    # intermediate terms (3)
+    w0 = bob_x**2 + bob_y**2
+    w1 = 1.0 - spring_free_length / ca.sqrt(w0)
+    w2 = (bob_x * bob_x_dot + bob_y * bob_y_dot) * spring_damping
+    # outputs
+    load_actions = ca.vertcat(
+        -(bob_x * w1 * spring_stiffness + bob_x * w2 / w0), -(bob_y * w1 * spring_stiffness + bob_y * w2 / w0),
+        0.0,
+    )
+    inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -422,6 +454,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "energy": energy,
     "measures": measures,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

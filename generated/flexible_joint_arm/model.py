@@ -643,6 +643,36 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes q (n = 12) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes t (1) [s]: time
+    takes c (n_const = 30) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3 x 4) [N, N m]: world force and moment of a load on its marker, or b
+    34 operations.
+    """
+    q = ca.SX.sym("q", 12)
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 30)
+    link1_theta = q[2]
+    rotor1_theta = q[5]
+    link2_theta = q[8]
+    rotor2_theta = q[11]
+    elbow_torque = c[3]
+    shoulder_torque = c[4]
+    c25 = c[25]
+    c26 = c[26]
+    # outputs
+    load_actions = ca.SX(3, 4)
+    load_actions[2, 0] = (link1_theta - rotor1_theta) * c25
+    load_actions[2, 1] = (link2_theta - rotor2_theta) * c26
+    load_actions[2, 2] = ca.sin(t * 3.141592653589793) * shoulder_torque
+    load_actions[2, 3] = ca.sin(t * 6.283185307179586) * elbow_torque
+    inputs, outputs = [q, t, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["q", "t", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -1121,6 +1151,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

@@ -938,6 +938,23 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "t", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes t (1) [s]: time
+    takes c (n_const = 43) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
+    9 operations.
+    """
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 43)
+    motor_torque = c[25]
+    # outputs
+    load_actions = ca.vertcat(0.0, 0.0, ca.if_else(t < 0.15, motor_torque, 0))
+    inputs, outputs = [t, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["t", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -2247,6 +2264,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

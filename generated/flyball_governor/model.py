@@ -3399,6 +3399,63 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes q (n = 32) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 32) [mixed]: rates of all coordinates
+    takes c (n_const = 106) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 6 x 2) [N, N m]: world force and moment of a load on its marker, or b
+    100 operations.
+    """
+    q = ca.SX.sym("q", 32)
+    q_dot = ca.SX.sym("q_dot", 32)
+    c = ca.SX.sym("c", 106)
+    height_travel = q[29]
+    right_swing_angle = q[30]
+    left_swing_angle = q[31]
+    height_travel_dot = q_dot[29]
+    right_swing_angle_dot = q_dot[30]
+    left_swing_angle_dot = q_dot[31]
+    shaft_left_x = c[3]
+    shaft_right_x = c[10]
+    right_spring_free_length = c[20]
+    slider_right_x = c[21]
+    right_rod_middle_x = c[22]
+    shaft_right_z = c[23]
+    right_spring_stiffness = c[24]
+    right_spring_damping = c[25]
+    left_spring_free_length = c[26]
+    slider_left_x = c[27]
+    left_rod_middle_x = c[28]
+    shaft_left_z = c[29]
+    left_spring_stiffness = c[30]
+    left_spring_damping = c[31]
+    # intermediate terms (14)
+    w0 = ca.cos(right_swing_angle) * right_rod_middle_x
+    w1 = slider_right_x - (shaft_right_x + w0)
+    w2 = ca.sin(right_swing_angle) * right_rod_middle_x
+    w3 = height_travel - (shaft_right_z - w2)
+    w4 = w1**2 + w3**2
+    w5 = 1.0 - right_spring_free_length / ca.sqrt(w4)
+    w6 = (w1 * (w2 * right_swing_angle_dot) + w3 * (height_travel_dot + w0 * right_swing_angle_dot)) * right_spring_damping
+    w7 = ca.cos(left_swing_angle) * left_rod_middle_x
+    w8 = slider_left_x - (shaft_left_x - w7)
+    w9 = ca.sin(left_swing_angle) * left_rod_middle_x
+    w10 = height_travel - (shaft_left_z - w9)
+    w11 = w8**2 + w10**2
+    w12 = 1.0 - left_spring_free_length / ca.sqrt(w11)
+    w13 = (w10 * (height_travel_dot + w7 * left_swing_angle_dot) - w8 * (w9 * left_swing_angle_dot)) * left_spring_damping
+    # outputs
+    load_actions = ca.SX(6, 2)
+    load_actions[0, 0] = -(w1 * w5 * right_spring_stiffness + w1 * w6 / w4)
+    load_actions[0, 1] = -(w8 * w12 * left_spring_stiffness + w8 * w13 / w11)
+    load_actions[2, 0] = -(w3 * w5 * right_spring_stiffness + w3 * w6 / w4)
+    load_actions[2, 1] = -(w10 * w12 * left_spring_stiffness + w10 * w13 / w11)
+    inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -4072,6 +4129,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

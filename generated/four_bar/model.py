@@ -710,6 +710,21 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes c (n_const = 27) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
+    5 operations.
+    """
+    c = ca.SX.sym("c", 27)
+    motor_value = c[10]
+    # outputs
+    load_actions = ca.vertcat(0.0, 0.0, motor_value)
+    inputs, outputs = [c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -1099,6 +1114,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

@@ -797,6 +797,23 @@ def measures() -> ca.Function:
     return ca.Function("measures", inputs, outputs, ["q", "q_dot", "c"], ["measures"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes t (1) [s]: time
+    takes c (n_const = 65) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
+    13 operations.
+    """
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 65)
+    torque = c[16]
+    # outputs
+    load_actions = ca.vertcat(0.0, 0.0, ca.if_else(t < 2.0, ca.sin(t * 3.141592653589793) * torque, 0))
+    inputs, outputs = [t, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["t", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -1819,6 +1836,7 @@ FUNCTIONS = {
     "reactions": reactions,
     "energy": energy,
     "measures": measures,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

@@ -468,6 +468,32 @@ def energy() -> ca.Function:
     return ca.Function("energy", inputs, outputs, ["q", "q_dot", "c"], ["kinetic", "elastic", "potential", "power_dissipated", "power_applied"])
 
 
+def load_actions() -> ca.Function:
+    """What the loads do at their markers.
+
+    takes q (n = 6) [mixed]: all coordinates: R_o, theta, q_f of each body in scene order
+    takes q_dot (n = 6) [mixed]: rates of all coordinates
+    takes c (n_const = 21) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives load_actions (3 or 6 x loads = 3) [N, N m]: world force and moment of a load on its marker, or b
+    16 operations.
+    """
+    q = ca.SX.sym("q", 6)
+    q_dot = ca.SX.sym("q_dot", 6)
+    c = ca.SX.sym("c", 21)
+    rod_theta = q[2]
+    finger_theta = q[5]
+    rod_theta_dot = q_dot[2]
+    finger_theta_dot = q_dot[5]
+    spring_stiffness = c[0]
+    spring_damping = c[1]
+    # intermediate terms (1)
+    w0 = (finger_theta - rod_theta) * spring_stiffness + (finger_theta_dot - rod_theta_dot) * spring_damping
+    # outputs
+    load_actions = ca.vertcat(0.0, 0.0, -w0)
+    inputs, outputs = [q, q_dot, c], [ca.densify(load_actions)]
+    return ca.Function("load_actions", inputs, outputs, ["q", "q_dot", "c"], ["load_actions"])
+
+
 def poses() -> ca.Function:
     """Origin and rotation matrix of each body, for pictures.
 
@@ -818,6 +844,7 @@ FUNCTIONS = {
     "augmented": augmented,
     "reactions": reactions,
     "energy": energy,
+    "load_actions": load_actions,
     "poses": poses,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from runtime.results.samples import Samples
 
-FORMAT = "symgen solution 3"
+FORMAT = "symgen solution 4"
 ARRAYS = (
     "parameters",
     "t",
@@ -37,6 +37,7 @@ ARRAYS = (
     "constraint_rate_error",
     "measures",
     "joint_forces",
+    "load_forces",
 )
 POWERS = ("power_dissipated", "power_applied", "power_driven")
 
@@ -149,6 +150,11 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
         for k, joint in enumerate(model.joints)
         for axis, part in enumerate(FORCE_PARTS[solution.joint_forces.shape[2]])
     }
+    columns |= {
+        f"load.{load.name}.{part}": solution.load_forces[:, k, axis]
+        for k, load in enumerate(model.description.loads)
+        for axis, part in enumerate(FORCE_PARTS[solution.load_forces.shape[2]])
+    }
     columns |= {f"energy.{key}": series for key, series in solution.energy.items()}
     columns["constraint_error"] = solution.constraint_error
     columns["constraint_rate_error"] = solution.constraint_rate_error
@@ -162,9 +168,9 @@ def column_units(model: Model) -> dict[str, str]:
     for order, suffix in enumerate(("", "_dot", "_ddot")):
         units |= {f"{entry.name}{suffix}": entry.unit_of(order) for entry in described.coordinates}
     units |= {f"lam.{row.label}": "N" if row.unit == "m" else "N m" for row in described.constraints}
-    for joint in model.joints:
-        units |= {f"{joint}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}
-        units[f"{joint}.moment"] = "N m"
+    for name in (*model.joints, *(f"load.{load.name}" for load in model.description.loads)):
+        units |= {f"{name}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}
+        units[f"{name}.moment"] = "N m"
     energies = {key: "W" if key in POWERS else "J" for key in ("kinetic", "elastic", "potential", *POWERS)}
     for prefix in ("", "energy."):
         units |= {f"{prefix}{key}": unit for key, unit in energies.items()}
@@ -203,6 +209,7 @@ def to_xarray(solution: Samples) -> xarray.Dataset:
     variables["q_i"] = (("t", "independent"), solution.q_i)
     variables["lam"] = (("t", "constraint"), solution.lam, {"description": "multipliers of Eq. (37)"})
     variables["joint_forces"] = (("t", "joint", "component"), solution.joint_forces, {"units": "N, N m"})
+    variables["load_forces"] = (("t", "load", "load_component"), solution.load_forces, {"units": "N, N m"})
     for key, series in solution.energy.items():
         variables[f"energy_{key}"] = ("t", series, {"units": "W" if key in POWERS else "J"})
     variables["constraint_error"] = ("t", solution.constraint_error)
@@ -217,7 +224,9 @@ def to_xarray(solution: Samples) -> xarray.Dataset:
             "independent": _labels(model.q_i),
             "constraint": _labels(model.constraints),
             "joint": _labels(model.joints),
+            "load": _labels([load.name for load in model.description.loads]),
             "component": _labels(FORCE_PARTS[solution.joint_forces.shape[2]]),
+            "load_component": _labels(FORCE_PARTS[solution.load_forces.shape[2]]),
             "measure": _labels(model.measures),
             "parameter": _labels([entry.name for entry in model.parameters]),
         },

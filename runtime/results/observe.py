@@ -85,7 +85,8 @@ def assemble_solution(
     n = len(t)
     lam, driven, measures = np.zeros((n, 0)), np.zeros(n), np.zeros((n, 0))
     error, rate_error = np.zeros(n), np.zeros(n)
-    forces = np.zeros((n, 0, 3))
+    parts = 6 if model.description.drawing.space == "spatial" else 3
+    forces, loads = np.zeros((n, 0, parts)), np.zeros((n, len(model.description.loads), parts))
     if model.constraints:
         constraint = evaluate(model.derived("constraint_errors", lambda: _constraint_errors(model)), values, c)
         C_q = evaluate(model.kernel("constraints"), values, c)["C_q"] if model.redundant else np.zeros((n, 0))
@@ -93,6 +94,11 @@ def assemble_solution(
         error = np.abs(constraint["C"]).max(axis=1)
         rate_error = np.abs(constraint["C_dot"]).max(axis=1)
         driven = np.sum(lam * constraint["C_t"], axis=1)
+    if model.has("load_actions"):
+        flat = evaluate(model.kernel("load_actions"), values, c)[
+            "load_actions"
+        ]  # column by column: one load after another
+        loads = flat.reshape(n, -1, parts)
     if model.measures:
         measures = evaluate(model.kernel("measures"), values, c)["measures"]
     return Solution(
@@ -112,6 +118,7 @@ def assemble_solution(
         constraint_rate_error=rate_error,
         measures=measures,
         joint_forces=forces,
+        load_forces=loads,
         stats=stats,
         status=status,
     )

@@ -17,7 +17,18 @@ FORCE_PARTS = {
 }  # planar, spatial
 STORED = ("kinetic", "elastic", "potential")
 PRESCRIBED = ("prescribed_angle", "prescribed_displacement")
-SERIES = ("q", "q_dot", "q_ddot", "q_i", "lam", "joint_forces", "measures", "constraint_error", "constraint_rate_error")
+SERIES = (
+    "q",
+    "q_dot",
+    "q_ddot",
+    "q_i",
+    "lam",
+    "joint_forces",
+    "load_forces",
+    "measures",
+    "constraint_error",
+    "constraint_rate_error",
+)
 
 
 @dataclass(repr=False)
@@ -30,7 +41,8 @@ class Samples:
     run that something feeds or damps; constraint_error (N,) = max |C| and
     constraint_rate_error (N,) = max |C_q q_dot + C_t|;
     measures (N, len(model.measures)); joint_forces (N, joints, 3), in space (N, joints, 6): world force [N] and moment
-    [N m] of each joint on its body b, at marker b; parameters: the vector p that was used; m: ratio of each next
+    [N m] of each joint on its body b, at marker b; load_forces (N, loads, 3 or 6): those of each load on its marker or
+    its marker b; parameters: the vector p that was used; m: ratio of each next
     group's step; events: what happened on the way; outputs: the columns that a run with `outputs` kept at every saved
     sample, "t" first (all other arrays then hold the first and the last sample only).
     """
@@ -51,6 +63,7 @@ class Samples:
     constraint_rate_error: np.ndarray
     measures: np.ndarray
     joint_forces: np.ndarray
+    load_forces: np.ndarray
     stats: dict[str, float | int | str] = field(default_factory=dict)
     status: Status = field(default_factory=lambda: Status("completed", 0.0))
     events: list[Event] = field(default_factory=list)
@@ -65,8 +78,8 @@ class Samples:
     def __getitem__(self, name: str) -> np.ndarray:
         """(N,) a coordinate, its rate or acceleration (`_dot`, `_ddot`), a measure, or a column of the CSV by name.
 
-        Columns of the CSV: `t`, `J1.force_x`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with their unit in brackets
-        or without. Raises ModelError for an unknown name.
+        Columns of the CSV: `t`, `J1.force_x`, `load.motor.moment`, `lam.J1.x`, `energy.kinetic`, `measure.tip`, with
+        their unit in brackets or without. Raises ModelError for an unknown name.
         """
         name = name.partition(" [")[0]
         for suffix, values in (("", self.q), ("_dot", self.q_dot), ("_ddot", self.q_ddot)):
@@ -89,6 +102,11 @@ class Samples:
             return self.multiplier(last)
         if first == "measure" and last in self.model.measures:
             return self.measures[:, self.model.measures.index(last)]
+        if first == "load":
+            load, _, part = last.rpartition(".")
+            parts = FORCE_PARTS[self.load_forces.shape[-1]]
+            known = [record.name for record in self.model.description.loads]
+            return self.load_force(load)[:, parts.index(part)] if load in known and part in parts else None
         joint, _, part = name.rpartition(".")
         parts = FORCE_PARTS[self.joint_forces.shape[-1]] if self.joint_forces.size else ()
         return self.joint_force(joint)[:, parts.index(part)] if joint in self.model.joints and part in parts else None
@@ -108,6 +126,11 @@ class Samples:
     def joint_force(self, joint: str) -> np.ndarray:
         """(N, 3), in space (N, 6): world force [N] and moment [N m] of a joint on body b, at its marker b."""
         return self.joint_forces[:, self._column(joint, self.model.joints, "joint")]
+
+    def load_force(self, load: str) -> np.ndarray:
+        """(N, 3), in space (N, 6): world force [N] and moment [N m] of a load on its marker, or on its marker b."""
+        names = [record.name for record in self.model.description.loads]
+        return self.load_forces[:, self._column(load, names, "load")]
 
     def motor(self, name: str) -> np.ndarray:
         """(N,) torque [N m] or force [N] of a prescribed motion: what its drive puts on body b along the motion.

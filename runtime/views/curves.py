@@ -96,27 +96,42 @@ def deformation(solution: Solution) -> list[Curves]:
 
 
 def forces(solution: Solution) -> list[Curves]:
-    """Size of each joint's force; of its moment in space, or the moment itself about z in a plane."""
-    if not solution.joint_forces.size:
+    """Size of the force of each joint and load; of its moment in space, or the moment itself about z in a plane."""
+    loads = [load.name for load in solution.model.description.loads]
+    return [
+        *_forces("joint", list(solution.model.joints), solution.joint_forces),
+        *_forces("load", loads, solution.load_forces),
+    ]
+
+
+def _forces(what: str, names: list[str], every: np.ndarray) -> list[Curves]:
+    """Those of `every` (N, names, 3 or 6) that are not zero throughout."""
+    if not every.size:
         return []
-    names, every = list(solution.model.joints), solution.joint_forces
-    sizes = np.linalg.norm(joint_force_vectors(solution), axis=2).T
+    sizes = np.linalg.norm(force_vectors(every), axis=2).T
     moments = every[:, :, 2].T if every.shape[2] == 3 else np.linalg.norm(every[:, :, 3:], axis=2).T
-    title = "joint moments about z" if every.shape[2] == 3 else "joint moments |M|"
+    title = f"{what} moments about z" if every.shape[2] == 3 else f"{what} moments |M|"
     turning = np.abs(moments).max(axis=1, initial=0.0) > 1e-9 * max(float(np.abs(moments).max()), 1e-300)
     pulling = np.abs(sizes).max(axis=1, initial=0.0) > 1e-9 * max(float(np.abs(sizes).max()), 1e-300)
     pulled = [name for name, pulls in zip(names, pulling, strict=True) if pulls]
-    groups = [Curves("joint forces |F|", "N", pulled, sizes[pulling])] if pulled else []
+    groups = [Curves(f"{what} forces |F|", "N", pulled, sizes[pulling])] if pulled else []
     acting = [name for name, turns in zip(names, turning, strict=True) if turns]
     return groups + ([Curves(title, "N m", acting, moments[turning])] if acting else [])
 
 
-def joint_force_vectors(solution: Solution) -> np.ndarray:
-    """(N, joints, 3) world force of each joint on its body b [N]; the moment of a planar joint is left out."""
-    found = np.array(solution.joint_forces[:, :, :3], dtype=float)
-    if solution.joint_forces.shape[2] == 3:
+def force_vectors(every: np.ndarray) -> np.ndarray:
+    """(N, parts, 3) the world forces [N] in `every` (N, parts, 3 or 6), without the moments."""
+    found = np.array(every[:, :, :3], dtype=float)
+    if every.shape[2] == 3:
         found[:, :, 2] = 0.0
     return found
+
+
+def moment_vectors(every: np.ndarray) -> np.ndarray:
+    """(N, parts, 3) the world moments [N m] in `every` (N, parts, 3 or 6)."""
+    if every.shape[2] == 6:
+        return np.array(every[:, :, 3:], dtype=float)
+    return np.stack([0 * every[:, :, 2], 0 * every[:, :, 2], every[:, :, 2]], axis=-1)
 
 
 def moves(values: np.ndarray) -> bool:

@@ -138,3 +138,11 @@ def measures(system: Condensed) -> Kernel:
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     values = list(eq.measures.values())
     return Kernel(inputs, {"measures": ca.vertcat(*values) if values else ca.SX(0, 1)})
+
+
+def load_actions(system: Condensed) -> Kernel:
+    """(3 or 6 x loads): world force [N] and moment [N m] of each load on its marker or marker b."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
+    columns = [ca.vertcat(*action) for action in eq.load_actions.values()]
+    return Kernel(inputs, {"load_actions": ca.horzcat(*columns) if columns else ca.SX(0, 0)})

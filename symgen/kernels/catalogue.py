@@ -16,7 +16,15 @@ from symgen.algebra.rows import Row
 from symgen.condensed.condensation import Condensed
 from symgen.condensed.forward_dynamics import NoInertia, is_tree, tree_accelerations
 from symgen.condensed.loops import solve_forward
-from symgen.kernels.all_coordinates import augmented, constraints, energy, load_forces, measures, reactions
+from symgen.kernels.all_coordinates import (
+    augmented,
+    constraints,
+    energy,
+    load_actions,
+    load_forces,
+    measures,
+    reactions,
+)
 from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
@@ -34,6 +42,7 @@ TREES_ONLY = {
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
+    "load_actions",
 )  # fmt: skip
 
 
@@ -56,6 +65,7 @@ def build_kernels(
         "reactions": partial(reactions, system),
         "energy": partial(energy, system),
         "measures": partial(measures, system),
+        "load_actions": partial(load_actions, system),
         "poses": lambda: poses(system.equations),
         "load_forces": partial(load_forces, system, list(system.equations.beams)),
     }

@@ -174,6 +174,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "q q_dot t u c",
             "load_forces",
         ),
+        _spec("load_actions", "", "What the loads do at their markers", "report", "q q_dot t u c", "load_actions"),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(
             "geometry",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import casadi as ca
@@ -23,6 +24,8 @@ class LoadEffect:
     """Generalised force by system column [N, N m]; potential [J]; dissipated and applied power [W].
 
     spring: what of it is linear in the coordinates, if it is that.
+    action: force [N] and moment [N m] in world axes on the load's marker, or on marker b: x, y and about z in a plane,
+    three and three in space.
     """
 
     force: Row = field(default_factory=dict)
@@ -30,3 +33,4 @@ class LoadEffect:
     dissipated: ca.SX = field(default_factory=lambda: ca.SX(0))
     applied: ca.SX = field(default_factory=lambda: ca.SX(0))
     spring: LinearSpring | None = None
+    action: Sequence[ca.SX] = ()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled, nonzero
+from symgen.algebra.scalar import ZERO
 from symgen.bodies.planar_body import MarkerMotion
 from symgen.loads import spring_template
 from symgen.loads.effect import LinearSpring, LoadEffect
@@ -19,7 +20,7 @@ def point_force(marker: MarkerMotion, components: list[ca.SX], frame: str) -> Lo
     row: Row = {}
     add_scaled(row, f_x, marker.r_columns[0])
     add_scaled(row, f_y, marker.r_columns[1])
-    return LoadEffect(row, applied=f_x * marker.r_dot[0] + f_y * marker.r_dot[1])
+    return LoadEffect(row, applied=f_x * marker.r_dot[0] + f_y * marker.r_dot[1], action=[f_x, f_y, ZERO])
 
 
 def torque(marker: MarkerMotion, value: ca.SX, reaction: MarkerMotion | None) -> LoadEffect:
@@ -30,7 +31,7 @@ def torque(marker: MarkerMotion, value: ca.SX, reaction: MarkerMotion | None) ->
     if reaction is not None:
         add_scaled(row, -value, reaction.phi_row)
         rate = rate - reaction.phi_dot
-    return LoadEffect(row, applied=value * rate)
+    return LoadEffect(row, applied=value * rate, action=[ZERO, ZERO, value])
 
 
 def spring_damper(a: MarkerMotion, b: MarkerMotion, stiffness: ca.SX, damping: ca.SX, free_length: ca.SX) -> LoadEffect:
@@ -44,7 +45,7 @@ def spring_damper(a: MarkerMotion, b: MarkerMotion, stiffness: ca.SX, damping: c
     for axis in range(2):
         add_scaled(row, out.force[axis], b.r_columns[axis])
         add_scaled(row, -out.force[axis], a.r_columns[axis])
-    return LoadEffect(row, potential=out.potential, dissipated=out.dissipated)
+    return LoadEffect(row, potential=out.potential, dissipated=out.dissipated, action=[*out.force, ZERO])
 
 
 def rotational_spring_damper(
@@ -60,7 +61,8 @@ def rotational_spring_damper(
     add_scaled(deflection, ca.SX(1), b.phi_row)
     add_scaled(deflection, ca.SX(-1), a.phi_row)
     spring = LinearSpring(nonzero(deflection), stiffness, damping)
-    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * rate**2, spring=spring)
+    potential, dissipated = stiffness * turn**2 / 2, damping * rate**2
+    return LoadEffect(row, potential=potential, dissipated=dissipated, spring=spring, action=[ZERO, ZERO, moment])
 
 
 def slide_friction(a: MarkerMotion, b: MarkerMotion, damping: ca.SX) -> LoadEffect:

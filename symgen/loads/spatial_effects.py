@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import casadi as ca
 
 from symgen.algebra.rows import Row, add_scaled
-from symgen.algebra.scalar import ZERO, dot, mul, neg, total
-from symgen.algebra.vectors import Vector, combination, minus
+from symgen.algebra.scalar import ZERO, add, dot, mul, neg, total
+from symgen.algebra.vectors import Vector, combination, cross, minus, scaled
 from symgen.bodies.spatial_body import SpatialMarker
 from symgen.loads import spring_template
 from symgen.loads.effect import LinearSpring, LoadEffect
@@ -38,7 +38,7 @@ def point_force(marker: SpatialMarker, components: Vector, frame: str) -> LoadEf
     row: Row = {}
     for i in range(3):
         add_scaled(row, force[i], marker.r_columns[i])
-    return LoadEffect(row, applied=dot(force, marker.r_dot))
+    return LoadEffect(row, applied=dot(force, marker.r_dot), action=[*force, ZERO, ZERO, ZERO])
 
 
 def torque(marker: SpatialMarker, value: ca.SX, reaction: SpatialMarker | None) -> LoadEffect:
@@ -52,7 +52,7 @@ def torque(marker: SpatialMarker, value: ca.SX, reaction: SpatialMarker | None) 
             add_scaled(row, neg(mul(value, axis[i])), reaction.turn_rows[i])
     if reaction is not None:
         rate = rate - dot(axis, reaction.omega)
-    return LoadEffect(row, applied=value * rate)
+    return LoadEffect(row, applied=value * rate, action=[ZERO, ZERO, ZERO, *scaled(value, axis)])
 
 
 def spring_damper(
@@ -64,17 +64,25 @@ def spring_damper(
     for i in range(3):
         add_scaled(row, out.force[i], b.r_columns[i])
         add_scaled(row, -out.force[i], a.r_columns[i])
-    return LoadEffect(row, potential=out.potential, dissipated=out.dissipated)
+    return LoadEffect(row, potential=out.potential, dissipated=out.dissipated, action=[*out.force, ZERO, ZERO, ZERO])
 
 
-def turning_spring_damper(angle: Angle, stiffness: ca.SX, damping: ca.SX, free_angle: ca.SX) -> LoadEffect:
-    """Spring-damper on an angle; with zero stiffness it is a joint's viscous friction."""
+def turning_spring_damper(
+    angle: Angle, stiffness: ca.SX, damping: ca.SX, free_angle: ca.SX, axis: Sequence[ca.SX] = ()
+) -> LoadEffect:
+    """Spring-damper on an angle about an axis; with zero stiffness it is a joint's viscous friction."""
     turn = angle.value - free_angle
     moment = -stiffness * turn - damping * angle.rate
     row: Row = {}
     add_scaled(row, moment, angle.row)
     spring = LinearSpring(angle.row, stiffness, damping)
-    return LoadEffect(row, potential=stiffness * turn**2 / 2, dissipated=damping * angle.rate**2, spring=spring)
+    return LoadEffect(
+        row,
+        potential=stiffness * turn**2 / 2,
+        dissipated=damping * angle.rate**2,
+        spring=spring,
+        action=[ZERO, ZERO, ZERO, *scaled(moment, axis)],
+    )
 
 
 def angle_about_z(a: SpatialMarker, b: SpatialMarker, motion: StateVector) -> Angle:
@@ -121,7 +129,22 @@ def bushing(
     row: Row = {}
     add_scaled(row, ca.SX(-1), gradient(potential, motion.q))
     add_scaled(row, ca.SX(-0.5), gradient(dissipated, motion.q_dot))
-    return LoadEffect(row, potential=potential, dissipated=dissipated)
+    pulls = [
+        neg(add(mul(k, value), mul(c, rate)))
+        for k, c, value, rate in zip(
+            [*stiffness[0], *stiffness[1]], [*damping[0], *damping[1]], values, rates, strict=True
+        )
+    ]
+    force, moment = combination(a.axes, pulls[:3]), combination(_turning_axes(a, b), pulls[3:])
+    return LoadEffect(row, potential=potential, dissipated=dissipated, action=[*force, *moment])
+
+
+def _turning_axes(a: SpatialMarker, b: SpatialMarker) -> list[Vector]:
+    """d(turn_i) = axis_i . d(phi) for a small rotation d(phi) of marker b: (b_j x a_k - b_k x a_j) / 2."""
+    return [
+        scaled(ca.SX(0.5), minus(cross(b.axes[j], a.axes[k]), cross(b.axes[k], a.axes[j])))
+        for j, k in ((1, 2), (2, 0), (0, 1))
+    ]
 
 
 def gradient(value: ca.SX, variables: ca.SX) -> Row:

@@ -5,7 +5,7 @@ Sparse rows of CasADi SX, put together from the scene's bodies, joints and loads
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
@@ -53,6 +53,7 @@ class Equations:
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the planar
     beams with exact shapes; static_residuals: beams whose shapes do not carry what is attached to them.
+    load_actions: what each load does at its marker or marker b, see LoadEffect.
     """
 
     coordinates: list[Coordinate]
@@ -77,6 +78,7 @@ class Equations:
     load_forces: dict[str, Row] = field(default_factory=dict)
     beams: dict[str, list[ModeSetRecord]] = field(default_factory=dict)
     static_residuals: list[StaticResidual] = field(default_factory=list)
+    load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)

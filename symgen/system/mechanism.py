@@ -107,7 +107,9 @@ class Mechanism(Generic[Marker]):
         self._add_measures()
         self._add_states()
         for load in scene.loads:
-            self._add_effect(load.name, space.load(load, self._expression))
+            effect = space.load(load, self._expression)
+            self._add_effect(load.name, effect)
+            equations.load_actions[load.name] = effect.action
         equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (

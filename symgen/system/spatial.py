@@ -179,7 +179,8 @@ class SpatialSpace:
         if load.type == "spring_damper":
             return effects.spring_damper(a, b, *values)
         angle = self._joint_angle(load.marker_a, load.marker_b) or effects.angle_about_z(a, b, self.motion)
-        return effects.turning_spring_damper(angle, *values)
+        stiffness, damping, free_angle = values
+        return effects.turning_spring_damper(angle, stiffness, damping, free_angle, a.axes[2])
 
     def _triple(self, load: Load, key: str) -> list[ca.SX]:
         values: Sequence[float | str] = getattr(load, key)

@@ -124,6 +124,7 @@ def rod_solution(samples: int = 41, status: Status | None = None) -> Solution:
         lam=np.stack([t, -t], axis=1),
         energy=energy,
         joint_forces=np.stack([-t, t, zero], axis=1)[:, None, :],
+        load_forces=np.zeros((len(t), 0, 3)),
         constraint_error=np.full_like(t, 1e-15),
         constraint_rate_error=np.full_like(t, 1e-14),
         measures=np.stack([2.0 * t, zero + 2.0], axis=1),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -10,20 +9,20 @@ import numpy as np
 
 from runtime.contract.model import ModelError
 from runtime.views import curves
-from runtime.views.curves import Curves, joint_force_vectors
+from runtime.views.curves import Curves
 from runtime.views.mechanism.points import GROUND, Body, Points
 from runtime.views.mechanism.scenery import Scenery, scenery
 from runtime.views.mechanism.tree import shortest_tree
 from runtime.views.projection import is_spatial, up_axis
 from runtime.views.style import COLOURS
 from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, solid_mesh, surface_mesh
+from runtime.views.viewer.packing import packed
+from runtime.views.viewer.parts import parts
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 MOST_FRAMES, MOST_SAMPLES, MOST_CURVES = 500, 800, 8
-SLIDING = ("prismatic", "cylindrical", "screw", "point_on_line")
-UNNAMED = ("prescribed_angle", "prescribed_displacement")
 
 
 def view_record(
@@ -71,7 +70,7 @@ def view_record(
                 if not body["ground"]
             ),
         ],
-        **_parts(solution, shown),
+        **parts(solution, shown),
         "curve_t": packed(solution.t[kept], "<f8"),
         "curves": [_group(group, solution.t[kept], solution, beside) for group in _curves(solution)],
     }
@@ -115,11 +114,6 @@ def _curves(solution: Solution) -> list[Curves]:
         *curves.forces(solution),
     ]
     return [group.largest(MOST_CURVES) for group in groups]
-
-
-def packed(values: np.ndarray, kind: str = "<f4") -> str:
-    """Base64 of the numbers in little-endian order, whatever the shape of the array."""
-    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
 
 
 def _mesh(body: Body, surfaces: Mapping[str, Mapping[str, Any]]) -> SurfaceMesh | None:
@@ -232,52 +226,3 @@ def _seven(shown: Scenery, pose: int) -> np.ndarray:
     flips = np.cumprod(np.where(np.einsum("fi,fi->f", q[1:], q[:-1]) < 0, -1.0, 1.0))
     q[1:] *= flips[:, None]
     return np.concatenate([shown.origin[:, pose], q], axis=1)
-
-
-def _parts(solution: Solution, shown: Scenery) -> dict[str, Any]:
-    """Joints and loads at their markers; forces of the joints on their body b."""
-    place = {body.name: k for k, body in enumerate(shown.bodies)}
-
-    def at(reference: str) -> list[int]:
-        body, k = shown.marker(reference)
-        return [place[body.name], k]
-
-    def axes(reference: str) -> list[float]:
-        body, k = shown.marker(reference)
-        return list(map(float, body.markers.axes[k].ravel()))
-
-    forces = joint_force_vectors(solution) if solution.joint_forces.size else None
-    largest = 0.0 if forces is None else float(np.linalg.norm(forces, axis=2).max())
-    joints = []
-    for joint in shown.joints:
-        force = None
-        if forces is not None and joint["name"] in solution.model.joints and largest > 0.0:
-            column = forces[:, solution.model.joints.index(joint["name"])]
-            force = packed(np.stack([np.interp(shown.t, solution.t, part) for part in column.T], axis=1))
-        joints.append(
-            {
-                "name": joint["name"],
-                "type": joint["type"],
-                "a": at(joint["marker_a"]),
-                "b": at(joint["marker_b"]),
-                "axes": axes(joint["marker_a"]),
-                "rail": _rail(shown, joint) if joint["type"] in SLIDING else None,
-                "force": force,
-                "shown": joint["type"] not in UNNAMED,
-            }
-        )
-    loads = []
-    for load in shown.loads:
-        first = load.get("marker_a") or load["marker"]
-        part = {"name": load["name"], "type": load["type"], "a": at(first), "axes": axes(first), "vector": None}
-        loads.append({**part, "b": at(load["marker_b"])} if load.get("marker_b") else part)
-    return {"joints": joints, "loads": loads, "largest_force": largest, "largest_load": 0.0}
-
-
-def _rail(shown: Scenery, joint: Mapping[str, Any]) -> list[float]:
-    """Where the rail of a slide begins and ends along marker a's axis [m]: the travel, and a little more."""
-    axis = shown.axes(joint["marker_a"])[:, :, 2 if is_spatial(shown.model) else 0]
-    way = shown.place(joint["marker_b"], 1.0) - shown.place(joint["marker_a"], 1.0)
-    travel = np.einsum("fi,fi->f", way, axis)
-    more = 0.08 * shown.size()
-    return [float(travel.min()) - more, float(travel.max()) + more]

@@ -35,7 +35,7 @@ let camera, controls, flat = run.planar, facing = run.planar ? "z" : "3-D";
 function look(name) {
   facing = name;
   const direction = new THREE.Vector3(...views[name]).normalize(), far = 30 * size;
-  const { clientWidth: w, clientHeight: h } = canvas, aspect = w / Math.max(h, 1);
+  const { clientWidth: w, clientHeight: h } = canvas.parentElement, aspect = w / Math.max(h, 1);
   const half = fitted(direction, aspect);
   camera = flat
     ? new THREE.OrthographicCamera(-half * aspect, half * aspect, half, -half, -far, far)
@@ -70,11 +70,13 @@ function resize() {
   const { clientWidth: w, clientHeight: h } = canvas.parentElement;
   renderer.setSize(w, h, false);
   if (!camera) return;
-  if (camera.isPerspectiveCamera) camera.aspect = w / Math.max(h, 1);
+  const aspect = w / Math.max(h, 1);
+  if (camera.isPerspectiveCamera) camera.aspect = aspect;
   else {
-    const half = camera.top;
-    camera.left = -half * w / Math.max(h, 1);
-    camera.right = -camera.left;
+    camera.top = fitted(new THREE.Vector3(...views[facing]).normalize(), aspect);
+    camera.bottom = -camera.top;
+    camera.right = camera.top * aspect;
+    camera.left = -camera.right;
   }
   camera.updateProjectionMatrix();
   draw();

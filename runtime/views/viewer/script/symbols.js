@@ -104,7 +104,7 @@ for (const load of run.loads) {
     tip.rotation.z = 1.6 * Math.PI;
     load.object.add(ring, tip);
   }
-  if (load.vector) load.vector = decoded(load.vector, Float32Array);
+  load.vector = decoded(load.vector, Float32Array);
   layers["springs and loads"].add(load.object);
 }
 
@@ -131,11 +131,14 @@ function moveSymbols(frame) {
       span(load.piston, a, b, 0.28 * s);
       load.piston.visible = load.object.visible = a.distanceTo(b) > 1e-6 * size;
     } else if (load.type === "force") {
-      const force = load.vector ? new THREE.Vector3(...mixed(load.vector, 3, frame)).multiplyScalar(0.25 * size / Math.max(run.largest_load, 1e-300)) : up.clone().multiplyScalar(-6 * s);
+      const force = new THREE.Vector3(...mixed(load.vector, 3, frame)).multiplyScalar(0.25 * size / Math.max(run.largest_load, 1e-300));
       aim(load.object, a.clone().sub(force), force);
-    } else {
+    } else { // a ring that grows with the moment and turns with it
+      const moment = new THREE.Vector3(...mixed(load.vector, 3, frame)), share = moment.length() / Math.max(run.largest_torque, 1e-300);
+      load.object.visible = share > 1e-3;
       load.object.position.copy(a);
-      load.object.quaternion.setFromRotationMatrix(turned(load));
+      load.object.scale.setScalar(0.6 + 0.8 * share);
+      if (load.object.visible) load.object.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), moment.normalize());
     }
   }
 }
