@@ -3,13 +3,15 @@
 A window of K major steps starts at a state of the run. From there the run's own steps lead to A, and 2 K half steps
 from the same positions and velocities to B. With order p the error of the window is about (A - B) 2^p / (2^p - 1).
 Errors of all steps are taken to add up as those of the windows do, which is right for phases of undamped oscillations,
-too much where a damper forgets errors, and too little where a motion is chaotic.
+too much where a damper forgets errors, and too little where a motion is chaotic. Where a coordinate turns on and on,
+an error dE of the energy keeps the mechanism late for the rest of the run, by dE / 2 T of it with the kinetic energy T;
+then every coordinate is off by its rate times that delay.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 
@@ -21,18 +23,26 @@ from runtime.running.singular.guard import Guard
 WINDOWS = 10  # at most
 SHORTEST = 4  # steps of a window
 SHARE = 0.05  # of the run's steps lie in windows; stepping them three times costs 15 %
-WORTH_A_WORD = 0.1  # error of a coordinate relative to its amplitude that a run does not end without saying
+ROUND = 2 * np.pi  # rad: what has turned further turns on and on
+ONE_SIGN = 0.75  # sum of the delays over that of their magnitudes: less is no delay, but energies that go to and fro
+WORTH_A_WORD = 0.03  # error relative to an amplitude that a run says, if all of it is as its worst window
 
 
 @dataclass
 class CoordinateError:
-    """Of one coordinate of q_i: error so far, the worst window's error and time [s], and the range that was seen."""
+    """Of one coordinate of q_i: error so far, largest rate, worst window's error and time [s], and the range seen."""
 
     error: float = 0.0
+    fastest: float = 0.0
     worst: float = 0.0
     worst_time: float = 0.0
     low: float = np.inf
     high: float = -np.inf
+
+    def widen(self, values: np.ndarray, rates: np.ndarray) -> None:
+        """See positions and rates (N,)."""
+        self.low, self.high = min(self.low, float(values.min())), max(self.high, float(values.max()))
+        self.fastest = max(self.fastest, float(np.abs(rates).max()))
 
     @property
     def amplitude(self) -> float:
@@ -44,6 +54,7 @@ class Accuracy:
     """Estimates the error of each coordinate of q_i on the way; errors: by name."""
 
     def __init__(self, steps: int) -> None:
+        self.late, self.lates = 0.0, 0.0  # by how much what turns is late at the end [s], and the sum of magnitudes
         self.length = max(SHORTEST, round(SHARE * steps / WINDOWS))
         self.count = min(WINDOWS, int(2 * SHARE * steps / self.length)) if steps >= 2 * SHORTEST else 0
         self.marks = [steps * k // self.count for k in range(self.count)]
@@ -62,17 +73,21 @@ class Accuracy:
             found = self._window(segment, z.copy(), guard)
         if found is None:
             return
-        off, q_i = found
-        time = segment.plan.time(segment.step_of(z))
-        for name, error, values in zip(segment.model.q_i, off, q_i, strict=True):
+        plan = segment.plan
+        time, windows = plan.time(segment.step_of(z)), self.apart / self.length
+        late = found[-1] * windows * (plan.t_end - time)
+        self.late, self.lates = self.late + late, self.lates + abs(late)
+        for name, error, values, rates in zip(segment.model.q_i, *found[:-1], strict=True):
             one = self.errors.setdefault(name, CoordinateError())
-            one.error += float(error) * self.apart / self.length
-            one.low, one.high = min(one.low, *map(float, values)), max(one.high, *map(float, values))
+            one.error += float(error) * windows
+            one.widen(values, rates)
             if error > one.worst:
                 one.worst, one.worst_time = float(error), time
 
-    def _window(self, segment: Segment, z: np.ndarray, guard: Guard) -> tuple[np.ndarray, list[np.ndarray]] | None:
-        """(error of each coordinate (n_i,), positions at both ends (n_i, 2)); None if the window tells nothing."""
+    def _window(
+        self, segment: Segment, z: np.ndarray, guard: Guard
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float] | None:
+        """Errors (n_i,), positions and rates at both ends (n_i, 2), dE / 2 T; None if the window tells nothing."""
         scheme, stepper, dt = segment.plan.scheme, segment.stepper, segment.plan.grid.dt_L
         try:
             start = segment.observed([stepper.state(z)])
@@ -84,47 +99,70 @@ class Accuracy:
             return None
         halved = stepper.start(t, q, q_dot, segment.c, dt / 2)
         stepper.run(halved, stepper.ready(segment.c, dt / 2), 2 * self.length)
-        ends = [
-            np.asarray(scheme.observer(z=stepper.state(one), c=scheme.constants(segment.c, step))["q_i"]).ravel()
-            for one, step in ((z, dt), (halved, dt / 2))
-        ]
-        gain = 2.0**scheme.order
-        off = np.abs(ends[0] - ends[1]) * gain / (gain - 1)
-        if not np.isfinite(off).all():
+        ends, energies = [], []
+        for one, step in ((z, dt), (halved, dt / 2)):
+            at = stepper.state(one), scheme.constants(segment.c, step)
+            seen = scheme.observer(z=at[0], c=at[1])
+            ends.append(np.array([np.asarray(seen[key]).ravel() for key in ("q_i", "q_i_dot")]))
+            energies.append(segment.energies(*at))
+        more, columns = 2.0**scheme.order / (2.0**scheme.order - 1), segment.model.independent_columns
+        off, kinetic = np.abs(ends[0][0] - ends[1][0]) * more, energies[1][0]
+        slower = (sum(energies[0]) - sum(energies[1])) * more / (2 * kinetic) if kinetic > 0 else 0.0
+        if not np.isfinite([*off, slower]).all():
             return None
-        return off, list(np.column_stack([q[segment.model.independent_columns], ends[0]]))
+        return off, np.column_stack([q[columns], ends[0][0]]), np.column_stack([q_dot[columns], ends[0][1]]), slower
 
-    def watch(self, q_i: dict[str, np.ndarray]) -> None:
-        """Widen the ranges by samples of coordinates (N,)."""
+    def watch(self, samples: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
+        """Widen the ranges by samples of coordinates and rates (N,)."""
         for name, one in self.errors.items():
-            if name in q_i and len(q_i[name]):
-                one.low, one.high = min(one.low, float(q_i[name].min())), max(one.high, float(q_i[name].max()))
+            if name in samples and len(samples[name][0]):
+                one.widen(*samples[name])
 
-    def worst(self, model: Model) -> tuple[str, float]:
-        """The coordinate whose error is largest relative to its amplitude, and that error; a still one says nothing."""
+    def error(self, model: Model, name: str) -> float:
+        """Of a coordinate at the end of the run [m or rad]: its own, and what the delay of the mechanism makes."""
+        one = self.errors.get(name, CoordinateError(low=0.0, high=0.0))
+        if abs(self.late) < ONE_SIGN * self.lates or not self._turns(model):
+            return one.error
+        return float(np.hypot(one.error, min(one.fastest * abs(self.late), one.high - one.low)))
+
+    def _turns(self, model: Model) -> bool:
+        angles = {entry.name for entry in model.description.coordinates if entry.unit == "rad" and not entry.elastic}
+        return any(name in angles and one.high - one.low > ROUND for name, one in self.errors.items())
+
+    def relative(self, model: Model) -> tuple[dict[str, float], dict[str, float]]:
+        """Errors of q_i relative to the amplitudes, and if all windows were as the worst; a still one says nothing."""
         seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in model.q_i]
-        relative = [one.error for one in seen] / floored(model, np.array([one.amplitude for one in seen]))
-        return model.q_i[int(np.argmax(relative))], float(np.max(relative))
+        amplitudes = floored(model, np.array([one.amplitude for one in seen]))
+        errors = np.array([self.error(model, name) for name in model.q_i])
+        at_worst = np.array([one.worst for one in seen]) * self.apart / self.length * self.count
+        likely, most = errors / amplitudes, np.maximum(errors, at_worst) / amplitudes
+        return dict(zip(model.q_i, likely.tolist(), strict=True)), dict(zip(model.q_i, most.tolist(), strict=True))
 
     def stats(self, model: Model) -> dict[str, float | int | str]:
         """For Solution.stats: of each coordinate its estimated error and the worst time [s]; the worst of all."""
         found: dict[str, float | int | str] = {}
         for name, one in self.errors.items():
-            found |= {f"estimated_error.{name}": one.error, f"worst_time.{name}": one.worst_time}
+            found |= {f"estimated_error.{name}": self.error(model, name), f"worst_time.{name}": one.worst_time}
         if self.errors:
-            name, relative = self.worst(model)
-            found |= {"estimated_error": relative, "estimated_error_of": name}
-            if relative > WORTH_A_WORD:
+            relative, at_worst = self.relative(model)
+            name = max(relative, key=lambda one: relative[one])
+            found |= {"estimated_error": relative[name], "estimated_error_of": name}
+            name = max(at_worst, key=lambda one: at_worst[one])
+            if at_worst[name] > WORTH_A_WORD:
+                time = self.errors[name].worst_time
                 found["remark"] = (
-                    f"the error of {name} is estimated at {relative:.2g} of its amplitude, worst near "
-                    f"t = {self.errors[name].worst_time:.4g} s: take a smaller step, or another scheme (symgen advise)"
+                    f"the error of {name} is estimated at {relative[name]:.2g} of its amplitude, or "
+                    f"{at_worst[name]:.2g} if all of the motion is as near t = {time:.4g} s: "
+                    "take a smaller step, or another scheme (symgen advise)"
                 )
         return found
 
     def memory(self) -> dict[str, list[float]]:
-        """In plain numbers, by coordinate."""
-        return {name: [one.error, one.worst, one.worst_time, one.low, one.high] for name, one in self.errors.items()}
+        """In plain numbers, by coordinate; the delay has no name."""
+        kept = {name: [float(value) for value in astuple(one)] for name, one in self.errors.items()}
+        return {"": [self.late, self.lates], **kept}
 
     def resume(self, memory: Mapping[str, Sequence[float]]) -> None:
         """From `memory`."""
-        self.errors = {name: CoordinateError(*values) for name, values in memory.items()}
+        self.late, self.lates = memory[""]
+        self.errors = {name: CoordinateError(*values) for name, values in memory.items() if name}

@@ -18,18 +18,24 @@ from runtime.running.limits import limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
 from runtime.schemes.scheme import evaluation_operations
-from runtime.schemes.work import doubt_of
 
 
 def finished(run: Run, setup: float) -> Solution:
     """Go to the end, and put the Solution together; setup: seconds that it took to come to the start."""
+    with run.record.closed_on_error():
+        solution = _ended(run, setup)
+    run.record.close()
+    return solution
+
+
+def _ended(run: Run, setup: float) -> Solution:
     began = time.perf_counter()
     status = run.status if run.step == 0 and run.status is not None else run.go()
     wall = time.perf_counter() - began
     last = (run.record.segments.index(run.segment), run.segment.stepper.state(run.z))
     run.record.flush()
     solution = run.record.solution(last)
-    run.accuracy.watch({name: solution[name] for name in run.accuracy.errors})
+    run.accuracy.watch({name: (solution[name], solution.rate(name)) for name in run.accuracy.errors})
     circumstances = {**_circumstances(run), **run.accuracy.stats(run.segment.model)}
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
@@ -44,7 +50,6 @@ def finished(run: Run, setup: float) -> Solution:
             table.write_header({**run_header(solution), "parameters": run.segment.p.tolist(), "outputs": outputs})
         except OutputError as error:  # the header that is there says that the run did not come to its end
             solution = replace(solution, status=Status("output_failed", status.time, None, str(error)))
-        table.close()
     return solution
 
 
@@ -59,8 +64,9 @@ def _circumstances(run: Run) -> dict[str, float | int | str]:
         found["engine_note"] = run.segment.stepper.engine.note
     if first.monitor.step_limit is not None:
         found["step_limit_at_start"] = first.monitor.step_limit
-    if doubt_of(plan.scheme, run.segment.stepper.state(run.z)) > 0:
-        found["work_doubt"] = doubt_of(plan.scheme, run.segment.stepper.state(run.z))
+    doubt = run.segment.account(run.z)[1]
+    if doubt > 0:
+        found["work_doubt"] = doubt
     return found
 
 
@@ -72,7 +78,8 @@ def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> d
     full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
     repeated = sub_step_operations(stepper.program) if partial else None
-    cost = {} if repeated is None else {"sub_step_cost": repeated / evaluation_operations(scheme)}
+    whole = evaluation_operations(scheme) if repeated is not None else 0  # zero where all of it is constant
+    cost = {"sub_step_cost": repeated / whole} if repeated is not None and whole else {}
     return {
         **cost,
         "steps": steps,

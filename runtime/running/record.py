@@ -6,7 +6,8 @@ blocks of them are observed on the way and forgotten; of the whole states the fi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
@@ -61,6 +62,20 @@ class Record:
             seen = concatenated([self.segments[segment].observed(part)], self.segments[0].model)
             self.table.append(rows_of(seen, self.outputs))
         self.samples = []
+
+    def close(self) -> None:
+        """Nothing follows: a stream is whole as far as it was written, and others may write to its folder."""
+        if isinstance(self.table, StreamFile):
+            self.table.close()
+
+    @contextmanager
+    def closed_on_error(self) -> Iterator[None]:
+        """Whatever breaks inside closes the stream."""
+        try:
+            yield
+        except BaseException:
+            self.close()
+            raise
 
     def drop_from(self, step: int) -> None:
         """Forget the samples of this step and of later ones."""

@@ -21,7 +21,6 @@ from runtime.running.record import Record
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import FLOOR, Guard
 from runtime.running.singular.passage import Passage, locate
-from runtime.schemes.work import begin_account, work_of
 
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
@@ -130,11 +129,11 @@ class Run:
         own = layout.slice("inputs")
         w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
         if w is not None:
+            work = self.segment.account(self.z)[0]
             self.z[own] = w
             for segment in self.record.segments:
                 segment.take_inputs(w)
-            scheme = plan.scheme  # powers jump with the inputs: count anew from here
-            begin_account(scheme, self.z, scheme.constants(self.segment.c), work_of(scheme, self.z))
+            self.segment.count_anew(self.z, work)  # powers jump with the inputs
 
     def _advance(self, n: int) -> None:
         before = self.z.copy()

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
+from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.turns import begin_turns, watch_turns
-from runtime.schemes.work import account_for_work, begin_account
+from runtime.schemes.work import account_at, account_for_work, begin_account
 
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
@@ -31,6 +33,7 @@ class Segment:
     c: np.ndarray
     ready: np.ndarray
     monitor: Monitor
+    _energies: ca.Function | None = None
 
     @classmethod
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
@@ -51,12 +54,21 @@ class Segment:
         z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
         self.forget_determinants(z)
         begin_turns(self.plan.scheme, z)
-        begin_account(self.plan.scheme, z, self.plan.scheme.constants(self.c), work)
+        self.count_anew(z, work)
         return z
+
+    def count_anew(self, z: np.ndarray, work: float) -> None:
+        """Begin the account of work at a state of which the work until then [J] is known."""
+        constants = self.plan.scheme.constants(self.c)
+        begin_account(self.plan.scheme, z, constants, work, lambda state: self.stepper.run(state, self.ready, 1))
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
         self.p[-len(w) :] = self.c[-len(w) :] = w
+
+    def account(self, z: np.ndarray) -> tuple[float, float]:
+        """(work done until z, by how much it may be wrong) [J]."""
+        return account_at(self.plan.scheme, z, self.plan.scheme.constants(self.c))
 
     def step_of(self, z: np.ndarray) -> int:
         """Major steps that were made when z was reached."""
@@ -66,6 +78,14 @@ class Segment:
         """Advance z in place."""
         self.forget_determinants(z)
         self.stepper.run(z, self.ready, steps)
+
+    def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
+        """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""
+        if not self.model.has("energy"):
+            return [0.0]
+        if self._energies is None:
+            self._energies = observed(self.model, self.plan.scheme, "energy", ("kinetic", "elastic", "potential"))
+        return [float(value) for value in self._energies(z, c)]
 
     def new_guard(self) -> Guard:
         """For the determinants that the scheme keeps."""

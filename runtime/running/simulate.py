@@ -176,8 +176,9 @@ def _begun(
         guard=segment.new_guard(),
         accuracy=Accuracy(plan.steps),
     )
-    run.status = segment.monitor.first(segment.stepper.state(z))
-    record.add(0, z)
+    with record.closed_on_error():
+        run.status = segment.monitor.first(segment.stepper.state(z))
+        record.add(0, z)
     return run, set_up
 
 
@@ -253,7 +254,8 @@ def resume(
     keep_rows = bool(header.outputs) or header.stream is not None
     record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
     record.segments[:] = segments
-    record.restore(kept.arrays, header.rows, header.last_step)
+    with record.closed_on_error():
+        record.restore(kept.arrays, header.rows, header.last_step)
     accuracy = Accuracy(header.steps)
     accuracy.resume(header.accuracy)
     run = Run(

@@ -60,19 +60,25 @@ def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np
     velocities = np.asarray(function(times[None, :])).reshape(-1, len(times))
     for row, values in enumerate(velocities):
         allowed = JUMP * max(float(np.abs(values).max()), 1e-300)
-        for k in np.argsort(-np.abs(np.diff(values)))[:CANDIDATES]:
-            low, high = float(times[k]), float(times[k + 1])
+        for k in np.argsort(-np.abs(np.diff(values, 2)))[:CANDIDATES]:  # steep is no jump
+            near = k - 1 if k > 0 else min(k + 2, len(values) - 2)
+            slope = float(values[near + 1] - values[near]) / float(times[near + 1] - times[near])
+
+            def level(t: float, row: int = row, slope: float = slope) -> float:
+                return float(np.asarray(function(t)).ravel()[row]) - slope * t
+
+            low, high = float(times[k]), float(times[k + 2])
             for _ in range(HALVINGS):
                 middle = (low + high) / 2
                 if not low < middle < high:
                     break
-                at = [float(np.asarray(function(t)).ravel()[row]) for t in (low, middle, high)]
+                at = [level(t) for t in (low, middle, high)]
                 low, high = (low, middle) if abs(at[1] - at[0]) > abs(at[2] - at[1]) else (middle, high)
-            ends = [float(np.asarray(function(t)).ravel()[row]) for t in (low, high)]
-            if abs(ends[1] - ends[0]) > allowed:
+            jump = level(high) - level(low)
+            if abs(jump) > allowed:
                 raise ModelError(
                     f"prescribed motion of {model.constraints[row]}",
-                    f"its velocity jumps by {-(ends[1] - ends[0]):.4g} at t = {high:.6g} s, which takes an impulse",
+                    f"its velocity jumps by {-jump:.4g} at t = {high:.6g} s, which takes an impulse",
                     "let the velocity change in a finite time, or start a new run there",
                 )
 

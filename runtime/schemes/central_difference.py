@@ -14,7 +14,7 @@ import numpy as np
 from runtime.engine.program import Fields
 from runtime.schemes.common_update import newton_step, solved_at_once
 from runtime.schemes.differences import next_increment, replaced, velocity
-from runtime.schemes.options import LARGE_SYSTEM, ClosureOptions, Options, one_of, whole_number
+from runtime.schemes.options import LARGE_SYSTEM, MOST_UNROLLED, ClosureOptions, Options, one_of, whole_number
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
 from runtime.schemes.start_up import initial_acceleration, initial_increment
@@ -34,13 +34,14 @@ class CentralDifferenceOptions(ClosureOptions):
     """
 
     common_velocity: str = one_of("auto", "newton", "predictor")
-    newton_iterations: int = whole_number(1)
+    newton_iterations: int = whole_number(1, most=MOST_UNROLLED)
 
 
 class CentralDifference(Scheme):
     """Central difference on a model and grid; a subclass is the program of its groups."""
 
     options: CentralDifferenceOptions
+    counts_powers = True
 
     def fields(self) -> dict[str, StateField]:
         """See the module's text."""

@@ -32,6 +32,7 @@ class Exponential(LinearSubSteps):
     """exprb42 with m sub-steps; the inner stage ends inside one of them, on the same factors."""
 
     order = 4
+    counts_powers = True
 
     def further_fields(self) -> dict[str, StateField]:
         """And the rates of the loop unknowns at the start of the step."""
@@ -68,6 +69,7 @@ class Exponential(LinearSubSteps):
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v)),
             **self.closed(z, motion),
+            **self.worked(z, equations, motion, v, found.a),
         }
 
     def _correct(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:

@@ -50,6 +50,7 @@ class ExponentialRungeKutta(OneStep):
 
     options: ExponentialRungeKuttaOptions
     order = 4
+    counts_powers = True
 
     @classmethod
     def limited(cls, options: Options) -> bool:
@@ -89,5 +90,6 @@ class ExponentialRungeKutta(OneStep):
         d3 = d(motion.to(1, 4 / h * d2, none))
         d4 = d(motion.to(2, 2 / h * d3, none))
         end = motion.to(2, (2 * d2 + 2 * d3 - d4) / h, 4 / (h * h) * (d4 - d2 - d3))
+        work = self.worked(z, equations, start, v, found.a)
         ahead = {"loop": equations.loop_part(seen[-1].q_d)} if equations.loops else {}
-        return {"x": end.q, "v": end.v, "n": z["n"] + 1, **ahead, **self.closed(z, *seen)}
+        return {"x": end.q, "v": end.v, "n": z["n"] + 1, **ahead, **work, **self.closed(z, *seen)}

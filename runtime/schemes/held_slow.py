@@ -35,6 +35,8 @@ class HeldSlow(OneStep):
     """Any number of nested groups: each is held over the sub-steps of the next faster one."""
 
     options: ClosureOptions
+    counts_powers = True
+    power_at = 1.0
 
     def further_fields(self) -> dict[str, StateField]:
         """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.
@@ -152,7 +154,7 @@ class HeldSlow(OneStep):
             seen[k] = z["hold_q"][k]
         motion = equations.close(seen, z["loop"], self.now(z, equations) + s, self.options.closure_iterations)
         a = self.accelerations(z, equations, motion, v)
-        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s}
+        out = {"x": x, "v": half + h / 2 * a, "a": a, "s": s, **self.worked(z, equations, motion, v, a)}
         if equations.loops:
             out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
         return out

@@ -6,7 +6,9 @@ With A = [0 1; M^-1 J_q, M^-1 J_v] and y = (w, w'), one sub-step h is, for const
 
 phi_k is replaced by its rational approximation with the denominator of the diagonal Pade approximation of exp:
 of order 2 DEGREE, |R(i x)| = 1 for undamped modes and bounded for damped ones however stiff, so that the price does
-not grow with the stiffness. In partial fractions each sub-step is one real and (DEGREE - 1) / 2 complex solves with
+not grow with the stiffness. A numerator of one degree less lets stiff decays die out at once, at the price of a little
+damping of undamped modes (order 5). In partial fractions each sub-step is one real and (DEGREE - 1) / 2 complex solves
+with
 
     r^2 M - r h J_v - h^2 J_q,
 
@@ -39,14 +41,17 @@ class Pole:
 
 
 @cache
-def poles(degree: int = DEGREE, part: float = 1.0) -> tuple[Pole, ...]:
-    """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair."""
-    coefficients = [1.0]
+def poles(degree: int = DEGREE, part: float = 1.0, decaying: bool = False) -> tuple[Pole, ...]:
+    """Partial fractions of the approximations of phi_1, phi_2, phi_3; one of each conjugate pair.
+
+    decaying: from the Pade approximation whose numerator is of one degree less: R(-infinity) = 0.
+    """
+    coefficients, top = [1.0], degree - decaying
     for k in range(1, degree + 1):
-        coefficients.append(-coefficients[-1] * (degree - k + 1) / ((2 * degree - k + 1) * k))
+        coefficients.append(-coefficients[-1] * (degree - k + 1) / ((degree + top - k + 1) * k))
     denominator = Polynomial(coefficients)
     exponential = Polynomial([part**k / factorial(k) for k in range(degree + 1)])
-    numerators, current = [], (denominator * exponential).truncate(degree + 1)  # for part = 1 Pade's
+    numerators, current = [], (denominator * exponential).truncate(top + 1)  # for part = 1 Pade's
     for k in range(1, PHI + 1):
         start = part ** (k - 1) / factorial(k - 1)
         current = Polynomial((current - start * denominator).coef[1:])  # phi_k = (phi_{k-1} - start) / z
@@ -94,13 +99,14 @@ def propagate(
     tau: ca.SX,
     h: ca.SX,
     part: float = 1.0,
+    decaying: bool = False,
 ) -> tuple[ca.SX, ca.SX]:
-    """(w, w') after a part of a sub-step h from (w, u) at tau; G holds G0, G1, G2."""
+    """(w, w') after a part of a sub-step h from (w, u) at tau; G holds G0, G1, G2. The factors are of these poles."""
     Mu, Jv_u = ca.mtimes(system.M, u), ca.mtimes(system.J_v, u)
     slope = G[1] + tau * G[2]
     force = G[0] + tau * G[1] + tau * tau / 2 * G[2] + ca.mtimes(system.J_q, w) + Jv_u
     new_w, new_u = w, u
-    for pole, entries in zip(poles(part=part), factors, strict=True):
+    for pole, entries in zip(poles(part=part, decaying=decaying), factors, strict=True):
         x, y = _solved(pole, entries, (force, slope, G[2]), (u, Mu, Jv_u), h)
         new_w, new_u = new_w + pole.share * x, new_u + pole.share * y
     return new_w, new_u

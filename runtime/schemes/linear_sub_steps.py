@@ -16,7 +16,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.program import Call, Fields
 from runtime.schemes.grid import Grid
-from runtime.schemes.linear_propagation import LinearSystem, factors_of, propagate
+from runtime.schemes.linear_propagation import LinearSystem, factors_of, poles, propagate
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import ClosureOptions, Options, one_of
@@ -30,11 +30,12 @@ from runtime.schemes.stored_system import StoredSystem
 class LinearSubStepOptions(ClosureOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation.
 
-    propagation: the sub-steps of the linear system: `rational` (of order 6, stable for any stiffness) or
-        `central_difference` (matrix-vector products, stable up to h w = 2).
+    propagation: the sub-steps of the linear system: `rational` (of order 6, stable for any stiffness), `decaying` (of
+        order 5; decays that are much faster than a sub-step die out in it) or `central_difference` (matrix-vector
+        products, stable up to h w = 2).
     """
 
-    propagation: str = one_of("rational", "central_difference")
+    propagation: str = one_of("rational", "decaying", "central_difference")
 
 
 class LinearSubSteps(OneStep):
@@ -44,7 +45,9 @@ class LinearSubSteps(OneStep):
 
     def __init__(self, model: Model, grid: Grid, options: LinearSubStepOptions) -> None:
         self.by_central_difference = self.limited(options)
-        self.stored = StoredSystem(model, () if self.by_central_difference else None)
+        self.decaying = options.propagation == "decaying"
+        self.shifts = () if self.by_central_difference else tuple(one.r for one in poles(decaying=self.decaying))
+        self.stored = StoredSystem(model, self.shifts)
         super().__init__(model, grid, options)
 
     def further_fields(self) -> dict[str, StateField]:
@@ -72,7 +75,7 @@ class LinearSubSteps(OneStep):
         zero = ca.SX.zeros(len(self.model.q_i))
         out = {**self.stored.pack(system), "w": zero, "u": z["v"], "tau": ca.SX(0), "G0": G0, "G1": G1, "G2": zero}
         if not self.by_central_difference:
-            out |= self.stored.pack_factors(factors_of(system, equations.h[1]))
+            out |= self.stored.pack_factors(factors_of(system, equations.h[1], self.shifts))
         else:
             out["acceleration"] = solve_symmetric(found.M_hat, G0 + ca.mtimes(found.J_v, z["v"]))
         return out
@@ -85,7 +88,8 @@ class LinearSubSteps(OneStep):
         system, G, h = self.stored.unpack(z), (z["G0"], z["G1"], z["G2"]), part * equations.h[1]
         tau = z["tau"] + h
         if not self.by_central_difference:
-            w, u = propagate(system, self.stored.unpack_factors(z), z["w"], z["u"], G, z["tau"], equations.h[1], part)
+            factors = self.stored.unpack_factors(z)
+            w, u = propagate(system, factors, z["w"], z["u"], G, z["tau"], equations.h[1], part, decaying=self.decaying)
             return {"w": w, "u": u, "tau": tau}
         half = z["u"] + h / 2 * z["acceleration"]
         w = z["w"] + h * half

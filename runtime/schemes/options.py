@@ -8,6 +8,8 @@ from typing import Any, Self
 
 from runtime.contract.errors import SymgenError
 
+MOST_ITERATIONS = 100_000  # of an update that repeats itself until it has converged
+MOST_UNROLLED = 50  # Newton steps that are written out one after another in a stage
 LARGE_SYSTEM = 12  # independent coordinates beyond which the Jacobian by velocity costs more than it gives
 
 Check = Callable[[str, Any, int], Any]  # (name, given value, groups) -> the value to use; raises SchemeError
@@ -88,11 +90,11 @@ def tolerances(default: float) -> Any:
 class ClosureOptions(Options):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation."""
 
-    closure_iterations: int = whole_number(2)
+    closure_iterations: int = whole_number(2, most=MOST_UNROLLED)
 
 
 @dataclass(frozen=True)
 class SingleClosureOptions(ClosureOptions):
     """closure_iterations: one is enough where the loop unknowns are integrated with the order of the scheme."""
 
-    closure_iterations: int = whole_number(1)
+    closure_iterations: int = whole_number(1, most=MOST_UNROLLED)

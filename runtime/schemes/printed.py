@@ -30,7 +30,7 @@ from runtime.schemes.common_update import (
     sweep,
 )
 from runtime.schemes.differences import replaced, velocity
-from runtime.schemes.options import one_of, tolerances, whole_number
+from runtime.schemes.options import MOST_ITERATIONS, one_of, tolerances, whole_number
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.slow_interpolation import INTERPOLATIONS
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, velocity_dependent
@@ -62,7 +62,7 @@ class PrintedOptions(CentralDifferenceOptions):
     sub_step_velocity: str = one_of("predictor", "newton")
     eps: tuple[float, ...] = tolerances(1e-13)
     stopping: str = one_of("relative", "absolute")
-    max_iterations: int = whole_number(500)
+    max_iterations: int = whole_number(500, most=MOST_ITERATIONS)
 
 
 class Printed(CentralDifference):
@@ -211,4 +211,4 @@ class Printed(CentralDifference):
             ),
             "s": s + equations.h[-1],
         }
-        return {**out, "n": z["n"] + 1} if level == 0 else out
+        return out if level > 0 else {**out, **self.worked(z, equations, motion, v, a), "n": z["n"] + 1}

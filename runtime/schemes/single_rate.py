@@ -25,4 +25,8 @@ class SingleRate(CentralDifference):
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         motion, v, a = self.solved(z, equations)
         everyone = list(range(len(self.model.q_i)))
-        return {**self.moved(z, equations, motion, v, a, everyone), "n": z["n"] + 1}
+        return {
+            **self.moved(z, equations, motion, v, a, everyone),
+            **self.worked(z, equations, motion, v, a),
+            "n": z["n"] + 1,
+        }

@@ -8,7 +8,7 @@ from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.turns import with_turns
-from runtime.schemes.work import program_with_work
+from runtime.schemes.work import with_account
 
 
 def start_vector(
@@ -29,7 +29,9 @@ class Stepper:
 
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme = scheme
-        self._prepared = prepare(with_turns(scheme, program_with_work(scheme)), scheme.layout.size, scheme.c_size)
+        self._prepared = prepare(
+            with_turns(scheme, with_account(scheme, scheme.program())), scheme.layout.size, scheme.c_size
+        )
         self.program = self._prepared.program
         self.engine = choose_engine(
             engine, self.program, self._prepared.z_size, int(self._prepared.constants.size1_out(0)), wait

@@ -1,13 +1,19 @@
-"""The work done on a mechanism, integrated along with the steps of any scheme: dW/dt = P.
+"""The work done on a mechanism, by the powers that the steps of any scheme come by: dW/dt = P.
 
-P = power_applied + lam^T C_t - power_dissipated at the end of every major step. W is the integral of the cubic through
-the last four of them (Adams-Moulton, order 4; the first three steps by the trapezoidal rule, Simpson's and the 3/8
-rule), so it does not depend on which samples are kept. A mechanism that nothing feeds or damps has no such fields.
+P = power_applied + lam^T C_t - power_dissipated. Every step sums it up at a state that the scheme evaluates anyway;
+what is missing at both ends is added when W is read, by Gregory's formula with second differences:
+
+    W = h (P_0 + ... + P_n - (P_0 + P_n) / 2 - (grad P_n - grad P_0) / 12 - (grad^2 P_n + grad^2 P_0) / 24)
+
+of order 4 for schemes that evaluate at the start of a step. Where a scheme sees the middle of its steps (`linearised`),
+W = h sum P, and where it sees the ends of its sub-steps with slow coordinates held, the trapezoidal rule: order 2, as
+the schemes. W does not depend on which samples are kept. A mechanism that nothing feeds or damps has no such fields.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -17,9 +23,11 @@ from runtime.engine.program import Fields, Program, Sequence
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 
-# work [J], and by how much it may be wrong; where it stood when the powers were counted from; the last three powers
-# [W], newest first; how many steps were counted
-FIELDS = {"work": 1, "work_doubt": 1, "work_base": 1, "power": 3, "powers": 1}
+# sum of the powers [W] so far, begun with what W and Gregory's formula have at the start; the last one, its difference
+# to the one before, and the sum of the magnitudes of second differences
+FIELDS = {"power_sum": 1, "power": 1, "power_change": 1, "power_bends": 1}
+IN_DOUBT = 1 / 8  # of the second differences, as work: a power that dies within the first step is off by as much
+END_OF_STEP, MIDDLE = 1.0, 0.5
 
 
 def works(model: Model) -> bool:
@@ -33,77 +41,103 @@ def works(model: Model) -> bool:
 
 def account_for_work(scheme: Scheme) -> None:
     """Give z the fields of the work, where there is any. Before anything of the scheme is built."""
-    if works(scheme.model) and "work" not in scheme.layout.sizes:
+    if works(scheme.model) and not accounted(scheme):
         scheme.keep_account(FIELDS)
 
 
-def program_with_work(scheme: Scheme) -> Program:
-    """A major step, and the account of its work where z has its fields."""
-    if "work" not in scheme.layout.sizes:
-        return scheme.program()
-    return Sequence((scheme.program(), scheme.stage("work", lambda z, equations: _accounted(scheme, z, equations))))
+def accounted(scheme: Scheme) -> bool:
+    """Has z the fields of the work?"""
+    return "power_sum" in scheme.layout.sizes
 
 
-def begin_account(scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float = 0.0) -> None:
-    """Count anew from a state z (at least the scheme's part, flat) with this work [J]; c as the stages read it."""
-    if "work" not in scheme.layout.sizes:
+def begin_account(
+    scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float, step: Callable[[np.ndarray], None]
+) -> None:
+    """Count anew from a state z (at least the scheme's part, flat) with this work [J]; c as the stages read it.
+
+    step advances a state by a major step: the first powers are looked at in advance, for Gregory's formula.
+    """
+    if not accounted(scheme):
         return
-    layout = scheme.layout
-    z[layout.slice("work")] = z[layout.slice("work_base")] = work
-    z[layout.slice("powers")] = 0.0
-    z[layout.slice("power")] = 0.0
-    state = z[: layout.size]
-    z[layout.slice("power")][0] = float(_power_function(scheme)(state, c))
+    layout, h, n = scheme.layout, counting_step(scheme), scheme.layout.size
+    P_0 = power_of(scheme, z[:n], c)
+    before, change, start = P_0, 0.0, 0.0
+    if scheme.power_at == END_OF_STEP:
+        start = P_0 / 2
+    elif scheme.power_at != MIDDLE:
+        P_1, P_2 = _next_powers(scheme, z.copy(), c, step)
+        if not np.isfinite([P_1, P_2]).all():
+            P_1 = P_2 = P_0
+        bend = P_0 - 2 * P_1 + P_2
+        before, change = P_0 - (P_1 - P_0) + bend, (P_1 - P_0) - 2 * bend  # of the parabola through the three
+        start = -P_0 / 2 + (P_1 - P_0) / 12 - bend / 24
+    z[layout.slice("power")], z[layout.slice("power_change")] = before, change
+    z[layout.slice("power_sum")] = work / h + start
 
 
-def work_of(scheme: Scheme, z: np.ndarray) -> float:
-    """W of a state [J]; zero where there is no account."""
-    return float(z[scheme.layout.slice("work")][0]) if "work" in scheme.layout.sizes else 0.0
+def counting_step(scheme: Scheme) -> float:
+    """Time between two powers of the account [s]."""
+    return scheme.grid.h[-1] if scheme.power_at == END_OF_STEP else scheme.grid.h[0]
 
 
-def doubt_of(scheme: Scheme, z: np.ndarray) -> float:
-    """By how much W may be wrong where the power changes within a step [J]: a stiff damper, a pulse."""
-    return float(z[scheme.layout.slice("work_doubt")][0]) if "work" in scheme.layout.sizes else 0.0
+def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
+    """(W, by how much it may be wrong where power changes within a step: a stiff damper, a pulse) [J] of a state.
+
+    z (..., at least the scheme's part), P (...): states with their powers [W].
+    """
+    layout, h = scheme.layout, counting_step(scheme)
+    total, last, change, bends = (z[..., layout.slice(name)][..., 0] for name in FIELDS)
+    if scheme.power_at == END_OF_STEP:
+        return h * (total - P / 2), h * IN_DOUBT * bends
+    if scheme.power_at == MIDDLE:
+        return h * total, h * IN_DOUBT * bends
+    slope = P - last
+    bend = slope - change
+    return h * (total + P / 2 - slope / 12 - bend / 24), h * IN_DOUBT * (bends + np.abs(bend))
 
 
-def _power_function(scheme: Scheme) -> ca.Function:
-    """(z, c) -> P, built once for a scheme."""
+def account_at(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> tuple[float, float]:
+    """(W, its doubt) [J] of a state z (at least the scheme's part, flat); zero without account. c as stages read it."""
+    if not accounted(scheme):
+        return 0.0, 0.0
+    state = z[: scheme.layout.size]
+    work, doubt = work_and_doubt(scheme, state, power_of(scheme, state, c))
+    return float(work), float(doubt)
+
+
+def power_of(scheme: Scheme, z: np.ndarray, c: np.ndarray) -> float:
+    """P at the state that z (the scheme's part, flat) shows [W]."""
     if scheme.power_function is None:
-        z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
-        power = _power(scheme, scheme.layout.unpack(z), scheme.equations(c, scheme.layout.unpack(z)), c)
-        scheme.power_function = ca.Function("power", [z, c], [power])
-    return scheme.power_function
+        symbols = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
+        equations = scheme.equations(symbols[1], scheme.layout.unpack(symbols[0]))
+        scheme.power_function = ca.Function("power", list(symbols), [_observed_power(scheme, *symbols, equations)])
+    return float(scheme.power_function(z, c))
 
 
-def _power(scheme: Scheme, z: Fields, equations: StageEquations, c: ca.SX) -> ca.SX:
-    """P at the state that z shows [W]."""
-    model = scheme.model
-    seen = scheme.observer(z=scheme.layout.pack(z), c=c)
-    n = len(model.coordinates)
-    full = {name: ca.SX(n, 1) for name in ("q", "q_dot", "q_ddot")}
-    for columns, kind in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-        for position, column in enumerate(columns):
-            for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot")):
-                full[name][int(column)] = seen[f"q_{kind}{end}"][position]
-    at = {**full, "t": seen["t"]}
-    energy = equations.call("energy", **at)
-    power = energy["power_applied"] - energy["power_dissipated"]
-    if model.constraints and not model.structurally_zero("constraints", "C_t"):
-        lam = equations.call("reactions", **at, lam_R=ca.SX.zeros(len(model.redundant)))["lam"]
-        power = power + ca.dot(lam, equations.call("constraints", **at)["C_t"])
-    return power
+def _observed_power(scheme: Scheme, z: ca.SX, c: ca.SX, equations: StageEquations) -> ca.SX:
+    seen = scheme.observer(z=z, c=c)
+    parts = {end: (seen[f"q_i{end}"], seen[f"q_d{end}"]) for end in ("", "_dot", "_ddot")}
+    return equations.power(seen["t"], *(equations.joined(*both) for both in parts.values()))
 
 
-def _accounted(scheme: Scheme, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-    """W after one more major step."""
-    h, past, count = equations.h[0], z["power"], z["powers"] + 1
-    P = _power(scheme, z, equations, ca.vertcat(equations.c, equations.h))
-    trapezoid = z["work_base"] + h / 2 * (P + past[0])
-    simpson = z["work_base"] + h / 3 * (P + 4 * past[0] + past[1])
-    three_eighths = z["work_base"] + 3 * h / 8 * (P + 3 * past[0] + 3 * past[1] + past[2])
-    further = z["work"] + h / 24 * (9 * P + 19 * past[0] - 5 * past[1] + past[2])
-    early = ca.if_else(count < 2, trapezoid, ca.if_else(count < 3, simpson, three_eighths))
-    work = ca.if_else(count < 4, early, further)
-    doubt = z["work_doubt"] + ca.fabs(work - z["work"] - h / 2 * (P + past[0]))
-    doubt = doubt + ca.if_else(count < 2, h / 2 * ca.fabs(P - past[0]), 0)
-    return {"work": work, "work_doubt": doubt, "power": ca.vertcat(P, past[:2]), "powers": ca.fmin(count, 4)}
+def with_account(scheme: Scheme, program: Program) -> Program:
+    """A major step; of a scheme that does not count powers itself, with a stage before it that observes and counts."""
+    if not accounted(scheme) or scheme.counts_powers:
+        return program
+
+    def counted(z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        constants = ca.vertcat(equations.c, equations.h)
+        return scheme.counted(z, _observed_power(scheme, scheme.layout.pack(z), constants, equations))
+
+    return Sequence((scheme.stage("work", counted), program))
+
+
+def _next_powers(
+    scheme: Scheme, z: np.ndarray, c: np.ndarray, step: Callable[[np.ndarray], None]
+) -> tuple[float, float]:
+    """P after one and after two steps; z is used up."""
+    powers = []
+    for _ in range(2):
+        step(z)
+        powers.append(power_of(scheme, z[: scheme.layout.size], c))
+    return powers[0], powers[1]

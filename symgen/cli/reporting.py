@@ -82,19 +82,28 @@ def _scene(arguments: argparse.Namespace) -> Outcome:
         start=arguments.start,
         graded=arguments.graded,
     )
-    comparison = _compared(model, setting, arguments)
     folder = Path(arguments.out) if arguments.out else Path("out") / "report" / model.name
+    comparison = _compared(model, setting, arguments, folder)
     files = write_comparison(comparison, folder, motion_words(arguments))
     return Outcome({"comparison": comparison_data(comparison), "files": files}, [*table(comparison), f"in {folder}"])
 
 
-def _compared(model: Model, setting: Setting, arguments: argparse.Namespace) -> Comparison:
+def _compared(model: Model, setting: Setting, arguments: argparse.Namespace, folder: Path) -> Comparison:
+    """Its tables are in the folder after each method: an interrupted report keeps what it has."""
     from runtime.studies.work_precision.comparison import work_precision
+    from runtime.studies.work_precision.comparison_files import write_tables
     from runtime.studies.work_precision.methods import methods_named, usual_methods
 
     methods = methods_named(model, arguments.methods) if arguments.methods else usual_methods(model)
     with Progress(f"symgen {model.name}") as progress:
-        return work_precision(setting, methods, arguments.tolerance, arguments.longest, progress.note)
+        return work_precision(
+            setting,
+            methods,
+            arguments.tolerance,
+            arguments.longest,
+            progress.note,
+            lambda found: write_tables(found, folder),
+        )
 
 
 def table(comparison: Comparison) -> list[str]:
@@ -146,7 +155,7 @@ def _case(name: str, folder: Path, arguments: argparse.Namespace) -> SuiteResult
     with tempfile.TemporaryDirectory() as place:
         model = load_model(generate(case.make(), Path(place) / "model"))
     try:
-        comparison = _compared(model, make_setting(model, **motion), arguments)
+        comparison = _compared(model, make_setting(model, **motion), arguments, folder)
     except NoResult as error:
         return SuiteResult(name, None, None, str(error))
     write_comparison(comparison, folder)

@@ -119,7 +119,7 @@ def flexible_slider_crank_free() -> Scene:
         builder.independent("crank.theta", "rod.q1", "rod.q2", "rod.q3", "rod.q4")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
         .rates({"crank.theta": 150.0})
-        .simulation(t_end=0.05, dt=2e-5, m=[1], scheme="single_rate", save_every=25)
+        .simulation(t_end=0.05, dt=2.5e-5, m=[1], scheme="exponential", save_every=20)
         .build()
     )
 
@@ -133,7 +133,7 @@ def flexible_slider_crank_torque() -> Scene:
     return (
         builder.independent("crank.theta", "rod.q1", "rod.q2")
         .initial({"crank.theta": 0.0, "rod.theta": 0.0})
-        .simulation(t_end=0.4, dt=1e-4, m=[5], scheme="printed", save_every=10)
+        .simulation(t_end=0.4, dt=1e-4, m=[5], scheme="exponential", save_every=10)
         .build()
     )
 

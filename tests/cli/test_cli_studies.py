@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -107,6 +108,28 @@ def test_report_leaves_one_page(capsys: pytest.CaptureFixture[str], tmp_path: Pa
     assert code == 0
     assert "recommended: " in out
     assert (tmp_path / "comparison.html").exists()
+
+
+def test_an_interrupted_report_keeps_what_it_has(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Stopped in the second of two methods: the tables of the first are there."""
+    from runtime.studies.work_precision import comparison
+
+    honest, begun = comparison.run_method, []
+
+    def interrupted(*arguments: Any) -> Any:
+        begun.append(arguments)
+        if len(begun) == 2:
+            raise KeyboardInterrupt
+        return honest(*arguments)
+
+    monkeypatch.setattr(comparison, "run_method", interrupted)
+    words = ["--methods", "exponential:1,rk4", "--longest", "0.002", "--out", str(tmp_path)]
+    assert said(capsys, "report", *MOTION, *words)[0] == 130
+    kept = json.loads((tmp_path / "comparison.json").read_text())
+    assert [entry["method"] for entry in kept["methods"]] == ["exponential m=1"]
+    assert {path.suffix for path in tmp_path.iterdir()} == {".json", ".csv", ".md"}
 
 
 def test_report_runs_cases_of_the_suite(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

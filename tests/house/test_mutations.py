@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-from tests.mutations.__main__ import ROOT, chosen
-from tests.mutations.selection import selected
-from tests.mutations.sites import sites
+from tests.mutations.__main__ import chosen
+from tests.mutations.selection import CoverageMap, looking_at
+from tests.mutations.sites import ROOT, sites
 
 SOURCE = """\"\"\"1 < 2 in a docstring is no site.\"\"\"
 
@@ -44,5 +44,19 @@ def test_sites_are_what_runs(tmp_path: Path) -> None:
 
 def test_every_file_has_tests_that_are_there() -> None:
     for site in chosen(50, 2, ""):
-        for tests in selected(str(site.path.relative_to(ROOT))):
+        for tests in looking_at(str(site.path.relative_to(ROOT))):
             assert (ROOT / tests).exists(), tests
+
+
+def test_tests_of_a_fault_are_those_that_execute_it() -> None:
+    """Of a line; of a constant those that execute a line with its name, in any file; near ones and short ones first."""
+    file, other = "runtime/running/checks/energy.py", "runtime/running/monitor.py"
+    lines = (ROOT / file).read_text().splitlines()
+    uses = 1 + next(k for k, line in enumerate(lines) if "ENERGY_LIMIT *" in line)
+    tests = ["tests/laws/b", "tests/running/a", "tests/running/c", "tests/running/long"]
+    found = CoverageMap(tests, [1.0, 3.0, 2.0, 50.0], {file: {uses: [0, 1, 2, 3]}, other: {1: [0]}})
+    constant = next(site for site in sites(ROOT / file) if lines[site.line - 1].startswith("ENERGY_LIMIT"))
+    line = next(site for site in sites(ROOT / file) if site.line == uses)
+    for site in (constant, line):
+        assert found.of(site, 10.0) == (["tests/running/c", "tests/running/a", "tests/laws/b"], 6.0)
+    assert found.of(next(iter(sites(ROOT / other))), 10.0) == (["tests/laws/b"], 1.0)

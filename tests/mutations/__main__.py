@@ -1,7 +1,11 @@
 """Put faults into a copy of the project, one at a time, and run the tests: python -m tests.mutations --sites 200.
 
-A fault is killed if a test fails. Models of built-in scenes are generated anew (pytest --fresh-models), and the
-comparison with the code in the repository is left out: it notices any change, and says nothing of what is right.
+A fault is killed if a test fails. Tests are those that execute its line (coverage_map.py finds them once, by running
+all tests), in the order of selection.py, until one fails. Models of built-in scenes are generated anew
+(--fresh-models), and the comparison with the code in the repository is left out: it notices any change, and says
+nothing of what is right.
+
+The table is written after each fault; a run that was stopped goes on with what is missing.
 """
 
 from __future__ import annotations
@@ -15,14 +19,15 @@ import subprocess
 import sys
 import tempfile
 import time
+from importlib.util import cache_from_source
 from pathlib import Path
 
-from tests.mutations.selection import LEFT_OUT, selected
-from tests.mutations.sites import Site, sites
+from tests.mutations.selection import LEFT_OUT, CoverageMap
+from tests.mutations.sites import ROOT, Site, sites
 
-ROOT = Path(__file__).resolve().parents[2]
-LONGEST = 900.0  # s: a fault that makes the tests last that long is noticed too
-APART = "--ignore=tests/emission/test_drift.py"
+SLOWER, AT_LEAST = 4.0, 60.0  # a fault that makes tests last so many times longer, or so many seconds, is noticed too
+PYTEST = ["-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--fresh-models"]
+NOT_ALL = ["tests/emission/test_drift.py", "tests/views", "tests/house/test_docs.py", "tests/house/test_examples.py"]
 
 
 def chosen(count: int, seed: int, only: str) -> list[Site]:
@@ -33,48 +38,75 @@ def chosen(count: int, seed: int, only: str) -> list[Site]:
     return random.Random(seed).sample(all_sites, min(count, len(all_sites)))
 
 
-def verdict(site: Site, copy: Path) -> tuple[str, str]:
-    """(killed, survived or timeout, the test that failed) of a fault in a copy of the project."""
-    target = copy / site.path.relative_to(ROOT)
-    source = site.path.read_text(encoding="utf-8")
-    target.write_text(site.applied(source), encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(copy), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--fresh-models", APART]
+def make_map(path: Path) -> None:
+    """Run all tests once, traced."""
+    left_out = [f"--ignore={place}" for place in NOT_ALL]
+    command = [part for part in PYTEST if part != "-x"]
+    traced = ["-p", "tests.mutations.coverage_map", "--map", str(path.resolve())]
+    subprocess.run([sys.executable, *command, *traced, *left_out, "tests"], cwd=ROOT, check=False)
+
+
+def verdict(site: Site, copy: Path, found: CoverageMap, budget: float) -> tuple[str, str]:
+    """(killed, survived, timeout or not executed; the test that failed) of a fault in a copy of the project."""
+    tests, seconds = found.of(site, budget)
+    if not tests:
+        return "not executed", ""
+    target, source = copy / site.path.relative_to(ROOT), site.path.read_text(encoding="utf-8")
+    _put(target, site.applied(source))
     try:
-        for tests in selected(str(site.path.relative_to(ROOT))):
-            result = subprocess.run(
-                [*command, tests], cwd=copy, env=environment, capture_output=True, text=True, timeout=LONGEST
-            )
-            if result.returncode not in (0, 5):
-                failed = [line for line in result.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
-                return "killed", failed[0] if failed else "collection"
+        result = subprocess.run(
+            [sys.executable, *PYTEST, *tests],
+            cwd=copy,
+            env={**os.environ, "PYTHONPATH": str(copy)},
+            capture_output=True,
+            text=True,
+            timeout=AT_LEAST + SLOWER * seconds,
+            check=False,
+        )
     except subprocess.TimeoutExpired:
         return "timeout", ""
     finally:
-        target.write_text(source, encoding="utf-8")
-    return "survived", ""
+        _put(target, source)
+    if result.returncode == 0:
+        return "survived", ""
+    failed = [line for line in result.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return "killed", failed[0] if failed else "collection"
+
+
+def _put(target: Path, text: str) -> None:
+    """Write a file of Python so that no byte code of another text is taken for its own."""
+    Path(cache_from_source(str(target))).unlink(missing_ok=True)
+    target.write_text(text, encoding="utf-8")
 
 
 def main() -> None:
-    """Draw sites, judge them, leave a table that is written anew after each."""
+    """Draw sites, judge them, leave a table."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutations", description=__doc__)
     parser.add_argument("--sites", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="", help="part of a path")
-    parser.add_argument("--out", default="mutations.json")
+    parser.add_argument("--budget", type=float, default=90.0, help="seconds of tests a fault")
+    parser.add_argument("--map", type=Path, default=Path("mutations-map.json"), help="made where it is not there")
+    parser.add_argument("--out", type=Path, default=Path("mutations.json"))
     arguments = parser.parse_args()
-    rows: list[dict[str, object]] = []
+    if not arguments.map.exists():
+        make_map(arguments.map)
+    found = CoverageMap.read(arguments.map)
+    rows = json.loads(arguments.out.read_text(encoding="utf-8")) if arguments.out.exists() else []
+    done = {(row["place"], row["fault"]) for row in rows}
     with tempfile.TemporaryDirectory() as work:
         copy = Path(shutil.copytree(ROOT, Path(work) / "copy", ignore=shutil.ignore_patterns(".git", "__pycache__")))
         for site in chosen(arguments.sites, arguments.seed, arguments.only):
-            began = time.monotonic()
-            found, test = verdict(site, copy)
             place = f"{site.path.relative_to(ROOT)}:{site.line}"
             fault = site.shown(site.path.read_text(encoding="utf-8"))
-            rows.append({"place": place, "fault": fault, "verdict": found, "test": test})
-            Path(arguments.out).write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-            print(f"{found:9} {time.monotonic() - began:6.0f} s  {place}  {fault}  {test[:100]}", flush=True)
-    seen = sum(row["verdict"] != "survived" for row in rows)
+            if (place, fault) in done:
+                continue
+            began = time.monotonic()
+            ended, test = verdict(site, copy, found, arguments.budget)
+            rows.append({"place": place, "fault": fault, "verdict": ended, "test": test})
+            arguments.out.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+            print(f"{ended:9} {time.monotonic() - began:6.0f} s  {place}  {fault}  {test[:100]}", flush=True)
+    seen = sum(row["verdict"] in ("killed", "timeout") for row in rows)
     print(f"{seen} of {len(rows)} faults seen")
 
 

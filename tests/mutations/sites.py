@@ -27,18 +27,24 @@ ARITHMETIC: dict[type[ast.operator], type[ast.operator]] = {
     ast.Div: ast.Mult,
     ast.Pow: ast.Mult,
 }
+ROOT = Path(__file__).resolve().parents[2]
 THRESHOLD = 1e3  # numbers that are not whole become this much larger: a loosened tolerance
 
 
 @dataclass(frozen=True)
 class Site:
-    """A change of one line: `text` takes the place of columns first:last (UTF-8 bytes) of the line."""
+    """A change of one line: `text` takes the place of columns first:last (UTF-8 bytes) of the line.
+
+    first_line to last_line: the function that it is in, or the whole file.
+    """
 
     path: Path
     line: int
     first: int
     last: int
     text: str
+    first_line: int
+    last_line: int
 
     def applied(self, source: str) -> str:
         """The file with the fault in it."""
@@ -55,14 +61,19 @@ class Site:
 
 def sites(path: Path) -> list[Site]:
     """All sites of a file: of its functions and of the constants of the module, not of annotations and messages."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    found = []
+    source = path.read_text(encoding="utf-8")
+    tree = ast.parse(source)
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    whole, found = (1, len(source.splitlines())), []
     for node in _executed(tree):
         for changed in _changes(node):
             if isinstance(node, ast.expr) and node.lineno == node.end_lineno and node.end_col_offset is not None:
                 text = ast.unparse(changed)
                 text = f"({text})" if isinstance(changed, ast.BinOp | ast.BoolOp | ast.Compare) else text
-                found.append(Site(path, node.lineno, node.col_offset, node.end_col_offset, text))
+                around = [(f.lineno, f.end_lineno or f.lineno) for f in functions]
+                around = [(a, b) for a, b in around if a <= node.lineno <= b]
+                inside = min(around, key=lambda ends: ends[1] - ends[0], default=whole)
+                found.append(Site(path, node.lineno, node.col_offset, node.end_col_offset, text, *inside))
     return found
 
 

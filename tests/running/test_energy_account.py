@@ -9,6 +9,12 @@ import numpy as np
 import pytest
 
 from runtime import Model, resume, simulate
+from runtime.engine.choose import arithmetic
+from runtime.engine.prepare import prepare
+from runtime.engine.program import Repeat
+from runtime.schemes.baselines.runge_kutta import ExplicitRungeKutta
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.work import account_for_work
 from symgen.scene import Scene, SceneBuilder
 from symgen.scenes.spin_up_beam import spin_up_beam
 
@@ -105,3 +111,49 @@ def test_a_start_from_rest_is_not_judged_by_its_first_steps(model_of: Build) -> 
     run = simulate(model_of(spin_up_beam()), t_end=1.0, dt=5e-3)
     assert run.status.ok
     assert np.abs(run.energy_balance()).max() < 0.05 * run.energy["kinetic"].max()
+
+
+@pytest.mark.parametrize("scheme", ["single_rate", "printed", "coupled", "linearised", "exponential", "rk4", "hht"])
+@pytest.mark.parametrize("name, most", [("hub_beam", 0.15), ("flexible_slider_crank_torque", 0.15), ("pendulum", 0.0)])
+def test_the_account_costs_little(built_in: Load, name: str, most: float, scheme: str) -> None:
+    """Arithmetic operations of a major step without and with the account: powers are of what is evaluated anyway."""
+
+    def operations(account: bool) -> int:
+        built = scheme_kind(scheme).build(scheme, built_in(name), 1e-5, None, {})
+        if account:
+            account_for_work(built)
+        program = prepare(built.program(), built.layout.size, built.c_size).program
+        return program.fold(
+            arithmetic, sum, lambda body, node: body * (node.count if isinstance(node, Repeat) else node.usual)
+        )
+
+    assert operations(True) <= (1 + most) * operations(False)
+
+
+@pytest.mark.parametrize(
+    "scheme, order", [("coupled", 2), ("decoupled", 2), ("linearised", 2), ("exponential", 4), ("exponential_rk4", 4)]
+)
+def test_the_balance_is_of_the_order_of_the_scheme(model_of: Build, scheme: str, order: int) -> None:
+    """Two damped, driven oscillators: the balance at the end falls with the scheme's order."""
+    builder = SceneBuilder("fed")
+    builder.structure(
+        coordinates=["x", "y"],
+        mass=[[1.0, 0.2], [0.2, 1.0]],
+        stiffness=[[1.0, 0.3], [0.3, 9.0]],
+        damping=[[0.2, 0.0], [0.0, 0.5]],
+        force=["sin(2 * t)", 0.5],
+    )
+    builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.1})
+    model = model_of(builder.simulation(t_end=2.0, dt=0.04, m=[2]).build())
+    m = {"coupled": [2], "decoupled": [2], "exponential_rk4": None}.get(scheme, [4])
+    off = [abs(simulate(model, scheme=scheme, dt=dt, m=m).energy_balance()[-1]) for dt in (0.04, 0.01)]
+    assert off[0] < 0.02 and np.log2(off[0] / off[1]) / 2 > order - 0.4, off
+
+
+def test_a_scheme_that_does_not_count_powers_is_counted(model_of: Build, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A stage before its own observes the power; another model, so that nothing compiled is at hand."""
+    monkeypatch.setattr(ExplicitRungeKutta, "counts_powers", False)
+    monkeypatch.setattr(ExplicitRungeKutta, "worked", lambda *arguments: {})
+    run = simulate(model_of(flywheel("3.0")), scheme="rk4", save_every=7)
+    assert run.work()[-1] > 10.0
+    assert run.work() == pytest.approx(3.0 * (run["wheel.theta"] - run["wheel.theta"][0]), abs=1e-10)

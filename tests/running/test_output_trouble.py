@@ -15,6 +15,7 @@ from runtime.contract.files import STALE, OutputError, replacing, write_text
 from runtime.contract.model import Model
 from runtime.results.stream import ROWS, StreamFile, read_blocks
 from runtime.running.checkpoint import Checkpoint
+from runtime.schemes.options import SchemeError
 from symgen.scenes.pendulum import pendulum
 
 Load = Callable[[str], Model]
@@ -105,3 +106,25 @@ def test_what_killed_processes_left_is_removed(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt), replacing(tmp_path / "run.npz"):
         raise KeyboardInterrupt
     assert (tmp_path / "run.npz").read_text() == "new"
+
+
+def test_what_breaks_a_run_closes_its_stream(built_in: Load, tmp_path: Path) -> None:
+    """An exception that nobody expects: the next run may write to the same folder while the first is looked into."""
+
+    def breaks(t: float, t_end: float) -> None:
+        raise ValueError("of the caller's own")
+
+    with pytest.raises(ValueError, match="of the caller's own") as found:
+        simulate(built_in("pendulum"), t_end=0.01, stream=tmp_path / "samples", progress=breaks)
+    assert simulate(built_in("pendulum"), t_end=0.01, stream=tmp_path / "samples").status.ok
+    assert found.tb is not None  # the frames of the first run are still there
+
+
+@pytest.mark.parametrize(
+    "scheme, option",
+    [("single_rate", "newton_iterations"), ("rk4", "closure_iterations"), ("printed", "max_iterations")],
+)
+def test_iterations_without_end_are_refused(built_in: Load, scheme: str, option: str) -> None:
+    """Written out, or repeated: a number that would take hours is refused by name."""
+    with pytest.raises(SchemeError, match=f"{option} must be a whole number from 1 to "):
+        simulate(built_in("pendulum"), scheme=scheme, options={option: 1_000_000})

@@ -85,3 +85,25 @@ def test_radau_lets_every_decay_die_out(model_of: Build, damping: float) -> None
     )
     assert run.status.name == "completed"
     assert run.q_i[-1, 0] == pytest.approx(creep(damping, -1.0), abs=1e-6)
+
+
+@pytest.mark.parametrize("rate", [0.0, -1.0])
+@pytest.mark.parametrize("damping", [1e4, 1e6, 1e8])
+@pytest.mark.parametrize("scheme", ["exponential"])
+def test_decaying_propagation_lets_every_decay_die_out(
+    model_of: Build, scheme: str, damping: float, rate: float
+) -> None:
+    """With the symmetric approximation such a decay rings on, and the run is named."""
+    run = simulate(
+        model_of(Scene.from_toml_text(PENDULUM)),
+        scheme=scheme,
+        options={"propagation": "decaying"},
+        t_end=T_END,
+        dt=DT,
+        parameters={"D": damping},
+        initial={"rod.theta_dot": rate},
+        save_every=10,
+    )
+    assert run.status.name == "completed"
+    assert run.q_i[-1, 0] == pytest.approx(creep(damping, rate), abs=1e-6)
+    assert abs(run.q_dot[-1, run.model.independent_columns[0]]) < 1e-2

@@ -10,9 +10,9 @@ import numpy as np
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject, observed
 from runtime.running.checks.step_length import step_advice
-from runtime.schemes.work import doubt_of, work_of
+from runtime.schemes.work import account_at, accounted
 
-SETTLED = 50  # steps after which the energy of a run from rest is judged
+SETTLED = 10  # steps after which the energy of a run from rest is judged
 ENERGY_LIMIT = 0.5  # spurious energy as a share of the largest kinetic and elastic energy seen
 
 
@@ -25,7 +25,7 @@ class Energy(Check):
 
     def __init__(self, subject: Subject) -> None:
         super().__init__(subject)
-        self._known = "work" in subject.scheme.layout.sizes or subject.model.conservative
+        self._known = accounted(subject.scheme) or subject.model.conservative
         parts = ("kinetic", "elastic", "potential")
         self._energies = observed(subject.model, subject.scheme, "energy", parts) if self._known else None
         self.at_start, self.largest, self.largest_work, self.moving_at_start = math.nan, 0.0, 0.0, 0.0
@@ -42,20 +42,22 @@ class Energy(Check):
         if self._energies is None:
             return None
         moving, total = self._measured(z)
-        work = work_of(self.subject.scheme, z)
-        spurious = total - self.at_start - work - doubt_of(self.subject.scheme, z)
+        work, doubt = account_at(self.subject.scheme, z, self.subject.c)
+        spurious = total - self.at_start - work - doubt
         self.largest_work = max(self.largest_work, abs(work))
         self.largest = max(self.largest, moving - max(spurious, 0.0))  # what grew by itself is no measure
-        if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work) or self._too_early(z):  # false for NaN
+        if spurious <= ENERGY_LIMIT * max(self.largest, self.largest_work) or self._too_early(
+            z, moving
+        ):  # false for NaN
             return None
         fastest = int(np.abs(self.subject.scheme.rates(z)).argmax())
         cause = "energy grows by more than the work done on the mechanism"
         return self.subject.stop("diverged", cause, step_advice(self.subject), fastest)
 
-    def _too_early(self, z: np.ndarray) -> bool:
+    def _too_early(self, z: np.ndarray, moving: float) -> bool:
         """From rest, energies of the first steps are as small as their errors."""
         steps = float(z[self.subject.scheme.layout.slice("n")][0])
-        return steps < SETTLED and self.moving_at_start < ENERGY_LIMIT * self.largest
+        return steps < SETTLED and self.moving_at_start < ENERGY_LIMIT * moving
 
     def _measured(self, z: np.ndarray) -> tuple[float, float]:
         """(kinetic plus elastic energy, total energy) [J]."""

@@ -14,7 +14,6 @@ from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.segment import Segment
 from runtime.schemes.central_difference import CentralDifference
-from runtime.schemes.work import work_of
 
 COUNTERS = ("closure_error", "iterations", "failures")
 CLOSURES = 6
@@ -22,7 +21,7 @@ CLOSURES = 6
 
 def carried(old: Segment, z: np.ndarray, new: Segment, seen: Solution) -> np.ndarray:
     """z of the new segment at the state of the old one; seen: that state observed, one sample."""
-    result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z), work_of(old.plan.scheme, z))
+    result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z), old.account(z)[0])
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
     for name in COUNTERS:
         result[after.slice(name)] = z[before.slice(name)]

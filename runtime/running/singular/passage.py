@@ -25,7 +25,6 @@ from runtime.running.singular.loop_determinants import LoopDeterminants
 from runtime.running.singular.tight_integrator import BranchLost, TightIntegrator
 from runtime.running.singular.variants import NoVariant, variant_of
 from runtime.schemes.options import SchemeError
-from runtime.schemes.work import work_of
 
 FOLLOWED = 0.02  # of the largest determinant: how far a motion is followed to see where it leads
 LONGEST_LEAVE = 10_000  # steps that the neighbourhood of a singular position may take after it
@@ -222,7 +221,7 @@ class Passage:
         at = {**motion, "t": np.concatenate([seen.t, times])[:, None]}
         energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
         total = np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])
-        return work_of(self.segment.plan.scheme, z) + total[1:] - total[0]
+        return self.segment.account(z)[0] + total[1:] - total[0]
 
     def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int, work: float) -> np.ndarray:
         result = self.segment.start(q, q_dot, step, work)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from runtime.schemes.options import Options, share, tolerances, whole_number
+from runtime.schemes.options import MOST_ITERATIONS, Options, share, tolerances, whole_number
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class AlphaMethodOptions(Options):
     """eps: relative correction after which the iteration stops. max_iterations: the most iterations of a step."""
 
     eps: tuple[float, ...] = tolerances(1e-7)
-    max_iterations: int = whole_number(15)
+    max_iterations: int = whole_number(15, most=MOST_ITERATIONS)
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.grid import Grid
 from runtime.schemes.linear_propagation import LinearSystem, factors_of, solve_shifted
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import SingleClosureOptions, tolerances, whole_number
+from runtime.schemes.options import MOST_ITERATIONS, SingleClosureOptions, tolerances, whole_number
 from runtime.schemes.rounding import ROUNDING, unseen_acceleration
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.state_fields import StateField, control, work
@@ -86,13 +86,14 @@ class RadauOptions(SingleClosureOptions):
     """
 
     eps: tuple[float, ...] = tolerances(1e-10)
-    max_iterations: int = whole_number(15)
+    max_iterations: int = whole_number(15, most=MOST_ITERATIONS)
 
 
 class Radau(OneStep):
     """Field K: the stage accelerations; loop_stages: the stages' loop unknowns; loop_last: those at the last start."""
 
     order = 5
+    counts_powers = True
 
     options: RadauOptions
 
@@ -157,6 +158,7 @@ class Radau(OneStep):
             "unconverged": self.alive(z),
             "correction": ca.SX(0),
             "iterations": z["iterations"] + 1,
+            **self.worked(z, equations, motion, z["v"], found.a),
         }
 
     def _columns(self, stacked: ca.SX) -> list[ca.SX]:

@@ -21,6 +21,7 @@ class ExplicitRungeKutta(OneStep):
     """A fixed step of the tableau (A, b, nodes) of a subclass."""
 
     options: ClosureOptions
+    counts_powers = True
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
 
@@ -52,16 +53,18 @@ class ExplicitRungeKutta(OneStep):
         A, b, nodes = self.tableau
         slopes: list[ca.SX] = []
         motions: list[ClosedConfiguration] = []
+        work: dict[str, ca.SX] = {}
         for k, row in enumerate(A):
             at = y + h * _combined(row[:k], slopes)
             motion = equations.close(at[:n], at[2 * n :], t + float(nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
                 y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
             a, v = equations.accelerations(motion, at[n : 2 * n]), at[n : 2 * n]
+            work = work if k else self.worked(z, equations, motion, v, a)
             slopes.append(ca.vertcat(v, a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
         y = y + h * _combined(b, slopes)
-        return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **self.closed(z, *motions)}
+        return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **work, **self.closed(z, *motions)}
 
 
 class ClassicalRungeKutta(ExplicitRungeKutta):

@@ -97,14 +97,19 @@ def work_precision(
     tolerance: float = 1e-3,
     longest: float = LONGEST,
     note: Note = lambda text: None,
+    keep: Callable[[Comparison], object] = lambda comparison: None,
 ) -> Comparison:
-    """Run all methods on a setting, judged by an independent reference. Raises NoReference."""
+    """Run all methods on a setting, judged by an independent reference. Raises NoReference.
+
+    keep: called with what there is after each method.
+    """
     note("computing the reference")
     problem = setting.judged()
     curves = []
     for method in methods:
         note(f"running {method.label}")
         curves.append(_curve(method, problem, longest))
+        keep(Comparison(problem, tolerance, list(curves)))
     return Comparison(problem, tolerance, curves)
 
 

@@ -81,6 +81,14 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
+def write_tables(comparison: Comparison, folder: str | Path) -> None:
+    """comparison.json, .csv and .md in `folder`: what a comparison keeps on its way. Raises OutputError."""
+    place, data = Path(folder), comparison_data(comparison)
+    write_text(place / "comparison.json", as_json(data))
+    write_text(place / "comparison.csv", _csv(comparison))
+    write_text(place / "comparison.md", markdown(data))
+
+
 def write_comparison(comparison: Comparison, folder: str | Path, scene: str = "") -> dict[str, str]:
     """comparison.json, .csv, .md, .html and the pictures in `folder`; {what: path}. Raises OutputError.
 
@@ -89,9 +97,7 @@ def write_comparison(comparison: Comparison, folder: str | Path, scene: str = ""
     place, data = Path(folder), comparison_data(comparison)
     picture_times(comparison, place / "error_time.png")
     picture_evaluations(comparison, place / "error_evaluations.png")
-    write_text(place / "comparison.json", as_json(data))
-    write_text(place / "comparison.csv", _csv(comparison))
-    write_text(place / "comparison.md", markdown(data))
+    write_tables(comparison, place)
     write_text(place / "comparison.html", comparison_page(comparison, data, scene))
     names = (
         "comparison.json",

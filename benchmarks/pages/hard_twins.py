@@ -1,0 +1,62 @@
+"""The hard suite at full length by equations that are not condensed: `python -m benchmarks.pages.hard_twins`.
+
+Reference values of the hard suite come from the condensed equations. Here every case is integrated once more in all
+coordinates and multipliers (Eq. 28), from the start to the end: other emitted functions, another linear system, no
+elimination and no loop closure; constraints hold at the level of accelerations only.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+from runtime import SymgenError, load_model, reference_solution
+from runtime.baselines.augmented import augmented_solution
+from symgen.generate import generate
+from symgen.scenes.hard_suite import HARD_SUITE, HardCase
+
+SAMPLES = 41
+RTOL, ATOL = 1e-9, 1e-12
+
+
+def compared(case: HardCase) -> tuple[float, str, float]:
+    """(largest difference of a graded coordinate over its amplitude, end value of the first, seconds of CPU)."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = load_model(generate(case.make(), folder))
+    times = np.linspace(0.0, case.t_end, SAMPLES)
+    motion = {"t_end": case.t_end, "times": times, "parameters": case.parameters, "initial": case.initial}
+    condensed = reference_solution(model, **motion, start=case.start)
+    began = time.process_time()
+    twin = augmented_solution(model, **motion, start=case.start, rtol=RTOL, atol=ATOL)
+    seconds = time.process_time() - began
+    off = []
+    for name in case.graded:
+        amplitude = float(np.ptp(condensed[name])) / 2
+        off.append(float(np.abs(twin[name] - condensed[name]).max()) / amplitude)
+    first = case.graded[0]
+    return max(off), f"`{first}` = {twin[first][-1]:.9g}", seconds
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Print a row for each case."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.hard_twins", description=__doc__)
+    parser.add_argument("--only", action="append", choices=list(HARD_SUITE), help="these cases")
+    options = parser.parse_args(arguments)
+    print("| case | largest difference to the condensed reference | end value in all coordinates | CPU [s] |")
+    print("|---|---:|---|---:|")
+    for name in options.only or HARD_SUITE:
+        try:
+            off, end, seconds = compared(HARD_SUITE[name])
+        except (SymgenError, RuntimeError) as error:  # CasADi's: bodies without mass make M singular
+            print(f"| {name} | - | {str(error).strip().splitlines()[-1]} | |", flush=True)
+            continue
+        print(f"| {name} | {off:.1g} | {end} | {seconds:.0f} |", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,188 @@
+"""Every named limit that ends a run, or makes it say a word, is where the pages say: just inside nothing happens.
+
+The numbers are written out here: a limit that somebody loosens is noticed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from runtime import Model, ModelError, simulate
+from runtime.running.accuracy import Accuracy, CoordinateError
+from runtime.running.checks.angles import Angles
+from runtime.running.checks.check import Check, Subject
+from runtime.running.checks.closure import Closure
+from runtime.running.checks.constraints import Constraints
+from runtime.running.checks.deflection import Deflection
+from runtime.running.checks.energy import Energy
+from runtime.running.checks.growth import Growth
+from runtime.running.checks.mass import Mass
+from runtime.running.plan import make_plan
+from runtime.schemes.catalogue import scheme_kind
+from runtime.schemes.stepper import start_vector
+from runtime.schemes.turns import watch_turns
+from symgen.scene import Scene, SceneBuilder
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+INSIDE, BEYOND = 0.99, 1.01
+
+
+def watched(model: Model, scheme: str = "single_rate") -> tuple[Subject, np.ndarray]:
+    """A subject at the model's own start, and that state."""
+    built = scheme_kind(scheme).build(scheme, model, 1e-3, None, {})
+    watch_turns(built)
+    c = model.constants(model.parameter_vector())
+    subject = Subject(model, built, c)
+    z = start_vector(built, 0.0, model.initial_q, model.initial_q_dot, c)
+    subject.begin(z)
+    return subject, z
+
+
+def state(subject: Subject, rate: float, steps: int) -> np.ndarray:
+    """The model's start with another rate of all coordinates, after so many steps."""
+    model, scheme = subject.model, subject.scheme
+    c = subject.c[: model.c_size]
+    z = start_vector(scheme, 0.0, model.initial_q, np.full(len(model.coordinates), rate), c)
+    z[scheme.layout.slice("n")] = steps
+    return z
+
+
+def named(check: Check, z: np.ndarray) -> str | None:
+    status = check.after(z)
+    return None if status is None else status.name
+
+
+def put(subject: Subject, z: np.ndarray, field: str, value: float) -> np.ndarray:
+    changed = z.copy()
+    changed[subject.scheme.layout.slice(field)] = value
+    return changed
+
+
+def test_growth(built_in: Load) -> None:
+    subject, z = watched(built_in("pendulum"))
+    check = Growth(subject)
+    check.start(z)
+    for factor, expected in ((INSIDE, None), (BEYOND, "diverged")):
+        assert named(check, put(subject, z, "d", factor * 1e6 * check.scale)) == expected
+
+
+def test_closure(built_in: Load) -> None:
+    subject, z = watched(built_in("four_bar"))
+    for factor, expected in ((INSIDE, None), (BEYOND, "constraints_lost")):
+        assert named(Closure(subject), put(subject, z, "closure_error", factor * 1e-2 * subject.length)) == expected
+
+
+def test_constraints(built_in: Load) -> None:
+    """A scheme on all coordinates, whose dependent ones are moved; C is linear over so short a way."""
+    subject, z = watched(built_in("four_bar"), "hht")
+    assert subject.constraints is not None
+    place = subject.scheme.layout.slice("q").start + int(subject.model.dependent_columns[0])
+
+    def moved(way: float) -> np.ndarray:
+        changed = z.copy()
+        changed[place] += way
+        return changed
+
+    probe = float(np.abs(np.asarray(subject.constraints(moved(1e-5), subject.c)[0])).max()) / 1e-5
+    limit = 1e-6 * subject.length / probe
+    for factor, expected in ((0.9, None), (1.1, "constraints_lost")):
+        assert named(Constraints(subject), moved(factor * limit)) == expected
+
+
+def test_angles(built_in: Load) -> None:
+    subject, z = watched(built_in("spatial_chain"))
+    for factor, expected in ((INSIDE, None), (BEYOND, "angles_too_fast")):
+        assert named(Angles(subject), put(subject, z, "turn", factor * 0.3)) == expected
+
+
+def test_energy_that_nobody_fed(built_in: Load) -> None:
+    """Half as much again as the kinetic energy of the start; rates grow with its root."""
+    subject, _ = watched(built_in("pendulum"))
+    check = Energy(subject)
+    check.start(state(subject, 2.0, 0))
+    for factor, expected in ((INSIDE, None), (BEYOND, "diverged")):
+        assert named(check, state(subject, 2.0 * np.sqrt(1 + 0.5 * factor), 20)) == expected
+
+
+def test_energy_after_a_start_from_rest(built_in: Load) -> None:
+    subject, _ = watched(built_in("pendulum"))
+    for steps, expected in ((9, None), (10, "diverged")):
+        check = Energy(subject)
+        check.start(state(subject, 0.0, 0))
+        assert named(check, state(subject, 1.0, steps)) == expected
+
+
+def test_mass_that_is_nearly_lost(model_of: Build) -> None:
+    """A tenth of what M_hat was explains a breakdown of the numbers."""
+    builder = SceneBuilder("lighter").parameter("inertia", default=1.0).rigid("wheel", mass=1.0, inertia="inertia")
+    model = model_of(builder.revolute("axle", "ground.origin", "wheel.origin").build())
+    subject, z = watched(model)
+    check = Mass(subject)
+    check.start(z)
+    for factor, expected in ((INSIDE, "mass_not_positive"), (BEYOND, None)):
+        p = model.parameter_vector({"inertia": 0.1 * factor})
+        subject.c = subject.scheme.constants(model.constants(p))
+        status = check.explains(z)
+        assert (None if status is None else status.name) == expected
+
+
+@pytest.mark.parametrize("mode, share, turn", [(0, 0.4, None), (1, None, 1.0)])
+def test_deflection(built_in: Load, mode: int, share: float | None, turn: float | None) -> None:
+    """The first mode of a clamped beam moves its end by 0.4 of its length first, the second turns it by a radian."""
+    model = built_in("hub_beam")
+    subject, z = watched(model)
+    p = model.parameter_vector()
+    points = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
+    modes = sum(entry.elastic for entry in model.description.coordinates)
+    length = float(np.ptp(points["positions"][:, -modes:], axis=1).max()) if share else 1.0
+    spread = points["shapes" if share else "turns"]
+    most = float(np.linalg.norm(spread[:, mode::modes], axis=0).max())
+    limit = (share * length if share else turn or 0.0) / most
+    position = model.q_i.index(next(e.name for e in model.description.coordinates if e.elastic)) + mode
+    for factor, expected in ((INSIDE, None), (BEYOND, "deflection_too_large")):
+        bent = z.copy()
+        bent[subject.scheme.layout.slice("x")][position] = factor * limit
+        assert named(Deflection(subject, p), bent) == expected
+
+
+def remark(model: Model, error: CoordinateError, late: float = 0.0, lates: float = 0.0) -> bool:
+    accuracy = Accuracy(1000)
+    accuracy.errors, accuracy.late, accuracy.lates = {model.q_i[0]: error}, late, lates
+    return "remark" in accuracy.stats(model)
+
+
+def test_a_word_about_the_error(built_in: Load) -> None:
+    """3 % of an amplitude; a worst window counts as if all were like it: 50 steps of 1000 lie in windows."""
+    model = built_in("pendulum")
+    for factor, expected in ((INSIDE, False), (BEYOND, True)):
+        assert remark(model, CoordinateError(error=0.03 * factor, low=-1.0, high=1.0)) is expected
+        assert remark(model, CoordinateError(worst=0.03 * factor * 50 / 1000 / 10, low=-1.0, high=1.0)) is expected
+
+
+def test_a_word_about_a_delay(built_in: Load) -> None:
+    """Of what has turned by more than a revolution, if three quarters of the delays are of one sign."""
+    model = built_in("pendulum")
+    for turns, share, expected in ((1.01, 0.76, True), (0.99, 0.76, False), (1.01, 0.74, False)):
+        one = CoordinateError(fastest=10.0, low=0.0, high=turns * 2 * np.pi)
+        assert remark(model, one, late=share, lates=1.0) is expected
+
+
+def test_a_small_jump_of_a_prescribed_velocity_is_refused(model_of: Build) -> None:
+    """A ten-thousandth of the largest velocity."""
+    builder = SceneBuilder("driven").rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
+    motion = "sin(3 * t) + where(t < 0.05, 0, 3e-4 * (t - 0.05))"
+    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion)
+    model = model_of(builder.simulation(t_end=0.1, dt=1e-3, scheme="single_rate").build())
+    with pytest.raises(ModelError, match="its velocity jumps by 0.0003"):
+        simulate(model)
+
+
+def test_a_part_of_a_step_is_a_step(built_in: Load) -> None:
+    for part, steps in ((1e-7, 10), (1e-5, 11)):
+        assert make_plan(built_in("pendulum"), (10 + part) * 1e-3, 1e-3, None, "rk4", 1, None, 0.0).steps == steps
