@@ -57,10 +57,10 @@ def run(arguments: argparse.Namespace) -> Outcome:
     with Progress("symgen") as progress:
         progress.note(f"deriving {source.scene.name} ...")
         model = load_model(generate(source.scene, folder / MODEL_FOLDER))
-        files, best = _compared(model, arguments, folder, progress)
+        files, best, judged = _compared(model, arguments, folder, progress)
     chosen = any(getattr(arguments, name) for name in ("scheme", "dt", "m", "option"))
     solution = run_model(model, arguments if chosen or best is None else argparse.Namespace(**vars(arguments) | best))
-    lines = summary(solution)
+    lines = summary(solution, None if chosen else judged)
     if best is not None and not chosen:
         own = run_model(model, arguments)
         lines.append(f"{own.scheme} with dt = {own.dt:g} s, as the scene has it, stands beside it in difference.png")
@@ -87,15 +87,17 @@ def _moving(solution: Solution, folder: Path) -> dict[str, str]:
 
 def _compared(
     model: Model, arguments: argparse.Namespace, folder: Path, progress: Progress
-) -> tuple[dict[str, str], dict[str, Any] | None]:
-    """A short comparison of methods on the same motion: its files, and the arguments of a run as it recommends."""
+) -> tuple[dict[str, str], dict[str, Any] | None, float | None]:
+    """A short comparison of methods on the same motion: its files, the arguments of a run as it recommends, and the
+    error of that run.
+    """
     from runtime.studies.work_precision.comparison import work_precision
     from runtime.studies.work_precision.comparison_files import write_comparison
     from runtime.studies.work_precision.methods import methods_named
     from runtime.studies.work_precision.problem import make_setting
 
     if not model.has("dQ_hat_dq_i"):
-        return {}, None
+        return {}, None, None
     setting = make_setting(
         model,
         t_end=arguments.t_end,
@@ -106,21 +108,22 @@ def _compared(
     names = METHODS + (["coupled:4", "printed:4"] if len(model.groups) == 2 else [])
     comparison = work_precision(setting, methods_named(model, names), longest=LONGEST, note=progress.note)
     files = write_comparison(comparison, folder, motion_words(arguments, DEMOS.get(arguments.scene, "")))
-    return files, _recommended(comparison)
+    return files, *_recommended(comparison)
 
 
-def _recommended(comparison: Comparison) -> dict[str, Any] | None:
-    """Scheme, m, options and the coarsest step from which on all runs kept the tolerance; None where none did."""
+def _recommended(comparison: Comparison) -> tuple[dict[str, Any] | None, float | None]:
+    """Scheme, m, options and the coarsest step from which on all runs kept the tolerance, and the error of that run."""
     first = comparison.ranked()[0]
     spec, trials = first.method.spec, first.trials
     fine = [k for k in range(len(trials)) if all(one.error <= comparison.tolerance for one in trials[k:])]
     if spec is None or not fine:
-        return None
+        return None, None
     trial = trials[fine[0]]
-    return {
+    arguments = {
         "scheme": spec.scheme,
         "m": list(spec.m) if spec.m else None,
         "option": list(spec.options.items()),
         "dt": trial.setting,
         "save_every": max(1, trial.steps // SAMPLES),
     }
+    return arguments, trial.error

@@ -106,8 +106,8 @@ def exit_code(solution: Solution) -> int:
     return INTERRUPTED if solution.status.name == "interrupted" else FAILED
 
 
-def summary(solution: Solution) -> list[str]:
-    """A few lines on a run for a person."""
+def summary(solution: Solution, judged: float | None = None) -> list[str]:
+    """A few lines on a run for a person. judged: its error, where a reference knows it better than its estimate."""
     model, stats = solution.model, solution.stats
     m = ",".join(map(str, solution.m)) or "-"
     lines = [
@@ -123,13 +123,15 @@ def summary(solution: Solution) -> list[str]:
             f"the energy balance is off by {balance / scale:.2g} of the energy in motion: the step is too long for "
             "the scheme; take a smaller one, or compare with --scheme single_rate"
         )
-    if "estimated_error" in stats:
+    if judged is not None:
+        lines.append(f"error: {judged:.2g} of the amplitudes, RMS over the motion, against the comparison's reference")
+    elif "estimated_error" in stats:
         name = str(stats["estimated_error_of"])
         lines.append(
             f"estimated error: {float(stats['estimated_error']):.2g} of the amplitude of {name} "
             f"(worst near t = {float(stats[f'worst_time.{name}']):.4g} s)"
         )
-    if "remark" in stats:
+    if "remark" in stats and judged is None:
         lines.append(str(stats["remark"]))
     lines += [str(event) for event in solution.events]
     if stats.get("initial_changes", "none") != "none":
