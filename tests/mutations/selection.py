@@ -73,8 +73,9 @@ class CoverageMap:
         using = set() if name is None else {test for file in self.lines for test in self._using(file, name)}
         if using:
             return using
-        function = [tests for line, tests in lines.items() if site.first_line <= line <= site.last_line]
-        return {test for tests in function or lines.values() for test in tests}
+        inside = (tests for line, tests in lines.items() if site.first_line <= line <= site.last_line)
+        function = {test for tests in inside for test in tests}
+        return function or {test for tests in lines.values() for test in tests}
 
     def _using(self, file: str, name: str) -> set[int]:
         pattern, found = re.compile(rf"\b{name}\b"), set[int]()
