@@ -24,7 +24,7 @@ from benchmarks.cases import (
 from benchmarks.harness.machine import describe_machine
 from benchmarks.harness.page import as_json, as_markdown, with_sections
 from benchmarks.harness.result import Benchmark, Result, Skipped
-from benchmarks.pages import hard_tables, long_runs
+from benchmarks.pages import bad_input, estimates, hard_tables, hard_twins, long_runs
 
 BENCHMARKS: dict[str, Benchmark] = {
     "step_slider_crank": step_slider_crank.run,
@@ -39,7 +39,13 @@ BENCHMARKS: dict[str, Benchmark] = {
     "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }
-PAGES: dict[str, Callable[[list[str]], int]] = {"hard_tables": hard_tables.main, "long_runs": long_runs.main}
+PAGES: dict[str, Callable[[list[str]], int]] = {
+    "hard_tables": hard_tables.main,
+    "long_runs": long_runs.main,
+    "estimates": estimates.main,
+    "bad_input": bad_input.main,
+    "hard_twins": hard_twins.main,
+}
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "evidence" / "benchmarks.md"
 
 

@@ -140,6 +140,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", type=Path, default=None, help="every run")
+    parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
     options = parser.parse_args(arguments)
     found: list[Judged] = []
     for number, scene in enumerate(mechanisms(options.count, options.seed)):

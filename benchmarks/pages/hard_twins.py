@@ -45,6 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Print a row for each case."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.hard_twins", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), help="these cases")
+    parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
     options = parser.parse_args(arguments)
     print("| case | largest difference to the condensed reference | end value in all coordinates | CPU [s] |")
     print("|---|---:|---|---:|")
