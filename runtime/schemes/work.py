@@ -81,9 +81,9 @@ def counting_step(scheme: Scheme) -> float:
 
 
 def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
-    """(W, by how much it may be wrong where power changes within a step: a stiff damper, a pulse) [J] of a state.
+    """W [J] of states, and by how much it may be wrong where power changes within a step: a stiff damper, a pulse.
 
-    z (..., at least the scheme's part), P (...): states with their powers [W].
+    z (N, n_z) or (n_z,): states, at least the scheme's part; P (N,) or a number: their powers [W].
     """
     layout, h = scheme.layout, counting_step(scheme)
     total, last, change, bends = (z[..., layout.slice(name)][..., 0] for name in FIELDS)
