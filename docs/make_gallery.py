@@ -20,6 +20,7 @@ SECTIONS = {
     "Flexible bodies": ["rotor_blades", "spin_up", "finite_element_bar", "mesh_connecting_rod"],
     "Control, optimisation, studies": [
         "cart_pole",
+        "speed_loop",
         "optimise_torque",
         "parameter_study",
         "monte_carlo",

@@ -78,6 +78,14 @@ def test_the_slider_crank_takes_25_lines_to_build() -> None:
     assert len(body.splitlines()) <= 25
 
 
+def test_speed_loop(said) -> None:
+    """The loop has the frequency and damping that it was designed for; both controllers follow their closed forms."""
+    text = said("speed_loop")
+    assert line(text, "loop") == pytest.approx([5, 0.6, 5, 0.6], abs=1e-8)
+    assert line(text, "inside off the closed form by")[0] < 1e-9
+    assert line(text, "outside off the difference equation by")[0] < 1e-12
+
+
 def test_compare_schemes(said) -> None:
     """Single-rate is second order; the printed scheme first order and worse, its growth follows the law; coupled
     sub-steps are second order and better, linearised ones exact to rounding."""
