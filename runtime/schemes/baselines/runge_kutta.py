@@ -5,8 +5,6 @@ Opponents of the multirate schemes, compiled like them. The tableau of order 8 i
 
 from __future__ import annotations
 
-from functools import cached_property
-
 import casadi as ca
 import numpy as np
 
@@ -25,8 +23,8 @@ class ExplicitRungeKutta(OneStep):
     reach: float  # the largest stable h w of an undamped mode w
     decay_reach: float  # the largest stable h d of a pure decay d
 
-    @cached_property
-    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    @staticmethod
+    def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """A, b and the nodes."""
         raise NotImplementedError
 
@@ -45,12 +43,12 @@ class ExplicitRungeKutta(OneStep):
 
     def evaluations(self) -> tuple[int, int]:
         """One for each slope."""
-        return len(self.tableau[1]), 0
+        return len(self.tableau()[1]), 0
 
     def _step(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
         h, t, n = equations.h[0], self.now(z, equations), len(self.model.q_i)
         y = ca.vertcat(z["x"], z["v"], z["loop"])
-        A, b, nodes = self.tableau
+        A, b, nodes = self.tableau()
         slopes: list[ca.SX] = []
         motions: list[ClosedConfiguration] = []
         work: dict[str, ca.SX] = {}
@@ -72,8 +70,8 @@ class ClassicalRungeKutta(ExplicitRungeKutta):
 
     reach, decay_reach, order = 2.8284, 2.7853, 4
 
-    @cached_property
-    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    @staticmethod
+    def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Kutta's."""
         A = np.array([[0, 0, 0, 0], [0.5, 0, 0, 0], [0, 0.5, 0, 0], [0, 0, 1.0, 0]])
         return A, np.array([1, 2, 2, 1]) / 6, np.array([0, 0.5, 0.5, 1.0])
@@ -84,8 +82,8 @@ class DormandPrince8(ExplicitRungeKutta):
 
     reach, decay_reach, order = 5.9604, 6.3936, 8
 
-    @cached_property
-    def tableau(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    @staticmethod
+    def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """SciPy's; its import takes a third of a second, which a run with another scheme need not spend."""
         from scipy.integrate import DOP853
 
