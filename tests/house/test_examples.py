@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.support.printed_numbers import line, numbers
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 SMALLER: dict[str, dict[str, Any]] = {"optimise_torque": {"intervals": 20}, "parameter_study": {"t_end": 0.05}}
 LONGEST = 70  # lines
@@ -36,16 +38,6 @@ def said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tm
         return capsys.readouterr().out
 
     return run
-
-
-def numbers(text: str) -> list[float]:
-    return [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", text)]
-
-
-def line(text: str, beginning: str) -> list[float]:
-    """Numbers of the line that begins so."""
-    (found,) = (row for row in text.splitlines() if row.startswith(beginning))
-    return numbers(found.removeprefix(beginning))
 
 
 def test_every_example_is_tested_and_in_the_gallery() -> None:
