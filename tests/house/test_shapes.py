@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 ARRAY = re.compile(r"\bndarray\b|\bNDArray\b|\bArray\b")
 # (n,), (N, n_i), (2 n, 2 n), (n_i), nf x nf, or a word about the shape
 SIZE = r"\w+(?: \w+)?(?: ?[-+*/] ?\w+)?"
-SHAPE = re.compile(rf"\((?:{SIZE},)(?: ?{SIZE},?)*\)|\([nN]\w*\)|\b\w+ x \w+\b|\bshape\b")
+SHAPE = re.compile(rf"\({SIZE},(?: ?{SIZE}(?:, ?{SIZE})*,?)?\)|\([nN]\w*\)|\b\w+ x \w+\b|\bshape\b")
 FLOOR = 0.58  # share that is reached; raise it with the share
 
 
