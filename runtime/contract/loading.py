@@ -31,14 +31,19 @@ class _CheckedSource(InspectLoader):
         return self._text
 
 
-def load_model(folder: str | Path) -> Model:
+def load_model(folder: str | Path, digest: str | None = None) -> Model:
     """Load a folder written by `symgen generate`, after comparing its files with the manifest's hashes.
 
-    Loading runs the folder's model.py: load only what you or somebody you trust generated. Raises ModelError if files
+    Loading runs the folder's model.py: load only what you or somebody you trust generated. digest: the model.digest
+    that is meant; a folder that holds another model is refused before any of its code runs. Raises ModelError if files
     are missing, were edited since generation, or belong to another format.
     """
     path = Path(folder)
     manifest = _manifest(path)
+    if digest is not None and manifest["sha256"] != digest:
+        raise ModelError(
+            f"{path}", "it holds another model than was meant: it was generated anew", "begin anew with it"
+        )
     try:
         texts = {name: _checked_text(path, name, expected) for name, expected in manifest["files"].items()}
         module = _module(path / "model.py", texts["model.py"])
@@ -116,9 +121,7 @@ def _reloaded(
     folder: str, digest: str, numbers: Mapping[str, float], functions: Mapping[str, str], driven_by: str
 ) -> Model:
     """The model that was pickled: its folder, if it still holds the same."""
-    found = load_model(folder)
-    if found.digest != digest:
-        raise ModelError(f"{folder} was generated anew since a model of it was pickled; load it and begin anew")
+    found = load_model(folder, digest)
     sources = {name: ca.Function.deserialize(text) for name, text in functions.items()}
     return replace(found, input_values=dict(numbers), sources=sources, driven_by=driven_by)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,9 +29,9 @@ class BarModes(UniformModes):
 
     u: Array
 
+    @abstractmethod
     def interpolate(self, at: float) -> Array:
         """Displacement shapes u (modes,) at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -46,9 +47,9 @@ class BeamModes(UniformModes):
     H: Array
     xH: Array
 
+    @abstractmethod
     def interpolate(self, at: float) -> LateralPoint:
         """Deflection, slope and eta at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from symgen.modes.mesh import check_request, lumped_masses, node_positions
 
 
 @dataclass(frozen=True, eq=False)
-class UniformModes:
+class UniformModes(ABC):
     """Orthogonal shapes of a beam with their integrals over the mass; arrays are read-only.
 
     xi (points,): places x / L of the mass: nodes of a lumped mesh, or Gauss points.  mu (points,): mass fractions,

@@ -27,6 +27,7 @@ from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
+from symgen.system.errors import DerivationError
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.system.topology import Topology
 
@@ -142,8 +143,8 @@ class SpatialSpace:
         return found
 
     def section_force(self, kind: str, reference: str) -> ca.SX:
-        """Of planar beams only, which the scene has checked."""
-        raise NotImplementedError(f"{kind} of {reference}")
+        """Of planar beams only. Raises DerivationError, for who comes past the checks of the scene."""
+        raise DerivationError(reference, f"has no {kind} in space", "measure section forces in planar scenes")
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""

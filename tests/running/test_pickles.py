@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
+from runtime.contract import loading
 from runtime.contract.model import Model, ModelError
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
@@ -50,10 +51,18 @@ def test_steppers_go_on_where_they_were(model_of: Callable[[Scene], Model]) -> N
     assert copy.time == stepper.time == pytest.approx(0.04)
 
 
-def test_what_has_changed_is_not_taken(tmp_path: Path) -> None:
-    text = pickle.dumps(load_model(generate(pushed(2.0), tmp_path / "model")))
+def test_what_has_changed_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither by a pickle nor by a worker of an ensemble, and none of its code runs before that is seen."""
+    meant = load_model(generate(pushed(2.0), tmp_path / "model"))
+    text = pickle.dumps(meant)
     generate(pushed(2.0).model_copy(update={"title": "another"}), tmp_path / "model")
-    with pytest.raises(ModelError, match="generated anew"):
-        pickle.loads(text)
+    ran: list[Path] = []
+    with monkeypatch.context() as patch:
+        patch.setattr(loading, "_module", lambda path, text: ran.append(path))
+        with pytest.raises(ModelError, match="generated anew"):
+            pickle.loads(text)
+        with pytest.raises(ModelError, match="another model than was meant"):
+            load_model(tmp_path / "model", meant.digest)
+    assert not ran
     with pytest.raises(ModelError, match="without one"):
         pickle.dumps(replace(load_model(tmp_path / "model"), folder=""))

@@ -191,3 +191,11 @@ def test_measures_of_what_has_no_section(marker: str, kind: str, beam: dict[str,
     builder.beam("b", **STIFF, lateral={"ends": "clamped-free", "modes": 1}, free=True, **beam)
     with pytest.raises(SceneError, match=problem):
         builder.measure_section("s", kind, marker).build()
+
+
+def test_a_measure_of_a_section_in_space_is_refused_by_name() -> None:
+    bending = {"ends": "clamped-free", "modes": 1}
+    builder = SceneBuilder("bad", space="spatial")
+    builder.beam("b", **STIFF, second_moment_z=1e-9, lateral=bending, free=True)
+    with pytest.raises(SceneError, match="'b' is no planar beam with exact shapes"):
+        builder.measure_section("M", "bending_moment", "b.end").build()

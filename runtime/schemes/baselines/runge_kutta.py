@@ -5,6 +5,8 @@ Opponents of the multirate schemes, compiled like them. The tableau of order 8 i
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 import casadi as ca
 import numpy as np
 
@@ -24,9 +26,9 @@ class ExplicitRungeKutta(OneStep):
     decay_reach: float  # the largest stable h d of a pure decay d
 
     @staticmethod
+    @abstractmethod
     def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """A, b and the nodes."""
-        raise NotImplementedError
+        """A (s, s), b (s,) and the nodes (s,) of s stages."""
 
     @classmethod
     def limited(cls, options: Options) -> bool:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from runtime.contract.errors import ArgumentError
 from runtime.contract.loading import load_model
 from runtime.studies.ensemble.parts import StudyFolder
 from runtime.studies.ensemble.rows import Rows
@@ -30,7 +29,5 @@ def _rows(folder: str, key: str) -> Rows:
     """What a process needs for all parts of a study, made once."""
     place = StudyFolder(folder)
     question = place.question(key)
-    model = load_model(Path(folder) / "model")
-    if model.digest != question.digest:
-        raise ArgumentError(f"folder {folder}", "holds another model than was meant", "start the study again")
+    model = load_model(Path(folder) / "model", question.digest)
     return Rows(model, question, place.table(question))
