@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from symgen.scene.errors import SceneError, show
+from symgen.scene.toml_io import MAX_BYTES
+
+FORMATS = (".stl", ".obj", ".ply", ".off", ".glb")
 
 
 def with_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -37,7 +40,7 @@ def _names_file(shape: Any) -> bool:
 
 def _read(shape: dict[str, Any], folder: Path, item: str) -> dict[str, Any]:
     name = shape["file"]
-    if not isinstance(name, str) or PurePosixPath(name).is_absolute() or ".." in PurePosixPath(name).parts:
+    if not isinstance(name, str) or "\0" in name or not (folder / name).resolve().is_relative_to(folder.resolve()):
         raise SceneError(item, f"{show(name)} is not below the scene's folder", "put the mesh beside the scene file")
     return {**{key: value for key, value in shape.items() if key != "file"}, **read_mesh(folder / name, item)}
 
@@ -45,14 +48,25 @@ def _read(shape: dict[str, Any], folder: Path, item: str) -> dict[str, Any]:
 def read_mesh(path: str | Path, item: str = "shape") -> dict[str, Any]:
     """{type, vertices [m], triangles} of a surface file (STL, OBJ, PLY, GLB, by trimesh), for a body's ``shape``.
 
-    Raises SceneError if trimesh (the extra ``meshes``) is not there or the file cannot be read.
+    The file alone is read, none that it names. Raises SceneError if trimesh (the extra ``meshes``) is missing, and for
+    what is no ordinary file, another format, larger than 50 MB or cannot be read.
     """
+    place = Path(path)
+    if place.suffix.lower() not in FORMATS:
+        raise SceneError(item, f"{path} is of no known format", f"give a file that ends in {', '.join(FORMATS)}")
+    if not place.is_file():  # a pipe or a device may never end
+        raise SceneError(item, f"{path} is not there, or not an ordinary file", "give the path of a surface file")
+    if place.stat().st_size > MAX_BYTES:
+        raise SceneError(item, f"{path} is larger than 50 MB", "coarsen the mesh")
     try:
         import trimesh
     except ImportError:
         raise SceneError(item, "mesh files need trimesh", 'install it: pip install "symgen[meshes]"') from None
     try:
-        mesh = trimesh.load_mesh(path, process=True)  # corners at the same place become one vertex
+        with open(place, "rb") as stream:
+            mesh = trimesh.load_mesh(
+                stream, file_type=place.suffix[1:].lower(), process=True
+            )  # equal corners: one vertex
         vertices, triangles = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=int)
     except Exception as error:  # its readers raise whatever they meet in a damaged file
         raise SceneError(item, f"{path} cannot be read as a surface ({error})", "give a file of triangles") from None

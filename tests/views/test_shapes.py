@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -94,6 +95,16 @@ def test_a_mesh_file_beside_the_scene(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_text(outside)
     with pytest.raises(SceneError, match="not below the scene's folder"):
         Scene.from_toml(tmp_path / "scene.toml")
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "inner" / "link.obj").symlink_to(tmp_path / "part.obj")
+    (tmp_path / "inner" / "scene.toml").write_text(text.replace("part.obj", "link.obj"))
+    with pytest.raises(SceneError, match="not below the scene's folder"):
+        Scene.from_toml(tmp_path / "inner" / "scene.toml")
+    os.mkfifo(tmp_path / "pipe.stl")
+    with pytest.raises(SceneError, match="not an ordinary file"):
+        read_mesh(tmp_path / "pipe.stl")
+    with pytest.raises(SceneError, match="no known format"):
+        read_mesh(tmp_path / "scene.toml")
     (tmp_path / "part.obj").write_text("nothing")
     with pytest.raises(SceneError, match="holds no triangles"):
         read_mesh(tmp_path / "part.obj")
