@@ -27,14 +27,12 @@ def build(torque):
 
 def sampled_law():
     """The same law for a computer that looks every PERIOD and sums up what it saw."""
-    total = 0.0
 
-    def control(t, seen):
-        nonlocal total
-        total += PERIOD * (WANTED - seen[0])
-        return KP * (WANTED - seen[0]) + KI * total
+    def control(t, seen, total):
+        total[0] += PERIOD * (WANTED - seen[0])
+        return KP * (WANTED - seen[0]) + KI * total[0]
 
-    return Sampled(control, every=PERIOD, reads=["rotor.theta_dot"])
+    return Sampled(control, every=PERIOD, reads=["rotor.theta_dot"], memory=[0.0])
 
 
 def main(picture: Path | None = None) -> None:

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from runtime.operating.unbalance import unbalance_response
     from runtime.results.solution import Solution
     from runtime.running.quasi_static_motion import quasi_static_motion
-    from runtime.running.simulate import resume
+    from runtime.running.resume import resume
     from runtime.schemes.catalogue import SCHEMES
     from runtime.schemes.options import Options, SchemeError
     from runtime.studies.advice.auto import simulate
@@ -119,7 +119,7 @@ _HOMES = {
     "quasi_static_motion": "running.quasi_static_motion",
     "Environment": "running.environment",
     "Sampled": "running.inputs",
-    "resume": "running.simulate",
+    "resume": "running.resume",
     "SCHEMES": "schemes.catalogue",
     "Options": "schemes.options",
     "SchemeError": "schemes.options",

@@ -8,7 +8,7 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.operating.linearise import linearise
-from runtime.operating.tracking import ModeState, tracked
+from runtime.operating.tracking import Followed, ModeState, tracked
 from runtime.results.solution import Solution
 
 
@@ -17,7 +17,7 @@ class FrequenciesAlong:
     """N moments of a run and the n modes there, a column a mode, followed by modal assurance.
 
     t (N,) [s]; frequencies (N, n) [rad/s], |lambda|; damping_ratios (N, n), negative where a mode grows; names: those
-    of the modes at the first moment.
+    of the modes where they are met first; NaN where a real mode of a controller is not there.
     """
 
     t: np.ndarray
@@ -44,9 +44,5 @@ def frequencies_along(solution: Solution, samples: int = 60) -> FrequenciesAlong
     for before, here in zip(chosen[:-1], chosen[1:], strict=True):
         halvings = int(np.log2(here - before))  # no more than there are samples in between
         found.append(tracked(found[-1], modes_at(here), float(before), float(here), modes_at, halvings))
-    return FrequenciesAlong(
-        solution.t[chosen],
-        np.array([modes.frequencies for modes in found]),
-        np.array([modes.damping_ratios for modes in found]),
-        found[0].names,
-    )
+    followed = Followed.of(found)
+    return FrequenciesAlong(solution.t[chosen], followed.frequencies, followed.damping_ratios, followed.names)

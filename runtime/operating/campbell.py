@@ -10,11 +10,11 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import write_text
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.operating.equilibrium import Equilibrium, equilibrium, named
 from runtime.operating.linearisation import Linearisation
 from runtime.operating.linearise import linearise
-from runtime.operating.tracking import ModeState, tracked
+from runtime.operating.tracking import Followed, ModeState, tracked
 
 POINTS = 25
 
@@ -24,8 +24,9 @@ class Campbell:
     """N values of a speed or parameter and the n modes there, a column a mode, followed by modal assurance.
 
     over: what changes, is_speed: is it a rate; values (N,); frequencies (N, n) [rad/s]; damping_ratios (N, n);
-    eigenvalues (N, n) [1/s]; shapes (N, n, n): [value, coordinate, mode]; names: the modes' at the first value;
-    coordinates (n); remarks: each with the first value that it was made at.
+    eigenvalues (N, n) [1/s]; shapes (N, n_x, n): [value, coordinate, mode]; names: the modes' where they are met
+    first; coordinates (n_x); remarks: each with the first value that it was made at. Real modes of controllers come
+    and go, two of them for an oscillating one: NaN where a mode is not there.
     """
 
     model: Model
@@ -83,11 +84,6 @@ def campbell(
     Raises ModelError, NoEquilibrium and ArgumentError (no values).
     """
     wanted = np.asarray(values, dtype=float)
-    if model.states:
-        raise ModelError(
-            f"model {model.name} has controllers, whose real modes come and go with a parameter: ask for modes at each "
-            "value"
-        )
     if wanted.ndim != 1 or not len(wanted) or not np.isfinite(wanted).all():
         raise ArgumentError("campbell needs at least one finite value")
     sweep = Sweep(model, over, held or {}, rates or {}, parameters or {}, locked, t)
@@ -102,15 +98,16 @@ def campbell(
             )
         found.append(modes)
         remarks |= {remark: float(value) for remark in system.remarks() if remark not in remarks}
+    followed = Followed.of(found)
     return Campbell(
         model,
         over,
         wanted,
-        np.array([modes.frequencies for modes in found]),
-        np.array([modes.damping_ratios for modes in found]),
-        np.array([modes.eigenvalues for modes in found]),
-        np.array([modes.shapes for modes in found]),
-        found[0].names,
+        followed.frequencies,
+        followed.damping_ratios,
+        followed.eigenvalues,
+        followed.shapes,
+        followed.names,
         system.names,
         [f"from {over} = {value:g} on: {remark}" for remark, value in remarks.items()],
         not sweep.is_parameter,

@@ -10,9 +10,10 @@ import numpy as np
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model, ModelError
+from runtime.operating.all_coordinates import AllCoordinates
 from runtime.operating.balance import Clamped, clamped_directions, steady_rates
 from runtime.operating.functions import PointFunctions, PointValues
-from runtime.operating.given_state import given_position
+from runtime.operating.given_state import given_position, given_state
 from runtime.operating.modal import modal_analysis
 from runtime.operating.mode_solver import State
 from runtime.operating.newton import Found
@@ -106,6 +107,8 @@ def equilibrium(
     # a controller that wants something else than what is held has no balance before its inputs are solved for
     found = Found(q_i, True, np.zeros(0), 0) if trim and model.states else clamped.solve(q_i)
     if not found.converged:
+        found = _led_around(clamped, p, initial or {}, held) or found
+    if not found.converged:
         raise _failure(model, clamped, found)
     q_i, iterations = found.x, found.iterations
     if trim:
@@ -174,6 +177,21 @@ def _clamped(
         )
     task.v = steady_rates(functions, t, placed, task.loop, rates)
     return task, placed
+
+
+def _led_around(
+    clamped: Clamped, p: np.ndarray, initial: Mapping[str, float], held: Mapping[str, float]
+) -> Found | None:
+    """The equilibrium at rest found on all coordinates, where the way in the independent ones was barred."""
+    model = clamped.model
+    if not model.loop_unknowns or model.states or clamped.v.any() or not model.has("augmented"):
+        return None
+    start = given_state(model, p, clamped.functions.c, clamped.t, {**initial, **held})
+    q = AllCoordinates(model, clamped.functions.c, clamped.t, clamped.rows, clamped.goal).solve(start.q)
+    if q is None:
+        return None
+    clamped.loop = q[model.loop_columns]
+    return clamped.solve(q[model.independent_columns])
 
 
 def _told(

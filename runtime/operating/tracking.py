@@ -16,7 +16,10 @@ DISTANCE = 0.1  # weight of the eigenvalues' distance beside the assurance: deci
 
 @dataclass(frozen=True)
 class ModeState:
-    """Eigenvalues (n,) [1/s], frequencies (n,) [rad/s], damping ratios, shapes (n, n), and the mass matrix."""
+    """Eigenvalues (n,) [1/s], frequencies (n,) [rad/s], damping ratios, shapes (n_x, n), and the mass matrix.
+
+    A column that is NaN is a mode that is gone: two real eigenvalues have become a pair, or the other way round.
+    """
 
     eigenvalues: np.ndarray
     frequencies: np.ndarray
@@ -38,14 +41,40 @@ class ModeState:
         )
 
     def ordered(self, order: np.ndarray) -> ModeState:
-        """The same modes in another order."""
+        """The same modes in another order, -1: none."""
+        none = order < 0
         return ModeState(
-            self.eigenvalues[order],
-            self.frequencies[order],
-            self.damping_ratios[order],
-            self.shapes[:, order],
+            np.where(none, np.nan, self.eigenvalues[order]),
+            np.where(none, np.nan, self.frequencies[order]),
+            np.where(none, np.nan, self.damping_ratios[order]),
+            np.where(none, np.nan, self.shapes[:, order]),
             self.M,
-            [self.names[k] for k in order],
+            ["" if k < 0 else self.names[k] for k in order],
+        )
+
+
+@dataclass(frozen=True)
+class Followed:
+    """Modes at N values: eigenvalues, frequencies and damping_ratios (N, n), shapes (N, n_x, n), NaN where a mode is
+    not there; names: of each mode where it is met first."""
+
+    eigenvalues: np.ndarray
+    frequencies: np.ndarray
+    damping_ratios: np.ndarray
+    shapes: np.ndarray
+    names: list[str]
+
+    @staticmethod
+    def of(found: list[ModeState]) -> Followed:
+        """The modes of `tracked` at one value after the other: columns may have come on the way."""
+        n = len(found[-1].eigenvalues)
+        whole = [modes.ordered(np.r_[: len(modes.names), np.full(n - len(modes.names), -1)]) for modes in found]
+        return Followed(
+            np.array([modes.eigenvalues for modes in whole]),
+            np.array([modes.frequencies for modes in whole]),
+            np.array([modes.damping_ratios for modes in whole]),
+            np.array([modes.shapes for modes in whole]),
+            [next(modes.names[k] for modes in whole if modes.names[k]) for k in range(n)],
         )
 
 
@@ -70,7 +99,8 @@ def tracked(
     modes change places: frequencies that veer apart look like a crossing from afar.
     """
     order, sure = _matched(before, after)
-    crossed = bool(np.any(np.diff(order[np.argsort(before.frequencies, kind="stable")]) < 0))
+    met = order[np.argsort(before.frequencies, kind="stable")]
+    crossed = bool(np.any(np.diff(met[met >= 0]) < 0))
     if not left or (sure and not crossed):
         return after.ordered(order)
     middle = 0.5 * (first + last)
@@ -79,11 +109,20 @@ def tracked(
 
 
 def _matched(before: ModeState, after: ModeState) -> tuple[np.ndarray, bool]:
-    """(order of `after`, are all pairs alike?)."""
-    likeness = modal_assurance(before.shapes, after.shapes, 0.5 * (before.M + after.M))
-    apart = np.abs(before.eigenvalues[:, None] - after.eigenvalues[None, :])
-    scale = np.abs(before.eigenvalues)[:, None] + np.abs(after.eigenvalues)[None, :]
+    """(for each column before, the mode of `after`, -1: none, and behind them those that are new; are pairs alike?).
+
+    A new mode takes a column that was empty.
+    """
+    there = np.flatnonzero(np.isfinite(before.frequencies))
+    likeness = modal_assurance(before.shapes[:, there], after.shapes, 0.5 * (before.M + after.M))
+    apart = np.abs(before.eigenvalues[there, None] - after.eigenvalues[None, :])
+    scale = np.abs(before.eigenvalues)[there, None] + np.abs(after.eigenvalues)[None, :]
     from scipy.optimize import linear_sum_assignment  # when it is needed: importing it takes long
 
     rows, columns = linear_sum_assignment(-likeness + DISTANCE * apart / np.maximum(scale, 1e-300))
-    return columns, bool(likeness[rows, columns].min(initial=1.0) >= SURE)
+    order = np.full(len(before.frequencies), -1)
+    order[there[rows]] = columns
+    new = [k for k in range(len(after.names)) if k not in columns]
+    empty = np.flatnonzero(~np.isfinite(before.frequencies))[: len(new)]
+    order[empty] = new[: len(empty)]
+    return np.r_[order, new[len(empty) :]].astype(int), bool(likeness[rows, columns].min(initial=1.0) >= SURE)

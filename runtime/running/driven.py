@@ -17,7 +17,7 @@ from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
-from runtime.running.inputs import Schedule
+from runtime.running.schedule import Schedule
 
 SCHEME = "driven"
 CLOSED = 1e-14  # rad or m, times the largest coordinate: correction after which the loops count as closed

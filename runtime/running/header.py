@@ -23,7 +23,7 @@ class CheckpointHeader:
 
     segments: q_i of each segment so far, in the order of the record; segment: the one under way. position: all
     coordinates there, which tell a generator of variants where it is. monitor, guard, accuracy: what checks
-    compare with, and errors so far.
+    compare with, and errors so far. schedule: what drives it remembers.
     """
 
     model: str
@@ -51,6 +51,7 @@ class CheckpointHeader:
     monitor: dict[str, list[float]]
     guard: list[list[float]]
     accuracy: dict[str, list[float]]
+    schedule: dict[str, list[float]]
 
     def to_json(self) -> str:
         """One JSON object with its format."""

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from runtime.contract.model import Model, ModelError
-from runtime.contract.signals import SINCE, SUFFIXES, Signals
-from runtime.running.reading import reading
-from runtime.schemes.scheme import Scheme
+from runtime.contract.signals import SINCE, SUFFIXES
+from runtime.running.schedule import Controller, Schedule
 
 ON_THE_GRID = 1e-6  # of a step: a sample that far from the end of a step is at it
 
@@ -21,54 +20,19 @@ ON_THE_GRID = 1e-6  # of a step: a sample that far from the end of a step is at 
 class Sampled:
     """A controller: function(t, values) decides an input every so many seconds; it is held in between.
 
-    values (k,): coordinates, rates and measures named in `reads`, as they are at t. Whatever the function remembers is
-    its own, so such a run has no checkpoints.
+    values (k,): coordinates, rates and measures named in `reads`, as they are at t. memory: numbers that the function
+    remembers, as each run begins with them; it is called as function(t, values, memory) and changes that array (k,) in
+    place. Checkpoints keep it. () says that it remembers nothing; None that it may remember what cannot be kept, and
+    such a run has no checkpoints.
     """
 
-    function: Callable[[float, np.ndarray], float]
+    function: Callable[..., float]
     every: float
     reads: Sequence[str] = ()
+    memory: Sequence[float] | None = None
 
 
 InputValue = float | Callable[[Any], Any] | tuple[Sequence[float], Sequence[float]] | Sampled
-
-
-@dataclass
-class Schedule:
-    """What becomes of the inputs at which step: samples by step, and controllers."""
-
-    signals: Signals
-    samples: dict[int, dict[str, float]] = field(default_factory=dict)
-    controllers: list[tuple[str, int, Callable[[float, np.ndarray], float]]] = field(default_factory=list)
-    done: int = -1  # the last step whose samples were taken
-
-    def until_next(self, step: int) -> int | None:
-        """Steps from this one to the next change; None if there is none."""
-        following = [at - step for at in self.samples if at > step]
-        following += [every - step % every for _, every, _ in self.controllers]
-        return min(following, default=None)
-
-    def apply(self, step: int, t: float, z: np.ndarray, w: np.ndarray) -> np.ndarray | None:
-        """(n_w,) w from this step on, where something is to change; z: the scheme's part of the state."""
-        values: dict[str, float] = {}
-        for at in sorted(at for at in self.samples if self.done < at <= step):
-            values |= self.samples[at]
-        for name, every, decide in self.controllers:
-            if step % every == 0 and step > self.done:
-                values[name] = float(decide(t, z))
-        self.done = max(self.done, step)
-        return self.signals.changed(w, t, values) if values else None
-
-    def rows(self, times: np.ndarray, dt: float, w: np.ndarray) -> np.ndarray:
-        """(N, n_w) the numbers of the inputs at times that are steps of dt apart, or multiples of it."""
-        found, steps = [], np.rint((times - times[0]) / dt).astype(int)
-        for step in steps:
-            due = sorted(at for at in self.samples if self.done < at <= step)
-            for at in due:
-                w = self.signals.changed(w, float(times[0]) + at * dt, self.samples[at])
-            self.done = int(step)
-            found.append(w)
-        return np.array(found)
 
 
 def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
@@ -85,13 +49,16 @@ def bound(model: Model, inputs: Mapping[str, InputValue] | None) -> Model:
     plain: dict[str, Any] = {name: value for name, value in inputs.items() if name not in sampled}
     found = model.with_inputs(plain)
     arrays = {name: value for name, value in sampled.items() if isinstance(value, tuple | list)}
-    if not arrays and not found.sources:
+    controllers = {name: value for name, value in sampled.items() if isinstance(value, Sampled)}
+    if not sampled and not found.sources:
         return found
     digest = hashlib.sha256()
     for name, function in sorted(found.sources.items()):
         digest.update(f"{name} {function.serialize()}".encode())
     for name, (times, values) in sorted(arrays.items()):
         digest.update(f"{name} {list(map(float, times))} {list(map(float, values))}".encode())
+    for name, controller in sorted(controllers.items()):
+        digest.update(f"{name} {controller.every!r} {list(controller.reads)}".encode())
     return replace(found, driven_by=digest.hexdigest())
 
 
@@ -105,26 +72,12 @@ def scheduled(model: Model, inputs: Mapping[str, InputValue] | None, t0: float, 
                 raise ModelError(
                     f"input {name!r}", "its controller must be asked every dt or less often", f"dt = {dt:g}"
                 )
-            schedule.controllers.append((name, every, value.function))
+            schedule.controllers.append(
+                Controller(name, every, value.function, tuple(value.reads), _memory(name, value))
+            )
         elif isinstance(value, tuple | list):
             _add_samples(schedule, model, name, value, t0, dt)
     return schedule
-
-
-def reads_of(
-    schedule: Schedule, inputs: Mapping[str, InputValue] | None, model: Model, scheme: Scheme, c: np.ndarray
-) -> None:
-    """Give the controllers of a schedule what they read: functions of (t, z)."""
-    constants = scheme.constants(c)
-    for k, (name, every, decide) in enumerate(schedule.controllers):
-        source = (inputs or {})[name]
-        assert isinstance(source, Sampled)
-        read = reading(model, scheme, scheme.layout.size, source.reads)
-        schedule.controllers[k] = (name, every, _deciding(decide, read, constants))
-
-
-def _deciding(decide: Callable[[float, np.ndarray], float], read: Any, constants: np.ndarray) -> Any:
-    return lambda t, z: decide(t, np.asarray(read(z, constants)).ravel())
 
 
 def _add_samples(schedule: Schedule, model: Model, name: str, value: Any, t0: float, dt: float) -> None:
@@ -144,6 +97,18 @@ def _add_samples(schedule: Schedule, model: Model, name: str, value: Any, t0: fl
     for step, row in zip(steps, rows, strict=True):
         at = max(step, 0)  # of samples before the start the last one counts
         schedule.samples[at] = {**schedule.samples.get(at, {}), **row}
+
+
+def _memory(name: str, controller: Sampled) -> np.ndarray | None:
+    if controller.memory is None:
+        return None
+    try:
+        found = np.array(controller.memory, dtype=float)
+    except (TypeError, ValueError):
+        found = np.full(1, np.nan)
+    if found.ndim != 1 or not np.isfinite(found).all():
+        raise ModelError(f"input {name!r}", "what its controller remembers is no list of finite numbers", "give one")
+    return found
 
 
 def _arrays(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:

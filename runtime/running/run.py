@@ -15,9 +15,9 @@ from runtime.results.stream import StreamFile
 from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint
 from runtime.running.header import CheckpointHeader
-from runtime.running.inputs import Schedule
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.record import Record
+from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import FLOOR, Guard
 from runtime.running.singular.passage import Passage, locate
@@ -260,6 +260,7 @@ class Run:
             monitor=self.segment.monitor.memory(),
             guard=self.guard.memory(),
             accuracy=self.accuracy.memory(),
+            schedule={} if self.schedule is None else self.schedule.memory(),
         )
 
 

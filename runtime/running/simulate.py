@@ -1,4 +1,4 @@
-"""Run a scheme on a model, or go on with a run from a checkpoint: the public doors."""
+"""Run a scheme on a model: the public door."""
 
 from __future__ import annotations
 
@@ -11,27 +11,26 @@ from typing import Any, TypedDict, Unpack
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
-from runtime.running.checkpoint import Checkpoint, claim, read_checkpoint
+from runtime.running.checkpoint import claim
 from runtime.running.driven import driven_solution
-from runtime.running.inputs import InputValue, Schedule, bound, reads_of, scheduled, started
+from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import finished
 from runtime.running.plan import Plan, make_plan, whole_number
 from runtime.running.record import record_of
 from runtime.running.run import CheckpointRule, Progress, Run
+from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
-from runtime.running.singular.guard import Guard
-from runtime.running.singular.variants import variant_of
 from runtime.running.time_functions import check_time_functions
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
 ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
-__all__ = ["Plan", "make_plan", "resume", "simulate"]
+__all__ = ["Plan", "make_plan", "simulate"]
 
 
 class FurtherArguments(TypedDict, total=False):
@@ -142,15 +141,20 @@ def simulate(
     events = check_time_functions(model, model.constants(p), plan, state)
     run, set_up = _begun(model, plan, p, state, more, rule)
     run.events += events
-    run.schedule = _with_reads(schedule, inputs, run)
+    run.schedule = with_reads(schedule, run)
     return finished(run, set_up)
 
 
-def _with_reads(schedule: Schedule, inputs: Mapping[str, InputValue] | None, run: Run) -> Schedule | None:
-    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with a controller."""
-    if schedule.controllers and run.rule.path is not None:
-        raise SchemeError("checkpoint", "a controller's memory cannot be kept", "leave the checkpoint out")
-    reads_of(schedule, inputs, run.segment.model, run.segment.plan.scheme, run.segment.c)
+def with_reads(schedule: Schedule, run: Run) -> Schedule | None:
+    """The schedule for a run, None if it changes nothing. Raises SchemeError for a checkpoint with an unkept memory."""
+    for controller in schedule.controllers:
+        if controller.memory is None and run.rule.path is not None:
+            raise SchemeError(
+                "checkpoint",
+                f"what the controller of {controller.name!r} remembers cannot be kept",
+                "give its numbers as Sampled(..., memory=[...]), memory=() if it has none, or leave the checkpoint out",
+            )
+        controller.read_from(run.segment.model, run.segment.plan.scheme, run.segment.c)
     return schedule if schedule.samples or schedule.controllers else None
 
 
@@ -217,80 +221,3 @@ def _driven(
 def _differ(given: float, used: float) -> bool:
     """Do two values differ in one of nine digits, and by more than rounding where one of them is zero?"""
     return f"{given:.9g}" != f"{used:.9g}" and abs(given - used) > ROUNDING
-
-
-def resume(
-    model: Model,
-    path: str | Path,
-    *,
-    stream: str | Path | None = None,
-    engine: str = "auto",
-    progress: Progress | None = None,
-    checkpoint: str | Path | None = None,
-    checkpoint_every: int | None = None,
-    scheme: str | None = None,
-    dt: float | None = None,
-    m: list[int] | None = None,
-    options: Mapping[str, Any] | None = None,
-    inputs: Mapping[str, InputValue] | None = None,
-) -> Solution:
-    """Go on with the run of a checkpoint to its end; the Solution is that of an uninterrupted run, bit for bit.
-
-    stream: the run's own folder where it has moved. checkpoint: where further ones go (the same file by default).
-    inputs: those of the run, where they are functions of time or samples.
-    scheme, dt [s], m and options need not be said again; they are compared with the run's own. Raises ModelError for a
-    checkpoint of another model or a damaged file, SchemeError for other settings, and what `simulate` raises.
-    """
-    kept, model = read_checkpoint(path), bound(model, inputs)
-    header = kept.header
-    header.check_model(model, path)
-    header.check_settings({"scheme": scheme, "dt": dt, "m": m, "options": options}, path)
-    rule = Further(checkpoint=checkpoint or path, checkpoint_every=checkpoint_every).rule()
-    started = time.perf_counter()
-    segments = _segments(model, kept, engine, path)
-    set_up = time.perf_counter() - started
-    segment, z = segments[header.segment], kept.z.copy()
-    segment.monitor.resume(segment.stepper.state(z), header.monitor)
-    keep_rows = bool(header.outputs) or header.stream is not None
-    record = record_of(segment, z, stream or header.stream, keep_rows, resumed=True)
-    record.segments[:] = segments
-    with record.closed_on_error():
-        record.restore(kept.arrays, header.rows, header.last_step)
-    accuracy = Accuracy(header.steps)
-    accuracy.resume(header.accuracy)
-    run = Run(
-        segment,
-        z,
-        record,
-        rule,
-        header.initial_changes,
-        progress,
-        list(header.events),
-        engine=engine,
-        guard=Guard.remembered(header.guard),
-        accuracy=accuracy,
-        earlier=kept.arrays.get("earlier"),
-    )
-    schedule = scheduled(model, inputs, header.t0, header.dt)
-    schedule.done = run.step - 1
-    run.schedule = _with_reads(schedule, inputs, run)
-    return finished(run, set_up)
-
-
-def _segments(model: Model, kept: Checkpoint, engine: str, path: str | Path) -> list[Segment]:
-    """Those that the run has had, built again. Raises ModelError if z does not fit the one under way."""
-    header = kept.header
-    plan = header.plan(model)
-    segments = [Segment.build(model, plan, kept.p, engine)]
-    for q_i in header.segments[1:]:
-        variant = model if q_i == model.q_i else variant_of(model, q_i, np.array(header.position))
-        segments.append(Segment.build(variant, plan.on(variant), kept.p, engine))
-    current = segments[header.segment]
-    fitting = current.stepper.start(0.0, model.initial_q, model.initial_q_dot, current.c, plan.grid.dt_L)
-    if len(fitting) != len(kept.z):
-        raise ModelError(
-            f"checkpoint {path}",
-            "it holds a state of another length than this scheme's; another version wrote it",
-            "go on with that version, or start again",
-        )
-    return segments

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable
+from math import isnan
 from pathlib import Path
 from typing import Any
 
@@ -84,8 +86,8 @@ def run(arguments: argparse.Namespace) -> Outcome:
         "modes": [
             {
                 "name": mode,
-                "frequencies": found.frequencies[:, k].tolist(),
-                "damping": found.damping_ratios[:, k].tolist(),
+                "frequencies": _where_there(found.frequencies[:, k]),
+                "damping": _where_there(found.damping_ratios[:, k]),
             }
             for k, mode in enumerate(found.names)
         ],
@@ -101,3 +103,8 @@ def run(arguments: argparse.Namespace) -> Outcome:
     if found.is_speed:
         lines += [f"critical speed {value:.6g} rad/s of mode {mode + 1}" for mode, value in found.crossings()]
     return Outcome(data, [*lines, *found.remarks[-3:], *(f"left {path}" for path in files)])
+
+
+def _where_there(values: Iterable[float]) -> list[float | None]:
+    """Of a mode that comes or goes, None where it is not."""
+    return [None if isnan(value) else float(value) for value in values]

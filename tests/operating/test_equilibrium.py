@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from runtime import NoEquilibrium, equilibrium, linearise, modes
 from runtime.contract.consistent_state import InitialStateError
@@ -207,3 +208,28 @@ def test_linearise_takes_what_was_held_as_locked(built_in: Load) -> None:
     found = equilibrium(model, held={"hub.theta": 0.3})
     assert linearise(model, found).names == ["beam.q1", "beam.q2", "beam.q3"]
     assert linearise(model, found, locked=()).names == model.q_i
+
+
+@pytest.mark.parametrize("start", ["up", "zigzag"])
+def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> None:
+    """Hand: with the horizontal force H the link k of weight w hangs at tan theta_k = (k - (n - 1) / 2) w / H.
+
+    Thrown up it passes positions, zigzag it starts in one, where its independent angles say nothing of the others.
+    """
+    n, length, span = 12, 1.5, 1.0
+    builder = SceneBuilder(f"chain_{start}").gravity(0.0, -G).ground(markers={"hook": {"position": (span, 0.0)}})
+    last, link = "ground.origin", length / n
+    for k in range(n):
+        builder.rigid(f"link{k}", mass=0.1, inertia=1e-5, center_of_mass=(link / 2, 0.0),
+                      markers={"end": {"position": (link, 0.0)}})  # fmt: skip
+        last = builder.revolute(f"hinge{k}", last, f"link{k}.origin") and f"link{k}.end"
+    begin = {f"link{k}.theta": (5.5 - k) * 0.2 if start == "up" else (-1) ** k * 0.84 for k in range(n)}
+    found = equilibrium(model_of(builder.initial(begin).revolute("hook", last, "ground.hook").build()))
+
+    def angles(share: float) -> np.ndarray:
+        return np.arctan((np.arange(n) - (n - 1) / 2) * share)
+
+    weight_by_force = brentq(lambda share: link * np.cos(angles(share)).sum() - span, 1e-3, 1e3, xtol=1e-15)
+    turned = [found[f"link{k}.theta"] for k in range(n)] - angles(weight_by_force)
+    assert found.stable
+    np.testing.assert_allclose(np.sin(turned / 2), 0.0, atol=1e-9)

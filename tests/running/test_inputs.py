@@ -204,6 +204,31 @@ def test_on_the_command_line(tmp_path: Any, capsys: pytest.CaptureFixture[str]) 
     assert "row 3" in capsys.readouterr().out
 
 
-def test_a_controller_has_no_checkpoint(model_of: Build, tmp_path: Any) -> None:
-    with pytest.raises(SchemeError, match="memory"):
+def counting(memory: Any) -> Sampled:
+    """A controller that sums up what it saw; the sum is in `memory`."""
+
+    def decide(t: float, x: np.ndarray, kept: np.ndarray) -> float:
+        kept[0] += 0.02 * (1.0 - x[0])
+        return float(kept[0] - x[1])
+
+    return Sampled(decide, 0.02, ["cart.x", "cart.x_dot"], memory)
+
+
+def test_a_controller_with_a_memory_is_gone_on_with(model_of: Build, tmp_path: Any) -> None:
+    """Bit for bit, from a checkpoint between two of its samples; each run begins with the memory that was given."""
+    model, law, kept = model_of(cart()), counting([0.5]), tmp_path / "run.npz"
+    whole = simulate(model, inputs={"force": law}, checkpoint=kept, checkpoint_every=405)
+    assert whole["force"][1] == 0.5 + 0.02  # at rest at 0
+    np.testing.assert_array_equal(resume(model, kept, inputs={"force": law}).q, whole.q)
+    np.testing.assert_array_equal(simulate(model, inputs={"force": law}).q, whole.q)
+    with pytest.raises(SymgenError, match="does not remember"):
+        resume(model, kept, inputs={"force": counting([0.5, 1.0])})
+    with pytest.raises(SymgenError, match="driven by other inputs"):
+        resume(model, kept, inputs={"force": Sampled(lambda t, x: 0.0, 0.01, memory=())})
+
+
+def test_a_memory_that_cannot_be_kept_is_refused(model_of: Build, tmp_path: Any) -> None:
+    with pytest.raises(SchemeError, match="memory=\\(\\)"):
         simulate(model_of(cart()), inputs={"force": Sampled(lambda t, x: 0.0, 0.01)}, checkpoint=tmp_path / "run.npz")
+    with pytest.raises(SymgenError, match="no list of finite numbers"):
+        simulate(model_of(cart()), inputs={"force": counting(["a"])})

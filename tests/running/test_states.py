@@ -9,8 +9,19 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from runtime import SCHEMES, augmented_solution, ensemble, equilibrium, gradient, linearise, modes, resume, simulate
-from runtime.contract.model import Model, ModelError
+from runtime import (
+    SCHEMES,
+    augmented_solution,
+    campbell,
+    ensemble,
+    equilibrium,
+    gradient,
+    linearise,
+    modes,
+    resume,
+    simulate,
+)
+from runtime.contract.model import Model
 from runtime.gradients.objectives import End
 from symgen.scene import Scene, SceneBuilder, SceneError
 
@@ -191,11 +202,20 @@ def test_wrong_states_are_refused_by_name(change: dict[str, Any], words: str) ->
         rotor(**change)
 
 
-def test_a_campbell_diagram_of_a_controlled_model_is_refused(model_of: Build) -> None:
-    from runtime import campbell
+def test_a_campbell_diagram_of_a_closed_loop(model_of: Build) -> None:
+    """Roots of J x^2 + (D + KP) x + KI = 0 by hand: two real ones, which meet at (D + KP)^2 = 4 KI J and vibrate then.
 
-    with pytest.raises(ModelError, match="controllers"):
-        campbell(model_of(arm()), "arm.mass", [1.0, 2.0])
+    With the angle, which nothing holds, there are three modes below and two above.
+    """
+    inertia = np.linspace(0.012, 0.036, 9)
+    found = campbell(model_of(rotor()), "rotor.inertia", inertia, parameters={"wanted": 0.0})
+    assert found.frequencies.shape == (9, 3) and found.names[0] == "rigid rotor.theta"
+    for row, J_here in zip(found.eigenvalues, inertia, strict=True):
+        roots = np.roots([J_here, D + KP, KI])
+        exact = np.sort_complex(np.r_[0.0, roots[roots.imag >= 0]])
+        np.testing.assert_allclose(np.sort_complex(row[np.isfinite(row)]), exact, rtol=1e-8, atol=1e-8)
+    gone = np.isnan(found.frequencies)
+    assert gone.sum(axis=0).tolist() in ([0, 5, 0], [0, 0, 5]) and not gone[:4].any()
 
 
 def test_in_space_both_derivations_agree(model_of: Build) -> None:

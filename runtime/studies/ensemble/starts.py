@@ -10,7 +10,8 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.model import Model, ModelError
 from runtime.operating.assembly import closable
 from runtime.operating.given_state import keeps_independent
-from runtime.running.inputs import Schedule, started
+from runtime.running.inputs import started
+from runtime.running.schedule import Schedule
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.samples import vectors
 
