@@ -17,9 +17,11 @@ from symgen.modes import (
 )
 from symgen.scene import BeamBody
 
+BENDING_AXES = (1, 2)
+
 
 class SetChoice(NamedTuple):
-    """axis: direction of the displacements, 0 = x (stretching), 1 = y, 2 = z."""
+    """axis: direction of the displacements, 0 = x (stretching), 1 = y, 2 = z; 3 = torsion about x."""
 
     axis: int
     ends: str
@@ -32,7 +34,7 @@ ModeSets = tuple[tuple[int, BeamModes | BarModes], ...]
 def set_choices(body: BeamBody) -> tuple[SetChoice, ...]:
     """The sets that a beam asks for, in the order of its coordinates. Its `ends` are filled in."""
     found = []
-    for axis, modes in ((1, body.lateral), (2, body.lateral_z), (0, body.axial)):
+    for axis, modes in ((1, body.lateral), (2, body.lateral_z), (0, body.axial), (3, body.torsion)):
         if modes is not None:
             assert modes.ends is not None, "ends are filled in where the scene is left behind"
             found.append(SetChoice(axis, modes.ends, modes.modes))
@@ -48,11 +50,13 @@ def mode_sets(body: BeamBody) -> ModeSets:
 def _sets(elements: int | None, choices: tuple[SetChoice, ...]) -> ModeSets:
     if elements is not None:
         return tuple(
-            (one.axis, (lateral_modes if one.axis else axial_modes)(elements, one.ends, one.modes)) for one in choices
+            (one.axis, (lateral_modes if one.axis in BENDING_AXES else axial_modes)(elements, one.ends, one.modes))
+            for one in choices
         )
     panels = panels_for(max((one.modes for one in choices), default=0))
     return tuple(
-        (one.axis, (exact_bending if one.axis else exact_stretching)(one.ends, one.modes, panels)) for one in choices
+        (one.axis, (exact_bending if one.axis in BENDING_AXES else exact_stretching)(one.ends, one.modes, panels))
+        for one in choices
     )
 
 

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import casadi as ca
 import numpy as np
 
 from runtime.contract.records import Bound
 from symgen.algebra.parameters import ParameterTable
-from symgen.algebra.scalar import ZERO, add, entries, mul, neg
+from symgen.algebra.scalar import add, entries, mul, neg
 from symgen.algebra.vectors import Vector, scaled, zeros
-from symgen.bodies.beam_sets import ModeSets, mesh_name, mode_sets, set_choices
 from symgen.bodies.marker_axes import marker_rotation, quaternion_of
+from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_beam_integrals, square
 from symgen.bodies.spatial_moments import Matrix, SpatialIntegrals, SpatialPoint
-from symgen.modes.spatial_beam import SpatialBeam, spatial_beam
 from symgen.scene import BeamBody, BeamMarker, FlexibleMarker, MarkerDirections, RigidBody, Scene, SpatialModalBody
 
 
@@ -27,7 +25,7 @@ def spatial_integrals(scene: Scene, name: str, table: ParameterTable) -> Spatial
     if isinstance(body, SpatialModalBody):
         return _flexible(body, table)
     assert isinstance(body, BeamBody)
-    return _beam(body, table)
+    return spatial_beam_integrals(body, table)
 
 
 def three(
@@ -68,7 +66,7 @@ def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals
     name, nf = body.name, body.nf
 
     def symmetric(values: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> Matrix:
-        rows = _square(nf if values is None else len(values))
+        rows = square(nf if values is None else len(values))
         for a in range(0 if values is None else len(values)):
             assert values is not None
             for b in range(a, len(values)):
@@ -122,66 +120,6 @@ def _flexible(body: SpatialModalBody, table: ParameterTable) -> SpatialIntegrals
     )
 
 
-def _beam(body: BeamBody, table: ParameterTable) -> SpatialIntegrals:
-    """A uniform beam along x: bending in both planes and stretching over lumped nodal masses, rigid in torsion.
-
-    The cross-section's rotary inertia counts in J0, so that the beam has one about its own axis.
-    """
-    data, key, nf = spatial_beam_of(body), spatial_mesh_key(body), body.nf
-    length, density, area = (table.of(body, field) for field in ("length", "density", "area"))
-    modulus, section = (
-        table.of(body, "youngs_modulus"),
-        [table.of(body, "second_moment"), table.of(body, "second_moment_z")],
-    )
-    zeta = table.of(body, "damping_ratio")
-    mass = density * area * length
-
-    def numbers(values: np.ndarray, label: str) -> Matrix:
-        return entries(table.data(values, f"{key}.{label}", "1", "shape integral of the mesh"))
-
-    def by(factor: ca.SX, matrix: Matrix) -> Matrix:
-        return [scaled(factor, row) for row in matrix]
-
-    J0 = [zeros() for _ in range(3)]
-    J0[0][0] = mass * length**2 * numbers(np.array([[data.i0]]), "i0")[0][0]
-    J0[1][1], J0[2][2] = density * length * section[0], density * length * section[1]
-    stiffness = (modulus * area / length, modulus * section[0] / length**3, modulus * section[1] / length**3)
-    M_ff, K_ff, D_ff = by(mass, numbers(np.diag(data.mass), "mass")), numbers(np.diag(data.kappa), "kappa"), _square(nf)
-    for a, axis in enumerate(data.axes):
-        K_ff[a][a] = mul(stiffness[axis], K_ff[a][a])
-        D_ff[a][a] = mul(mul(ca.SX(2), zeta), ca.sqrt(K_ff[a][a] * M_ff[a][a]))
-    N = [[scaled(mass * length, numbers(data.x_phi[a : a + 1], f"x_phi[{a}]")[0]), zeros(), zeros()] for a in range(nf)]
-    P = [[by(mass, numbers(data.pairs[a, b], f"pairs[{a},{b}]")) for b in range(nf)] for a in range(nf)]
-    S_H = [by(mass / length, numbers(data.H, "H")), _square(nf), _square(nf)] if body.stiffening else []
-    G_H = (
-        [[by(mass, numbers(data.xH, "xH")), _square(nf), _square(nf)], [_square(nf)] * 3, [_square(nf)] * 3]
-        if body.stiffening
-        else []
-    )
-    Sb = by(mass, numbers(data.phi.T, "phi"))
-    return SpatialIntegrals(mass, [mass * length / 2, ZERO, ZERO], J0, Sb, N, P, M_ff, K_ff, D_ff, S_H, G_H)
-
-
-def _square(n: int) -> Matrix:
-    return [zeros(n) for _ in range(n)]
-
-
-def spatial_beam_of(body: BeamBody) -> SpatialBeam:
-    """Dimensionless integrals of a beam's mode sets (numbers); equal sets are computed once."""
-    return _integrals(mode_sets(body))
-
-
-@lru_cache(maxsize=64)
-def _integrals(sets: ModeSets) -> SpatialBeam:
-    return spatial_beam(sets)
-
-
-def spatial_mesh_key(body: BeamBody) -> str:
-    """Name of a beam's mesh and mode sets: beams that share it share their data in p."""
-    names = ("axial", "y", "z")
-    return "/".join([mesh_name(body), *(f"{names[axis]}-{ends}{n}" for axis, ends, n in set_choices(body))])
-
-
 def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[str, SpatialPoint]:
     """(body name, point) of the marker "body.marker"."""
     body, marker = scene.marker(reference)
@@ -204,25 +142,6 @@ def spatial_point(scene: Scene, reference: str, table: ParameterTable) -> tuple[
                     entry, array = f"{reference}.{label}[{i},{a}]", f"{reference}.{label}"
                     target[a][i] = table.quantity(value, entry, "1", "modal data at a marker", array=array)
     return body.name, SpatialPoint(position, shapes, turns, H, axes, quaternion)
-
-
-def beam_spatial_point(body: BeamBody, at: float, table: ParameterTable) -> SpatialPoint:
-    """A point of a beam at the fraction `at` of its length, with the frame's axes."""
-    data, key, nf = spatial_beam_of(body).point(at), f"{spatial_mesh_key(body)}@{at!r}", body.nf
-    length = table.of(body, "length")
-
-    def columns(values: np.ndarray, label: str) -> list[Vector]:
-        return entries(table.data(values.T, f"{key}.{label}", "1", "mode shapes at a marker"))
-
-    turns = [scaled(1 / length, turn) for turn in columns(data.turn, "turn")]
-    H: list[Matrix] = []
-    if body.stiffening:
-        along = entries(table.data(data.H, f"{key}.H", "1", "foreshortening at a marker") / length)
-        H = [along, _square(nf), _square(nf)]
-    fraction = table.data(np.array([[at if at != 1.0 else 0.0]]), f"{key}.at", "1", "marker position")
-    position = [length if at == 1.0 else length * fraction, ZERO, ZERO]
-    axes = [[ca.SX(float(i == j)) for j in range(3)] for i in range(3)]
-    return SpatialPoint(position, columns(data.shape, "shape"), turns, H, axes, [ca.SX(1), ZERO, ZERO, ZERO])
 
 
 def _turned(marker: MarkerDirections, reference: str, table: ParameterTable) -> tuple[Matrix, Vector]:

@@ -70,9 +70,9 @@ def _bodies(derived: Derived) -> str:
             lines.append(f"| {body.name} | rigid | mass {body.mass}, inertia {body.inertia} about the centre of mass |")
         elif isinstance(body, BeamBody):
             sets = [
-                f"{kind} modes {mode.ends} x {mode.modes}"
-                for kind, mode in (("lateral", body.lateral), ("lateral z", body.lateral_z), ("axial", body.axial))
-                if mode
+                f"{kind.replace('_', ' ')} modes {mode.ends} x {mode.modes}"
+                for kind in ("lateral", "lateral_z", "axial", "torsion")
+                if (mode := getattr(body, kind))
             ]
             extra = "with geometric stiffening" if body.stiffening else "without geometric stiffening"
             mesh = "exact shapes" if body.lumped_elements is None else f"{body.lumped_elements} elements, lumped mass"

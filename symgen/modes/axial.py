@@ -1,4 +1,4 @@
-"""Longitudinal modes of a uniform bar, and those of a mesh with lumped nodal masses."""
+"""Longitudinal modes of a uniform bar, which are those of torsion too, and of a mesh with lumped nodal masses."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symgen.modes import elements as fe
-from symgen.modes.cleaning import Array, clean, fixed
+from symgen.modes.cleaning import Array, clean, fixed, symmetric
 from symgen.modes.flexibility import axial_flexibility
 from symgen.modes.mesh import locate
 from symgen.modes.uniform import UniformModes, mesh_for
@@ -33,6 +33,10 @@ class BarModes(UniformModes):
     def interpolate(self, at: float) -> Array:
         """Displacement shapes u (modes,) at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
 
+    @abstractmethod
+    def shortening(self, at: float) -> Array:
+        """Integral of u'^T u' from the start to the fraction `at`, (modes, modes): of twisted fibres."""
+
 
 @dataclass(frozen=True, eq=False)
 class LumpedBarModes(BarModes):
@@ -52,6 +56,13 @@ class LumpedBarModes(BarModes):
         if local in (0.0, 1.0):
             return self.u[element + int(local)]
         return clean((1.0 - local) * self.u[element] + local * self.u[element + 1], 1.0)
+
+    def shortening(self, at: float) -> Array:
+        """Integral of u'^T u' from the start to the fraction `at`: of slopes that are constant in each element."""
+        element, local = locate(at, self.elements)
+        slopes = np.diff(self.u[: element + 2], axis=0) * self.elements
+        parts = np.append(np.ones(element), local) / self.elements
+        return symmetric(slopes.T @ (parts[:, None] * slopes))
 
 
 def axial_modes(elements: int, ends: str, modes: int) -> LumpedBarModes:

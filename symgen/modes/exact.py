@@ -44,14 +44,25 @@ class ExactBeamModes(BeamModes):
 
 @dataclass(frozen=True, eq=False)
 class ExactBarModes(BarModes):
-    """Longitudinal shapes in closed form for L = 1, EA = 1, rho A = 1, orthogonal; xi, mu: Gauss points and weights."""
+    """Longitudinal shapes in closed form for L = 1, EA = 1, rho A = 1, orthogonal; xi, mu: Gauss points and weights.
+
+    panels: parts of the quadrature.
+    """
 
     functions: ShapeFunctions
+    panels: int
 
     def interpolate(self, at: float) -> Array:
         """Displacement shapes u (modes,) at the fraction `at` of the length. Raises ValueError outside [0, 1]."""
         check_fraction(at)
         return clean(self.functions.at(np.array([at]))[0], 1.0)
+
+    def shortening(self, at: float) -> Array:
+        """Integral of u'^T u' from the start to the fraction `at`. Raises ValueError outside [0, 1]."""
+        check_fraction(at)
+        xi, weights = gauss_points(self.panels, at)
+        rate = self.functions.at(xi, 1)
+        return symmetric(rate.T @ (weights[:, None] * rate))
 
 
 def exact_bending(ends: str, modes: int, panels: int | None = None) -> ExactBeamModes:
@@ -98,4 +109,5 @@ def exact_stretching(ends: str, modes: int, panels: int | None = None) -> ExactB
         frequencies=fixed(np.sqrt(values)),
         u=fixed(u),
         functions=functions,
+        panels=parts,
     )

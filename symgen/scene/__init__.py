@@ -17,6 +17,7 @@ from symgen.scene.bodies import (
     MarkerDirections,
     RigidBody,
     RigidMarker,
+    TorsionModes,
 )
 from symgen.scene.builder import SceneBuilder
 from symgen.scene.errors import SceneError
@@ -73,8 +74,8 @@ __all__ = [
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
     "SectionForceMeasure",
-    "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "UniversalJoint", "WeldJoint", "XMeasure",
-    "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh", "with_ends",
+    "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "TorsionModes", "UniversalJoint",
+    "WeldJoint", "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh", "with_ends",
 ]  # fmt: skip
 
 _RENAMED = {

@@ -6,7 +6,8 @@ An end carries a force, a moment, both or nothing, in each plane of bending. Tha
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple, TypeVar
 
 from symgen.scene.bodies import BeamBody, BeamMarker, MarkerDirections
@@ -15,7 +16,8 @@ from symgen.scene.loads import Load
 from symgen.scene.parts import SceneParts
 
 AnyScene = TypeVar("AnyScene", bound=SceneParts)
-NORMALS = {"lateral": (0.0, 0.0, 1.0), "lateral_z": (0.0, 1.0, 0.0)}  # a moment about it bends in that plane
+# a moment about it bends in that plane, or twists
+NORMALS = {"lateral": (0.0, 0.0, 1.0), "lateral_z": (0.0, 1.0, 0.0), "torsion": (1.0, 0.0, 0.0)}
 ALIGNED = 1e-9  # squared sine of the angle between two directions that are taken for one
 LATERAL = {
     ("welded", "free"): "clamped-free",
@@ -42,17 +44,17 @@ def with_ends(scene: AnyScene) -> AnyScene:
 
 def _with_ends(scene: SceneParts, beam: BeamBody) -> BeamBody:
     chosen = {}
-    for key in ("lateral", "lateral_z", "axial"):
+    for key, ends_of in ENDS_OF.items():
         modes = getattr(beam, key)
         if modes is not None and modes.ends is None:
-            ends = axial_ends(scene, beam) if key == "axial" else lateral_ends(scene, beam, key)
+            ends = ends_of(scene, beam)
             chosen[key] = modes.model_copy(update={"ends": ends})
     return beam.model_copy(update=chosen) if chosen else beam
 
 
 def lateral_ends(scene: SceneParts, beam: BeamBody, plane: str = "lateral") -> str:
     """The `ends` of bending in a plane that the joints and loads at the beam's ends ask for."""
-    start, end = (_held(_at(scene, beam, at), plane, scene.space == "spatial") for at in (0.0, 1.0))
+    start, end = (_held(_at(scene, beam, at), plane) for at in (0.0, 1.0))
     return LATERAL.get((start, end), f"{start}-{end}")
 
 
@@ -62,9 +64,27 @@ def axial_ends(scene: SceneParts, beam: BeamBody) -> str:
     return AXIAL.get((start, end), "free-free")
 
 
-def _held(found: list[Carried], plane: str, spatial: bool) -> str:
+def torsion_ends(scene: SceneParts, beam: BeamBody) -> str:
+    """The `ends` of torsion that they ask for."""
+    start, end = (any(_moment(carried, "torsion") for carried in _at(scene, beam, at)) for at in (0.0, 1.0))
+    return AXIAL.get((start, end), "free-free")
+
+
+ENDS_OF: dict[str, Callable[[SceneParts, BeamBody], str]] = {
+    "lateral": lateral_ends,
+    "lateral_z": partial(lateral_ends, plane="lateral_z"),
+    "axial": axial_ends,
+    "torsion": torsion_ends,
+}
+
+
+def _moment(carried: Carried, plane: str) -> bool:
+    return carried.moment and not _turns_freely(carried, plane)
+
+
+def _held(found: list[Carried], plane: str) -> str:
     """ "welded", "pinned" or "free"."""
-    if any(carried.moment and not (spatial and _turns_freely(carried, plane)) for carried in found):
+    if any(_moment(carried, plane) for carried in found):
         return "welded"
     return "pinned" if any(carried.force for carried in found) else "free"
 

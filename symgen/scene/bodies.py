@@ -111,6 +111,16 @@ class AxialModes(StrictModel):
     modes: Modes
 
 
+class TorsionModes(StrictModel):
+    """Which shapes of torsion are kept: those of stretching, with angles for displacements and moments for forces.
+
+    ends left out: what the joints and loads at the ends ask for.
+    """
+
+    ends: AXIAL_ENDS | None = None
+    modes: Modes
+
+
 class BeamMarker(MarkerDirections):
     """A point of a beam: ``at`` is the fraction of the length, 0 at the start, 1 at the end."""
 
@@ -125,7 +135,8 @@ class BeamBody(StrictModel):
     length [m], density [kg/m^3], area [m^2], second_moment [m^4], youngs_modulus [Pa]; damping_ratio [1] of
     all modes. The frame lies at the start with x along the undeformed beam. q_f holds the lateral modes, then
     the axial ones. In a spatial scene second_moment and lateral are those of bending in the xy-plane; second_moment_z
-    and lateral_z those of bending in the xz-plane, whose modes come between the two. Torsion is rigid.
+    and lateral_z those of bending in the xz-plane, whose modes come between the two. Torsion modes, the last ones, turn
+    the sections about x [rad], with the stiffness shear_modulus [Pa] times torsion_constant [m^4], without warping.
     ``stiffening`` keeps the foreshortening (geometric stiffening) terms.
     """
 
@@ -144,6 +155,9 @@ class BeamBody(StrictModel):
     ] = 0.0
     lateral_z: LateralModes | None = None
     axial: AxialModes | None = None
+    shear_modulus: Annotated[Quantity, Meaning("shear modulus", "Pa", Bound.NON_NEGATIVE)] = 0.0
+    torsion_constant: Annotated[Quantity, Meaning("torsion constant of the section", "m^4", Bound.NON_NEGATIVE)] = 0.0
+    torsion: TorsionModes | None = None
     stiffening: Flag = False
     damping_ratio: Annotated[Quantity, Meaning("damping ratio of all modes", "1", Bound.NON_NEGATIVE)] = 0.0
     orientation: Orientation = "euler_parameters"
@@ -152,8 +166,9 @@ class BeamBody(StrictModel):
 
     @property
     def nf(self) -> int:
-        """Number of elastic coordinates: lateral modes and axial modes."""
-        return sum(modes.modes for modes in (self.lateral, self.lateral_z, self.axial) if modes is not None)
+        """Number of elastic coordinates: lateral modes, axial modes and those of torsion."""
+        sets = (self.lateral, self.lateral_z, self.axial, self.torsion)
+        return sum(modes.modes for modes in sets if modes is not None)
 
     @property
     def lumped_elements(self) -> int | None:

@@ -99,11 +99,13 @@ class SceneParts(StrictModel):
             return [Coordinate(name, "", "position", UNITS["position"]) for name in self.structure.coordinates]
         found = []
         for body in self.moving_bodies:
-            parts = [*self.frame_parts(body), *((f"q{k + 1}", "modal") for k in range(body.nf))]
             found += [
                 Coordinate(f"{body.name}.{part}", body.name, kind, UNITS[kind], 1.0 if part == "e0" else 0.0)
-                for part, kind in parts
+                for part, kind in self.frame_parts(body)
             ]
+            twisting = body.torsion.modes if isinstance(body, BeamBody) and body.torsion else 0
+            units = [UNITS["modal"]] * (body.nf - twisting) + [UNITS["angle"]] * twisting
+            found += [Coordinate(f"{body.name}.q{k + 1}", body.name, "modal", unit) for k, unit in enumerate(units)]
         found += [entry for placement in self.placements() for entry in placement.records]
         return found + [
             Coordinate(f"{name}.integral", name, "state", f"{state.unit} s".strip())

@@ -13,8 +13,9 @@ from symgen.algebra.scalar import ONE, ZERO, dot
 from symgen.algebra.vectors import minus
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
 from symgen.bodies.shape_integrals import beam_section
+from symgen.bodies.spatial_beam_body import beam_spatial_point
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
-from symgen.bodies.spatial_integrals import beam_spatial_point, spatial_integrals, spatial_point, three
+from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point, three
 from symgen.bodies.spatial_moments import SpatialPoint
 from symgen.bodies.spatial_orientation import orientation
 from symgen.joints.instance import ConstraintRow

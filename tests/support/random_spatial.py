@@ -65,6 +65,9 @@ class Assembly:
                 "stiffening": self.draw(st.booleans()),
                 "lateral_z": {"ends": "clamped-free", "modes": 1} if self.draw(st.booleans()) else None,
             }
+            if self.draw(st.booleans()):
+                twist = {"ends": "fixed-free", "modes": 1}
+                fields |= {"torsion": twist, "shear_modulus": 4e9, "torsion_constant": 0.2 * side.min() ** 4}
         else:
             mass, sides = self.rng.uniform(0.5, 3), self.rng.uniform(0.1, 1, 3)
             fields |= {"mass": mass, "inertia": mass / 12 * (sides @ sides - sides**2), "center_of_mass": 0.2 * sides}

@@ -9,7 +9,10 @@ from typing import Any
 
 @dataclass(frozen=True)
 class ModeSetRecord:
-    """Shapes of a beam by name (runtime.contract.beams): axis 0 = x (stretching), 1 = y; ends and number of them."""
+    """Shapes of a beam by name (runtime.contract.beams): their ends and number.
+
+    axis: direction of the displacements, 0 = x (stretching), 1 = y, 2 = z; 3 = torsion about x.
+    """
 
     axis: int
     ends: str

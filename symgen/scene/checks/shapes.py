@@ -60,8 +60,8 @@ def _beam(beam: BeamBody, path: str) -> Iterator[SceneError]:
 
 def _lumped(beam: BeamBody, elements: int, path: str) -> Iterator[SceneError]:
     """A lumped mesh has the modes of free vibration that its nodes allow, and no end shapes."""
-    for kind, chosen in (("lateral", beam.lateral), ("lateral_z", beam.lateral_z), ("axial", beam.axial)):
-        known = _MODES_LESS_ELEMENTS[kind.removesuffix("_z")]
+    for kind in ("lateral", "lateral_z", "axial", "torsion"):
+        chosen, known = getattr(beam, kind), _MODES_LESS_ELEMENTS["lateral" if "lateral" in kind else "axial"]
         if chosen is None:
             continue
         if chosen.ends not in known:

@@ -83,6 +83,19 @@ def _body(body: Any, path: str, scene: SceneParts) -> Iterator[SceneError]:
             yield SceneError(f"{path}.lateral_z", "a planar beam bends in its plane only", _SPATIAL)
         if spatial and body.second_moment_z == 0:
             yield SceneError(f"{path}.second_moment_z", "is missing", "give the second moment of area for the xz-plane")
+        yield from _torsion(body, path, spatial)
+
+
+def _torsion(body: BeamBody, path: str, spatial: bool) -> Iterator[SceneError]:
+    quantities = {
+        "shear_modulus": "give the shear modulus, E / (2 (1 + nu)) of an isotropic material",
+        "torsion_constant": "give the torsion constant of the section",
+    }
+    if body.torsion is not None and not spatial:
+        yield SceneError(f"{path}.torsion", "a planar beam does not twist", _SPATIAL)
+    for key, remedy in quantities.items():
+        if body.torsion is not None and spatial and getattr(body, key) == 0:
+            yield SceneError(f"{path}.{key}", "is missing, which torsion needs", remedy)
 
 
 def _rigid(body: RigidBody, path: str, scene: SceneParts) -> Iterator[SceneError]:
