@@ -124,6 +124,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("power_dissipated", "", "", "1", "W", "power lost in dampers, at least zero"),
     Notation("power_applied", "", "", "1", "W", "power of the loads"),
     Notation("measures", "", "", "measures", "mixed", "measures of the scene and their rates"),
+    Notation("switching", "", "", "conditions in t", "SI", "zero where a load or a prescribed motion jumps or kinks"),
     Notation(
         "poses", "", "", "12 x bodies", "m, 1", "origin, then columns of the rotation matrix, of each body that moves"
     ),

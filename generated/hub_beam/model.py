@@ -853,6 +853,20 @@ def poses() -> ca.Function:
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
+def switching() -> ca.Function:
+    """Where in time loads and prescribed motions jump or kink: where one of these changes its sign.
+
+    takes t (1) [s]: time
+    gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
+    4 operations.
+    """
+    t = ca.SX.sym("t", 1)
+    # outputs
+    switching = ca.vertcat(t - 2.0)
+    inputs, outputs = [t], [ca.densify(switching)]
+    return ca.Function("switching", inputs, outputs, ["t"], ["switching"])
+
+
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
@@ -1838,6 +1852,7 @@ FUNCTIONS = {
     "measures": measures,
     "load_actions": load_actions,
     "poses": poses,
+    "switching": switching,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "residual_jacobian": residual_jacobian,

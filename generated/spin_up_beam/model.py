@@ -1192,6 +1192,23 @@ def poses() -> ca.Function:
     return ca.Function("poses", inputs, outputs, ["q"], ["poses"])
 
 
+def switching() -> ca.Function:
+    """Where in time loads and prescribed motions jump or kink: where one of these changes its sign.
+
+    takes t (1) [s]: time
+    takes c (n_const = 136) [SI]: what depends on p only, computed once a run: c = constants(p)
+    gives switching (conditions in t = 1) [SI]: zero where a load or a prescribed motion jumps or kinks
+    4 operations.
+    """
+    t = ca.SX.sym("t", 1)
+    c = ca.SX.sym("c", 136)
+    ramp = c[11]
+    # outputs
+    switching = ca.vertcat(t - ramp)
+    inputs, outputs = [t, c], [ca.densify(switching)]
+    return ca.Function("switching", inputs, outputs, ["t", "c"], ["switching"])
+
+
 def dQ_hat_dq_i() -> ca.Function:
     """Total derivative of Q_hat by q_i, through q_d = f(q_i, t).
 
@@ -2522,6 +2539,7 @@ FUNCTIONS = {
     "energy": energy,
     "measures": measures,
     "poses": poses,
+    "switching": switching,
     "dQ_hat_dq_i": dQ_hat_dq_i,
     "dQ_hat_dq_i_dot": dQ_hat_dq_i_dot,
     "residual_jacobian": residual_jacobian,

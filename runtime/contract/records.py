@@ -11,6 +11,9 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from runtime.contract.beams.records import BeamRecord, beam_records
+from runtime.contract.drawing_records import Drawing as Drawing
+from runtime.contract.drawing_records import PointRecord as PointRecord
+from runtime.contract.drawing_records import ShapeRecord as ShapeRecord
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
@@ -165,43 +168,6 @@ class Measure:
 
 
 @dataclass(frozen=True)
-class PointRecord:
-    """A column of `positions`: a marker of a body, or a station of a beam (name ""), with its modes; has it an H?"""
-
-    body: str
-    name: str
-    modes: int
-    stiffened: bool = False
-
-
-@dataclass(frozen=True)
-class ShapeRecord:
-    """How a rigid body looks, in its axes: a box, cylinder, sphere or mesh at `position` [m] turned by `axes` (3 x 3).
-
-    size [m]: three lengths; radius and length; radius. A mesh has vertices [m] and triangles, places of vertices.
-    """
-
-    body: str
-    type: str
-    position: list[float]
-    axes: list[list[float]]
-    size: list[float] = field(default_factory=list)
-    vertices: list[list[float]] = field(default_factory=list)
-    triangles: list[list[int]] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to; shapes."""
-
-    space: str
-    poses: list[str]
-    points: list[PointRecord]
-    sections: list[str]
-    shapes: list[ShapeRecord] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
 class Signal:
     """An argument or output of a function: shape in the symbols of the names page and as numbers, SI unit, meaning."""
 
@@ -230,7 +196,8 @@ class Description:
     """All that is said of a model in words: everything but its functions and its numbers.
 
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
-    components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u.
+    components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
+    switching: the load, joint or state of each output of the function `switching`.
     """
 
     name: str
@@ -254,6 +221,7 @@ class Description:
     simulation: Mapping[str, Any]
     inputs: list[InputRecord] = field(default_factory=list)
     beams: list[BeamRecord] = field(default_factory=list)
+    switching: list[str] = field(default_factory=list)
 
 
 _TABLES: dict[str, type] = {
@@ -268,7 +236,7 @@ _TABLES: dict[str, type] = {
     "bounded": BoundedQuantity,
     "inputs": InputRecord,
 }
-_MAY_LACK = ("inputs", "beams")  # tables that are not written where they are empty
+_MAY_LACK = ("inputs", "beams", "switching")  # tables that are not written where they are empty
 
 
 def as_plain(description: Description) -> dict[str, Any]:

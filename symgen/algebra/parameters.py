@@ -9,7 +9,7 @@ and an expression that is taken for one must keep a positive value whatever its 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, Protocol
@@ -196,13 +196,18 @@ class ParameterTable:
         tables = {f"table {name}": partial(self._curve, name) for name in self._declarations.tables}
         return {**{name: self._symbols[name] for name in self._declarations.parameters}, **tables}
 
+    def points(self, table: str) -> list[ca.SX]:
+        """The x of a table's points."""
+        return self._column(table, "x", self._declarations.tables[table].x)
+
+    def _column(self, table: str, axis: str, values: Sequence[float]) -> list[ca.SX]:
+        data = self.data(np.array(values), f"table/{table}.{axis}", "SI", "point of a table")
+        return list(ca.horzsplit(ca.densify(data)))
+
     def _curve(self, name: str, x: ca.SX) -> ca.SX:
         """What a table gives at x; its points are data, which enter p where the table is used."""
         table = self._declarations.tables[name]
-        points, values = (
-            ca.horzsplit(ca.densify(self.data(np.array(side), f"table/{name}.{axis}", "SI", "point of a table")))
-            for axis, side in (("x", table.x), ("y", table.y))
-        )
+        points, values = self.points(name), self._column(name, "y", table.y)
         return curve(x, points, values, table.interpolation == "cubic", table.outside == "extend")
 
     def vector(self) -> ca.SX:

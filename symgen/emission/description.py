@@ -47,6 +47,7 @@ def describe(derived: Derived) -> Description:
         bounded=derived.bounded,
         functions=list(derived.functions.values()),
         inputs=eq.inputs,
+        switching=[item for item, _ in eq.switching],
         simulation=scene.simulation.model_dump(mode="json"),
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )

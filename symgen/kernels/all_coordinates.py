@@ -146,3 +146,9 @@ def load_actions(system: Condensed) -> Kernel:
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
     columns = [ca.vertcat(*action) for action in eq.load_actions.values()]
     return Kernel(inputs, {"load_actions": ca.horzcat(*columns) if columns else ca.SX(0, 0)})
+
+
+def switching(system: Condensed) -> Kernel:
+    """What changes sign where a load, a state's rate or a prescribed motion jumps or kinks in time."""
+    eq = system.equations
+    return Kernel(dict(eq.signals), {"switching": ca.vertcat(*(value for _, value in eq.switching))})

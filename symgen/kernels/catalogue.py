@@ -24,6 +24,7 @@ from symgen.kernels.all_coordinates import (
     load_forces,
     measures,
     reactions,
+    switching,
 )
 from symgen.kernels.arguments import Arguments, arguments_of
 from symgen.kernels.drawing import poses
@@ -42,7 +43,7 @@ TREES_ONLY = {
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
-    "load_actions",
+    "load_actions", "switching",
 )  # fmt: skip
 
 
@@ -69,6 +70,8 @@ def build_kernels(
         "poses": lambda: poses(system.equations),
         "load_forces": partial(load_forces, system, list(system.equations.beams)),
     }
+    if system.equations.switching:
+        builders["switching"] = partial(switching, system)
     for name, build in jacobian_kernels(system, arguments).items():
         builders[name] = build
     tree, deflections = is_tree(system, topology), system.deflections

@@ -175,6 +175,14 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "load_forces",
         ),
         _spec("load_actions", "", "What the loads do at their markers", "report", "q q_dot t u c", "load_actions"),
+        _spec(
+            "switching",
+            "",
+            "Where in time loads and prescribed motions jump or kink: where one of these changes its sign",
+            "closure",
+            "t u c",
+            "switching",
+        ),
         _spec("poses", "", "Origin and rotation matrix of each body, for pictures", "condensed", "q c", "poses"),
         _spec(
             "geometry",

@@ -54,6 +54,7 @@ class Equations:
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the planar
     beams with exact shapes; static_residuals: beams whose shapes do not carry what is attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect.
+    switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
     """
 
     coordinates: list[Coordinate]
@@ -79,6 +80,7 @@ class Equations:
     beams: dict[str, list[ModeSetRecord]] = field(default_factory=dict)
     static_residuals: list[StaticResidual] = field(default_factory=list)
     load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
+    switching: list[tuple[str, ca.SX]] = field(default_factory=list)
     picture: Picture = field(default_factory=lambda: Picture([], {}, {}))
     u: dict[str, ca.SX] = field(default_factory=dict)
     inputs: list[InputRecord] = field(default_factory=list)

@@ -22,6 +22,7 @@ from symgen.scene.loads import Load
 from symgen.scene.measures import Measure, SectionForceMeasure
 from symgen.system.equations import Equations
 from symgen.system.signals import motion_derivatives
+from symgen.system.switching import ExpressionReader
 from symgen.system.topology import Topology
 
 
@@ -93,7 +94,7 @@ class Mechanism(Generic[Marker]):
         self, scene: Scene, table: ParameterTable, space: Space[Marker], equations: Equations, topology: Topology
     ) -> None:
         self.scene, self.table, self.space, self.equations = scene, table, space, equations
-        self.topology = topology
+        self.topology, self.reader = topology, ExpressionReader(scene, table, equations)
         gravity = [*scene.gravity, 0.0][: len(space.axes)]
         self.gravity = equations.gravity = [
             table.quantity(g, f"gravity.{axis}", "m/s^2", "gravity")
@@ -170,7 +171,7 @@ class Mechanism(Generic[Marker]):
         text = getattr(joint, "motion", None)
         if text is not None:
             env: Mapping[str, Any] = {**self.table.environment(), "t": eq.t, **eq.u}
-            f = self.scene.expression(text, f"joints.{joint.name}.motion", ("t", *eq.u)).to_casadi(env)
+            f = self.reader.read(text, f"joints.{joint.name}.motion", joint.name, env)
             motion = [*motion_derivatives(self.scene, f, eq.t, eq.u, joint.name)]
         length = getattr(joint, "length", None)
         if length is not None:
@@ -205,13 +206,13 @@ class Mechanism(Generic[Marker]):
         if not eq.states:
             return
         self.environment = {**self.environment, **{name: eq.q_dot[column] for name, column in eq.states.items()}}
-        names = ("t", *eq.u, *eq.measures, *eq.states)
+        names = (*eq.measures, *eq.states)
         rates: dict[str, ca.SX] = {}
         for name, column in eq.states.items():
             state = self.scene.states[name]
             item = f"states.{name}.rate"
             if isinstance(state.rate, str):
-                rates[name] = self.scene.expression(state.rate, item, names).to_casadi(self.environment)
+                rates[name] = self.reader.read(state.rate, item, name, self.environment, *names)
             else:
                 rates[name] = self.table.quantity(state.rate, item, f"{state.unit or '1'}/s")
             eq.M[column] = {column: ONE}
@@ -226,8 +227,7 @@ class Mechanism(Generic[Marker]):
     def _expression(self, text: float | str, item: str) -> ca.SX:
         if not isinstance(text, str):
             return self.table.quantity(text, item, "N or N m")
-        names = ("t", *self.equations.u, *self.equations.measures)
-        return self.scene.expression(text, item, names).to_casadi(self.environment)
+        return self.reader.read(text, item, item.partition(".")[0], self.environment, *self.equations.measures)
 
 
 def spring_values(load: Any, table: ParameterTable) -> list[ca.SX]:

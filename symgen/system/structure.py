@@ -11,6 +11,7 @@ from symgen.algebra.rows import Row
 from symgen.algebra.scalar import mul, total
 from symgen.scene import Scene
 from symgen.system.equations import Equations, blank_equations
+from symgen.system.switching import ExpressionReader
 
 
 def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
@@ -18,7 +19,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
     structure = scene.structure
     assert structure is not None
     eq = blank_equations(scene)
-    env = {**table.environment(), "t": eq.t, **eq.u}
+    env, reader = {**table.environment(), "t": eq.t, **eq.u}, ExpressionReader(scene, table, eq)
 
     def matrix(rows: Sequence[Sequence[float | str]] | None, label: str, unit: str) -> list[Row]:
         return [
@@ -40,7 +41,7 @@ def structure_equations(scene: Scene, table: ParameterTable) -> Equations:
         damper = total(mul(value, eq.q_dot[column]) for column, value in D[row].items())
         load = ca.SX(0)
         if structure.force is not None:
-            load = scene.expression(structure.force[row], f"force[{row}]", ("t", *eq.u)).to_casadi(env)
+            load = reader.read(structure.force[row], f"force[{row}]", f"force[{row}]", env)
         eq.Q_F[row] = load - damper
         eq.elastic = eq.elastic + eq.q[row] * spring / 2
         eq.dissipated = eq.dissipated + eq.q_dot[row] * damper

@@ -1,0 +1,1 @@
+"""Times at which loads and prescribed motions jump or kink, so that steps end there."""
