@@ -216,6 +216,9 @@ FIELDS: tuple[Notation, ...] = (
     Notation("x_start", "", "", "n_i", "mixed", "x at the start of the running step"),
     Notation("x_mid", "", "", "n_i", "mixed", "predicted q_i at the middle of the next step"),
     Notation("v_mid", "", "", "n_i", "mixed", "predicted q_i_dot there"),
+    Notation("x_end", "", "", "n_i", "mixed", "last iterate of q_i at the end of the step"),
+    Notation("v_end", "", "", "n_i", "mixed", "last iterate of q_i_dot there"),
+    Notation("response", "", "", "n_i (1 + n_s)", "mixed", "its forces: accelerations without K and D, M_hat^-1 B"),
     # radau
     Notation("K", "", "", "3 x n_i", "mixed", "accelerations of the three stages"),
     Notation("loop_stages", "", "", "3 x loops", "mixed", "loop unknowns of the stages"),

@@ -16,6 +16,7 @@ from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
+from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions
@@ -105,6 +106,12 @@ SCHEMES: dict[str, SchemeKind] = {
         "exponential Runge-Kutta on the stiff deflections, order 4",
         "none",
         ExponentialRungeKuttaOptions,
+    ),
+    "exponential_midpoint": SchemeKind(
+        ExponentialMidpoint,
+        "symmetric exponential midpoint on the stiff deflections, order 2",
+        "none",
+        ExponentialMidpointOptions,
     ),
     "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", SingleClosureOptions),
     "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", SingleClosureOptions),

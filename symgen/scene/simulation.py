@@ -22,7 +22,7 @@ class CoordinateGroup(StrictModel):
 class Partition(StrictModel):
     """Which coordinates are independent (Eq. 29) and how they are grouped, from slow to fast (Eq. 39, 72).
 
-    stiff: which elastic coordinates and rotational springs `exponential_rk4` takes for stiff; all by default.
+    stiff: which elastic coordinates and rotational springs the exponential schemes take for stiff; all by default.
     """
 
     independent: tuple[Coordinate, ...] | None = None

@@ -131,7 +131,15 @@ def test_the_account_costs_little(built_in: Load, name: str, most: float, scheme
 
 
 @pytest.mark.parametrize(
-    "scheme, order", [("coupled", 2), ("decoupled", 2), ("linearised", 2), ("exponential", 4), ("exponential_rk4", 4)]
+    "scheme, order",
+    [
+        ("coupled", 2),
+        ("decoupled", 2),
+        ("linearised", 2),
+        ("exponential", 4),
+        ("exponential_rk4", 4),
+        ("exponential_midpoint", 2),
+    ],
 )
 def test_the_balance_is_of_the_order_of_the_scheme(model_of: Build, scheme: str, order: int) -> None:
     """Two damped, driven oscillators: the balance at the end falls with the scheme's order."""
@@ -145,7 +153,7 @@ def test_the_balance_is_of_the_order_of_the_scheme(model_of: Build, scheme: str,
     )
     builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.1})
     model = model_of(builder.simulation(t_end=2.0, dt=0.04, m=[2]).build())
-    m = {"coupled": [2], "decoupled": [2], "exponential_rk4": None}.get(scheme, [4])
+    m = {"coupled": [2], "decoupled": [2], "exponential_rk4": None, "exponential_midpoint": None}.get(scheme, [4])
     off = [abs(simulate(model, scheme=scheme, dt=dt, m=m).energy_balance()[-1]) for dt in (0.04, 0.01)]
     assert off[0] < 0.02 and np.log2(off[0] / off[1]) / 2 > order - 0.4, off
 

@@ -1,0 +1,179 @@
+"""Symmetric steps for very long undamped motion: stiff deflections exactly, the rest at the mean of both ends. Order 2.
+
+With q_m = (q_n + q_{n+1}) / 2 and v_m likewise, one solution with 1 + n_s right-hand sides at (q_m, v_m) gives a_m and
+X = M_hat^-1 B, and the step follows
+
+    q'' = a_m - X (K (s - s_m) + D (s' - s'_m)),   s = B^T q,
+
+exactly but for |R| = 1 (stiff_motion.py), iterated until q_m and v_m are the mean of the ends that they lead to. Then
+the step from the end leads back to the start, so errors of energy do not add up. On linear mechanisms the force that is
+held does the work F^T (q_{n+1} - q_n), which for F = -K_L q_m is what q^T K_L q / 2 loses: energy is kept to rounding
+whatever the step, where a force held at the place that the motion passes in the middle feeds resonances in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.engine.program import Fields, Program, Sequence, Until
+from runtime.schemes.one_step import OneStep
+from runtime.schemes.options import MOST_ITERATIONS, ClosureOptions, Options, tolerances, whole_number
+from runtime.schemes.rounding import ROUNDING
+from runtime.schemes.scheme import LARGEST
+from runtime.schemes.stage_equations import StageEquations, StiffResponse
+from runtime.schemes.state_fields import StateField, control, work
+from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
+from runtime.schemes.stiff_motion import StiffMotion
+
+USUAL_ITERATIONS = 6
+STALLED = 64  # roundings of the state below which a change that no longer falls is what rounding leaves
+REACH = 2.0  # h w and h d of the rest up to which the iteration converges
+
+
+@dataclass(frozen=True)
+class ExponentialMidpointOptions(ClosureOptions):
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+
+    eps: change of q(t + h) and h q_dot(t + h) by an iteration, relative to what they change in the step, at which it
+        stops. max_iterations: the most in a step.
+    """
+
+    eps: tuple[float, ...] = tolerances(1e-14)
+    max_iterations: int = whole_number(100, most=MOST_ITERATIONS)
+
+
+class ExponentialMidpoint(OneStep):
+    """x_end, v_end: the last iterate; response: a and X that it was made with; change: by how much it differed."""
+
+    options: ExponentialMidpointOptions
+    counts_powers = True
+    power_at = 0.5
+
+    def further_fields(self) -> dict[str, StateField]:
+        """See above. What the iteration starts from does not act on what it converges to."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        n_s = self.equations(ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape[1]
+        values = {"x_end": work(n), "v_end": work(n), "loop_dot": work(loops)}
+        steering = {"response": n * (1 + n_s), "unconverged": 1, "change": 1}
+        return values | {name: control(size) for name, size in steering.items()}
+
+    @classmethod
+    def limited(cls, options: Options) -> bool:
+        """Yes, by what is not a stiff deflection."""
+        return True
+
+    def step_limit(self, A_q: np.ndarray, A_v: np.ndarray) -> StepLimit | None:
+        """Where the iteration stops to converge, for the motion in which deflections follow as in equilibrium."""
+        B = self.equations(ca.SX.zeros(self.c_size)).deflections().B
+        return limit_beside_deflections(A_q, A_v, np.array(ca.DM(B)), REACH, REACH)
+
+    @property
+    def iteration_limit(self) -> int:
+        """The option max_iterations."""
+        return self.options.max_iterations
+
+    def program(self) -> Program:
+        """Start from the last step's forces, iterate, finish."""
+        iteration = self.stage("midpoint_iterate", self._iterate)
+        flag = self.layout.slice("unconverged").start
+        return Sequence(
+            (
+                self.stage("midpoint_begin", self._begin),
+                Until(iteration, flag, self.options.max_iterations, USUAL_ITERATIONS),
+                self.stage("midpoint_finish", self._finish),
+            )
+        )
+
+    def evaluations(self) -> tuple[int, int]:
+        """Of the usual number of iterations; a run counts its own."""
+        return USUAL_ITERATIONS, 0
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """The response at the start."""
+        fields = super().started(t0, q_i, q_i_dot, loop, equations)
+        found = equations.stiff_response(equations.close(q_i, fields["loop"], t0, 1), q_i_dot)
+        return {**fields, "response": self._held(found, found.a + self._accounted(found, q_i, q_i_dot))}
+
+    def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        end = self._moved(z, equations, self._of_last_step(z, equations))
+        return {"x_end": end[0], "v_end": end[1], "unconverged": self.alive(z), "change": ca.SX(LARGEST)}
+
+    def _iterate(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, t = equations.h[0], self.now(z, equations) + equations.h[0] / 2
+        x_m, v_m = (z["x"] + z["x_end"]) / 2, (z["v"] + z["v_end"]) / 2
+        motion = equations.close(x_m, z["loop"], t, self.options.closure_iterations)
+        found = equations.stiff_response(motion, v_m)
+        rest = found.a + self._accounted(found, x_m, v_m)
+        held = StiffResponse(found.B, found.K, found.D, rest - self._accounted(found, z["x"], z["v"]), found.X)
+        x, v = self._moved(z, equations, held)
+        change = _largest(x - z["x_end"], h * (v - z["v_end"]))
+        allowed = self.options.eps[0] * _largest(x - z["x"], h * (v - z["v"]))
+        arrived = ca.logic_and(change >= z["change"], change <= STALLED * ROUNDING * _largest(x, h * v))
+        settled = ca.logic_or(change <= allowed, arrived) * (change < LARGEST)
+        return {
+            "x_end": x,
+            "v_end": v,
+            "loop": equations.loop_part(motion.q_d),
+            "loop_dot": equations.loop_part(equations.rates(motion, v_m)),
+            "response": self._held(found, rest),
+            "unconverged": 1 - settled,
+            "change": change,
+            "iterations": z["iterations"] + 1,
+            **self.closed(z, motion),
+        }
+
+    def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h = equations.h[0]
+        return {
+            "x": z["x_end"],
+            "v": z["v_end"],
+            "loop": z["loop"] + h * z["loop_dot"],
+            "n": z["n"] + 1,
+            "failures": z["failures"] + z["unconverged"],
+            **self._worked_in_the_middle(z, equations),
+        }
+
+    def _worked_in_the_middle(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
+        if "power_sum" not in z:
+            return {}
+        x, v = (z["x"] + z["x_end"]) / 2, (z["v"] + z["v_end"]) / 2
+        motion = equations.close(x, z["loop"], self.now(z, equations) + equations.h[0] / 2, 1)
+        return self.worked(z, equations, motion, v, (z["v_end"] - z["v"]) / equations.h[0])
+
+    # ---- the motion of a step -------------------------------------------------------------------------------
+
+    @staticmethod
+    def _moved(z: Fields, equations: StageEquations, held: StiffResponse) -> tuple[ca.SX, ca.SX]:
+        """Where the motion from the start of the step leads; held.a: the accelerations at its start."""
+        none = ca.SX.zeros(held.a.numel())
+        end = StiffMotion(z["x"], z["v"], held, equations.h[0], None).to(2, none, none)
+        return end.q, end.v
+
+    @staticmethod
+    def _accounted(found: StiffResponse, x: ca.SX, v: ca.SX) -> ca.SX:
+        """X (K s + D s') at a state."""
+        force = ca.mtimes(found.K, ca.mtimes(found.B.T, x)) + ca.mtimes(found.D, ca.mtimes(found.B.T, v))
+        return ca.mtimes(found.X, force)
+
+    @staticmethod
+    def _held(found: StiffResponse, rest: ca.SX) -> ca.SX:
+        """The field `response`: accelerations without those of K and D, and X."""
+        return ca.vertcat(rest, ca.vec(ca.densify(found.X)))
+
+    def _of_last_step(self, z: Fields, equations: StageEquations) -> StiffResponse:
+        """The last step's forces at the start of this one."""
+        n, stiff = len(self.model.q_i), equations.deflections()
+        X = ca.reshape(z["response"][n:], n, stiff.B.shape[1])
+        found = StiffResponse(stiff.B, stiff.K, stiff.D, z["response"][:n], X)
+        a = found.a - self._accounted(found, z["x"], z["v"])
+        return StiffResponse(stiff.B, stiff.K, stiff.D, a, X)
+
+
+def _largest(*vectors: ca.SX) -> ca.SX:
+    return ca.norm_inf(ca.vertcat(*vectors))
