@@ -8,14 +8,11 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.contract.status import Status
-from runtime.results.observe import observe_samples
-from runtime.results.solution import Solution
 from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
-from runtime.schemes.stepper import Stepper
+from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
@@ -23,34 +20,27 @@ LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
 @dataclass(eq=False)
-class Segment:
-    """model and plan of the segment, its compiled stepper, p and c, what the program reads, and who watches it."""
+class Segment(SteppedModel):
+    """A stepped model whose work and turns are counted, and who watches it."""
 
-    model: Model
-    plan: Plan
-    stepper: Stepper
-    p: np.ndarray
-    c: np.ndarray
-    ready: np.ndarray
     monitor: Monitor
     _energies: ca.Function | None = None
 
     @classmethod
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
-        p, c = p.copy(), model.constants(p)
         account_for_work(plan.scheme)
         watch_turns(plan.scheme)
-        stepper = Stepper(plan.scheme, engine)
-        monitor = Monitor(model, plan.scheme, c, force=plan.force, p=p)
-        return cls(model, plan, stepper, p, c, stepper.ready(c, plan.grid.dt_L), monitor)
+        one = SteppedModel.prepared(model, plan, p, engine)
+        monitor = Monitor(model, plan.scheme, one.c, force=plan.force, p=one.p)
+        return cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
 
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
 
         work [J]: what was done on the mechanism until then.
         """
-        z = self.stepper.start(self.plan.time(step), q, q_dot, self.c, self.plan.grid.dt_L)
+        z = self.begin(self.plan.time(step), q, q_dot)
         z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
         self.forget_determinants(z)
         begin_turns(self.plan.scheme, z)
@@ -60,7 +50,7 @@ class Segment:
     def count_anew(self, z: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of which the work until then [J] is known."""
         constants = self.plan.scheme.constants(self.c)
-        begin_account(self.plan.scheme, z, constants, work, lambda state: self.stepper.run(state, self.ready, 1))
+        begin_account(self.plan.scheme, z, constants, work, lambda state: self.advance(state, 1))
 
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
@@ -77,7 +67,7 @@ class Segment:
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)
-        self.stepper.run(z, self.ready, steps)
+        self.advance(z, steps)
 
     def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
         """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""
@@ -100,10 +90,3 @@ class Segment:
         """(smallest, largest) of each loop block during the last `run`."""
         layout = self.plan.scheme.layout
         return z[layout.slice("det_low")], z[layout.slice("det_high")]
-
-    def observed(self, samples: list[np.ndarray]) -> Solution:
-        """Samples of the scheme's part of z as a Solution of this segment's model."""
-        plan = self.plan
-        return observe_samples(
-            self.model, plan.scheme, np.array(samples), self.p, self.c, plan.name, {}, Status("completed", plan.t_end)
-        )

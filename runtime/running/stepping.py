@@ -14,12 +14,11 @@ from runtime.contract.model import Model, ModelError
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Status
 from runtime.operating.equilibrium import Equilibrium
-from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.monitor import Monitor
 from runtime.running.plan import make_plan
 from runtime.running.reading import reading
-from runtime.schemes.stepper import Stepper
+from runtime.running.stepped_model import SteppedModel
 from runtime.start.start_state import start_state
 
 HORIZON = 1e9  # major steps: no end is meant
@@ -37,7 +36,7 @@ class ModelStepper:
     """A scheme on a model, compiled once. `step` makes major steps; what they led to is read from it.
 
     Between calls nothing is checked: `check` says what a run would have found. Singular positions are not passed by
-    changing coordinates, as a run does. time [s]; parameters: the vector p in use.
+    changing coordinates, as a run does. Both step the same `SteppedModel`.
     """
 
     def __init__(
@@ -61,16 +60,13 @@ class ModelStepper:
         self.model, self.scheme, self.name = model, plan.scheme, plan.name
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
         self.dt = plan.grid.dt_L
-        self._stepper = Stepper(plan.scheme, engine, wait=True)
-        self.parameters = model.parameter_vector(parameters)
-        self._c = model.constants(self.parameters)
-        self._ready = self._stepper.ready(self._c, self.dt).copy()
-        self._constants = self.scheme.constants(self._c, self.dt).copy()
+        self._own = SteppedModel.prepared(model, plan, model.parameter_vector(parameters), engine, wait=True)
+        self._constants = self.scheme.constants(self._own.c, self.dt).copy()
         self._sample: Solution | None = None
-        state = start_state(model, self.parameters, self._c, 0.0, None)
-        # these arrays stay where they are: compiled code and readers know their addresses
-        self._z = self._stepper.start(0.0, state.q, state.q_dot, self._c, self.dt).copy()
-        self._advance = self._stepper.engine.bound(self._z, self._ready)
+        state = start_state(model, self.parameters, self._own.c, 0.0, None)
+        # this array stays where it is: compiled code and readers know its address
+        self._z = self._own.begin(0.0, state.q, state.q_dot).copy()
+        self._advance = self._own.bound(self._z)
         w = model.signals
         self._own_inputs = self._z[plan.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
         self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
@@ -99,9 +95,9 @@ class ModelStepper:
         else:
             if SINCE in self.model.signals.names:
                 self._take(np.append(self.parameters[:-1], t))  # rates count from here
-            found = start_state(self.model, self.parameters, self._c, t, state, start)
+            found = start_state(self.model, self.parameters, self._own.c, t, state, start)
             q, q_dot = found.q, found.q_dot
-        self._z[:] = self._stepper.start(t, q, q_dot, self._c, self.dt)
+        self._z[:] = self._own.begin(t, q, q_dot)
         self._sample = None
 
     def step(self, u: int | Mapping[str, float] | Sequence[float] | None = None, n: int = 1) -> None:
@@ -176,6 +172,11 @@ class ModelStepper:
     # ---- reading --------------------------------------------------------------------------------------------
 
     @property
+    def parameters(self) -> np.ndarray:
+        """The parameters p (n_p,) in use."""
+        return self._own.p
+
+    @property
     def time(self) -> float:
         """Time after the last step [s]."""
         return float(self._z[0]) + float(self._z[1]) * self.dt
@@ -184,9 +185,7 @@ class ModelStepper:
     def sample(self) -> Solution:
         """The present state as a solution of one sample: coordinates, rates, accelerations, forces, energies."""
         if self._sample is None:
-            z = self._stepper.state(self._z)[None, :].copy()
-            status = Status("completed", self.time)
-            self._sample = observe_samples(self.model, self.scheme, z, self.parameters, self._c, self.name, {}, status)
+            self._sample = self._own.observed([self._own.state(self._z)], Status("completed", self.time))
         return self._sample
 
     @property
@@ -228,8 +227,8 @@ class ModelStepper:
 
     def check(self) -> Status | None:
         """What a run's checks find at this state, None if nothing is wrong. Costly checks included."""
-        state = self._stepper.state(self._z).copy()
-        return Monitor(self.model, self.scheme, self._c, force=True).first(state)
+        state = self._own.state(self._z).copy()
+        return Monitor(self.model, self.scheme, self._own.c, force=True).first(state)
 
     # ---- inside ---------------------------------------------------------------------------------------------
 
@@ -239,10 +238,8 @@ class ModelStepper:
 
     def _take(self, p: np.ndarray) -> None:
         """Other parameters: what the program reads is written in place."""
-        self.parameters = p.copy()
-        self._c = self.model.constants(p)
-        self._ready[:] = self._stepper.ready(self._c, self.dt)
-        self._constants[:] = self.scheme.constants(self._c, self.dt)
+        self._own.take(p)
+        self._constants[:] = self.scheme.constants(self._own.c, self.dt)
         self._sample = None
 
 
