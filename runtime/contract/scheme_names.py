@@ -19,3 +19,5 @@ SchemeName = Literal[
     "hht",
 ]
 SCHEME_NAMES: tuple[str, ...] = get_args(SchemeName)
+# schemes with a step of its own for each group: only they need the ratios m between groups
+GROUPED_SCHEMES: tuple[SchemeName, ...] = ("printed", "coupled", "decoupled")

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model
-from runtime.contract.scheme_names import SCHEME_NAMES
+from runtime.contract.scheme_names import GROUPED_SCHEMES, SCHEME_NAMES
 from runtime.schemes.catalogue import SCHEMES
 from symgen.cli import main
 from symgen.cli.outcome import LONGEST_MESSAGE
@@ -166,6 +166,7 @@ def test_a_scheme_that_there_is_not_is_refused_with_the_scene() -> None:
 
 def test_scenes_may_ask_for_every_scheme() -> None:
     assert set(SCHEME_NAMES) == {*SCHEMES, "auto"}
+    assert set(GROUPED_SCHEMES) == {name for name, kind in SCHEMES.items() if kind.ratios == "groups"}
 
 
 def test_what_was_given_is_not_echoed_at_full_length(capsys) -> None:

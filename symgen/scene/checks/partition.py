@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 
+from runtime.contract.scheme_names import GROUPED_SCHEMES
 from symgen.scene.errors import SceneError, did_you_mean
 from symgen.scene.parts import SceneParts
 from symgen.scene.simulation import MAX_STEPS
@@ -76,8 +77,8 @@ def _steps(scene: SceneParts) -> Iterator[SceneError]:
     if groups is None:
         return  # the derivation chooses the groups and checks m then
     wanted = max(len(groups) - 1, 0)
-    single = simulation.scheme == "single_rate" and not simulation.m
-    if len(simulation.m) != wanted and not single:
+    needless = simulation.scheme not in GROUPED_SCHEMES and not simulation.m
+    if len(simulation.m) != wanted and not needless:
         yield SceneError(
             "simulation.m",
             f"has {len(simulation.m)} step ratios for {len(groups)} groups",
