@@ -1,15 +1,31 @@
-"""Scene in, folder of generated code out."""
+"""Scene in; a folder of generated code out, or a model whose functions are derived when they are first asked for.
+
+A run asks for few functions, and those that grow with the square of a long chain's length are not among them. Functions
+on demand read p itself, c = p: what depends on parameters only is taken out of a step by the run's own preparation
+(runtime/engine/prepare.py). So values agree with those of the emitted text to rounding.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import tempfile
+from collections.abc import Callable
+from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 
+import casadi as ca
+import numpy as np
+
 from runtime.contract.cache import cache_folder
+from runtime.contract.model import Model
+from runtime.contract.tape import as_function
+from symgen.emission.description import describe
+from symgen.emission.manifest import clean
 from symgen.emission.write import compare_model, emit, kept, write_model
-from symgen.pipeline import derive
+from symgen.pipeline import Derived, derive, derive_on_demand
 from symgen.scene import Scene, SceneError
 
 
@@ -69,3 +85,32 @@ def _hash_of_code(folder: Path) -> str | None:
         return str(json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["files"]["model.py"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
+
+
+def model_of(scene: Scene) -> Model:
+    """The model of a scene, its functions derived on demand; for what is to be kept or sent elsewhere: `generate`.
+
+    Raises SceneError for a bad scene; what only a function shows is raised when that is asked for.
+    """
+    derived = derive_on_demand(scene)
+    builders: dict[str, Callable[[], ca.Function]] = {name: partial(_built, derived, name) for name in derived.tapes}
+    text, initial = scene.to_toml(), derived.initial
+    return Model(
+        description=describe(derived, functions=()),
+        initial_q=np.array([clean(value) for value in initial.q]),
+        initial_q_dot=np.array([clean(value) for value in initial.q_dot]),
+        builders=builders,
+        initial_changes=initial.changed,
+        digest=digest_on_demand(text),
+        scene_toml=text,
+    )
+
+
+def digest_on_demand(scene_toml: str) -> str:
+    """What stands for the hash of a manifest: of the scene's text and of what derives from it."""
+    parts = ["on demand", *(version(package) for package in ("casadi", "sympy", "symgen")), scene_toml]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+def _built(derived: Derived, name: str) -> ca.Function:
+    return as_function(name, derived.tapes[name])

@@ -26,9 +26,10 @@ cli         the command line
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from warnings import warn
 
 import casadi as ca
@@ -45,7 +46,7 @@ from symgen.choice.redundancy import require_redundant
 from symgen.condensed.condensation import Condensed, condense
 from symgen.condensed.forward_dynamics import NoInertia
 from symgen.kernels.arguments import arguments_of
-from symgen.kernels.catalogue import build_kernels
+from symgen.kernels.catalogue import kernel_builders, known_kernels
 from symgen.kernels.drawing import geometry
 from symgen.kernels.kernel import Kernel
 from symgen.kernels.specification import specification
@@ -54,7 +55,8 @@ from symgen.system.build import System, build_system
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
-from symgen.tapes.hoisting import hoist
+from symgen.tapes.hoisting import hoist, unhoisted
+from symgen.tapes.on_demand import TapesOnDemand
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,7 @@ class Derived:
     initial: ConsistentState
     parameters: list[Parameter]
     bounded: list[BoundedQuantity]
-    tapes: dict[str, Tape]
+    tapes: Mapping[str, Tape]
 
     @property
     def redundant(self) -> list[int]:
@@ -91,44 +93,108 @@ class Configuration:
     redundant: frozenset[str] = frozenset()
 
 
+@dataclass(frozen=True)
+class _Condensation:
+    """A scene with its dependent coordinates substituted: all of it but the functions."""
+
+    scene: Scene
+    built: System
+    system: Condensed
+    groups: list[Group]
+    initial: ConsistentState
+
+    def kernels(self, functions: frozenset[str] | None) -> dict[str, Kernel]:
+        """The kernels, or those of these names. Raises DerivationError."""
+        builders = self.builders()
+        wanted = known_kernels(self.system, builders, functions)
+        return {name: build() for name, build in builders.items() if name in wanted}
+
+    def builders(self) -> dict[str, Callable[[], Kernel]]:
+        """What builds each kernel, by name; it may raise DerivationError."""
+        found = kernel_builders(self.system, self.built.topology, self.groups)
+        return {name: partial(self._built, build) for name, build in found.items()}
+
+    def _built(self, build: Callable[[], Kernel]) -> Kernel:
+        try:
+            return build()
+        except NoInertia as error:
+            raise DerivationError(
+                self.system.equations.names[error.args[0]],
+                "has no inertia, so its acceleration is not determined",
+                "give the body an inertia, or join it so that it cannot move that way",
+            ) from error
+
+    def of_parameters(self) -> dict[str, Callable[[], Tape]]:
+        """What makes the functions of p alone, by name."""
+        equations, table = self.system.equations, self.built.parameters
+        found: dict[str, Callable[[], Tape]] = {}
+        if equations.picture.points:
+            found["geometry"] = lambda: geometry(equations, table.vector()).tape()
+        if table.bounded:
+            values = ca.vertcat(*(value for _, value in table.bounded))
+            found["bounded"] = lambda: Kernel({"p": table.vector()}, {"bounded": values}).tape()
+        return found
+
+    def derived(self, tapes: Mapping[str, Tape]) -> Derived:
+        """With the tapes of the functions."""
+        system, table = self.system, self.built.parameters
+        dependent, bounded = arguments_of(system).dependent, [quantity for quantity, _ in table.bounded]
+        return Derived(
+            self.scene, self.built.topology, system, dependent, self.groups, self.initial, table.entries, bounded, tapes
+        )
+
+
 def derive(scene: Scene, functions: frozenset[str] | None = None, at: Configuration | None = None) -> Derived:
     """Scene to kernels. `functions` limits the kernels by name (all by default).
 
     at: the configuration at which coordinates are chosen, the scene's assembled initial state by default.
     Raises SceneError for constraints in conflict, singular or impossible initial states and impossible partitions.
     """
+    with _scene_errors():
+        found = _condensation(scene, at)
+        tapes = hoist(found.kernels(functions), found.built.parameters.vector())
+        more = found.of_parameters()
+        if functions is not None and "geometry" not in functions:
+            more.pop("geometry", None)
+        return found.derived({**tapes, **{name: make() for name, make in more.items()}})
+
+
+def derive_on_demand(scene: Scene) -> Derived:
+    """Scene to functions that are derived one by one, each when its tape is first looked at, with c = p.
+
+    Raises SceneError as `derive` does; what only a function shows is found when that is derived.
+    """
+    with _scene_errors():
+        found = _condensation(scene, None)
+    p = found.built.parameters.vector()
+
+    def tape(build: Callable[[], Kernel]) -> Tape:
+        with _scene_errors():
+            return unhoisted(build(), p)
+
+    constants = {"constants": Kernel({"p": p}, {"c": p}).tape}
+    kernels = {name: partial(tape, build) for name, build in found.builders().items()}
+    return found.derived(TapesOnDemand({**constants, **kernels, **found.of_parameters()}))
+
+
+@contextmanager
+def _scene_errors() -> Iterator[None]:
+    """What cannot be derived, as an error of the scene."""
     try:
-        return _derived(scene, functions, at)
+        yield
     except DerivationError as error:
         raise SceneError(error.item, error.problem, error.remedy) from error
 
 
-def _derived(scene: Scene, functions: frozenset[str] | None, at: Configuration | None) -> Derived:
+def _condensation(scene: Scene, at: Configuration | None) -> _Condensation:
     system = build_system(scene)
-    equations, table = system.equations, system.parameters
-    numbers = ConstraintNumbers(equations, table)
+    equations = system.equations
+    numbers = ConstraintNumbers(equations, system.parameters)
     initial = assembled(system, numbers) if at is None else _state_at(at, equations)
     choice = _choice(system, numbers, initial.q, at)
     deflections = deflections_of(equations, choice, system.requested.stiff)
     condensed = condense(equations, system.reduced, choice, deflections)
-    groups = choose_groups(system, choice.independent)
-    try:
-        kernels = build_kernels(condensed, system.topology, groups, functions)
-    except NoInertia as error:
-        raise DerivationError(
-            equations.names[error.args[0]],
-            "has no inertia, so its acceleration is not determined",
-            "give the body an inertia, or join it so that it cannot move that way",
-        ) from error
-    tapes = hoist(kernels, table.vector())
-    if equations.picture.points and (functions is None or "geometry" in functions):
-        tapes["geometry"] = geometry(equations, table.vector()).tape()
-    if table.bounded:
-        values = ca.vertcat(*(value for _, value in table.bounded))
-        tapes["bounded"] = Kernel({"p": table.vector()}, {"bounded": values}).tape()
-    bounded = [quantity for quantity, _ in table.bounded]
-    dependent = arguments_of(condensed).dependent
-    return Derived(scene, system.topology, condensed, dependent, groups, initial, table.entries, bounded, tapes)
+    return _Condensation(scene, system, condensed, choose_groups(system, choice.independent), initial)
 
 
 def _state_at(configuration: Configuration, equations: Equations) -> ConsistentState:

@@ -148,8 +148,16 @@ def _nearest(q0: np.ndarray, free: np.ndarray, position: Residual) -> np.ndarray
         largest = float(np.abs(step).max(initial=0.0))
         if largest <= 1e-16 * _scale(q):
             break
-        q = q + step * min(1.0, LARGEST_STEP / largest)
+        if largest > LARGEST_STEP and not _solves(q + step, position):
+            step *= LARGEST_STEP / largest
+        q = q + step
     return best
+
+
+def _solves(q: np.ndarray, position: Residual) -> bool:
+    """Do the constraints hold? After a long step they do only if they are linear in what moved, as along a chain."""
+    C, _ = position(q)
+    return bool(np.abs(C).max(initial=0.0) <= POSITION_TOLERANCE * _scale(q))
 
 
 def _velocities(

@@ -159,10 +159,11 @@ class Model:
         """What runs use where nothing else is said."""
         return self.description.simulation
 
-    @cached_property
+    @property
     def operations(self) -> dict[str, int]:
-        """Operations of each function."""
-        return {spec.name: spec.operations for spec in self.description.functions}
+        """Operations of each function; where they are derived on demand, of those that were asked for."""
+        emitted = {spec.name: spec.operations for spec in self.description.functions}
+        return emitted or {name: int(kernel.n_instructions()) for name, kernel in self._kernels.items()}
 
     def coordinate(self, name: str) -> Coordinate:
         """The record of a coordinate. Raises ModelError for an unknown name."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
-from runtime.schemes.stage_equations import StageEquations
+from runtime.schemes.stage_equations import StageEquations, is_long_tree
 
 CLOSURE_ITERATIONS = 3
 
@@ -53,8 +53,7 @@ class ModeSolver:
     """Modes of a model with constants c. Raises ModelError if the model was generated without its Jacobians."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:
-        self._function = model.derived("modes", lambda: self._built(model))
-        self.n, self.c = len(model.q_i), c
+        self.model, self.n, self.c = model, len(model.q_i), c
 
     @staticmethod
     def possible(model: Model) -> bool:
@@ -75,13 +74,32 @@ class ModeSolver:
 
     def matrices(self, state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """M_hat, J_q, J_v."""
-        M, J_q, J_v = self._function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
+        function = self.model.derived("modes", lambda: self._built(self.model))
+        M, J_q, J_v = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
         return np.asarray(M), np.asarray(J_q), np.asarray(J_v)
 
     def slopes(self, state: State) -> tuple[np.ndarray, np.ndarray]:
-        """A_q and A_v of w'' = A_q w + A_v w'. Raises LinAlgError if M_hat is singular."""
+        """A_q and A_v of w'' = A_q w + A_v w'; of a long tree without M_hat, then not finite where that is singular.
+
+        Raises LinAlgError if M_hat is singular.
+        """
+        if is_long_tree(self.model):
+            function = self.model.derived("slopes", lambda: self._along(self.model))
+            A_q, A_v = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c, np.eye(self.n))
+            return np.asarray(A_q), np.asarray(A_v)
         M, J_q, J_v = self.matrices(state)
         return np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
+
+    @staticmethod
+    def _along(model: Model) -> ca.Function:
+        """(t, q_i, q_i_dot, loop unknowns, c, direction) -> derivatives of q_i_ddot by q_i and by q_i_dot along it."""
+        n = len(model.q_i)
+        t, q, v, along = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("along", n)
+        loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
+        equations = StageEquations(model, constants)
+        a = equations.accelerations(equations.close(q, loop, t, CLOSURE_ITERATIONS), v)
+        slopes = [ca.densify(ca.jtimes(a, by, along)) for by in (q, v)]
+        return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)
 
     def __call__(self, state: State) -> Modes:
         """The modes at a state. Raises LinAlgError if it is not finite or M_hat is singular."""

@@ -16,6 +16,7 @@ from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
+from runtime.schemes.stage_equations import is_long_tree
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
@@ -84,6 +85,8 @@ def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np
 
 
 def _missed_loads(model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int) -> list[Event]:
+    if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
+        return []
     function = _of_time(model, c, state, "condensed", "Q_hat")
     if function is None:
         return []

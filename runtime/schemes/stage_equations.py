@@ -12,6 +12,7 @@ from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.sparse_lu import Number, factor, solve
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
+LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
 
 
 @dataclass(frozen=True)
@@ -125,10 +126,7 @@ class StageEquations:
     @property
     def tree_is_shorter(self) -> bool:
         """Is there an elimination along a tree, and is it shorter than a factorisation of M_hat?"""
-        n, counts = len(self.model.q_i), self.model.operations
-        return self.model.has("forward_dynamics") and (
-            not counts or counts["forward_dynamics"] < counts["condensed"] + n**3 / 6 + n**2
-        )
+        return tree_is_shorter(self.model)
 
     def tree_accelerations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> ca.SX:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
@@ -254,9 +252,32 @@ def loop_blocks(model: Model) -> int:
     return 0 if not model.loop_unknowns else int(model.kernel("closure").size1_out("det_loop"))
 
 
+def tree_is_shorter(model: Model) -> bool:
+    """Is there an elimination along a tree, and is it shorter than a factorisation of M_hat?
+
+    M_hat of a long tree is not even looked at: it has n_i^2 entries.
+    """
+    if not model.has("forward_dynamics") or not model.has("condensed"):
+        return model.has("forward_dynamics")
+    n, tree = len(model.q_i), _size(model, "forward_dynamics")
+    factorisation = n**3 / 6 + n**2
+    return tree < n**2 + factorisation or tree < _size(model, "condensed") + factorisation
+
+
+def is_long_tree(model: Model) -> bool:
+    """Is the model a tree for which M_hat and the Jacobians are too long to be derived without need?"""
+    return len(model.q_i) > LONG_TREE and tree_is_shorter(model)
+
+
+def _size(model: Model, name: str) -> int:
+    """Operations of a function, which is built where the description does not say."""
+    return model.operations.get(name) or int(model.kernel(name).n_instructions())
+
+
 def velocity_dependent(model: Model) -> bool:
     """Does Q_hat depend on velocity at all? Where it does not, there is nothing to iterate."""
-    return any(name in model.kernel("condensed").name_in() for name in ("q_i_dot", "q_d_dot"))
+    seen = model.kernel("forward_dynamics" if tree_is_shorter(model) else "condensed").name_in()
+    return any(name in seen for name in ("q_i_dot", "q_d_dot"))
 
 
 def _largest(vector: ca.SX) -> ca.SX:

@@ -7,13 +7,14 @@ two angles turns both of them.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 import casadi as ca
 
 from symgen.algebra.rows import Row
-from symgen.algebra.scalar import ONE, ZERO
+from symgen.algebra.scalar import ONE
 from symgen.choice.elimination import Elimination
 from symgen.system.equations import Equations
 from symgen.system.errors import DerivationError
@@ -44,19 +45,30 @@ def deflections_of(equations: Equations, choice: Elimination, wanted: tuple[str,
     rows: list[Row] = [*({column: ONE} for column in elastic), *(spring.row for spring in springs)]
     if not rows:
         return None
-    rates = ca.vertcat(*(equations.q_dot[column] for column in elastic))
-    forces = ca.vertcat(*(equations.Q_F[column] for column in elastic))
-    damping = -ca.jacobian(forces, rates) if elastic else ca.SX(0, 0)
-    moving = ca.vertcat(*equations.q, *equations.q_dot, equations.t, *equations.u.values())
-    K, D = ca.SX.zeros(len(rows), len(rows)), ca.SX.zeros(len(rows), len(rows))
+    K, D = ca.SX(len(rows), len(rows)), ca.SX(len(rows), len(rows))  # sparse while they are filled
+    place = {column: k for k, column in enumerate(elastic)}
     for i, row in enumerate(elastic):
-        for j, column in enumerate(elastic):
-            K[i, j] = equations.K[row].get(column, ZERO)
-            if not ca.depends_on(damping[i, j], moving):
-                D[i, j] = damping[i, j]
+        for column, value in equations.K[row].items():
+            if column in place:
+                K[i, place[column]] = value
+    for i, j, value in _damping(equations, elastic):
+        D[i, j] = value
     for k, spring in enumerate(springs, start=len(elastic)):
         K[k, k], D[k, k] = spring.stiffness, spring.damping
-    return Deflections(rows, K, D)
+    return Deflections(rows, ca.densify(K), ca.densify(D))
+
+
+def _damping(equations: Equations, elastic: list[int]) -> Iterator[tuple[int, int, ca.SX]]:
+    """Entries of the constant damping between elastic coordinates."""
+    if not elastic:
+        return
+    rates = ca.vertcat(*(equations.q_dot[column] for column in elastic))
+    forces = ca.vertcat(*(equations.Q_F[column] for column in elastic))
+    damping = -ca.jacobian(forces, rates)
+    moving = ca.vertcat(*equations.q, *equations.q_dot, equations.t, *equations.u.values())
+    for i, j in zip(*damping.sparsity().get_triplet(), strict=True):
+        if not ca.depends_on(damping[i, j], moving):
+            yield i, j, damping[i, j]
 
 
 def _chosen(names: list[str], wanted: tuple[str, ...] | None) -> list[str]:

@@ -44,9 +44,9 @@ def run(arguments: argparse.Namespace) -> Outcome:
     keep = folder / "model" if folder else None
     header = read_checkpoint(arguments.file).header
     model = (
-        opened_model(arguments.scene, keep=keep)
+        opened_model(arguments.scene, keep=keep, digest=header.digest)
         if arguments.scene
-        else opened_text(header.model, header.scene_toml, keep)
+        else opened_text(header.model, header.scene_toml, header.digest, keep)
     )
     with Progress(f"symgen {model.name}") as progress:
         solution = resume(

@@ -106,11 +106,14 @@ def _made(name: str, make: Callable[..., Scene], made_with: Sequence[tuple[str, 
     return make(**values)
 
 
-def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: Path | None = None) -> Model:
-    """The model of a generated folder, or of a scene: from its own folder if current, else generated anew.
+def opened_model(
+    word: str, made_with: Sequence[tuple[str, float]] = (), keep: Path | None = None, digest: str | None = None
+) -> Model:
+    """The model of a generated folder, or of a scene: from its own folder if current, else derived anew.
 
     Code is only run from a folder that was named (or is built in): a file arm.toml does not run what lies in ./arm.
-    keep: folder that gets the model's files. Raises ModelError or SceneError.
+    keep: folder that gets the model's files; without, functions are derived when a run asks for them. digest: of the
+    model that is meant, where a run goes on. Raises ModelError or SceneError.
     """
     from runtime.contract.loading import load_model
     from symgen.generate import completed
@@ -119,7 +122,7 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     if not is_folder(word) or builtin_name(word) is not None or made_with:
         source = find_source(word, made_with)
         if not (source.named and is_current(source)):
-            return _generated(source.scene, keep)
+            return _derived(source.scene, keep, digest)
         folder = completed(source.scene, source.folder) if source.builtin else source.folder
     model = load_model(folder)
     if keep is not None and keep.resolve() != folder.resolve():
@@ -127,8 +130,8 @@ def opened_model(word: str, made_with: Sequence[tuple[str, float]] = (), keep: P
     return model
 
 
-def opened_text(name: str, text: str, keep: Path | None = None) -> Model:
-    """The model of a scene's TOML text: the built-in one if that is the same scene, else generated anew.
+def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> Model:
+    """The model of a scene's TOML text with a digest: the built-in one if that is the same scene, else derived anew.
 
     Raises ModelError or SceneError.
     """
@@ -137,13 +140,18 @@ def opened_text(name: str, text: str, keep: Path | None = None) -> Model:
     known = builtin_name(name)
     if known is not None and find_source(known).scene.to_toml() == text:
         return opened_model(known, keep=keep)
-    return _generated(Scene.from_toml_text(text), keep)
+    return _derived(Scene.from_toml_text(text), keep, digest)
 
 
-def _generated(scene: Scene, keep: Path | None) -> Model:
+def _derived(scene: Scene, keep: Path | None, digest: str | None) -> Model:
+    """On demand, unless files are to be kept, or the digest says that it was generated."""
     from runtime.contract.loading import load_model
-    from symgen.generate import generate
+    from symgen.generate import digest_on_demand, generate, model_of
 
+    if keep is None if digest is None else digest == digest_on_demand(scene.to_toml()):
+        if keep is not None:
+            generate(scene, keep)
+        return model_of(scene)
     if keep is not None:
         return load_model(generate(scene, keep))
     with tempfile.TemporaryDirectory(prefix="symgen-") as folder:

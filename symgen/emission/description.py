@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import casadi as ca
@@ -12,6 +13,7 @@ from runtime.contract.records import (
     BodyRecord,
     Description,
     Drawing,
+    FunctionSpec,
     JointRecord,
     LoadRecord,
     Measure,
@@ -23,8 +25,8 @@ from symgen.scene import GroundBody, RigidBody, Scene
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
 
 
-def describe(derived: Derived) -> Description:
-    """Coordinates, rows, parts, parameters and functions of a derived model."""
+def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
+    """Coordinates, rows, parts, parameters and functions of a derived model (these, where they are given)."""
     eq, choice, scene = derived.system.equations, derived.system.choice, derived.scene
     missing = {one.body: float(f"{one.share:.3g}") for one in eq.static_residuals}
     return Description(
@@ -45,7 +47,7 @@ def describe(derived: Derived) -> Description:
         gravity=_gravity(derived),
         parameters=derived.parameters,
         bounded=derived.bounded,
-        functions=list(derived.functions.values()),
+        functions=list(derived.functions.values() if functions is None else functions),
         inputs=eq.inputs,
         switching=[item for item, _ in eq.switching],
         simulation=scene.simulation.model_dump(mode="json"),

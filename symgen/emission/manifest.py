@@ -17,14 +17,14 @@ def data_text(derived: Derived) -> str:
     names = derived.system.equations.names
     data = {
         "p": {entry.name: entry.default for entry in derived.parameters},
-        "q": dict(zip(names, map(_clean, initial.q), strict=True)),
-        "q_dot": dict(zip(names, map(_clean, initial.q_dot), strict=True)),
+        "q": dict(zip(names, map(clean, initial.q), strict=True)),
+        "q_dot": dict(zip(names, map(clean, initial.q_dot), strict=True)),
         "changed": {name: list(pair) for name, pair in initial.changed.items()},
     }
     return json.dumps(data, indent=1) + "\n"
 
 
-def _clean(value: float) -> float:
+def clean(value: float) -> float:
     """Rounding dust of the assembly as an exact zero."""
     return 0.0 if abs(value) < 1e-15 else float(value)
 

@@ -6,7 +6,7 @@ kernel does not use. q_i follows the partition, q_d the scene's coordinate order
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 
 import casadi as ca
@@ -47,13 +47,18 @@ FULLY_DRIVEN = (
 )  # fmt: skip
 
 
-def build_kernels(
-    system: Condensed, topology: Topology, named_groups: list[Group], wanted: frozenset[str] | None = None
-) -> dict[str, Kernel]:
-    """All kernels of a system with its groups, slow to fast. `wanted` limits them by name.
+def known_kernels(system: Condensed, builders: Collection[str], wanted: frozenset[str] | None) -> frozenset[str]:
+    """The kernels that are wanted (all where None). Raises DerivationError for one that no scene like it has."""
+    unknown = sorted((wanted or frozenset()) - frozenset(builders) - TREES_ONLY - _absent(system))
+    if unknown:
+        raise DerivationError("functions", f"the scene has no {', '.join(unknown)}", f"it has {', '.join(builders)}")
+    return frozenset(builders) if wanted is None else wanted
 
-    Raises DerivationError for a wanted name that the system does not have, NoInertia.
-    """
+
+def kernel_builders(
+    system: Condensed, topology: Topology, named_groups: list[Group]
+) -> dict[str, Callable[[], Kernel]]:
+    """What builds each kernel of a system with its groups, slow to fast, by name; it may raise NoInertia."""
     arguments = arguments_of(system)
     groups = [group.positions for group in named_groups]
     builders: dict[str, Callable[[], Kernel]] = {
@@ -72,8 +77,7 @@ def build_kernels(
     }
     if system.equations.switching:
         builders["switching"] = partial(switching, system)
-    for name, build in jacobian_kernels(system, arguments).items():
-        builders[name] = build
+    builders |= jacobian_kernels(system, arguments)
     tree, deflections = is_tree(system, topology), system.deflections
     if deflections is not None:
         builders |= deflection_kernels(system, topology, arguments, deflections, tree)
@@ -87,14 +91,25 @@ def build_kernels(
         builders[substep_name(level + 1)] = partial(_substep, system, arguments, groups, level)
     if not system.choice.independent:  # every coordinate is driven: there are no equations of motion to emit
         builders = {name: build for name, build in builders.items() if name in FULLY_DRIVEN}
-    unknown = sorted((wanted or frozenset()) - builders.keys() - TREES_ONLY)
-    if unknown:
-        raise DerivationError("functions", f"the scene has no {', '.join(unknown)}", f"it has {', '.join(builders)}")
-    chosen = {name: build for name, build in builders.items() if wanted is None or name in wanted}
-    kernels = {name: build() for name, build in chosen.items()}
-    return {
-        name: kernel for name, kernel in kernels.items() if any(output.numel() for output in kernel.outputs.values())
+    absent = _absent(system)
+    return {name: build for name, build in builders.items() if name not in absent}
+
+
+def _absent(system: Condensed) -> frozenset[str]:
+    """Kernels that would give nothing."""
+    eq = system.equations
+    gives = {
+        "closure": system.choice.dependent,
+        "velocities": system.choice.dependent,
+        "accelerations": system.choice.dependent,
+        "constraints": eq.constraints,
+        "reactions": eq.constraints,
+        "measures": eq.measures,
+        "load_actions": eq.load_actions,
+        "poses": eq.picture.poses,
+        "load_forces": [name for beam in eq.beams for name in eq.loads_on(beam)],
     }
+    return frozenset(name for name, parts in gives.items() if not parts)
 
 
 def _column(arguments: Arguments, values: Mapping[int, ca.SX]) -> ca.SX:

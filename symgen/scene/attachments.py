@@ -100,20 +100,21 @@ def _turns_freely(carried: Carried, plane: str) -> bool:
 def _at(scene: SceneParts, beam: BeamBody, at: float) -> list[Carried]:
     """What the joints and loads at one end of the beam carry."""
     return [
-        carried
-        for reference, carried in _carried(scene)
+        _by(part, side, scene, reference)
+        for reference, part, side in _attached(scene)
         if reference.partition(".")[0] == beam.name
         and isinstance(marker := scene.marker(reference)[1], BeamMarker)
         and marker.at == at
     ]
 
 
-def _carried(scene: SceneParts) -> Iterator[tuple[str, Carried]]:
+def _attached(scene: SceneParts) -> Iterator[tuple[str, Joint | Load, str]]:
+    """(marker, joint or load, the side of it that is there)."""
     for part in (*scene.joints, *scene.loads):
         for side in ("marker_a", "marker_b", "marker", "reaction"):
             reference = getattr(part, side, None)
             if reference is not None:
-                yield reference, _by(part, side, scene, reference)
+                yield reference, part, side
 
 
 def _by(part: Joint | Load, side: str, scene: SceneParts, reference: str) -> Carried:

@@ -33,6 +33,15 @@ def hoist(kernels: Mapping[str, Kernel], p: ca.SX) -> dict[str, Tape]:
     return {name: _as_loaded(name, tape) for name, tape in tapes.items()}
 
 
+def unhoisted(kernel: Kernel, p: ca.SX) -> Tape:
+    """The tape of one kernel with c standing for p itself: what depends on c only is left to a run's preparation.
+
+    Inputs that no output uses are dropped. Raises DerivationError for a constant that is not finite.
+    """
+    tape = _simplified(kernel, Graph(), p)
+    return _without_unused_inputs(replace(tape, input_names=[*tape.input_names[:-1], "c"]))
+
+
 def _input_time(name: str, entry: int) -> Time:
     return Time.RUN if name == "p" else Time.STEP
 
