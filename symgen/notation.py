@@ -113,7 +113,12 @@ SYMBOLS: tuple[Notation, ...] = (
         "joint_forces", "", "", "3 or 6 x joints", "N, N m", "world force and moment of a joint on its body b, at b"
     ),
     Notation(
-        "load_forces", "", "", "3 x loads on beams", "N, N m", "world force and moment of a load on a beam, at R_o"
+        "load_forces",
+        "",
+        "",
+        "3, 6 or 7 x loads on beams",
+        "N, N m",
+        "force of a load on the frame coordinates of a beam",
     ),
     Notation(
         "load_actions", "", "", "3 or 6 x loads", "N, N m", "world force and moment of a load on its marker, or b"

@@ -1,4 +1,4 @@
-"""A planar beam of a model with its shapes and stiffnesses, as its results need them (Eqs. 15-20)."""
+"""A beam of a model with its shapes and stiffnesses, as its results need them (Eqs. 15-20)."""
 
 from __future__ import annotations
 
@@ -10,12 +10,16 @@ import numpy as np
 from runtime.contract.beams import ShapeFunctions, bending_shapes, gauss_points, panels_for, stretching_shapes
 from runtime.contract.model import Model, ModelError
 
-STRETCHING_AXIS = 0
+STRETCHING, ALONG_Y, ALONG_Z, TORSION = range(4)
+BENDING = (ALONG_Y, ALONG_Z)
 
 
 @dataclass(frozen=True, eq=False)
 class BeamShapes:
-    """Shapes of one direction: their columns in q; stiffness: E I / L^3 [N/m], of stretching E A / L [N/m]."""
+    """Shapes of one direction: their columns in q.
+
+    stiffness: E I / L^3 [N/m], of stretching E A / L [N/m], of torsion G J / L [N m].
+    """
 
     columns: list[int]
     functions: ShapeFunctions
@@ -24,63 +28,75 @@ class BeamShapes:
 
 @dataclass(frozen=True, eq=False)
 class Beam:
-    """frame: columns of x, y, theta in q; length [m], mass [kg]; its sets, None where there are none; stiffened or not.
+    """place, turning: columns in q of R_o and of the orientation; orientation: its kind, "" in the plane.
 
-    attached: the names of its joints and loads with the place xi of their markers on it, [0, 1].
+    length [m], mass [kg]; radii (2,): I / A [m^2] of the section along y and z; sets: shapes by axis (x, y, z, 3 for
+    torsion). stiffened: are bent beams shorter? attached: its joints and loads, with the places xi of their markers.
     """
 
     name: str
-    frame: list[int]
+    place: list[int]
+    turning: list[int]
+    orientation: str
     length: float
     mass: float
-    bending: BeamShapes | None
-    stretching: BeamShapes | None
+    radii: np.ndarray
+    sets: dict[int, BeamShapes]
     stiffened: bool
     attached: dict[str, list[float]]
+
+    @property
+    def planar(self) -> bool:
+        """Does it bend in one plane only?"""
+        return not self.orientation
 
 
 def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
     """The beam `name` for the parameters p (n_p,).
 
-    Raises ModelError if the model has no such beam with exact shapes in the plane, or no functions.
+    Raises ModelError if the model has no such beam with exact shapes, or no functions.
     """
     records = {record.body: record for record in model.description.beams}
     if name not in records:
         raise ModelError(
-            f"model {model.name} has no planar beam {name!r} with exact shapes; it has {', '.join(records) or 'none'} "
+            f"model {model.name} has no beam {name!r} with exact shapes; it has {', '.join(records) or 'none'} "
             '(a beam with mesh = "lumped" or elements has no shapes in closed form)'
         )
     if not (model.has("geometry") and model.has("augmented")):
         raise ModelError(f"model {model.name} has no functions geometry and augmented; generate it with all functions")
-    columns = [k for k, one in enumerate(model.description.coordinates) if one.owner == name]
-    frame, elastic = columns[:3], columns[3:]
-    positions = np.asarray(model.kernel("geometry")(p=p)["positions"])
-    points = list(zip(model.description.drawing.points, positions[0], strict=True))
-    own = [(point, float(x)) for point, x in points if point.body == name]
-    length = max(x for _, x in own)
+    described = model.description
+    own = [(k, entry.elastic) for k, entry in enumerate(described.coordinates) if entry.owner == name]
+    frame, elastic = ([k for k, bent in own if bent is kind] for kind in (False, True))
+    dimension = 2 if described.drawing.space == "planar" else 3
+    geometry = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
+    points = [
+        (point, float(x))
+        for point, x in zip(described.drawing.points, geometry["positions"][0], strict=True)
+        if point.body == name
+    ]
+    length = max(x for _, x in points)
+    sides = geometry["sections"].reshape(2, -1)[:, described.drawing.sections.index(name)]
     n = len(model.coordinates)
-    c = model.constants(p)
-    values = model.evaluate("augmented", q=np.zeros(n), q_dot=np.zeros(n), t=0.0, c=c)
+    values = model.evaluate("augmented", q=np.zeros(n), q_dot=np.zeros(n), t=0.0, c=model.constants(p))
     M, K = np.asarray(values["M"]), np.asarray(values["K"])
     sets: dict[int, BeamShapes] = {}
     for one in records[name].sets:
         mine, elastic = elastic[: one.modes], elastic[one.modes :]
-        functions, eigenvalues = (stretching_shapes if one.axis == STRETCHING_AXIS else bending_shapes)(
-            one.ends, one.modes
-        )
+        functions, eigenvalues = (bending_shapes if one.axis in BENDING else stretching_shapes)(one.ends, one.modes)
         xi, weights = gauss_points(panels_for(one.modes))
         square = float(weights @ functions.at(xi)[:, 0] ** 2)
         sets[one.axis] = BeamShapes(mine, functions, float(K[mine[0], mine[0]] / (eigenvalues[0] * square)))
-    places = {f"{name}.{point.name}": x / length for point, x in own if point.name}
     return Beam(
         name,
-        frame,
+        frame[:dimension],
+        frame[dimension:],
+        next(body.orientation for body in described.bodies if body.name == name),
         length,
         float(M[frame[0], frame[0]]),
-        next((found for axis, found in sets.items() if axis != STRETCHING_AXIS), None),
-        sets.get(STRETCHING_AXIS),
-        any(point.stiffened for point, _ in own),
-        _attached(model, records[name].loads, places),
+        sides**2 / 12,
+        sets,
+        any(point.stiffened for point, _ in points),
+        _attached(model, records[name].loads, {f"{name}.{one.name}": x / length for one, x in points if one.name}),
     )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from runtime.contract.model import ModelError
 from runtime.contract.status import Event
+from runtime.results.beam_shapes import beam_of
 from runtime.results.section_forces import STATIONS, section_forces
 
 if TYPE_CHECKING:
@@ -47,10 +48,16 @@ def missing_deflection(solution: Samples, body: str) -> tuple[float, float]:
     rows = np.unique(np.linspace(0, len(solution.t) - 1, LOOKS).astype(int))
     series = {key: getattr(solution, key)[rows] for key in ("t", "q", "q_dot", "q_ddot", "lam")}
     some = replace(solution, **series)
-    whole, shapes = (section_forces(some, body, way=way).moment for way in ("equilibrium", "modes"))
-    lacking, bent = _deflections(whole - shapes), _deflections(whole)
-    worst = np.abs(lacking).max(axis=1)
-    largest = float(np.abs(bent).max())
+    whole, shapes = (section_forces(some, body, way=way) for way in ("equilibrium", "modes"))
+    radii = beam_of(solution.model, body, solution.parameters).radii
+    pairs = [(whole.moment, shapes.moment, radii[0]), (whole.moment_y, shapes.moment_y, radii[1])]
+    known = [(all_, found, radius) for all_, found, radius in pairs if np.isfinite(found).all()]
+    lacking, bent = (
+        np.sqrt(sum(np.square(_deflections(moment) / radius) for moment, radius in of))
+        for of in ([(all_ - found, radius) for all_, found, radius in known], [(a, radius) for a, _, radius in known])
+    )
+    worst = lacking.max(axis=1)
+    largest = float(bent.max())
     if not (np.isfinite(worst).all() and largest > 0.0):
         return 0.0, float(some.t[0])
     return float(worst.max()) / largest, float(some.t[int(worst.argmax())])

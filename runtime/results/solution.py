@@ -56,7 +56,7 @@ class Solution(Samples):
     def section_forces(
         self, body: str, at: float | Sequence[float] | None = None, way: Way = "equilibrium"
     ) -> SectionForces:
-        """Normal force, shear force and bending moment of a planar beam at fractions `at` of its length.
+        """Normal and shear forces, torque and bending moments of a beam at fractions `at` of its length.
 
         way: "equilibrium" of the part beyond each section (mode acceleration with inertia relief), or "modes", the sum
         of modal forces. at: 33 sections if left out. Errors as of runtime.results.section_forces.section_forces.

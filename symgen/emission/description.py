@@ -28,7 +28,9 @@ from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereSh
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
     """Coordinates, rows, parts, parameters and functions of a derived model (these, where they are given)."""
     eq, choice, scene = derived.system.equations, derived.system.choice, derived.scene
-    missing = {one.body: float(f"{one.share:.3g}") for one in eq.static_residuals}
+    missing: dict[str, float] = {}
+    for one in eq.static_residuals:
+        missing[one.body] = max(missing.get(one.body, 0.0), float(f"{one.share:.3g}"))
     return Description(
         name=scene.name,
         title=scene.title or scene.name,

@@ -121,15 +121,17 @@ def energy(system: Condensed) -> Kernel:
 
 
 def load_forces(system: Condensed, beams: Sequence[str]) -> Kernel:
-    """Force [N] and moment about the frame origin [N m], world axes, of each load on each planar beam (3 x pairs)."""
+    """Generalised force of each load on the coordinates of each beam's frame [N, N m], zeros where one has fewer."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
+    frames = {beam: eq.frame_columns(beam) for beam in beams}
+    rows = max((len(columns) for columns in frames.values()), default=0)
     columns = [
-        ca.vertcat(*(eq.load_forces[name].get(column, ca.SX(0)) for column in eq.body_columns[beam][:3]))
-        for beam in beams
+        ca.vertcat(*(eq.load_forces[name].get(column, ca.SX(0)) for column in own), ca.SX(rows - len(own), 1))
+        for beam, own in frames.items()
         for name in eq.loads_on(beam)
     ]
-    return Kernel(inputs, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(3, 0)})
+    return Kernel(inputs, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(rows, 0)})
 
 
 def measures(system: Condensed) -> Kernel:

@@ -169,7 +169,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         _spec(
             "load_forces",
             "",
-            "Force and moment about the frame origin, in world axes, of each load on each beam",
+            "Generalised force of each load on the coordinates of each beam's frame",
             "report",
             "q q_dot t u c",
             "load_forces",

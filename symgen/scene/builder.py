@@ -160,7 +160,7 @@ class SceneBuilder:
         return self._pair("measures", type, name, marker_a, marker_b, {})
 
     def measure_section(self, name: str, type: str, marker: str) -> Self:
-        """A measure of ``type`` normal_force, shear_force or bending_moment of a beam at a marker."""
+        """A measure of ``type`` normal_force, shear_force, bending_moment, ... of a beam at a marker."""
         return self._add("measures", type, name, {"marker": marker})
 
     def measure_coordinate(self, name: str, coordinate: str) -> Self:

@@ -57,13 +57,16 @@ class CoordinateMeasure(StrictModel):
 
 
 class SectionForceMeasure(StrictModel):
-    """Normal force E A u', shear force -E I w''' [N] or bending moment E I w'' [N m] of a planar beam at a marker.
+    """Normal force E A u', shear force -E I w''' [N] or bending moment E I w'' [N m] of a beam at a marker.
 
-    From its shapes: what the part beyond the marker does to the part before it. `Solution.section_forces` has what
-    equilibrium says.
+    In space also `shear_force_z`, `bending_moment_y`, which is -E I w_z'', and `torsion_moment` G J tau'. From its
+    shapes: what the part beyond the marker does to the part before it. `Solution.section_forces` has what equilibrium
+    says.
     """
 
-    type: Literal["normal_force", "shear_force", "bending_moment"]
+    type: Literal[
+        "normal_force", "shear_force", "bending_moment", "shear_force_z", "bending_moment_y", "torsion_moment"
+    ]
     name: Name
     marker: MarkerRef
 

@@ -52,9 +52,9 @@ def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equat
         return structure_equations(scene, table)
     equations = blank_equations(scene)
     equations.static_residuals = static_residuals(scene)
+    exact = [body for body in scene.bodies if isinstance(body, BeamBody) and body.lumped_elements is None]
+    equations.beams = {body.name: set_records(body) for body in exact}
     if scene.space == "planar":
-        exact = [body for body in scene.bodies if isinstance(body, BeamBody) and body.lumped_elements is None]
-        equations.beams = {body.name: set_records(body) for body in exact}
         return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations
     space = SpatialSpace(scene, table, equations, topology)
     return Mechanism(scene, table, space, equations, topology).equations

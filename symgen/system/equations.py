@@ -51,7 +51,7 @@ class Equations:
     Energies [J] and powers [W] are scalars.
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
-    load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the planar
+    load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
     beams with exact shapes; static_residuals: beams whose shapes do not carry what is attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
@@ -126,8 +126,13 @@ class Equations:
 
     def loads_on(self, body: str) -> list[str]:
         """Names of the loads and frictions that act on a body."""
-        own = set(self.body_columns[body])
+        own = {column for column in self.body_columns[body] if self.coordinates[column].owner == body}
         return [name for name, row in self.load_forces.items() if own & row.keys()]
+
+    def frame_columns(self, body: str) -> list[int]:
+        """Columns of R_o and the orientation of a body's frame."""
+        own = [(column, self.coordinates[column]) for column in self.body_columns[body]]
+        return [column for column, entry in own if entry.owner == body and not entry.elastic]
 
     @property
     def signals(self) -> dict[str, ca.SX]:

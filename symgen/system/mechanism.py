@@ -195,7 +195,7 @@ class Mechanism(Generic[Marker]):
             column = self.equations.names.index(measure.coordinate)
             return self.equations.q[column], self.equations.coordinates[column].unit
         if isinstance(measure, SectionForceMeasure):
-            unit = "N m" if measure.type == "bending_moment" else "N"
+            unit = "N m" if "moment" in measure.type else "N"
             return self.space.section_force(measure.type, measure.marker), unit
         value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
         return value, "rad" if measure.type == "angle" else "m"

@@ -13,7 +13,14 @@ from symgen.bodies.planar_body import MarkerMotion, PlanarBody
 from symgen.bodies.planar_coordinates import BodyCoordinates
 from symgen.bodies.points import marker_shape
 from symgen.bodies.section_shapes import section_force
-from symgen.bodies.shape_integrals import PointShape, beam_integrals_of, beam_point, beam_section, body_integrals
+from symgen.bodies.shape_integrals import (
+    PointShape,
+    beam_integrals_of,
+    beam_point,
+    beam_section,
+    body_integrals,
+    mesh_key,
+)
 from symgen.joints.instance import ConstraintRow
 from symgen.joints.planar_rows import planar_rows
 from symgen.loads import planar_effects as effects
@@ -82,7 +89,9 @@ class PlanarSpace:
         """Of a beam at a marker."""
         body, marker = self.scene.marker(reference)
         assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
-        return section_force(body, kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table)
+        return section_force(
+            body, mesh_key(body), kind, float(marker.at), self.bodies[body.name].coordinates.q_f, self.table
+        )
 
     def load(self, load: Load, value: Any) -> LoadEffect:
         """Force, torque or spring-damper."""

@@ -12,8 +12,9 @@ from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.scalar import ONE, ZERO, dot
 from symgen.algebra.vectors import minus
 from symgen.bodies.outlines import BEAM_FRACTIONS, DrawnPoint, Picture, drawn_references, rectangle
+from symgen.bodies.section_shapes import section_force
 from symgen.bodies.shape_integrals import beam_section
-from symgen.bodies.spatial_beam_body import beam_spatial_point
+from symgen.bodies.spatial_beam_body import beam_spatial_point, spatial_mesh_key
 from symgen.bodies.spatial_body import SpatialBody, SpatialCoordinates, SpatialMarker
 from symgen.bodies.spatial_integrals import spatial_integrals, spatial_point, three
 from symgen.bodies.spatial_moments import SpatialPoint
@@ -23,12 +24,11 @@ from symgen.joints.spatial_rows import JointCoordinate, coordinate_row, placing_
 from symgen.loads import spatial_effects as effects
 from symgen.loads.effect import LoadEffect
 from symgen.loads.spatial_effects import Angle, StateVector
-from symgen.scene import BeamBody, Scene
+from symgen.scene import BeamBody, BeamMarker, Scene
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
 from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
-from symgen.system.errors import DerivationError
 from symgen.system.mechanism import components, friction, spring_values
 from symgen.system.topology import Topology
 
@@ -144,8 +144,11 @@ class SpatialSpace:
         return found
 
     def section_force(self, kind: str, reference: str) -> ca.SX:
-        """Of planar beams only. Raises DerivationError, for who comes past the checks of the scene."""
-        raise DerivationError(reference, f"has no {kind} in space", "measure section forces in planar scenes")
+        """Of a beam at one of its markers, by its shapes."""
+        body, marker = self.scene.marker(reference)
+        assert isinstance(body, BeamBody) and isinstance(marker, BeamMarker)
+        q_f = self.bodies[body.name].coordinates.q_f
+        return section_force(body, spatial_mesh_key(body), kind, float(marker.at), q_f, self.table)
 
     def measure(self, kind: str, a: str, b: str) -> ca.SX:
         """Angle about marker a's z-axis (that of the joint between the markers, if it has one), x, y, z or distance."""

@@ -165,7 +165,7 @@ def test_shares_that_clamped_free_modes_miss_are_those_of_a_sum_of_modes() -> No
 
 def test_section_forces_of_what_has_none(model_of: Build, built_in: Callable[[str], Model]) -> None:
     run = simulate(built_in("flexible_four_bar"), dt=1e-5, t_end=2e-5)
-    with pytest.raises(ModelError, match="no planar beam 'crank' with exact shapes; it has coupler, rocker"):
+    with pytest.raises(ModelError, match="no beam 'crank' with exact shapes; it has coupler, rocker"):
         run.section_forces("crank")
     with pytest.raises(ArgumentError, match="fractions of its length from 0 to 1"):
         run.section_forces("coupler", 1.5)
@@ -181,8 +181,8 @@ def test_section_forces_of_what_has_none(model_of: Build, built_in: Callable[[st
 @pytest.mark.parametrize(
     ("marker", "kind", "beam", "problem"),
     [
-        ("r.origin", "bending_moment", {}, "'r' is no planar beam with exact shapes"),
-        ("b.end", "bending_moment", {"elements": 5}, "'b' is no planar beam with exact shapes"),
+        ("r.origin", "bending_moment", {}, "'r' is no beam with exact shapes"),
+        ("b.end", "bending_moment", {"elements": 5}, "'b' is no beam with exact shapes"),
         ("b.end", "normal_force", {}, "'b' has no axial shapes, which would know its normal force"),
     ],
 )
@@ -193,9 +193,9 @@ def test_measures_of_what_has_no_section(marker: str, kind: str, beam: dict[str,
         builder.measure_section("s", kind, marker).build()
 
 
-def test_a_measure_of_a_section_in_space_is_refused_by_name() -> None:
+def test_a_measure_that_no_shapes_know_is_refused_by_name() -> None:
     bending = {"ends": "clamped-free", "modes": 1}
     builder = SceneBuilder("bad", space="spatial")
     builder.beam("b", **STIFF, second_moment_z=1e-9, lateral=bending, free=True)
-    with pytest.raises(SceneError, match="'b' is no planar beam with exact shapes"):
-        builder.measure_section("M", "bending_moment", "b.end").build()
+    with pytest.raises(SceneError, match="'b' has no torsion shapes, which would know its torsion moment"):
+        builder.measure_section("T", "torsion_moment", "b.end").build()

@@ -1,4 +1,4 @@
-"""A planar beam as the manifest names it; its shapes follow from the names."""
+"""A beam as the manifest names it; its shapes follow from the names."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class ModeSetRecord:
 
 @dataclass(frozen=True)
 class BeamRecord:
-    """A planar beam with exact shapes: its mode sets in the order of its coordinates, and the loads that act on it.
+    """A beam with exact shapes: its mode sets in the order of its coordinates, and the loads that act on it.
 
     loads: names of loads and of joints with friction, in the order of their columns in `load_forces`. missing: share of
     the static bending energy of what its ends carry that the shapes miss, 0 if they carry it.

@@ -1,4 +1,4 @@
-"""Section forces are measured on planar beams whose shapes know them."""
+"""Section forces are measured on beams whose shapes know them."""
 
 from __future__ import annotations
 
@@ -10,22 +10,30 @@ from symgen.scene.measures import SectionForceMeasure
 from symgen.scene.parts import SceneParts
 from symgen.scene.translate import item_path
 
+SETS = {
+    "normal_force": "axial",
+    "shear_force": "lateral",
+    "bending_moment": "lateral",
+    "shear_force_z": "lateral_z",
+    "bending_moment_y": "lateral_z",
+    "torsion_moment": "torsion",
+}  # which shapes know it
+
 
 def section_measure_errors(scene: SceneParts) -> Iterator[SceneError]:
-    """A marker that is on no planar beam with exact shapes of the kind that the measure asks for."""
+    """A marker that is on no beam with exact shapes of the kind that the measure asks for."""
     for index, measure in enumerate(scene.measures):
         if not isinstance(measure, SectionForceMeasure):
             continue
         path = item_path("measures", index, measure.name)
         body = scene.marker(measure.marker)[0]
-        if not isinstance(body, BeamBody) or scene.space != "planar" or body.lumped_elements is not None:
+        if not isinstance(body, BeamBody) or body.lumped_elements is not None:
             yield SceneError(
                 f"{path}.marker",
-                f"'{body.name}' is no planar beam with exact shapes",
+                f"'{body.name}' is no beam with exact shapes",
                 "name a marker of such a beam, without mesh and elements",
             )
-        elif (body.axial if measure.type == "normal_force" else body.lateral) is None:
-            kind = "axial" if measure.type == "normal_force" else "lateral"
+        elif getattr(body, kind := SETS[measure.type]) is None:
             yield SceneError(
                 f"{path}.type",
                 f"'{body.name}' has no {kind} shapes, which would know its {measure.type.replace('_', ' ')}",
