@@ -98,6 +98,14 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation(
         "crossing", "", "", "n_X (1 + n_S)", "mixed", "q'' that the rows of q_S see: of forces, of each unit q_S''"
     ),
+    Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the fast ones, these not pushing"),
+    Notation("X_trunk", "", "", "n_L x n_u", "SI", "what phi adds to it"),
+    Notation(
+        "interface", "", "", "n_u (1 + n_u)", "mixed", "q'' with which the branches are carried: free, by each phi"
+    ),
+    Notation("branch_ddot", "", "", "n_L", "mixed", "q_L'' of the branches; zero for the bodies that carry them"),
+    Notation("q_S_ddot", "q_S''", "64", "n_S", "mixed", "accelerations of the fast coordinates"),
+    Notation("phi", "", "", "n_u", "N, N m", "forces of the branches on the bodies that carry them"),
     Notation("B", "", "", "n_i x n_s", "1", "stiff deflections s = B^T q_i: modes, springs between coordinates"),
     Notation("K_s", "", "", "n_s x n_s", "SI", "stiffness of the stiff deflections"),
     Notation("D_s", "", "", "n_s x n_s", "SI", "damping of the stiff deflections"),
@@ -203,6 +211,16 @@ FIELDS: tuple[Notation, ...] = (
     Notation(
         "crossing", "", "", "n_X (1 + n_S)", "mixed", "accelerations that cross to the rows of q_S of a large tree"
     ),
+    Notation("trunk_ddot", "", "", "n_L", "mixed", "q_L'' of the bodies that carry the branches with fast coordinates"),
+    Notation("X_trunk", "", "", "n_L x n_u", "SI", "what forces phi of the branches add to it"),
+    Notation(
+        "interface", "", "", "n_u (1 + n_u)", "mixed", "q'' with which the branches are carried: free, by each phi"
+    ),
+    Notation("phi", "", "", "n_u", "N, N m", "forces of the branches at the last sub-step"),
+    Notation("phi_sum", "", "", "n_u", "N, N m", "their sum over the sub-steps of the major step"),
+    Notation("phi_sums", "", "", "n_u", "N, N m", "sum of those sums before each sub-step"),
+    Notation("branch_sum", "", "", "n_B", "mixed", "sum of q_L'' of the branches' slow coordinates"),
+    Notation("branch_sums", "", "", "n_B", "mixed", "sum of those sums before each sub-step"),
     # linearised, exponential; M and lu_k also radau
     Notation("w", "", "", "n_i", "mixed", "q_i - x since the start of the major step"),
     Notation("u", "", "", "n_i", "mixed", "q_i_dot at the sub-step"),

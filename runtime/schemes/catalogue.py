@@ -13,7 +13,7 @@ from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, Hilber
 from runtime.schemes.baselines.radau import Radau, RadauOptions
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.central_difference import CentralDifferenceOptions
-from runtime.schemes.coupled import Coupled
+from runtime.schemes.coupled import Coupled, CoupledOptions
 from runtime.schemes.decoupled import Decoupled
 from runtime.schemes.exponential import Exponential
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
@@ -91,7 +91,7 @@ SCHEMES: dict[str, SchemeKind] = {
         SingleRate, "central difference, one step for all coordinates", "none", CentralDifferenceOptions
     ),
     "printed": SchemeKind(Printed, "the paper's sub-cycling", "groups", PrintedOptions),
-    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", ClosureOptions),
+    "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", CoupledOptions),
     "decoupled": SchemeKind(
         Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", ClosureOptions
     ),

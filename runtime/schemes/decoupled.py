@@ -95,20 +95,12 @@ class Decoupled(HeldSlow):
             out |= {"loop_old": z["loop"], "loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
             out["loop_dot"] = equations.loop_part(equations.rates(motion, v))
         first, _ = self._fast_accelerations({**z, **out}, equations, z["x"][S], z["v"][S], ca.SX(0))
-        return {**out, "a": replaced(z["a"], S, first), **self._worked_at_start(z, equations)}
+        return {**out, "a": replaced(z["a"], S, first), **self.worked_at_start(z, equations)}
 
     @property
-    def power_at(self) -> float:  # type: ignore[override]
-        """The start of a major step: the price of a sub-step is not to grow with the mechanism."""
-        return 0.0 if self.slow else super().power_at
-
-    def _worked_at_start(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
-        """The account of the power at the start of a major step; prescribed motions need accelerations too."""
-        if "power_sum" not in z:
-            return {}
-        motion = equations.close(z["x"], z["loop"], self.now(z, equations), self.options.closure_iterations)
-        a = equations.accelerations(motion, z["v"]) if equations.drives else ca.SX.zeros(len(self.model.q_i))
-        return self.worked(z, equations, motion, z["v"], a)
+    def counts_at_start(self) -> bool:
+        """The price of a sub-step is not to grow with the mechanism."""
+        return bool(self.slow)
 
     def _response(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> dict[str, ca.SX]:
         """N, y_ddot and, along a tree, crossing."""

@@ -36,7 +36,24 @@ class HeldSlow(OneStep):
 
     options: ClosureOptions
     counts_powers = True
-    power_at = 1.0
+
+    @property
+    def power_at(self) -> float:  # type: ignore[override]
+        """The end of each sub-step, or the start of a major step."""
+        return 0.0 if self.counts_at_start else 1.0
+
+    @property
+    def counts_at_start(self) -> bool:
+        """Are powers counted once a major step?"""
+        return False
+
+    def worked_at_start(self, z: Fields, equations: StageEquations) -> dict[str, ca.SX]:
+        """The account of the power at the start of a major step; prescribed motions need accelerations too."""
+        if "power_sum" not in z:
+            return {}
+        motion = equations.close(z["x"], z["loop"], self.now(z, equations), self.options.closure_iterations)
+        a = equations.accelerations(motion, z["v"]) if equations.drives else ca.SX.zeros(len(self.model.q_i))
+        return self.worked(z, equations, motion, z["v"], a)
 
     def further_fields(self) -> dict[str, StateField]:
         """Held positions, ends of the secants (of one group nothing is held), s: time in the running major step.

@@ -80,6 +80,20 @@ def central_difference_limit(A_q: np.ndarray, A_v: np.ndarray, predicted: bool) 
     return StepLimit(2 / s, decay if by_decay else frequency, by_decay)
 
 
+def slow_decay_limit(A_v: np.ndarray, slow: list[int], m: int) -> StepLimit | None:
+    """Of sub-steps, m in a step, whose slow velocities are held at the middle, extrapolated from the last two steps.
+
+    For v' = -d v that is v <- v - H d (3 v - v_last) / 2, stable up to H d = 1 for H = m h.
+    """
+    decay = float((-np.linalg.eigvals(A_v[np.ix_(slow, slow)]).real).max(initial=0.0))
+    return StepLimit(PREDICTED_DECAY_REACH / (m * decay), decay, True) if decay > 0 else None
+
+
+def shorter(*limits: StepLimit | None) -> StepLimit | None:
+    """The one that limits the step."""
+    return min((one for one in limits if one is not None), key=lambda one: one.h, default=None)
+
+
 def restarted_limit(A_q: np.ndarray, A_v: np.ndarray, m: int) -> StepLimit | None:
     """Of sub-steps with predicted velocities whose first acceleration is evaluated anew every m of them.
 

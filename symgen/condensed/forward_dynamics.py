@@ -10,7 +10,7 @@ what the slow coordinates do when the fast ones are given, q_L'' = M_LL^-1 Q_L -
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -85,7 +85,7 @@ def given_side(column: int) -> Side:
 def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
     """q_ddot of every independent coordinate of a tree, by column, by the shorter of two ways.
 
-    Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
+    RowsLeft of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
     solve, columns = system.reduced.free_joints, system.choice.independent
     if solve is None or any(s.e for s in system.inner):
@@ -105,14 +105,36 @@ def tree_solutions(
 
     given: columns of q_i that are not solved for. Raises NoInertia.
     """
+    left = eliminate(system, topology, sides, given)
+    return [left.solution(k, {c: side.given.get(c, ZERO) for c in given}) for k, side in enumerate(sides)]
+
+
+def eliminate(
+    system: Condensed,
+    topology: Topology,
+    sides: Sequence[Side],
+    given: frozenset[int] = frozenset(),
+    bodies: Collection[str] | None = None,
+    substitutions: Mapping[int, Substitution] | None = None,
+    attached: Sequence[tuple[int, int, ca.SX]] = (),
+) -> RowsLeft:
+    """The rows of all coordinates eliminated, from the tips to the root, but for those of `given`.
+
+    bodies: of these only, all by default. substitutions: by column, others than the system's own; what they refer to
+    may have columns beyond the system's. attached: further entries (row, column, value) of M, both triangles.
+    Raises NoInertia.
+    """
     eq = system.reduced
-    M = [dict(row) for row in eq.M]
+    by_column = {**{one.column: one for one in system.substitutions}, **(substitutions or {})}
+    beyond = max((c for one in by_column.values() for c in one.e), default=0) + 1 - len(eq.M)
+    M = [dict(row) for row in eq.M] + [{} for _ in range(beyond)]
+    for row, column, value in attached:
+        add_to(M[row], column, value)
     forces = [dict(side.force) for side in sides]
-    by_column = {substitution.column: substitution for substitution in system.substitutions}
     evaluated = {substitution.column: k for k, substitution in enumerate(system.substitutions)}
     pivots: dict[int, _Pivot] = {}
     order: list[int] = []
-    for body in sorted(eq.body_columns, key=lambda name: -topology.distance_of(name)):
+    for body in sorted(bodies or eq.body_columns, key=lambda name: -topology.distance_of(name)):
         columns = eq.body_columns[body]
         dependent = sorted((c for c in columns if c in by_column), key=lambda c: -evaluated[c])
         own = {other for c in dependent for other in by_column[c].e}
@@ -124,11 +146,33 @@ def tree_solutions(
             else:
                 pivots[column] = _eliminate(M, forces, column)
             order.append(column)
-    starts = [{column: side.given.get(column, ZERO) for column in given} for side in sides]
-    return [
-        _back_substitute(order, by_column, pivots, k, side, start)
-        for k, (side, start) in enumerate(zip(sides, starts, strict=True))
-    ]
+    return RowsLeft(M, forces, sides, by_column, order, pivots)
+
+
+@dataclass(frozen=True)
+class RowsLeft:
+    """M and the force of each right-hand side in the rows that are left, by column, and the way back."""
+
+    M: list[Row]
+    forces: list[Row]
+    sides: Sequence[Side]
+    by_column: Mapping[int, Substitution]
+    order: list[int]
+    pivots: Mapping[int, _Pivot]
+
+    def solution(self, k: int, start: Row) -> dict[int, ca.SX]:
+        """The eliminated coordinates in right-hand side k, from the root to the tips; start: those that are left."""
+        found = dict(start)
+        for column in reversed(self.order):
+            if column in self.pivots:
+                pivot = self.pivots[column]
+                rest = dot(list(pivot.row.values()), [found[c] for c in pivot.row])
+                found[column] = mul(sub(pivot.forces[k], rest), pivot.inverse)
+            else:
+                one = self.by_column[column]
+                known = [found.get(c, ZERO) for c in one.e]
+                found[column] = add(self.sides[k].constants.get(column, ZERO), dot(list(one.e.values()), known))
+        return found
 
 
 def _substitute(M: list[Row], forces: list[Row], sides: Sequence[Side], substitution: Substitution) -> None:
@@ -168,25 +212,3 @@ def _eliminate(M: list[Row], forces: list[Row], k: int) -> _Pivot:
             if i != j and j in M[i]:
                 M[j][i] = M[i][j]
     return _Pivot(row, inverse, values)
-
-
-def _back_substitute(
-    order: list[int],
-    by_column: Mapping[int, Substitution],
-    pivots: Mapping[int, _Pivot],
-    k: int,
-    side: Side,
-    start: Mapping[int, ca.SX],
-) -> dict[int, ca.SX]:
-    """The solution of right-hand side k, from the root to the tips."""
-    found = dict(start)
-    for column in reversed(order):
-        if column in pivots:
-            pivot = pivots[column]
-            rest = dot(list(pivot.row.values()), [found[c] for c in pivot.row])
-            found[column] = mul(sub(pivot.forces[k], rest), pivot.inverse)
-        else:
-            substitution = by_column[column]
-            known = [found.get(c, ZERO) for c in substitution.e]
-            found[column] = add(side.constants.get(column, ZERO), dot(list(substitution.e.values()), known))
-    return found

@@ -13,7 +13,7 @@ from symgen.notation import BY_NAME
 from symgen.pipeline import Derived
 
 # what the emitted functions call their own: temporaries, arguments, outputs
-RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$")
+RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|interface\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$")
 
 
 def local_names(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
@@ -49,6 +49,9 @@ class Labels:
         if "slow_response" in derived.tapes:
             crossing = derived.functions["slow_response"].outputs[-1].size[0]
             self.arguments["crossing"] = [f"crossing{k}" for k in range(crossing)]
+        if "trunk_response" in derived.tapes:
+            interface = derived.functions["trunk_response"].outputs[-1].size[0]
+            self.arguments["interface"] = [f"interface{k}" for k in range(interface)]
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])

@@ -27,6 +27,7 @@ from symgen.kernels.all_coordinates import (
     switching,
 )
 from symgen.kernels.arguments import Arguments, arguments_of
+from symgen.kernels.branch_kernels import branch_kernels
 from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
@@ -40,6 +41,8 @@ TREES_ONLY = {
     "blocks",
     "slow_response",
     "fast_rows",
+    "trunk_response",
+    "branch_motion",
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
@@ -85,6 +88,7 @@ def kernel_builders(
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
         if len(groups) == 2:
             builders |= partition_kernels(system, topology, arguments, *groups)
+            builders |= branch_kernels(system, topology, arguments, *groups)
     if len(groups) > 1:
         builders["blocks"] = partial(_blocks, system, arguments, named_groups)
     for level in range(1, len(groups)):

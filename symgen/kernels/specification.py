@@ -78,6 +78,22 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "M_bar_SS rhs_S",
         ),
         _spec(
+            "trunk_response",
+            "39",
+            "What slow bodies do that carry the branches with fast coordinates, q_T'' = trunk_ddot + X_trunk phi",
+            "condensed",
+            f"{STATE} t u c",
+            "trunk_ddot X_trunk interface",
+        ),
+        _spec(
+            "branch_motion",
+            "39",
+            "Accelerations of the branches on the trunk's response, and the forces phi that they put on it",
+            "accelerations",
+            f"{STATE} interface t u c",
+            "q_S_ddot branch_ddot phi",
+        ),
+        _spec(
             "deflections",
             "",
             "Stiff deflections s = B^T q_i, and the stiffness and damping between them",
