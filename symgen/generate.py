@@ -61,9 +61,9 @@ def completed(scene: Scene, folder: Path) -> Path:
     """
     if (folder / "model.py").is_file():
         return folder
-    expected = _hash_of_code(folder)
+    expected = _hash_of_files(folder)
     target = cache_folder() / "models" / f"{scene.name}-{(expected or 'new')[:16]}"
-    if expected is not None and _hash_of_code(target) == expected and (target / "model.py").is_file():
+    if expected is not None and _hash_of_files(target) == expected and (target / "model.py").is_file():
         return target
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -79,10 +79,11 @@ def completed(scene: Scene, folder: Path) -> Path:
     return target
 
 
-def _hash_of_code(folder: Path) -> str | None:
-    """SHA-256 of model.py by the folder's manifest."""
+def _hash_of_files(folder: Path) -> str | None:
+    """SHA-256 of those of model.py and of the scene, which also says how bodies look, by the folder's manifest."""
     try:
-        return str(json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["files"]["model.py"])
+        known = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["files"]
+        return hashlib.sha256(f"{known['model.py']} {known['scene.toml']}".encode()).hexdigest()
     except (OSError, ValueError, KeyError, TypeError):
         return None
 

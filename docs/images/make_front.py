@@ -8,12 +8,11 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import numpy as np
 from PIL import Image
 
 from runtime import load_model, simulate
 from symgen.generate import generate
-from symgen.scenes import SCENES, SURFACES, generated_folder
+from symgen.scenes import SCENES, generated_folder
 
 HERE = Path(__file__).resolve().parent
 EXAMPLES = HERE.parents[1] / "examples"
@@ -39,8 +38,7 @@ def photographed(name: str, t_end: float, state: str, kept: tuple[int, int, int]
         if built_in
         else generate(runpy.run_path(str(EXAMPLES / f"{name}.py"))["build"](), folder / name)
     )
-    surfaces = {body: dict(np.load(path)) for body, path in SURFACES.get(name, {}).items()}
-    simulate(model, t_end=t_end).view(page, surfaces)
+    simulate(model, t_end=t_end).view(page)
     text = page.read_text(encoding="utf-8")
     bare = text.replace("</head>", "<style>.box, #hint { display: none }</style></head>")
     page.write_text(bare, encoding="utf-8")

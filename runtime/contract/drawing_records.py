@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
+from runtime.contract.packing import unpacked
+
 
 @dataclass(frozen=True)
 class PointRecord:
@@ -32,11 +36,35 @@ class ShapeRecord:
 
 
 @dataclass(frozen=True)
+class SurfaceRecord:
+    """The surface of a flexible body as packed arrays (runtime.contract.packing), float32 and int32.
+
+    vertices (n, 3) [m] in its axes, triangles (m, 3), shapes (n, 3, nf) per unit of q_f; stresses (n, 6, nf) [Pa] per
+    unit of q_f in the order xx yy zz yz xz xy, "" if not known.
+    """
+
+    body: str
+    vertices: str
+    triangles: str
+    shapes: str
+    stresses: str = ""
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """vertices, triangles, shapes, and stresses if they are known. Raises ValueError if they do not fit."""
+        vertices = unpacked(self.vertices).reshape(-1, 3)
+        found: dict[str, np.ndarray] = {"vertices": vertices}
+        found["triangles"] = unpacked(self.triangles, "<i4").reshape(-1, 3)
+        found["shapes"] = unpacked(self.shapes).reshape(len(vertices), 3, -1)
+        return found | ({"stresses": unpacked(self.stresses).reshape(len(vertices), 6, -1)} if self.stresses else {})
+
+
+@dataclass(frozen=True)
 class Drawing:
-    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to; shapes."""
+    """What the columns of `poses` (bodies), of `geometry` (points) and of its sections (beams) belong to; looks."""
 
     space: str
     poses: list[str]
     points: list[PointRecord]
     sections: list[str]
     shapes: list[ShapeRecord] = field(default_factory=list)
+    surfaces: list[SurfaceRecord] = field(default_factory=list)

@@ -14,6 +14,7 @@ from runtime.contract.beams.records import BeamRecord, beam_records
 from runtime.contract.drawing_records import Drawing as Drawing
 from runtime.contract.drawing_records import PointRecord as PointRecord
 from runtime.contract.drawing_records import ShapeRecord as ShapeRecord
+from runtime.contract.drawing_records import SurfaceRecord as SurfaceRecord
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
@@ -242,8 +243,9 @@ _MAY_LACK = ("inputs", "beams", "switching")  # tables that are not written wher
 def as_plain(description: Description) -> dict[str, Any]:
     """The description as plain values for JSON; a model without shapes, inputs or beams has no entry for them."""
     plain = asdict(description)
-    if not plain["drawing"]["shapes"]:
-        del plain["drawing"]["shapes"]
+    for looks in ("shapes", "surfaces"):
+        if not plain["drawing"][looks]:
+            del plain["drawing"][looks]
     return {key: value for key, value in plain.items() if value or key not in _MAY_LACK}
 
 
@@ -263,5 +265,6 @@ def description(plain: Mapping[str, Any]) -> Description:
     values["beams"] = beam_records(values["beams"])
     points = [PointRecord(**entry) for entry in plain["drawing"]["points"]]
     shapes = [ShapeRecord(**entry) for entry in plain["drawing"].get("shapes", [])]
-    values["drawing"] = Drawing(**{**plain["drawing"], "points": points, "shapes": shapes})
+    surfaces = [SurfaceRecord(**entry) for entry in plain["drawing"].get("surfaces", [])]
+    values["drawing"] = Drawing(**{**plain["drawing"], "points": points, "shapes": shapes, "surfaces": surfaces})
     return Description(**values)

@@ -10,6 +10,7 @@ import numpy as np
 from runtime.contract.errors import ArgumentError
 from runtime.views.mechanism.points import GROUND, Body
 from runtime.views.mechanism.scenery import Scenery, scenery
+from runtime.views.mechanism.solids import sharp_edges
 from runtime.views.mechanism.tree import shortest_tree
 from runtime.views.projection import axis_labels, projected
 
@@ -85,7 +86,8 @@ def _bodies(scene: Scenery, factor: float) -> list[Line]:
     for body in scene.bodies:
         if body.name == GROUND:
             continue
-        kind: Kind = "beam" if body.section else "outline" if body.solid is not None else "body"
+        outlined = body.solid is not None or body.surface is not None
+        kind: Kind = "beam" if body.section else "outline" if outlined else "body"
         if body.elastic and factor != 0.0:
             found.append(Line("ghost", body.name, colour, _body(scene, body, 0.0)))
         found.append(Line(kind, body.name, colour, _body(scene, body, factor)))
@@ -104,6 +106,8 @@ def _body(scene: Scenery, body: Body, factor: float) -> np.ndarray:
     """A beam's stations, or the rods between a body's markers with the pen lifted between them."""
     if body.section:
         return _flat(scene, scene.world(body, body.stations, factor))
+    if body.surface is not None:
+        return _surface(scene, body, factor)
     if body.solid is not None:
         return _outline(scene, body)
     points = scene.world(body, body.markers, factor)
@@ -122,6 +126,16 @@ def _outline(scene: Scenery, body: Body) -> np.ndarray:
     lifted = np.full((len(edges), 1, 3), np.nan)
     strokes = np.concatenate([edges, lifted], axis=1).reshape(-1, 3)
     return _flat(scene, scene.placed(body, np.repeat(strokes[None], len(scene.t), axis=0)))
+
+
+def _surface(scene: Scenery, body: Body, factor: float) -> np.ndarray:
+    """The sharp edges of a finite-element surface, deformed, with the pen lifted after each."""
+    assert body.surface is not None
+    edges = sharp_edges(body.surface["vertices"], body.surface["triangles"])
+    ends, at = np.unique(edges, return_inverse=True)
+    drawn = _flat(scene, scene.world(body, body.skin(ends), factor))[:, :, at.reshape(-1, 2)]  # (frames, 2, edges, 2)
+    lifted = np.full((*drawn.shape[:3], 1), np.nan)
+    return np.concatenate([drawn, lifted], axis=3).reshape(len(scene.t), 2, -1)
 
 
 def _between(scene: Scenery, factor: float) -> list[Line]:

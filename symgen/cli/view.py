@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
     default = folder / "view.html" if folder else Path(f"{solution.model.name}.html")
     path = Path(arguments.out) if arguments.out else default
     second = results_of(arguments.beside) if arguments.beside else None
-    page = write_view(solution, path, _surfaces(arguments.surface, solution.model.name), second)
+    page = write_view(solution, path, _surfaces(arguments.surface), second)
     if arguments.open:
         page.open()
     size = len(page.text.encode()) / 1e6
@@ -56,14 +56,12 @@ def run(arguments: argparse.Namespace) -> Outcome:
     return Outcome(data, lines if solution.status.ok else [*lines, str(solution.status)], exit_code(solution))
 
 
-def _surfaces(given: list[str], model: str) -> dict[str, dict[str, Any]]:
-    """Surfaces by body: those of a built-in scene, and those given. Raises UsageError."""
+def _surfaces(given: list[str]) -> dict[str, dict[str, Any]]:
+    """The surfaces given, by body. Raises UsageError."""
     import numpy as np
 
-    from symgen.scenes import SURFACES
-
     found: dict[str, dict[str, Any]] = {}
-    for body, file in [*SURFACES.get(model, {}).items(), *(_named(word) for word in given)]:
+    for body, file in map(_named, given):
         try:
             with open(file, "rb") as stream, np.load(stream, allow_pickle=False) as arrays:
                 found[body] = {name: arrays[name] for name in arrays.files}

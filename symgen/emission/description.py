@@ -19,10 +19,12 @@ from runtime.contract.records import (
     Measure,
     PointRecord,
     ShapeRecord,
+    SurfaceRecord,
 )
 from symgen.pipeline import Derived
 from symgen.scene import GroundBody, RigidBody, Scene
 from symgen.scene.appearance import BoxShape, CylinderShape, MeshShape, SphereShape
+from symgen.scene.flexible import SpatialModalBody
 
 
 def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) -> Description:
@@ -101,7 +103,12 @@ def _drawing(derived: Derived) -> Drawing:
         if isinstance(body, GroundBody | RigidBody)
         for shape in body.shape
     ]
-    return Drawing(derived.scene.space, list(picture.poses), points, list(picture.sections), shapes)
+    surfaces = [
+        SurfaceRecord(body.name, **body.surface.model_dump())
+        for body in derived.scene.moving_bodies
+        if isinstance(body, SpatialModalBody) and body.surface is not None
+    ]
+    return Drawing(derived.scene.space, list(picture.poses), points, list(picture.sections), shapes, surfaces)
 
 
 def _shape(body: str, shape: BoxShape | CylinderShape | SphereShape | MeshShape) -> ShapeRecord:

@@ -17,6 +17,7 @@ from symgen.fe.interfaces import Interface, NodeSet, interface
 from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
 from symgen.fe.lumping import lumped
 from symgen.fe.material import Material
+from symgen.fe.modal_fields import Marker, modal_fields
 from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
 from symgen.fe.nastran import BULK, nastran_matrices, nastran_nodes
 from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
@@ -30,15 +31,6 @@ from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
 
 MASSES = ("consistent", "lumped")
-
-
-@dataclass(frozen=True, eq=False)
-class Marker:
-    """An interface on the body: position (3,) [m] from the origin; shape, rotation (3, nf): per unit of q_f."""
-
-    position: Array
-    shape: Array
-    rotation: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,43 +150,20 @@ class FlexibleBody:
         """Frequencies of the modes [Hz], (nf,)."""
         return np.sqrt(self.modes.eigenvalues) / (2.0 * np.pi)
 
-    def fields(self, damping_ratio: float | Sequence[float] = 0.0) -> dict[str, Any]:
+    def fields(self, damping_ratio: float | Sequence[float] = 0.0, surface: int = 0) -> dict[str, Any]:
         """Plain numbers and lists for a spatial modal body of a scene; `damping_ratio` of all modes or of each.
 
+        surface: how many triangles of its surface go with it at most, for pictures; 0: none.
         M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are diagonal.
         Raises FiniteElementError for a ratio that is negative or for a wrong number of ratios.
         """
-        ratios = np.asarray(damping_ratio, dtype=np.float64)
-        if ratios.shape not in ((), (self.nf,)) or not np.all(np.isfinite(ratios)) or np.any(ratios < 0.0):
-            raise FiniteElementError(
-                "damping_ratio",
-                f"{damping_ratio!r} is not a ratio of 0 or more, or one per mode",
-                f"give one number or {self.nf}",
-            )
-        these = self.integrals
-        arrays = {
-            "first_moment": these.first_moment,
-            "inertia_moments": these.moments,
-            "M_ff": these.M_ff,
-            "K_ff": np.diag(self.modes.eigenvalues),
-            "D_ff": np.diag(2.0 * ratios * np.sqrt(self.modes.eigenvalues)),
-            "phi_integral": these.phi_integral,
-            "rho_phi": these.rho_phi,
-            "phi_phi": these.phi_phi,
-        }
-        markers = {
-            name: {"position": one.position.tolist(), "shape": one.shape.tolist(), "rotation": one.rotation.tolist()}
-            for name, one in self.markers.items()
-        }
-        fields = {"mass": these.mass, **{key: array.tolist() for key, array in arrays.items()}, "markers": markers}
-        if self.stiffening is not None:
-            fields["stiffening"] = {"H": self.stiffening.H.tolist(), "xH": self.stiffening.xH.tolist()}
-            for name, marker in markers.items():
-                marker["foreshortening"] = self.stiffening.at[name].tolist()
-        return fields
+        looks = self.surface(surface) if surface else {}
+        return modal_fields(self.integrals, self.modes.eigenvalues, self.markers, self.stiffening, damping_ratio, looks)
 
     def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
         """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).
+
+        Of a solid also stresses (n, 6, nf) [Pa] there, xx yy zz yz xz xy.
 
         triangles: places of three nodes each, where the body was not made from a solid mesh. Write it for the command
         line with numpy.savez(path, **surface). Raises FiniteElementError.
@@ -202,7 +171,10 @@ class FlexibleBody:
         body, faces = self.structure, self.structure.facets
         if triangles is not None:
             faces = np.asarray(triangles, dtype=np.int64).reshape(-1, AXES)
-        return surface_data(body.positions, body.nodal(self.modes.shapes, 0), faces, self.origin, max_triangles)
+        found = surface_data(body.positions, body.nodal(self.modes.shapes, 0), faces, self.origin, max_triangles)
+        if isinstance(body.stress, SolidStress):
+            found["stresses"] = self.stresses().at(found["vertices"])
+        return found
 
     def stresses(self) -> ModalStresses:
         """Stress tensors per unit of q_f inside the elements of a solid; `von_mises(q_f)` of a motion's coordinates.

@@ -14,6 +14,10 @@ from symgen.fe.material import Material
 from symgen.fe.structure import AXES, Integers, StressStiffness
 from symgen.modes.cleaning import Array
 
+VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+NEIGHBOURS = 27
+FLAT = 1e-3  # points around that do not spread in a direction say nothing of it
+
 
 @dataclass(frozen=True, eq=False)
 class SolidStress:
@@ -66,6 +70,22 @@ class ModalStresses:
     def of(self, q_f: ArrayLike) -> Array:
         """(N, 3, 3, n) stress tensors [Pa] for modal coordinates (N, nf): the sum of the modal stresses."""
         return np.asarray(np.tensordot(np.atleast_2d(np.asarray(q_f, dtype=float)), self.tensors, axes=1))
+
+    def at(self, places: ArrayLike) -> Array:
+        """(m, 6, nf) stresses xx yy zz yz xz xy [Pa/m] at places (m, 3) [m], also on the surface, as float32.
+
+        From the points around, by the linear field that fits them best: exact where the stress is linear.
+        """
+        from scipy.spatial import KDTree  # when it is needed: importing it takes long
+
+        there = np.asarray(places, dtype=float)
+        _, near = KDTree(self.points).query(there, k=min(NEIGHBOURS, len(self.points)))
+        apart = self.points[near] - there[:, None]
+        size = np.linalg.norm(apart, axis=2).max(axis=1)[:, None]
+        fit = np.concatenate([np.ones((*near.shape, 1)), apart / size[..., None]], axis=2)
+        weights = np.linalg.pinv(fit, rcond=FLAT)[:, 0]  # (m, neighbours): the value of the linear field at the place
+        parts = [self.tensors[:, i, j] for i, j in VOIGT]
+        return np.stack([np.einsum("amk,mk->ma", part[:, near], weights) for part in parts], axis=1, dtype=np.float32)
 
     def von_mises(self, q_f: ArrayLike) -> Array:
         """(N, n) von Mises stress [Pa] for modal coordinates (N, nf)."""

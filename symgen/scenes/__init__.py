@@ -66,10 +66,6 @@ SCENES: dict[str, Callable[..., Scene]] = {
 }
 
 
-# surfaces of flexible bodies for pictures, written by examples/mesh_connecting_rod.py: scene, body, file
-SURFACES = {"spatial_slider_crank": {"rod": Path(__file__).with_name("connecting_rod_surface.npz")}}
-
-
 def kept_folder(name: str) -> Path:
     """What the repository keeps of a built-in scene, beside this package: without its code where that is large."""
     return Path(__file__).resolve().parents[2] / "generated" / name

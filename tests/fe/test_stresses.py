@@ -65,3 +65,14 @@ def test_a_frame_has_no_stresses_at_points() -> None:
     body = FlexibleBody.from_mesh(mesh, MATERIAL, interface={"root": [0]}, modes=1)
     with pytest.raises(FiniteElementError, match="stresses.*not made from a solid mesh"):
         body.stresses()
+
+
+def test_stresses_at_the_surface(bar: FlexibleBody) -> None:
+    """A linear field is met on the surface too, where no point of the quadrature is: pure bending, at its corners."""
+    q_f = coordinates(bar, 5) + L / 2 * coordinates(bar, 1)
+    surface = bar.surface()
+    found = surface["stresses"] @ q_f  # xx yy zz yz xz xy
+    expected = -MATERIAL.E * surface["vertices"][:, 1].astype(float) * 1e-3 / L
+    assert np.abs(expected).min() > 0.99 * MATERIAL.E * A / 2 * 1e-3 / L  # corners only
+    assert_allclose(found[:, 0], expected, rtol=1e-4)
+    assert np.abs(found[:, 1:]).max() < 1e-4 * np.abs(expected).max()

@@ -42,7 +42,8 @@ class Body:
     """One body: its column in `poses` (None for the ground), its q_f in q, its points.
 
     stations: along the axis of a beam, otherwise none; markers: by name; section: (height, width) of a beam [m];
-    solid: the shapes that the scene gives it, if any.
+    solid: the shapes that the scene gives it, surface: the triangles of a finite-element body (vertices, triangles,
+    shapes, stresses), if any.
     """
 
     name: str
@@ -52,6 +53,18 @@ class Body:
     markers: Points
     section: tuple[float, float] | None
     solid: Solid | None = None
+    surface: dict[str, np.ndarray] | None = None
+
+    def skin(self, places: np.ndarray | slice = slice(None)) -> Points:
+        """These vertices of the surface; none without one. Foreshortening of the surface is left out."""
+        nf, none = len(self.elastic), np.zeros((0, 3))
+        if self.surface is None:
+            return Points(
+                [], none, np.zeros((0, 3, 3)), np.zeros((0, 3, nf)), np.zeros((0, 3, nf)), np.zeros((0, nf, nf))
+            )
+        position, shapes = (np.asarray(self.surface[key], dtype=float)[places] for key in ("vertices", "shapes"))
+        n = len(position)
+        return Points([""] * n, position, np.zeros((0, 3, 3)), shapes, np.zeros((0, 3, nf)), np.zeros((n, nf, nf)))
 
 
 def bodies(model: Model, p: np.ndarray) -> list[Body]:
@@ -67,6 +80,7 @@ def bodies(model: Model, p: np.ndarray) -> list[Body]:
     record = model.drawing
     values = {key: np.asarray(value) for key, value in model.kernel("geometry")(p=p).items()}
     points = _points(record["points"], values)
+    surfaces = {one.body: one for one in model.description.drawing.surfaces}
     sections = dict(zip(record["sections"], np.reshape(values.get("sections", ()), (2, -1)).T, strict=True))
     found = []
     for name in dict.fromkeys(entry["body"] for entry in record["points"]):
@@ -84,7 +98,8 @@ def bodies(model: Model, p: np.ndarray) -> list[Body]:
         shapes = [shape for shape in model.description.drawing.shapes if shape.body == name]
         look = solid(shapes) if shapes else None
         at, named = _picked(points, stations, nf), _picked(points, markers, nf)
-        found.append(Body(name, pose, elastic, at, named, section, look))
+        surface = surfaces[name].arrays() if name in surfaces else None
+        found.append(Body(name, pose, elastic, at, named, section, look, surface))
     return found
 
 

@@ -83,7 +83,11 @@ class Scenery:
     def everything(self, factor: float) -> np.ndarray:
         """(frames, n, 3) all stations and markers [m]."""
         return np.concatenate(
-            [self.world(body, points, factor) for body in self.bodies for points in (body.stations, body.markers)],
+            [
+                self.world(body, points, factor)
+                for body in self.bodies
+                for points in (body.stations, body.markers, body.skin())
+            ],
             axis=1,
         )
 
@@ -96,7 +100,8 @@ class Scenery:
         """The largest displacement that exaggeration multiplies [m]."""
         found = 0.0
         for body, follow in zip(self.bodies, self.follow, strict=True):
-            for points in (body.stations, body.markers):
+            some = max(1, 0 if body.surface is None else len(body.surface["vertices"]) // 500)
+            for points in (body.stations, body.markers, body.skin(slice(None, None, some))):
                 if body.elastic and len(points.names):
                     left = points.linear(self.q_f(body)) - follow.displacement(points.position, self.q_f(body))
                     found = max(found, float(np.linalg.norm(left, axis=2).max()))

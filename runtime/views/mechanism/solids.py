@@ -26,20 +26,25 @@ class Solid:
     circles: np.ndarray
 
     def edges(self) -> np.ndarray:
-        """(k, 2, 3) ends of every edge where the surface bends by more than 30 degrees, or stops, and circles [m]."""
-        corners = self.vertices[self.triangles]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-        sides = np.sort(np.concatenate([self.triangles[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))]), axis=1)
-        owner = np.tile(np.arange(len(self.triangles)), 3)
-        order = np.lexsort((sides[:, 1], sides[:, 0]))
-        sides, owner = sides[order], owner[order]
-        pair = np.flatnonzero(np.all(sides[1:] == sides[:-1], axis=1))
-        smooth = np.einsum("ij,ij->i", normals[owner[pair]], normals[owner[pair + 1]]) > SHARP
-        drop = np.zeros(len(sides), dtype=bool)
-        drop[pair + 1] = True
-        drop[pair[smooth]] = True
-        return np.concatenate([self.vertices[sides[~drop]], self.circles])
+        """(k, 2, 3) ends of the sharp edges, and circles [m]."""
+        return np.concatenate([self.vertices[sharp_edges(self.vertices, self.triangles)], self.circles])
+
+
+def sharp_edges(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(k, 2) places of the ends of every edge where the surface bends by more than 30 degrees, or stops."""
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    sides = np.sort(np.concatenate([triangles[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))]), axis=1)
+    owner = np.tile(np.arange(len(triangles)), 3)
+    order = np.lexsort((sides[:, 1], sides[:, 0]))
+    sides, owner = sides[order], owner[order]
+    pair = np.flatnonzero(np.all(sides[1:] == sides[:-1], axis=1))
+    smooth = np.abs(np.einsum("ij,ij->i", normals[owner[pair]], normals[owner[pair + 1]])) > SHARP
+    drop = np.zeros(len(sides), dtype=bool)
+    drop[pair + 1] = True
+    drop[pair[smooth]] = True
+    return np.asarray(sides[~drop])
 
 
 def solid(shapes: list[ShapeRecord]) -> Solid:

@@ -18,11 +18,15 @@ KEYS = ("vertices", "triangles", "shapes")
 
 @dataclass(frozen=True, eq=False)
 class SurfaceMesh:
-    """points: the vertices; triangles (m, 3): three vertices each; H of every `per` vertices in turn is the same."""
+    """points: the vertices; triangles (m, 3): three vertices each; H of every `per` vertices in turn is the same.
+
+    stresses (n, 6, nf): xx yy zz yz xz xy [Pa] of each vertex per unit of q_f, where they are known.
+    """
 
     points: Points
     triangles: np.ndarray
     per: int = 1
+    stresses: np.ndarray | None = None
 
 
 def beam_mesh(body: Body) -> SurfaceMesh:
@@ -54,7 +58,7 @@ def solid_mesh(solid: Solid) -> SurfaceMesh:
 
 
 def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
-    """Given triangles: vertices (n, 3) [m] in the body's axes, triangles (m, 3), shapes (n, 3, nf).
+    """Given triangles: vertices (n, 3) [m] in the axes of the body, triangles (m, 3), shapes and stresses per mode.
 
     Raises ModelError for other sizes, for numbers that are not finite, and for vertices that are not there.
     """
@@ -77,7 +81,10 @@ def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
         raise ModelError(
             f"the surface of {body.name} has {len(triangles)} triangles; at most {MOST_TRIANGLES} are shown"
         )
-    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles)
+    stresses = np.asarray(surface["stresses"], dtype=float) if "stresses" in surface else None
+    if stresses is not None and (stresses.shape != (n, 6, nf) or not np.all(np.isfinite(stresses))):
+        raise ModelError(f"the stresses of {body.name} must be finite and (n, 6, nf) = {(n, 6, nf)}")
+    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles, stresses=stresses)
 
 
 def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from runtime.contract.packing import packed
 from runtime.views.curves import force_vectors, moment_vectors
 from runtime.views.mechanism.scenery import Scenery
 from runtime.views.projection import is_spatial
-from runtime.views.viewer.packing import packed
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution

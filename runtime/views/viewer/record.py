@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from runtime.contract.model import ModelError
+from runtime.contract.packing import packed
 from runtime.views import curves
 from runtime.views.curves import Curves
 from runtime.views.mechanism.points import GROUND, Body, Points
@@ -16,8 +17,8 @@ from runtime.views.mechanism.tree import shortest_tree
 from runtime.views.projection import is_spatial, up_axis
 from runtime.views.style import COLOURS
 from runtime.views.viewer.meshes import SurfaceMesh, beam_mesh, solid_mesh, surface_mesh
-from runtime.views.viewer.packing import packed
 from runtime.views.viewer.parts import parts
+from runtime.views.viewer.stress import stress_records
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
@@ -43,6 +44,7 @@ def view_record(
     low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
     size = max(float((high - low).max()), 1e-9)
     deformation = _deformation(shown, meshes)
+    stresses, stress = stress_records(solution, shown, meshes)
     model, status, up = solution.model, solution.status, up_axis(solution.model)
     kept = np.unique(np.linspace(0, len(solution.t) - 1, min(len(solution.t), MOST_SAMPLES)).round().astype(int))
     return {
@@ -60,10 +62,11 @@ def view_record(
         "lowest": float(low[up]),
         "factor": _factor(size, deformation),
         "deformation": max(deformation, 1e-300),
+        "stress": stress,
         "colours": COLOURS,
         "t": packed(shown.t, "<f8"),
         "bodies": [
-            *({**body, "pale": False} for body in _bodies(shown, meshes)),
+            *({**body, "pale": False, "stress": stresses.get(body["name"])} for body in _bodies(shown, meshes)),
             *(
                 {**body, "pale": True}
                 for body in (_bodies(*second) if second is not None else [])
@@ -119,6 +122,8 @@ def _curves(solution: Solution) -> list[Curves]:
 def _mesh(body: Body, surfaces: Mapping[str, Mapping[str, Any]]) -> SurfaceMesh | None:
     if body.name in surfaces:
         return surface_mesh(body, surfaces[body.name])
+    if body.surface is not None:
+        return surface_mesh(body, body.surface)
     if body.solid is not None:
         return solid_mesh(body.solid)
     return beam_mesh(body) if body.section else None

@@ -115,6 +115,8 @@ def _flexible(body: SpatialModalBody, path: str) -> Iterator[SceneError]:
         for axis, blocks in enumerate(body.stiffening.xH):
             for other, block in enumerate(blocks):
                 yield from _size(f"{path}.stiffening.xH[{axis}][{other}]", block, nf, nf)
+    if body.surface is not None and (fault := body.surface.fault(nf)):
+        yield SceneError(f"{path}.surface", fault, "take what FlexibleBody.surface gives for these modes")
     for name, marker in body.markers.items():
         for key in ("shape", "rotation"):
             yield from _size(f"{path}.markers.{name}.{key}", getattr(marker, key) or None, 3, nf)

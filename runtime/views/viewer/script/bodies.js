@@ -81,22 +81,23 @@ function scaleColour(share) {
   return scaleColours[k].clone().lerp(scaleColours[k + 1], at - k);
 }
 
-function moveBodies(coloured) {
+function moveBodies() {
   for (const body of run.bodies) {
     body.group.matrix.copy(body.matrix);
     body.group.matrixWorldNeedsUpdate = true;
     if (body.mesh) {
       body.surface.geometry.attributes.position.needsUpdate = true;
       body.surface.geometry.computeBoundingSphere();
-      if (coloured && body.nf) {
-        const colours = body.surface.geometry.attributes.color;
+      const values = state.coloured === "displacement" && body.nf ? body.mesh.moved : body.strained;
+      if (values) {
+        const colours = body.surface.geometry.attributes.color, most = state.coloured === "stress" ? run.stress : run.deformation;
         for (let k = 0; k < body.mesh.count; k++) {
-          const c = scaleColour(body.mesh.moved[k] / run.deformation);
+          const c = scaleColour(values[k] / most);
           colours.setXYZ(k, c.r, c.g, c.b);
         }
         colours.needsUpdate = true;
       }
-      const vertexColours = coloured && body.nf > 0;
+      const vertexColours = !!values;
       if (body.material.vertexColors !== vertexColours) {
         body.material.vertexColors = vertexColours;
         body.material.color.set(vertexColours ? "#ffffff" : body.colour);

@@ -3,7 +3,8 @@ const $ = (selector) => document.querySelector(selector);
 $("h1").textContent = run.title;
 $("#about").textContent = run.about;
 $("#about").classList.toggle("failed", !run.ok);
-const shown = { bodies: true, joints: true, "springs and loads": true, undeformed: true, names: true, grid: true, reactions: false, "colour: displacement": false };
+const shown = { bodies: true, joints: true, "springs and loads": true, undeformed: true, names: true, grid: true, reactions: false, "colour: displacement": false, "colour: stress": false };
+const tints = ["colour: displacement", "colour: stress"];
 const slider = $("#time"), clock = $("#clock"), decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.max(last - first, 1e-9))), 0), 9);
 slider.min = first;
 slider.max = last;
@@ -13,7 +14,7 @@ function show(t) {
   slider.value = state.t;
   clock.textContent = `t = ${state.t.toFixed(decimals)} s`;
   const frame = moveTo(state.t);
-  moveBodies(shown["colour: displacement"]);
+  moveBodies();
   moveSymbols(frame);
   moveCurves();
   draw();
@@ -62,12 +63,21 @@ function setShown(name, on) {
   shown[name] = on;
   if (layers[name]) layers[name].visible = on;
   if (name === "names") $("#names").hidden = !on;
-  if (name === "colour: displacement") $("#scale").hidden = !on;
+  if (!tints.includes(name)) return;
+  for (const other of tints) if (on && other !== name) shown[other] = false;
+  for (const box of document.querySelectorAll("#show input")) box.checked = shown[box.dataset.name];
+  state.coloured = (tints.find((tint) => shown[tint]) || "").slice(8);
+  $("#scale").hidden = !state.coloured;
+  if (state.coloured) $("#scale span").textContent = `0 ... ${state.coloured === "stress" ? prefixed(run.stress, "Pa") : prefixed(run.deformation, "m")}`;
+}
+function prefixed(value, unit) {
+  const [factor, prefix] = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"]].find(([size]) => value >= size) || [1e-9, "n"];
+  return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
 }
 for (const name of Object.keys(shown)) {
   if (name === "reactions" && !run.joints.some((joint) => joint.arrow)) continue;
-  const possible = { undeformed: run.bodies.some((body) => body.nf), "colour: displacement": run.bodies.some((body) => body.nf && body.mesh) };
-  if (possible[name] === false) { setShown(name, false); continue; }
+  const possible = { undeformed: run.bodies.some((body) => body.nf), "colour: displacement": run.bodies.some((body) => body.nf && body.mesh), "colour: stress": run.bodies.some((body) => body.stress) && run.stress > 0 };
+  if (possible[name] === false) { setShown(name, false); delete shown[name]; continue; }
   const label = document.createElement("label"), box = document.createElement("input");
   box.type = "checkbox";
   box.dataset.name = name;
@@ -78,8 +88,6 @@ for (const name of Object.keys(shown)) {
 {
   const paint = $("#scale canvas").getContext("2d");
   for (let x = 0; x < 120; x++) { paint.fillStyle = `#${scaleColour(x / 119).getHexString()}`; paint.fillRect(x, 0, 1, 10); }
-  const [size, unit] = run.deformation >= 1 ? [1, "m"] : run.deformation >= 1e-3 ? [1e3, "mm"] : run.deformation >= 1e-6 ? [1e6, "\u00b5m"] : [1e9, "nm"];
-  $("#scale span").textContent = `0 ... ${Number((size * run.deformation).toPrecision(3))} ${unit}`;
 }
 
 function button(text, action, view) {
@@ -123,7 +131,7 @@ document.addEventListener("keydown", (event) => {
 
 // #t=0.06&x=10&view=z&trace=rod.end&hide=names,grid&with=reactions
 function remember() {
-  const away = Object.keys(shown).filter((name) => !shown[name] && !["reactions", "colour: displacement"].includes(name)), extra = ["reactions", "colour: displacement"].filter((name) => shown[name]);
+  const away = Object.keys(shown).filter((name) => !shown[name] && !["reactions", ...tints].includes(name)), extra = ["reactions", ...tints].filter((name) => shown[name]);
   const words = { t: state.t.toPrecision(6), x: Number(state.factor.toPrecision(3)), view: facing, trace: Object.keys(traces).join(), hide: away.join(), with: extra.join() };
   const text = Object.entries(words).filter(([, value]) => value !== "").map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join("&");
   try { history.replaceState(null, "", `#${text}`); } catch { /* inside a frame without an address */ }

@@ -20,7 +20,7 @@ function chart(group) {
       ...group.names.map((name, k) => {
         const own = group.names.length - group.pale.length, which = k < own ? k : group.pale[k - own];
         const dash = k < own ? (k < colours.length ? [] : [6, 3]) : [2, 3];
-        return { label: name, stroke: colours[which % colours.length], width: 1.5, dash, value: (_, value) => digits(value) };
+        return { label: name, stroke: colours[which % colours.length], width: 1.5, pxAlign: 0, dash, value: (_, value) => digits(value) };
       }),
     ],
     hooks: {

@@ -21,6 +21,7 @@ for (const body of run.bodies) {
     set.moved = new Float32Array(set.count); // length of the displacement that is exaggerated
   }
   if (body.mesh) body.mesh.triangles = decoded(body.mesh.triangles, Uint32Array);
+  for (const key in body.stress || {}) body.stress[key] = decoded(body.stress[key], Float32Array);
 }
 for (const group of run.curves) group.values = group.values.map((text) => Array.from(decoded(text, Float32Array), (value) => (Number.isNaN(value) ? null : value)));
 const curveTimes = decoded(run.curve_t, Float64Array);

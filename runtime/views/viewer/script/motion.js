@@ -1,6 +1,6 @@
 // Where everything is at a time: x = r + A (u0 + follow + s (Phi q_f - follow) - 1/2 q_f^T H q_f e_x).
 // `follow` is the part of the deformation that the joints make; it is shown as it is, so that no gap opens.
-const state = { t: first, factor: run.factor };
+const state = { t: first, factor: run.factor, coloured: "" }; // coloured: by displacement, stress, or not
 
 function frameAt(t) {
   let low = 0, high = times.length - 1;
@@ -61,6 +61,23 @@ function deform(body, set, q, factor) {
   }
 }
 
+// Stress of every vertex: of a beam at its lower and upper side, of a finite-element surface von Mises [Pa].
+function stressOf(body, q, frame) {
+  const n = body.mesh.count, nf = body.nf, found = new Float32Array(n);
+  if (body.stress.sides) {
+    const sides = mixed(body.stress.sides, n / 2, frame);
+    for (let k = 0; k < n; k++) found[k] = sides[2 * (k >> 2) + (k % 4 === 1 || k % 4 === 2 ? 1 : 0)];
+    return found;
+  }
+  const modes = body.stress.modes, part = new Float64Array(6);
+  for (let k = 0; k < n; k++) {
+    for (let i = 0, at = 6 * k * nf; i < 6; i++) { part[i] = 0; for (let a = 0; a < nf; a++) part[i] += modes[at++] * q[a]; }
+    const [x, y, z, yz, xz, xy] = part;
+    found[k] = Math.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2 + 3 * (yz * yz + xz * xz + xy * xy));
+  }
+  return found;
+}
+
 // World position of a marker [body, place] as last deformed.
 function place(marker) {
   const body = run.bodies[marker[0]], k = 3 * marker[1], p = body.points.shown;
@@ -83,6 +100,7 @@ function moveTo(t) {
     body.matrix = poseAt(body, frame);
     const q = mixed(body.q, body.nf, frame);
     for (const set of [body.points, body.mesh]) if (set) deform(body, set, q, state.factor);
+    body.strained = state.coloured === "stress" && body.stress ? stressOf(body, q, frame) : null;
   }
   return frame;
 }

@@ -1,0 +1,78 @@
+"""Stresses that colour a page: von Mises of finite-element surfaces, the bending stress of planar beams.
+
+A beam's is |N / A -+ M h / (2 I)| at the upper and lower side of the rectangle that is drawn, which has the beam's area
+and second moment; N and M are its section forces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.contract.packing import packed
+from runtime.results.section_forces import section_forces
+from runtime.views.mechanism.points import Body
+from runtime.views.mechanism.scenery import Scenery
+from runtime.views.viewer.meshes import SurfaceMesh
+
+if TYPE_CHECKING:
+    from runtime.results.solution import Solution
+
+MOST_SAMPLES = 300
+PER_SIDE = ("t", "q", "q_dot", "q_ddot", "lam")
+
+
+def stress_records(
+    solution: Solution, shown: Scenery, meshes: Mapping[str, SurfaceMesh | None]
+) -> tuple[dict[str, dict[str, str]], float]:
+    """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
+
+    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `sides` (frames, stations, 2): at the lower
+    and the upper side.
+    """
+    found: dict[str, dict[str, str]] = {}
+    largest = 0.0
+    for body in shown.bodies:
+        mesh = meshes[body.name]
+        if mesh is None or not body.elastic:
+            continue
+        if mesh.stresses is not None:
+            found[body.name] = {"modes": packed(mesh.stresses)}
+            largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
+        elif body.section is not None and (sides := _sides(solution, body, shown.t)) is not None:
+            found[body.name] = {"sides": packed(sides)}
+            largest = max(largest, float(sides.max()))
+    return found, largest
+
+
+def _von_mises(stresses: np.ndarray, q_f: np.ndarray) -> float:
+    """The largest of all vertices and frames."""
+    most = 0.0
+    for row in q_f:
+        xx, yy, zz, yz, xz, xy = (stresses @ row).T
+        square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
+        most = max(most, float(square.max()))
+    return float(np.sqrt(most))
+
+
+def _sides(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
+    """(frames, stations, 2), or None for a beam whose section forces are not known."""
+    assert body.section is not None
+    height, width = body.section
+    x = body.stations.position[:, 0]
+    kept = np.unique(np.linspace(0, len(solution.t) - 1, min(len(solution.t), MOST_SAMPLES)).round().astype(int))
+    few: Any = replace(solution, **{key: getattr(solution, key)[kept] for key in PER_SIDE})
+    try:
+        forces = section_forces(few, body.name, list((x - x[0]) / (x[-1] - x[0])))
+    except ModelError:
+        return None
+    if not (np.isfinite(forces.normal).all() and np.isfinite(forces.moment).all()):
+        return None
+    pulled, bent = forces.normal / (height * width), forces.moment * 6 / (width * height**2)
+    sides = np.abs(np.stack([pulled + bent, pulled - bent], axis=2)).reshape(len(kept), -1)
+    at = np.stack([np.interp(t, few.t, column) for column in sides.T], axis=1)
+    return at.reshape(len(t), len(x), 2)
