@@ -46,7 +46,7 @@ def main(scene: str, made_with: dict[str, int], scheme: str, m: list[int], with_
             "first_mb": _memory() - before,
             "operations": sum(stage.n_instructions() for stage in prepared.program.stages()),
         }
-        first.final = True  # as it is: it shall not be improved while it is timed
+        first.tiers.final = True  # as it is: it shall not be improved while it is timed
         engines: dict[str, Engine] = {"first": first}
         engines["best"], found["best_build"] = _built(lambda: NativeProgram(prepared.program, wait=True))
         if with_gcc:

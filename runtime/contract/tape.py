@@ -86,7 +86,10 @@ def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
     operation, inputs, result_of = function.instruction_id, function.instruction_input, function.instruction_output
     for k in range(function.n_instructions()):
         op = operation(k)
-        if op == ca.OP_CONST:
+        if op in BINARY:  # most of them
+            a, b = inputs(k)
+            node = Node(op, holder[a], holder[b], 0.0)
+        elif op == ca.OP_CONST:
             node = Node(op, UNUSED, UNUSED, function.instruction_constant(k))
         elif op == ca.OP_INPUT:
             argument, entry = inputs(k)
@@ -96,8 +99,7 @@ def _read_nodes(function: ca.Function, outputs: list[list[int]]) -> list[Node]:
             outputs[result][entry] = holder[inputs(k)[0]]
             continue
         else:
-            arguments = inputs(k)
-            node = Node(op, holder[arguments[0]], holder[arguments[1]] if op in BINARY else UNUSED, 0.0)
+            node = Node(op, holder[inputs(k)[0]], UNUSED, 0.0)
         holder[result_of(k)[0]] = len(nodes)
         nodes.append(node)
     return nodes

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -15,12 +14,23 @@ import numpy as np
 from runtime.engine.derivatives import reversal, tangent_program
 from runtime.engine.derivatives_ir import reversal_ir
 from runtime.engine.derivatives_stage import Active
-from runtime.engine.derivatives_tiers import Tier, Tiers
-from runtime.engine.llvm_code import Code, Compiler, host, linked, machine_code, program_digest, tools
+from runtime.engine.llvm_code import Code, host, linked, machine_code, program_digest, tools
 from runtime.engine.llvm_ir import Form
-from runtime.engine.native import BEST, FIRST, INLINED, OPTIMISED, best_form, first_form
 from runtime.engine.object_cache import ObjectCache
 from runtime.engine.program import Program
+from runtime.engine.tiers import (
+    BEST,
+    FIRST,
+    INLINED,
+    OPTIMISED,
+    Tier,
+    Tiers,
+    best_tier,
+    code_in_tiers,
+    first_tier,
+    program_length,
+    written_out,
+)
 
 PRINTER = ("derivatives", "derivatives_stage", "derivatives_ir", "derivatives_code")  # files of this folder
 ADJOINT = 4  # operations of a stage with its adjoint, of one of the stage
@@ -52,23 +62,20 @@ class TangentCode:
     """A program on [z, dz] and [c, dc] in lanes: one direction a lane. For one thread at a time. Raises NoLlvm."""
 
     def __init__(self, program: Program, active: Active, width: int, wait: bool = False) -> None:
-        tangents = tangent_program(program, active)
-        compiler, self.width = Compiler(tangents), width
-        first, best = (Tier(*chosen(tangents, "own")) for chosen in (first_form, best_form))
+        tangents, self.width = tangent_program(program, active), width
+        first, best = (chosen(tangents, "own") for chosen in (first_tier, best_tier))
         first, best = (tier._replace(form=tier.form._replace(width=width)) for tier in (first, best))
-        size = sum(stage.n_instructions() for stage in tangents.stages())
-        self.tiers: Tiers[Code] = Tiers(
-            lambda tier: compiler.build(*tier), lambda tier: compiler.is_kept(*tier), first, best, size, wait
-        )
+        self.tiers = code_in_tiers(tangents, first, best, wait)
         self._work = _aligned(1, width)
 
     def run(self, arrays: LaneArrays, n: int) -> None:
         """Apply the program n times, in place."""
-        began, code = time.perf_counter(), self.tiers.code
+        self.tiers.use(lambda code: self._go(code, arrays, n))
+
+    def _go(self, code: Code, arrays: LaneArrays, n: int) -> None:
         if len(self._work) < code.work + 1:
             self._work = _aligned(code.work + 1, self.width)
         code.run(arrays.z.ctypes.data, arrays.c.ctypes.data, self._work.ctypes.data, n)
-        self.tiers.spent(time.perf_counter() - began)
 
 
 class _Recording(NamedTuple):
@@ -88,9 +95,8 @@ class Recorder:
     def __init__(self, program: Program, active: Active, wait: bool = False) -> None:
         self._program, self._active = program, active
         self._digest = hashlib.sha256(program_digest(program) + tools() + _texts() + repr(active).encode()).digest()
-        size = ADJOINT * sum(stage.n_instructions() for stage in program.stages())
-        written_out = program.fold(lambda stage: stage.n_instructions(), lambda parts: sum(parts), lambda body, _: body)
-        chunk, inline = (300, False) if size > OPTIMISED else (0, written_out <= INLINED)
+        size = ADJOINT * program_length(program)
+        chunk, inline = (300, False) if size > OPTIMISED else (0, written_out(program) <= INLINED)
         best = Tier(Form(1, "own", chunk, inline), BEST)
         first = Tier(Form(1, "own", LONGEST, False), FIRST)
         self.tiers: Tiers[_Recording] = Tiers(self._built, self._is_kept, first, best, size, wait)
@@ -99,19 +105,17 @@ class Recorder:
 
     def record(self, z: np.ndarray, c: np.ndarray, tape: np.ndarray, n: int) -> None:
         """Apply the program n times to z (z_size,), in place; the tape takes n times `records` numbers."""
-        self._go(True, z, c, tape, n)
+        self.tiers.use(lambda code: self._go(code, code.record, (z, c, tape), n))
 
     def reverse(self, adjoint: np.ndarray, c: np.ndarray, tape: np.ndarray, n: int) -> None:
         """[zbar, cbar] after n recorded applications becomes that before them, in place."""
-        self._go(False, adjoint, c, tape, n)
+        self.tiers.use(lambda code: self._go(code, code.reverse, (adjoint, c, tape), n))
 
-    def _go(self, forward: bool, z: np.ndarray, c: np.ndarray, tape: np.ndarray, n: int) -> None:
-        began, code = time.perf_counter(), self.tiers.code
+    def _go(self, code: _Recording, entry: Entry, arrays: tuple[np.ndarray, np.ndarray, np.ndarray], n: int) -> None:
+        z, c, tape = (array.ctypes.data for array in arrays)
         if len(self._work) < code.work + 1:
             self._work = np.zeros(code.work + 1)
-        entry = code.record if forward else code.reverse
-        entry(z.ctypes.data, c.ctypes.data, self._work.ctypes.data, tape.ctypes.data, n)
-        self.tiers.spent(time.perf_counter() - began)
+        entry(z, c, self._work.ctypes.data, tape, n)
 
     def _key(self, tier: Tier) -> str:
         text = "\n".join([repr(tier), *host()])

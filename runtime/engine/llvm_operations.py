@@ -72,6 +72,8 @@ class Operations:
             for op, text in TEMPLATES.items()
         }
         self._arithmetic = {op: f"{name}{flag} {lanes.double}" for op, name in _ARITHMETIC.items()}
+        # operations of one instruction, so that the result can have a number for a name
+        self.single = frozenset(op for op, text in TEMPLATES.items() if text.count("{r}") == 1)
 
     def _name(self, function: str) -> str:
         if self.own and function in REPLACED:

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from runtime.engine.llvm_ir import Form
-from runtime.engine.native import BEST, FIRST
 from runtime.engine.program import Call
+from runtime.engine.tiers import BEST, FIRST
 from tests.support.step_programs import StepProgram
 
 MOST_ULP = 0.8

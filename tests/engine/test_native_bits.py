@@ -12,7 +12,8 @@ from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import Effort, Processor, host
 from runtime.engine.llvm_ir import Form
-from runtime.engine.native import BEST, FIRST, NativeProgram
+from runtime.engine.native import NativeProgram
+from runtime.engine.tiers import BEST, FIRST
 from tests.support.step_programs import StepProgram, step_program
 
 Load = Callable[[str], Model]
@@ -94,17 +95,17 @@ def test_a_run_may_change_over_between_calls(built_in: Load, tmp_path, monkeypat
     monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
     given = program(built_in, CASES[1])
     changing = NativeProgram(given.program)
-    assert not changing.final
+    assert not changing.tiers.final
     z = given.start.copy()
     changing.run(z, given.ready, 13)
-    changing.finish()
-    assert changing.final
+    changing.tiers.finish()
+    assert changing.tiers.final
     changing.run(z, given.ready, 27)
     best = NativeProgram(given.program, wait=True)
     expected = given.start.copy()
     best.run(expected, given.ready, 40)
     np.testing.assert_array_equal(z, expected)
-    assert NativeProgram(given.program).final  # it is kept
+    assert NativeProgram(given.program).tiers.final  # it is kept
 
 
 def test_threads_do_not_disturb_each_other(built_in: Load) -> None:
