@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from runtime.contract.tolerance_fields import FIELDS_OF_TOLERANCE
+
 
 @dataclass(frozen=True)
 class Notation:
@@ -181,10 +183,18 @@ FIELDS: tuple[Notation, ...] = (
     Notation("power_change", "", "", "1", "W", "its difference to the one before"),
     Notation("power_bends", "", "", "1", "W", "sum of the magnitudes of their second differences"),
     Notation("power_mid", "", "", "1", "W", "power at the midpoint of a step"),
+    Notation(
+        "work", "", "", "1", "J", "work of loads, dampers and drives until the state that is seen, of steps that vary"
+    ),
+    Notation("work_from", "", "", "1", "J", "the same at the start of the running step"),
+    Notation("power_to", "", "", "1", "W", "power at the end of the last step"),
+    Notation("pending", "", "", "1", "s", "length of an accepted step whose work is not in work_from yet"),
+    Notation("bends", "", "", "1", "J", "sum of the differences of Simpson's and the trapezoidal rule"),
     Notation("turn", "", "", "1", "rad", "largest turn of Euler angles in a step near their singular orientation"),
     Notation("angles_before", "", "", "2 a body", "rad", "first and third Euler angle after the last step"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
     Notation("det_high", "", "", "loop blocks", "SI", "largest det_loop since then"),
+    *(Notation(code, "", "", *rest) for code, *rest in FIELDS_OF_TOLERANCE),
     # single_rate, printed; a, s, loop_old and loop_dot also coupled, decoupled
     Notation("d", "q^t - q^(t-Delta t)", "40-43", "n_i", "mixed", "last increment, stored instead of the last point"),
     Notation("a", "q_i''", "40-43", "n_i", "mixed", "last q_i_ddot"),

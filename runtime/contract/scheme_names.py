@@ -13,6 +13,7 @@ SchemeName = Literal[
     "exponential_rk4",
     "exponential_midpoint",
     "rk4",
+    "dopri5",
     "dop853",
     "radau",
     "generalized_alpha",

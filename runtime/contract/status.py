@@ -12,6 +12,7 @@ StatusName = Literal[
     "completed",
     "interrupted",
     "step_too_long",
+    "step_too_short",
     "not_finite",
     "diverged",
     "constraints_lost",

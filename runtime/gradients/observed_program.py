@@ -38,6 +38,7 @@ class ObservedProgram:
 
 def observed_program(scheme: Scheme, names: Sequence[str], parameters: Sequence[int]) -> ObservedProgram:
     """For outputs by name, differentiated by these entries of p and by initial values."""
+    scheme.of_one_length("a derivative of a run")
     first = scheme.layout.size
     outputs = slice(first, first + len(names))
     z, c = ca.SX.sym("z", outputs.stop), ca.SX.sym("c", scheme.c_size)

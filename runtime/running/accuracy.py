@@ -1,7 +1,8 @@
-"""An estimate of the error of a run of fixed steps, from short windows that are stepped again with half the step.
+"""An estimate of the error of a run, from short windows that are stepped again with half the step.
 
 A window of K major steps starts at a state of the run. From there the run's own steps lead to A, and 2 K half steps
 from the same positions and velocities to B. With order p the error of the window is about (A - B) 2^p / (2^p - 1).
+Where steps follow from a tolerance, B is made with an eighth of it, and the error is about (A - B) 8/7.
 Errors of all steps are taken to add up as those of the windows do, which is right for phases of undamped oscillations,
 too much where a damper forgets errors, and too little where a motion is chaotic. Where a coordinate turns on and on,
 an error dE of the energy keeps the mechanism late for the rest of the run, by dE / 2 T of it with the kinetic energy T;
@@ -15,10 +16,11 @@ from dataclasses import astuple, dataclass
 
 import numpy as np
 
-from runtime.contract.model import Model, ModelError
+from runtime.contract.model import Model
 from runtime.results.amplitudes import floored
 from runtime.running.segment import Segment
 from runtime.running.singular.guard import Guard
+from runtime.running.window import Window, window_at
 
 WINDOWS = 10  # at most
 SHORTEST = 4  # steps of a window
@@ -30,7 +32,7 @@ WORTH_A_WORD = 0.03  # error relative to an amplitude that a run says, if all of
 
 @dataclass
 class CoordinateError:
-    """Of one coordinate of q_i: error so far, largest rate, worst window's error and time [s], and the range seen."""
+    """Of one coordinate of q_i: error so far, largest rate, the range seen; the worst window's part and time [s]."""
 
     error: float = 0.0
     fastest: float = 0.0
@@ -51,12 +53,18 @@ class CoordinateError:
 
 
 class Accuracy:
-    """Estimates the error of each coordinate of q_i on the way; errors: by name."""
+    """Estimates the error of each coordinate of q_i on the way; errors: by name.
 
-    def __init__(self, steps: int) -> None:
+    steps: of the run; adaptive: their length follows from a tolerance, and a window is a few of the method's own.
+    """
+
+    def __init__(self, steps: int, adaptive: bool = False) -> None:
+        self.adaptive = adaptive
         self.late, self.lates = 0.0, 0.0  # by how much what turns is late at the end [s], and the sum of magnitudes
         self.length = max(SHORTEST, round(SHARE * steps / WINDOWS))
         self.count = min(WINDOWS, int(2 * SHARE * steps / self.length)) if steps >= 2 * SHORTEST else 0
+        if adaptive:
+            self.count = min(WINDOWS, steps)
         self.marks = [steps * k // self.count for k in range(self.count)]
         self.apart = steps / max(1, self.count)
         self.errors: dict[str, CoordinateError] = {}
@@ -70,47 +78,40 @@ class Accuracy:
         if segment.step_of(z) not in self.marks:
             return
         with np.errstate(all="ignore"):
-            found = self._window(segment, z.copy(), guard)
-        if found is None:
+            window = window_at(segment, z, self.length)
+            found = None if window is None else self._judged(segment, window, guard)
+        if window is None or found is None:
             return
         plan = segment.plan
-        time, windows = plan.time(segment.step_of(z)), self.apart / self.length
+        time, windows = plan.time(segment.step_of(z)), self.apart * plan.grid.dt_L / window.seconds
         late = found[-1] * windows * (plan.t_end - time)
         self.late, self.lates = self.late + late, self.lates + abs(late)
         for name, error, values, rates in zip(segment.model.q_i, *found[:-1], strict=True):
             one = self.errors.setdefault(name, CoordinateError())
             one.error += float(error) * windows
             one.widen(values, rates)
-            if error > one.worst:
-                one.worst, one.worst_time = float(error), time
+            if error * windows > one.worst:
+                one.worst, one.worst_time = float(error) * windows, time
 
-    def _window(
-        self, segment: Segment, z: np.ndarray, guard: Guard
+    def _judged(
+        self, segment: Segment, window: Window, guard: Guard
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float] | None:
         """Errors (n_i,), positions and rates at both ends (n_i, 2), dE / 2 T; None if the window tells nothing."""
-        scheme, stepper, dt = segment.plan.scheme, segment.stepper, segment.plan.grid.dt_L
-        try:
-            start = segment.observed([stepper.state(z)])
-        except ModelError:
+        if guard.alarm(*segment.determinants(window.own)):
             return None
-        t, q, q_dot = float(start.t[0]), start.q[0], start.q_dot[0]
-        segment.run(z, self.length)
-        if guard.alarm(*segment.determinants(z)):
-            return None
-        halved = stepper.start(t, q, q_dot, segment.c, dt / 2)
-        stepper.run(halved, stepper.ready(segment.c, dt / 2), 2 * self.length)
         ends, energies = [], []
-        for one, step in ((z, dt), (halved, dt / 2)):
-            at = stepper.state(one), scheme.constants(segment.c, step)
-            seen = scheme.observer(z=at[0], c=at[1])
+        for z, constants in ((window.own, window.own_constants), (window.finer, window.finer_constants)):
+            at = segment.stepper.state(z), constants
+            seen = segment.plan.scheme.observer(z=at[0], c=at[1])
             ends.append(np.array([np.asarray(seen[key]).ravel() for key in ("q_i", "q_i_dot")]))
             energies.append(segment.energies(*at))
-        more, columns = 2.0**scheme.order / (2.0**scheme.order - 1), segment.model.independent_columns
-        off, kinetic = np.abs(ends[0][0] - ends[1][0]) * more, energies[1][0]
-        slower = (sum(energies[0]) - sum(energies[1])) * more / (2 * kinetic) if kinetic > 0 else 0.0
+        columns = segment.model.independent_columns
+        off, kinetic = np.abs(ends[0][0] - ends[1][0]) * window.more, energies[1][0]
+        slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if kinetic > 0 else 0.0
         if not np.isfinite([*off, slower]).all():
             return None
-        return off, np.column_stack([q[columns], ends[0][0]]), np.column_stack([q_dot[columns], ends[0][1]]), slower
+        q, rates = window.q[columns], window.q_dot[columns]
+        return off, np.column_stack([q, ends[0][0]]), np.column_stack([rates, ends[0][1]]), slower
 
     def watch(self, samples: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
         """Widen the ranges by samples of coordinates and rates (N,)."""
@@ -134,7 +135,7 @@ class Accuracy:
         seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in model.q_i]
         amplitudes = floored(model, np.array([one.amplitude for one in seen]))
         errors = np.array([self.error(model, name) for name in model.q_i])
-        at_worst = np.array([one.worst for one in seen]) * self.apart / self.length * self.count
+        at_worst = np.array([one.worst for one in seen]) * self.count
         likely, most = errors / amplitudes, np.maximum(errors, at_worst) / amplitudes
         return dict(zip(model.q_i, likely.tolist(), strict=True)), dict(zip(model.q_i, most.tolist(), strict=True))
 
@@ -153,7 +154,7 @@ class Accuracy:
                 found["remark"] = (
                     f"the error of {name} is estimated at {relative[name]:.2g} of its amplitude, or "
                     f"{at_worst[name]:.2g} if all of the motion is as near t = {time:.4g} s: "
-                    "take a smaller step, or another scheme (symgen advise)"
+                    f"take a smaller {'tolerance' if self.adaptive else 'step'}, or another scheme (symgen advise)"
                 )
         return found
 

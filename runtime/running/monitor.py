@@ -17,6 +17,7 @@ from runtime.running.checks.energy import Energy
 from runtime.running.checks.finite import Finite
 from runtime.running.checks.growth import Growth
 from runtime.running.checks.iterations import Iterations
+from runtime.running.checks.least_step import LeastStep
 from runtime.running.checks.mass import Mass
 from runtime.running.checks.step_length import StepLength
 from runtime.schemes.scheme import Scheme
@@ -37,7 +38,13 @@ class Monitor:
         self.subject = Subject(model, scheme, c)
         self._finite, self._step = Finite(self.subject), StepLength(self.subject, force)
         self._mass = Mass(self.subject)
-        cheap = (Growth(self.subject), Closure(self.subject), Iterations(self.subject), Angles(self.subject))
+        cheap = (
+            Growth(self.subject),
+            Closure(self.subject),
+            Iterations(self.subject),
+            Angles(self.subject),
+            LeastStep(self.subject),
+        )
         deflection = Deflection(self.subject, model.parameter_vector() if p is None else p)
         costly = (Constraints(self.subject), self._mass, deflection, Energy(self.subject), self._step)
         self.checks: list[Check] = [self._finite, *cheap, *costly]

@@ -17,6 +17,7 @@ from runtime.results.stream import StreamFile
 from runtime.running.limits import limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
 from runtime.schemes.scheme import evaluation_operations
 
 
@@ -77,6 +78,10 @@ def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> d
     iterations = int(z[layout.slice("iterations")][0])
     full, partial = scheme.evaluations()
     full_evaluations, sub_steps = iterations or steps * full, steps * partial
+    taken: dict[str, float | int | str] = {}
+    if isinstance(scheme, AdaptiveSteps):
+        taken = scheme.taken(z)
+        steps, full_evaluations = int(taken["steps"]), int(taken.pop("evaluations"))
     repeated = sub_step_operations(stepper.program) if partial else None
     whole = evaluation_operations(scheme) if repeated is not None else 0  # zero where all of it is constant
     cost = {"sub_step_cost": repeated / whole} if repeated is not None and whole else {}
@@ -87,6 +92,7 @@ def _statistics(segment: Segment, z: np.ndarray, setup: float, wall: float) -> d
         "full_evaluations": full_evaluations,
         "evaluations": full_evaluations + sub_steps,
         "iterations": iterations,
+        **taken,
         "engine": stepper.engine.name,
         "operations_per_step": stepper.operations,
         "setup_seconds": setup,

@@ -12,13 +12,14 @@ import numpy as np
 from runtime.contract.model import Model, ModelError
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
+from runtime.running.arguments import Further
 from runtime.running.checkpoint import Checkpoint, read_checkpoint
 from runtime.running.inputs import InputValue, bound, scheduled
 from runtime.running.outcome import finished
 from runtime.running.record import record_of
 from runtime.running.run import Progress, Run
 from runtime.running.segment import Segment
-from runtime.running.simulate import Further, with_reads
+from runtime.running.simulate import with_reads
 from runtime.running.singular.guard import Guard
 from runtime.running.singular.variants import variant_of
 
@@ -60,7 +61,7 @@ def resume(
     record.segments[:] = segments
     with record.closed_on_error():
         record.restore(kept.arrays, header.rows, header.last_step)
-    accuracy = Accuracy(header.steps)
+    accuracy = Accuracy(header.steps, segment.plan.scheme.adaptive)
     accuracy.resume(header.accuracy)
     run = Run(
         segment,

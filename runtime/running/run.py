@@ -126,6 +126,7 @@ class Run:
         if self.schedule is None:
             return
         plan, layout = self.segment.plan, self.segment.plan.scheme.layout
+        self.segment.land(self.z)
         own = layout.slice("inputs")
         w = self.schedule.apply(self.step, plan.time(self.step), self._state, self.z[own].copy())
         if w is not None:

@@ -13,6 +13,8 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
@@ -25,6 +27,7 @@ class Segment(SteppedModel):
 
     monitor: Monitor
     _energies: ca.Function | None = None
+    _jumps: list[SwitchTime] | None = None  # what no step of a scheme with a tolerance crosses
 
     @classmethod
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
@@ -67,7 +70,22 @@ class Segment(SteppedModel):
     def run(self, z: np.ndarray, steps: int) -> None:
         """Advance z in place."""
         self.forget_determinants(z)
-        self.advance(z, steps)
+        scheme = self.plan.scheme
+        if not isinstance(scheme, AdaptiveSteps):
+            self.advance(z, steps)
+            return
+        end = self.step_of(z) + steps
+        if self._jumps is None:
+            self._jumps = switching_times(self.model, self.c, self.plan.t0, self.plan.t_end)
+        while self.step_of(z) < end and not scheme.is_stuck(z):
+            scheme.look_ahead(z, self._jumps)
+            self.advance(z, end - self.step_of(z))
+
+    def land(self, z: np.ndarray) -> None:
+        """From z on every state that is seen is the end of a step: what comes from outside changes there."""
+        scheme = self.plan.scheme
+        if isinstance(scheme, AdaptiveSteps):
+            scheme.land(z)
 
     def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
         """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""

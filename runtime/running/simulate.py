@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any, TypedDict, Unpack
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, Unpack
 
 import numpy as np
 
@@ -15,90 +14,23 @@ from runtime.contract.model import Model
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
-from runtime.running.checkpoint import claim
+from runtime.running.arguments import Further, FurtherArguments
 from runtime.running.driven import driven_solution
 from runtime.running.inputs import InputValue, bound, scheduled, started
 from runtime.running.outcome import finished
-from runtime.running.plan import Plan, make_plan, whole_number
+from runtime.running.plan import Plan, make_plan
 from runtime.running.record import record_of
-from runtime.running.run import CheckpointRule, Progress, Run
+from runtime.running.run import CheckpointRule, Run
 from runtime.running.schedule import Schedule
 from runtime.running.segment import Segment
 from runtime.running.time_functions import check_time_functions
+from runtime.running.tolerance import with_tolerance
 from runtime.schemes.options import SchemeError
 from runtime.start.start_state import start_state
 
 ROUNDING = 1e-13  # m or rad: less is the dust of an assembly
 
 __all__ = ["Plan", "make_plan", "simulate"]
-
-
-class FurtherArguments(TypedDict, total=False):
-    """How a run goes and what is kept of it; see `Further`."""
-
-    save_every: int | None
-    engine: str
-    progress: Progress | bool | None
-    force: bool
-    outputs: Sequence[str] | None
-    stream: str | Path | None
-    checkpoint: str | Path | None
-    checkpoint_every: int | None
-
-
-class RunArguments(FurtherArguments, total=False):
-    """The arguments of `simulate` besides the model and the scheme, for those who pass them on."""
-
-    t_end: float | None
-    dt: float | None
-    m: list[int] | None
-    parameters: Mapping[str, float] | None
-    initial: Mapping[str, float] | None
-    options: Mapping[str, Any] | None
-    t0: float
-    start: str | None
-    inputs: Mapping[str, InputValue] | None
-
-
-@dataclass(frozen=True)
-class Further:
-    """How a run goes, and what is kept of it.
-
-    save_every counts major steps. engine: `auto`, `compiled` or `interpreted`. progress(t, t_end) is called between
-    native calls. force: run although the step is above the stability limit at the start.
-    outputs: names of coordinates, rates, measures or energies; only these are kept of the saved samples, in
-    Solution.outputs. stream: a folder that takes the samples instead of memory (runtime.results.stream). checkpoint:
-    a file that `resume` goes on from, written every `checkpoint_every` major steps (None: every minute) and on Ctrl-C.
-    """
-
-    save_every: int | None = None
-    engine: str = "auto"
-    progress: Progress | bool | None = None
-    force: bool = False
-    outputs: Sequence[str] | None = None
-    stream: str | Path | None = None
-    checkpoint: str | Path | None = None
-    checkpoint_every: int | None = None
-
-    @property
-    def bounded(self) -> bool:
-        """Do whole states not stay in memory?"""
-        return self.outputs is not None or self.stream is not None
-
-    def rule(self) -> CheckpointRule:
-        """When checkpoints are written, and that they can be. Raises SchemeError or OutputError."""
-        every = None if self.checkpoint_every is None else whole_number(self.checkpoint_every)
-        if self.checkpoint_every is not None and (every is None or every < 1):
-            raise SchemeError(
-                "checkpoint_every",
-                f"must be a whole number of major steps of at least 1, not {self.checkpoint_every!r}",
-                "leave it out for a checkpoint every minute",
-            )
-        if every is not None and self.checkpoint is None:
-            raise SchemeError("checkpoint_every", "needs a file", "give checkpoint = ...")
-        if self.checkpoint is not None:
-            claim(self.checkpoint)
-        return CheckpointRule(None if self.checkpoint is None else Path(self.checkpoint), every)
 
 
 def simulate(
@@ -108,6 +40,7 @@ def simulate(
     dt: float | None = None,
     m: list[int] | None = None,
     scheme: str | None = None,
+    tolerance: float | None = None,
     options: Mapping[str, Any] | None = None,
     parameters: Mapping[str, float] | None = None,
     initial: Mapping[str, float] | None = None,
@@ -118,11 +51,12 @@ def simulate(
 ) -> Solution:
     """Simulate from t0 with major step dt and ratios m until t_end is reached (None: the scene's own settings) [s].
 
-    The steps are all dt long, so the run ends at t_end or less than one step after it. Where every coordinate is driven
-    there is nothing to step: see runtime.running.driven.
+    The steps are all dt long, so the run ends at t_end or less than one step after it. With a tolerance (relative to
+    the amplitudes) they vary: dt is then the time between states that are seen, and the run ends at t_end. Where every
+    coordinate is driven there is nothing to step: see runtime.running.driven.
 
-    scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name.
-    parameters and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
+    scheme: a name of runtime.schemes.catalogue.SCHEMES. options: changes to its Options by name. parameters
+    and initial change values by name (rates as `<coordinate>_dot`). start: `given` or `quasi_static`
     (elastic coordinates in equilibrium). inputs: by name a number, a function of time (called once with a symbol),
     (times, values) held in between, or a `Sampled` controller. further: see `Further`.
 
@@ -132,7 +66,8 @@ def simulate(
     more, model = Further(**further), bound(model, inputs)
     if not model.q_i:
         return _driven(model, t_end, dt, parameters, initial, t0, more, inputs)
-    plan = make_plan(model, t_end, dt, m, scheme, more.save_every, options, t0, more.bounded)
+    options, dt, every = with_tolerance(model, scheme, tolerance, options, t_end, dt, more.save_every, t0)
+    plan = make_plan(model, t_end, dt, m, scheme, every, options, t0, more.bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
     rule = more.rule()
     schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
@@ -178,7 +113,7 @@ def _begun(
         progress,
         engine=more.engine,
         guard=segment.new_guard(),
-        accuracy=Accuracy(plan.steps),
+        accuracy=Accuracy(plan.steps, plan.scheme.adaptive),
     )
     with record.closed_on_error():
         run.status = segment.monitor.first(segment.stepper.state(z))

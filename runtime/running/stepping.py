@@ -59,6 +59,7 @@ class ModelStepper:
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)
         self.model, self.scheme, self.name = model, plan.scheme, plan.name
         self._settings = {"scheme": scheme, "dt": dt, "m": m, "options": options, "engine": engine}
+        plan.scheme.of_one_length("a stepper")
         self.dt = plan.grid.dt_L
         self._own = SteppedModel.prepared(model, plan, model.parameter_vector(parameters), engine, wait=True)
         self._constants = self.scheme.constants(self._own.c, self.dt).copy()

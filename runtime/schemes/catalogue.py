@@ -8,6 +8,8 @@ from difflib import get_close_matches
 from typing import Any, Literal
 
 from runtime.contract.model import Model
+from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
+from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
 from runtime.schemes.baselines.radau import Radau, RadauOptions
@@ -21,7 +23,7 @@ from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRu
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions
 from runtime.schemes.linearised import Linearised, LinearisedOptions
-from runtime.schemes.options import ClosureOptions, Options, SchemeError, SingleClosureOptions
+from runtime.schemes.options import AdaptiveOptions, ClosureOptions, Options, SchemeError, SingleClosureOptions
 from runtime.schemes.printed import Printed, PrintedOptions
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.single_rate import SingleRate
@@ -35,7 +37,7 @@ class SchemeKind:
 
     ratios: what m is. `groups`: one ratio between each two groups of the partition; `sub_steps`: one number of
     sub-steps for all coordinates; `none`: no m. options: the record of its options, defaults in it.
-    default_m: m where neither the user nor the scene gives one that fits.
+    default_m: m where neither the user nor the scene gives one that fits. adaptive: the class for a tolerance.
     """
 
     make: type[Scheme]
@@ -43,6 +45,7 @@ class SchemeKind:
     ratios: Ratios
     options: type[Options]
     default_m: int = 1
+    adaptive: type[Scheme] | None = None
 
     @property
     def multirate(self) -> bool:
@@ -65,7 +68,8 @@ class SchemeKind:
         grid = make_grid(
             groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
         )
-        return self.make(model, grid, options)
+        make = self.adaptive if self.adaptive is not None and getattr(options, "tolerance", False) else self.make
+        return make(model, grid, options)
 
     def chosen(self, name: str, changes: Mapping[str, Any]) -> Options:
         """The options with some changed by name, their values not checked yet. Raises SchemeError for other names."""
@@ -106,6 +110,7 @@ SCHEMES: dict[str, SchemeKind] = {
         "exponential Runge-Kutta on the stiff deflections, order 4",
         "none",
         ExponentialRungeKuttaOptions,
+        adaptive=AdaptiveExponentialRungeKutta,
     ),
     "exponential_midpoint": SchemeKind(
         ExponentialMidpoint,
@@ -114,6 +119,9 @@ SCHEMES: dict[str, SchemeKind] = {
         ExponentialMidpointOptions,
     ),
     "rk4": SchemeKind(ClassicalRungeKutta, "classical Runge-Kutta, order 4", "none", SingleClosureOptions),
+    "dopri5": SchemeKind(
+        DormandPrince5, "Dormand-Prince, order 5(4)", "none", AdaptiveOptions, adaptive=AdaptiveDormandPrince
+    ),
     "dop853": SchemeKind(DormandPrince8, "Dormand-Prince, order 8, fixed step", "none", SingleClosureOptions),
     "radau": SchemeKind(Radau, "Radau IIA, order 5, fixed step", "none", RadauOptions),
     "generalized_alpha": SchemeKind(

@@ -16,7 +16,7 @@ Without stiff deflections it is an explicit Runge-Kutta method of order 4.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import casadi as ca
@@ -24,8 +24,8 @@ import numpy as np
 
 from runtime.engine.program import Fields, Program
 from runtime.schemes.one_step import OneStep
-from runtime.schemes.options import ClosureOptions, Options, one_of
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.options import AdaptiveOptions, Options, one_of
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
 from runtime.schemes.stiff_motion import MotionStage, StiffMotion
 
@@ -34,8 +34,10 @@ IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785
 
 
 @dataclass(frozen=True)
-class ExponentialRungeKuttaOptions(ClosureOptions):
+class ExponentialRungeKuttaOptions(AdaptiveOptions):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+
+    tolerance: see AdaptiveOptions.
 
     linearisation: what the exponentials hold of the deflections: `stiffness`, the constant K and D of the model, or
         `tangent`, the derivative of the accelerations along X Lambda^-1 at the start of the step, where the momentum of
@@ -43,6 +45,46 @@ class ExponentialRungeKuttaOptions(ClosureOptions):
     """
 
     linearisation: str = one_of("stiffness", "tangent")
+
+
+@dataclass(frozen=True)
+class KrogstadStages:
+    """Y3 in the middle, Y4 before the end, the end, and b1, b2 of the polynomial that leads to it."""
+
+    middle: MotionStage
+    before: MotionStage
+    end: MotionStage
+    b1: ca.SX
+    b2: ca.SX
+
+
+def krogstad(motion: StiffMotion, d: Callable[[MotionStage], ca.SX], rough: bool = False) -> KrogstadStages:
+    """The stages of a step of motion.h; d: what accelerations at a stage are beside what the stiff part accounts for.
+
+    Y4 is a result of order 2 and so an estimate of the error; the polynomial with b1, b2 leads through the whole step.
+    rough: let Y4 follow the stiff part in one sub-step, so that the estimate sees modes that the steps do not resolve.
+    """
+    h, none = motion.h, ca.SX.zeros(motion.x.numel())
+    d2 = d(motion.to(1, none, none))
+    middle = motion.to(1, 4 / h * d2, none)
+    d3 = d(middle)
+    before = motion.to(2, 2 / h * d3, none, at_once=rough)
+    d4 = d(before)
+    b1, b2 = (2 * d2 + 2 * d3 - d4) / h, 4 / (h * h) * (d4 - d2 - d3)
+    return KrogstadStages(middle, before, motion.to(2, b1, b2), b1, b2)
+
+
+def tangent_of(
+    options: ExponentialRungeKuttaOptions,
+    equations: StageEquations,
+    start: ClosedConfiguration,
+    v: ca.SX,
+    found: StiffResponse,
+) -> tuple[ca.SX, ca.SX] | None:
+    """(A, A_v) along X Lambda^-1 where the exponentials hold the tangent; None where they hold K and D."""
+    if options.linearisation != "tangent" or not found.B.shape[1]:
+        return None
+    return equations.directional_derivatives(start, v, found.along(ca.SX.eye(found.B.shape[1])))
 
 
 class ExponentialRungeKutta(OneStep):
@@ -73,10 +115,8 @@ class ExponentialRungeKutta(OneStep):
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t, x, v = equations.h[0], self.now(z, equations), z["x"], z["v"]
         start = equations.close(x, z["loop"], t, self.options.closure_iterations)
-        found, tangent = equations.stiff_response(start, v), None
-        if self.options.linearisation == "tangent" and found.B.shape[1]:
-            tangent = equations.directional_derivatives(start, v, found.along(ca.SX.eye(found.B.shape[1])))
-        motion = StiffMotion(x, v, found, h, tangent)
+        found = equations.stiff_response(start, v)
+        motion = StiffMotion(x, v, found, h, tangent_of(self.options, equations, start, v, found))
         loop, loop_dot = equations.loop_part(start.q_d), equations.loop_part(equations.rates(start, v))
         seen: list[ClosedConfiguration] = [start]
 
@@ -85,11 +125,7 @@ class ExponentialRungeKutta(OneStep):
             seen.append(equations.close(stage.q, guess, t + stage.tau, self.options.closure_iterations))
             return motion.remainder(equations.accelerations(seen[-1], stage.v), stage)
 
-        none = ca.SX.zeros(len(self.model.q_i))
-        d2 = d(motion.to(1, none, none))
-        d3 = d(motion.to(1, 4 / h * d2, none))
-        d4 = d(motion.to(2, 2 / h * d3, none))
-        end = motion.to(2, (2 * d2 + 2 * d3 - d4) / h, 4 / (h * h) * (d4 - d2 - d3))
+        end = krogstad(motion, d).end
         work = self.worked(z, equations, start, v, found.a)
         ahead = {"loop": equations.loop_part(seen[-1].q_d)} if equations.loops else {}
         return {"x": end.q, "v": end.v, "n": z["n"] + 1, **ahead, **work, **self.closed(z, *seen)}

@@ -10,6 +10,7 @@ from runtime.contract.errors import SymgenError
 
 MOST_ITERATIONS = 100_000  # of an update that repeats itself until it has converged
 MOST_UNROLLED = 50  # Newton steps that are written out one after another in a stage
+LARGEST_TOLERANCE = 0.1  # of a step's error, relative to the amplitudes
 LARGE_SYSTEM = 12  # independent coordinates beyond which the Jacobian by velocity costs more than it gives
 
 Check = Callable[[str, Any, int], Any]  # (name, given value, groups) -> the value to use; raises SchemeError
@@ -91,6 +92,17 @@ class ClosureOptions(Options):
     """closure_iterations: Newton steps on the loop unknowns in each evaluation."""
 
     closure_iterations: int = whole_number(2, most=MOST_UNROLLED)
+
+
+@dataclass(frozen=True)
+class AdaptiveOptions(ClosureOptions):
+    """closure_iterations: Newton steps on the loop unknowns in each evaluation.
+
+    tolerance: of the error that a step makes, relative to the amplitudes; steps then take the length that it asks for,
+        and dt is the time between the states that can be seen. 0: steps of dt.
+    """
+
+    tolerance: float = share(0.0, LARGEST_TOLERANCE)
 
 
 @dataclass(frozen=True)

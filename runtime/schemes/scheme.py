@@ -17,7 +17,7 @@ from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
 from runtime.schemes.grid import Grid
-from runtime.schemes.options import ClosureOptions, Options
+from runtime.schemes.options import ClosureOptions, Options, SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.state_fields import Lasting, StateField, account, given, state
 from runtime.schemes.step_limit import StepLimit
@@ -39,7 +39,9 @@ class Scheme(ABC):
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
+    adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
     counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
+    integrates_work: bool = False  # over its own steps, so that z has the work itself
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
     power_function: ca.Function | None = None  # of work.py, once it was asked for
 
@@ -107,6 +109,11 @@ class Scheme(ABC):
     def iteration_limit(self) -> int | None:
         """The most iterations of a step; None where nothing is iterated until it converges."""
         return None
+
+    def of_one_length(self, what: str) -> None:
+        """Refuse steps that a tolerance makes, for `what` needs them all alike. Raises SchemeError."""
+        if self.adaptive:
+            raise SchemeError("tolerance", f"{what} needs steps of one length", "leave the tolerance out and give dt")
 
     @property
     def memory(self) -> list[str]:

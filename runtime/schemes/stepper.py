@@ -44,7 +44,11 @@ class Stepper:
 
     def ready(self, c: np.ndarray, dt: float) -> np.ndarray:
         """What the program reads, for constants and a step."""
-        return self._prepared.ready(self.scheme.constants(c, dt))
+        return self.ready_for(self.scheme.constants(c, dt))
+
+    def ready_for(self, constants: np.ndarray) -> np.ndarray:
+        """The same for the constants as the scheme's stages read them."""
+        return self._prepared.ready(constants)
 
     def start(self, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float) -> np.ndarray:
         """z at a consistent state of all coordinates (Eqs. 68-71)."""

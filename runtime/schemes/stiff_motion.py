@@ -54,8 +54,11 @@ class StiffMotion:
         self.factors: Factors = factors_of(self.system, h / 2) if self.n_s else ()
         self.rate = ca.mtimes(found.B.T, v)
 
-    def to(self, halves: int, b1: ca.SX, b2: ca.SX) -> MotionStage:
-        """The motion over so many half steps with accelerations a_n + b1 tau + b2 tau^2 / 2 beside the stiff part."""
+    def to(self, halves: int, b1: ca.SX, b2: ca.SX, at_once: bool = False) -> MotionStage:
+        """The motion over so many half steps with accelerations a_n + b1 tau + b2 tau^2 / 2 beside the stiff part.
+
+        at_once: both halves in one sub-step, with factors of its own: less exact where modes are not resolved.
+        """
         a, tau = self.found.a, halves * self.h / 2
         I1 = tau * (a + tau / 2 * (b1 + tau / 3 * b2))
         I2 = tau * (self.v + tau / 2 * (a + tau / 3 * (b1 + tau / 4 * b2)))  # with tau v_n
@@ -64,8 +67,11 @@ class StiffMotion:
         B = self.found.B
         G = (ca.mtimes(B.T, a) - ca.mtimes(self.system.J_v, self.rate), ca.mtimes(B.T, b1), ca.mtimes(B.T, b2))
         w, u = ca.SX.zeros(self.n_s), self.rate
-        for k in range(halves):
-            w, u = propagate(self.system, self.factors, w, u, G, k * self.h / 2, self.h / 2)
+        if at_once and halves == 2:
+            w, u = propagate(self.system, factors_of(self.system, self.h), w, u, G, ca.SX(0), self.h)
+        else:
+            for k in range(halves):
+                w, u = propagate(self.system, self.factors, w, u, G, k * self.h / 2, self.h / 2)
         if self.tangent is not None:
             return self._by_tangent(tau, w, u, I1, I2)
         q = self.x + I2 + self.found.along(w - ca.mtimes(B.T, I2))

@@ -28,8 +28,11 @@ def _bodies(model: Model) -> list[tuple[list[int], bool]]:
 
 
 def watch_turns(scheme: Scheme) -> None:
-    """Give z the fields, where there are such bodies. Before anything of the scheme is built."""
-    bodies = _bodies(scheme.model)
+    """Give z the fields, where there are such bodies. Before anything of the scheme is built.
+
+    Steps that follow from a tolerance are as short as such a turn asks for.
+    """
+    bodies = [] if scheme.adaptive else _bodies(scheme.model)
     if bodies and "turn" not in scheme.layout.sizes:
         scheme.keep_account({"turn": 1, "angles_before": 2 * len(bodies)})
 

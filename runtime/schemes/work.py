@@ -7,7 +7,8 @@ what is missing at both ends is added when W is read, by Gregory's formula with 
 
 of order 4 for schemes that evaluate at the start of a step. Where a scheme sees the middle of its steps (`linearised`),
 W = h sum P, and where it sees the ends of its sub-steps with slow coordinates held, the trapezoidal rule: order 2, as
-the schemes. W does not depend on which samples are kept. A mechanism that nothing feeds or damps has no such fields.
+the schemes. A scheme whose steps vary integrates them by Simpson's rule.
+W does not depend on which samples are kept. A mechanism that nothing feeds or damps has no such fields.
 """
 
 from __future__ import annotations
@@ -26,6 +27,9 @@ from runtime.schemes.stage_equations import StageEquations
 # sum of the powers [W] so far, begun with what W and Gregory's formula have at the start; the last one, its difference
 # to the one before, and the sum of the magnitudes of second differences
 FIELDS = {"power_sum": 1, "power": 1, "power_change": 1, "power_bends": 1}
+# of a scheme that integrates: W [J] at the state that is seen and at the start of the running step, the power there, in
+# its middle and at its end, the step that is not in W yet [s], the sum of Simpson's rule less the trapezoidal one
+INTEGRATED = {"work": 1, "work_from": 1, "power": 1, "power_mid": 1, "power_to": 1, "pending": 1, "bends": 1}
 IN_DOUBT = 1 / 8  # of the second differences, as work: a power that dies within the first step is off by as much
 END_OF_STEP, MIDDLE = 1.0, 0.5
 
@@ -42,12 +46,12 @@ def works(model: Model) -> bool:
 def account_for_work(scheme: Scheme) -> None:
     """Give z the fields of the work, where there is any. Before anything of the scheme is built."""
     if works(scheme.model) and not accounted(scheme):
-        scheme.keep_account(FIELDS)
+        scheme.keep_account(INTEGRATED if scheme.integrates_work else FIELDS)
 
 
 def accounted(scheme: Scheme) -> bool:
     """Has z the fields of the work?"""
-    return "power_sum" in scheme.layout.sizes
+    return "power" in scheme.layout.sizes
 
 
 def begin_account(
@@ -60,6 +64,10 @@ def begin_account(
     if not accounted(scheme):
         return
     layout, h, n = scheme.layout, counting_step(scheme), scheme.layout.size
+    if scheme.integrates_work:
+        z[layout.slice("work")] = z[layout.slice("work_from")] = work
+        z[layout.slice("pending")] = 0.0
+        return
     P_0 = power_of(scheme, z[:n], c)
     before, change, start = P_0, 0.0, 0.0
     if scheme.power_at == END_OF_STEP:
@@ -86,6 +94,8 @@ def work_and_doubt(scheme: Scheme, z: np.ndarray, P: Any) -> tuple[Any, Any]:
     z (N, n_z) or (n_z,): states, at least the scheme's part; P (N,) or a number: their powers [W].
     """
     layout, h = scheme.layout, counting_step(scheme)
+    if scheme.integrates_work:
+        return z[..., layout.slice("work")][..., 0], IN_DOUBT * z[..., layout.slice("bends")][..., 0]
     total, last, change, bends = (z[..., layout.slice(name)][..., 0] for name in FIELDS)
     if scheme.power_at == END_OF_STEP:
         return h * (total - P / 2), h * IN_DOUBT * bends

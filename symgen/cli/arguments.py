@@ -122,11 +122,15 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     group.add_argument("--m", type=ratios, metavar="10,4", help="ratio of each next group's step, slow to fast")
     group.add_argument(
         "--scheme",
-        help="time stepping scheme, for instance exponential or single_rate; auto finds "
-        "the fastest, its step and m for --tolerance",
+        help="time stepping scheme, for instance exponential or single_rate; auto takes "
+        "steps that follow from --tolerance, by the method that the stiffness of the motion asks for",
     )
-    group.add_argument("--tolerance", type=positive, metavar="ERROR", help="relative error that auto may make")
-    group.add_argument("--graded", type=names, metavar="NAMES", help="coordinates that auto looks at (default: all)")
+    group.add_argument(
+        "--tolerance",
+        type=positive,
+        metavar="ERROR",
+        help="relative error instead of a step: steps as long as it allows (with auto, the default then: 1e-3)",
+    )
     group.add_argument(
         "--option",
         action="append",

@@ -43,7 +43,6 @@ def run_model(model: Model, arguments: argparse.Namespace, **kept: Any) -> Solut
                 force=arguments.force,
                 start=arguments.start,
                 tolerance=arguments.tolerance,
-                graded=arguments.graded,
                 **kept,
             )
     except CompilerError as error:  # asked for a compiled engine where it cannot be had

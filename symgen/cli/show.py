@@ -48,7 +48,7 @@ def _contents(scene: Scene) -> dict[str, Any]:
             name: {"default": entry.default, "unit": entry.unit, "description": entry.description}
             for name, entry in scene.parameters.items()
         },
-        "simulation": scene.simulation.model_dump(mode="json"),
+        "simulation": scene.simulation.model_dump(mode="json", exclude_none=True),
     }
 
 

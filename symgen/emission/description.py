@@ -54,7 +54,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         functions=list(derived.functions.values() if functions is None else functions),
         inputs=eq.inputs,
         switching=[item for item, _ in eq.switching],
-        simulation=scene.simulation.model_dump(mode="json"),
+        simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )
 

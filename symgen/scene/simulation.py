@@ -64,6 +64,7 @@ class Baumgarte(StrictModel):
 class Simulation(StrictModel):
     """t_end [s]; dt [s]: the major step dt_L; m: step ratio of each next group; scheme: a stepper's name.
 
+    tolerance: of the error of a step, relative to the amplitudes; steps then take the length that it asks for.
     start: `given` takes the initial state as it is, `quasi_static` puts elastic coordinates into stable equilibrium
     with it, `quasi_static_unstable` into any.
     """
@@ -72,5 +73,6 @@ class Simulation(StrictModel):
     dt: Number = 1e-3
     m: tuple[Annotated[int, Strict(), Field(ge=1, le=10_000)], ...] = ()
     scheme: SchemeName = "printed"
+    tolerance: Annotated[float, Strict(), Field(gt=0, le=0.1)] | None = None
     save_every: Annotated[int, Strict(), Field(ge=1, le=MAX_STEPS)] = 1
     start: Literal["given", "quasi_static", "quasi_static_unstable"] = "given"

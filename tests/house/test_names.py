@@ -53,6 +53,9 @@ def fields_of_z(model: Model) -> set[str]:
         choices = [{}]
         if "propagation" in kind.options.names():
             choices.append({"propagation": "central_difference"})
+        if kind.adaptive is not None:
+            tangent = {"linearisation": "tangent"} if "linearisation" in kind.options.names() else {}
+            choices += [{"tolerance": 1e-3}, {"tolerance": 1e-3, **tangent}]
         for options in choices:
             scheme = kind.build(name, model, 1.0, None, options)
             account_for_work(scheme)

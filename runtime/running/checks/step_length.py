@@ -50,6 +50,8 @@ def step_limit(subject: Subject) -> StepLimit | None:
 
 def step_advice(subject: Subject, below: str = "") -> str:
     """The limit at the last good state against the step; below: what to say where the step is below it."""
+    if subject.scheme.adaptive:
+        return "Give a smaller tolerance."
     limit, h = step_limit(subject), subject.scheme.grid.h[-1]
     if limit is None:
         return "Reduce the step."

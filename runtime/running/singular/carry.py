@@ -16,6 +16,7 @@ from runtime.running.segment import Segment
 from runtime.schemes.central_difference import CentralDifference
 
 COUNTERS = ("closure_error", "iterations", "failures")
+OF_TOLERANCE = ("accepted", "rejected", "h_least", "h_largest", "h_next", "lands")  # of steps that follow from one
 CLOSURES = 6
 
 
@@ -23,12 +24,15 @@ def carried(old: Segment, z: np.ndarray, new: Segment, seen: Solution) -> np.nda
     """z of the new segment at the state of the old one; seen: that state observed, one sample."""
     result = new.start(seen.q[0], seen.q_dot[0], old.step_of(z), old.account(z)[0])
     before, after = old.plan.scheme.layout, new.plan.scheme.layout
-    for name in COUNTERS:
+    for name in (*COUNTERS, *(name for name in OF_TOLERANCE if name in after.sizes)):
         result[after.slice(name)] = z[before.slice(name)]
     stays = np.array([a == b for a, b in zip(old.model.q_i, new.model.q_i, strict=True)])
     for name in new.plan.scheme.history:
         values = result[after.slice(name)]
         result[after.slice(name)] = np.where(stays, z[before.slice(name)], values)
+    for name in ("q_low", "q_high"):
+        if name in after.sizes:  # what errors are measured by
+            result[after.slice(name)] = np.where(stays, z[before.slice(name)], result[after.slice(name)])
     if isinstance(new.plan.scheme, CentralDifference):
         for k in np.flatnonzero(~stays):
             d, a = _increment(old, z, seen, new.model.q_i[k], float(new.plan.scheme.step_sizes[k]))

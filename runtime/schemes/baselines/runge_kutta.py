@@ -55,7 +55,7 @@ class ExplicitRungeKutta(OneStep):
         motions: list[ClosedConfiguration] = []
         work: dict[str, ca.SX] = {}
         for k, row in enumerate(A):
-            at = y + h * _combined(row[:k], slopes)
+            at = y + h * combined(row[:k], slopes)
             motion = equations.close(at[:n], at[2 * n :], t + float(nodes[k]) * h, self.options.closure_iterations)
             if k == 0:  # start from the closed position: a guess that was never corrected would drift
                 y = ca.vertcat(y[: 2 * n], equations.loop_part(motion.q_d))
@@ -63,7 +63,7 @@ class ExplicitRungeKutta(OneStep):
             work = work if k else self.worked(z, equations, motion, v, a)
             slopes.append(ca.vertcat(v, a, equations.loop_part(equations.rates(motion, v))))
             motions.append(motion)
-        y = y + h * _combined(b, slopes)
+        y = y + h * combined(b, slopes)
         return {"x": y[:n], "v": y[n : 2 * n], "loop": y[2 * n :], "n": z["n"] + 1, **work, **self.closed(z, *motions)}
 
 
@@ -92,7 +92,8 @@ class DormandPrince8(ExplicitRungeKutta):
         return DOP853.A, DOP853.B, DOP853.C
 
 
-def _combined(weights: np.ndarray, slopes: list[ca.SX]) -> ca.SX:
+def combined(weights: np.ndarray, slopes: list[ca.SX]) -> ca.SX:
+    """The sum of slopes by their weights, those of weight zero left out."""
     total = ca.SX(0)
     for weight, slope in zip(weights, slopes, strict=True):
         if weight:

@@ -34,6 +34,7 @@ class LanePrograms:
         self.model, self.question = model, question
         self.plan = question.plan(model)
         scheme = self.scheme = self.plan.scheme
+        scheme.of_one_length("an ensemble")
         watch_turns(scheme)
         self._prepared = prepare(with_turns(scheme, scheme.program()), scheme.layout.size, scheme.c_size)
         reduced = [(question.outputs.index(name), reduction) for name, reduction in question.reduced]

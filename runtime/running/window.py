@@ -1,0 +1,70 @@
+"""A short piece of a run, stepped as the run steps and once more finely: what errors are told by."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from runtime.contract.model import ModelError
+from runtime.running.segment import Segment
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+
+FINER = 8  # tolerance of the run over that of the finer one
+STEPS = 4  # of a run whose steps follow from a tolerance
+
+
+@dataclass(frozen=True)
+class Window:
+    """Where it starts (all coordinates and rates (n,)), and states at its end with the constants that they go with.
+
+    own: as the run steps; finer: more finely. seconds: its length. more: error over the difference of the two.
+    """
+
+    q: np.ndarray
+    q_dot: np.ndarray
+    own: np.ndarray
+    own_constants: np.ndarray
+    finer: np.ndarray
+    finer_constants: np.ndarray
+    seconds: float
+    more: float
+
+
+def window_at(segment: Segment, z: np.ndarray, length: int) -> Window | None:
+    """The window from z (whole, flat), which is left as it is; length: steps of one length. None if there is none."""
+    try:
+        if isinstance(segment.plan.scheme, AdaptiveSteps):
+            return _of_tolerance(segment, segment.plan.scheme, z.copy())
+        return _of_one_length(segment, z.copy(), length)
+    except ModelError:
+        return None
+
+
+def _of_one_length(segment: Segment, z: np.ndarray, length: int) -> Window:
+    """Steps of the run, and twice as many of half their length."""
+    scheme, stepper, dt = segment.plan.scheme, segment.stepper, segment.plan.grid.dt_L
+    start = segment.observed([stepper.state(z)])
+    t, q, q_dot = float(start.t[0]), start.q[0], start.q_dot[0]
+    segment.run(z, length)
+    halved = stepper.start(t, q, q_dot, segment.c, dt / 2)
+    stepper.run(halved, stepper.ready(segment.c, dt / 2), 2 * length)
+    constants = scheme.constants(segment.c, dt), scheme.constants(segment.c, dt / 2)
+    more = 2.0**scheme.order / (2.0**scheme.order - 1)
+    return Window(q, q_dot, z, constants[0], halved, constants[1], length * dt, more)
+
+
+def _of_tolerance(segment: Segment, scheme: AdaptiveSteps, z: np.ndarray) -> Window | None:
+    """From the end of the last step, for about STEPS steps of the run, and the same with a smaller tolerance."""
+    stepper, seconds = segment.stepper, scheme.begin_anew(z) * STEPS
+    start = segment.observed([stepper.state(z)])
+    states, constants = [], []
+    for tolerance in (scheme.tolerance, scheme.tolerance / FINER):
+        constants.append(scheme.constants(segment.c, seconds, tolerance))
+        states.append(z.copy())
+        segment.forget_determinants(states[-1])
+        stepper.run(states[-1], stepper.ready_for(constants[-1]), 1)
+        if segment.step_of(states[-1]) != 1:
+            return None
+    own, finer = states
+    return Window(start.q[0], start.q_dot[0], own, constants[0], finer, constants[1], seconds, FINER / (FINER - 1))

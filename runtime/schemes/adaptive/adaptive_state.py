@@ -1,0 +1,156 @@
+"""What z and the constants hold of steps whose length follows from a tolerance, and what a run asks of it."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.engine.program import Program
+from runtime.schemes.grid import Grid
+from runtime.schemes.one_step import OneStep
+from runtime.schemes.options import Options
+from runtime.schemes.scheme import LARGEST
+from runtime.schemes.stage_equations import StageEquations, loop_blocks
+from runtime.schemes.state_fields import StateField, account, given, state
+from runtime.schemes.switching.times import SwitchTime
+
+STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
+FIRST = 0.1  # of dt: the first step that is tried
+
+
+class AdaptiveState(OneStep):
+    """Start and end of the running step, the controller's memory, and what is counted."""
+
+    adaptive = True
+    counts_powers = True
+    integrates_work = True
+    counted_evaluations: tuple[int, int]  # at the start of a step, and in an attempt
+    first_same_as_last = False  # is the end of an attempt evaluated, so that the next step need not evaluate its start?
+
+    def __init__(self, model: Model, grid: Grid, options: Options) -> None:
+        super().__init__(model, grid, options)
+        self.c_size += 1
+
+    @abstractmethod
+    def method_fields(self) -> dict[str, StateField]:
+        """Fields of z that `begun` and `attempted` fill."""
+
+    @property
+    def tolerance(self) -> float:
+        """Of a step's estimated error."""
+        return float(self.options.tolerance)  # type: ignore[attr-defined]
+
+    def constants(self, c: np.ndarray, dt: float | None = None, tolerance: float | None = None) -> np.ndarray:
+        """The model's c, the time between states that are seen [s], and the tolerance."""
+        return np.append(super().constants(c, dt), self.tolerance if tolerance is None else tolerance)
+
+    def further_fields(self) -> dict[str, StateField]:
+        """Start and end of the running step, its method's fields, the controller's, and what is counted."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {
+            "q_from": state(n),
+            "v_from": state(n),
+            "loop_from": state(loops),
+            "t_from": state(1),
+            "q_to": state(n),
+            "v_to": state(n),
+            "loop_to": state(loops),
+            "t_to": state(1),
+            "a_from": state(n),
+            **self.method_fields(),
+            "q_low": state(n),
+            "q_high": state(n),
+            "h_next": state(1),
+            "error_last": state(1),
+            "was_rejected": state(1),
+            "fresh": state(1),
+            "cold": state(1),
+            "det_now": account(loop_blocks(self.model)),
+            "going": account(1),
+            "stops": given(STOPS),
+            "beside": given(1),
+            "lands": given(1),
+            "stuck": account(1),
+            "accepted": account(1),
+            "rejected": account(1),
+            "h_least": account(1),
+            "h_largest": account(1),
+        }
+
+    def started(
+        self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
+    ) -> Mapping[str, ca.SX]:
+        """Fields of z at the start: the end of no step."""
+        fields = dict(super().started(t0, q_i, q_i_dot, loop, equations))
+        for end in ("from", "to"):
+            fields |= {f"q_{end}": q_i, f"v_{end}": q_i_dot, f"loop_{end}": fields["loop"], f"t_{end}": t0}
+        return {
+            **fields,
+            "q_low": q_i,
+            "q_high": q_i,
+            "h_next": FIRST * equations.h[0],
+            "error_last": ca.SX(1),
+            "fresh": ca.SX(1),
+            "cold": ca.SX(1),
+            "det_now": equations.close_well(q_i, loop, t0).det_loop,
+            "stops": ca.SX.ones(STOPS) * LARGEST,
+            "h_least": ca.SX(LARGEST),
+        }
+
+    def evaluations(self) -> tuple[int, int]:
+        """Not to be told from the number of states that are seen; see `taken`."""
+        return 0, 0
+
+    def taken(self, z: np.ndarray) -> dict[str, float | int | str]:
+        """For the statistics of a run that has come to z (flat): accepted and rejected steps, least and largest [s]."""
+        seen = {name: z[self.layout.slice(name)][0] for name in ("accepted", "rejected", "h_least", "h_largest")}
+        accepted, rejected = int(seen["accepted"]), int(seen["rejected"])
+        start, attempt = self.counted_evaluations
+        return {
+            "steps": accepted,
+            "rejected_steps": rejected,
+            "least_step": float(seen["h_least"]) if accepted else 0.0,
+            "largest_step": float(seen["h_largest"]),
+            "evaluations": accepted * start + (accepted + rejected) * attempt,
+        }
+
+    def operations_taken(self, z: np.ndarray, program: Program) -> float:
+        """Of the steps so far, by its program as prepared; what is done to show states is left out."""
+        size = {stage.name(): int(stage.n_instructions()) for stage in program.stages()}
+        accepted, rejected = (float(z[self.layout.slice(name)][0]) for name in ("accepted", "rejected"))
+        start = size["move"] + (0 if self.first_same_as_last else size["begin"])
+        return accepted * start + (accepted + rejected) * size["attempt"]
+
+    def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime]) -> None:
+        """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at."""
+        first = bisect_right(jumps, float(z[self.layout.slice("t_to")][0]), key=lambda one: one.time)
+        ahead = [one.time for one in jumps[first : first + STOPS]]
+        near = jumps[max(0, first - 1) : first + STOPS]
+        z[self.layout.slice("stops")] = [*ahead, *[LARGEST] * (STOPS - len(ahead))]
+        z[self.layout.slice("beside")] = max(
+            (max(one.after - one.time, one.time - one.before) for one in near), default=0
+        )
+
+    def land(self, z: np.ndarray) -> None:
+        """From z (flat) on, end a step at every state that is seen."""
+        z[self.layout.slice("lands")] = 1.0
+
+    def begin_anew(self, z: np.ndarray) -> float:
+        """Let z (flat) be seen at the end of its last step, time counted from there; the step wanted next [s]."""
+        for name, end in (("t0", "t_to"), ("x", "q_to"), ("v", "v_to"), ("loop", "loop_to")):
+            z[self.layout.slice(name)] = z[self.layout.slice(end)]
+        z[self.layout.slice("n")] = 0
+        return float(z[self.layout.slice("h_next")][0])
+
+    def is_stuck(self, z: np.ndarray) -> bool:
+        """Did the least step not meet the tolerance?"""
+        return bool(z[self.layout.slice("stuck")][0] > 0)
+
+    def reached(self, z: np.ndarray) -> float:
+        """Time at the end of the last accepted step [s]."""
+        return float(z[self.layout.slice("t_to")][0])

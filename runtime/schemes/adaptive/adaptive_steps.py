@@ -1,0 +1,204 @@
+"""A step of the run as many steps as a tolerance asks for: the loop, the controller and the output are one program.
+
+What `dt` is elsewhere is here the time between two states that can be seen: t0 + n dt. The method's own steps do not
+end there; a state in between is had from the method's own interpolant. An application of the program is
+
+    aim             the time that is to be reached
+    until reached:  from an accepted step on: move to its end, evaluate there what does not depend on h
+                    attempt a step; accept it, or keep where it began and what was evaluated there
+    show            the interpolant at the time that was to be reached
+
+The tolerance stands among the constants, behind the step, and h is a field of z: one program serves all of both.
+No step crosses a time of `stops`; the controller begins anew there.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from runtime.engine.program import Fields, Program, Sequence, Until
+from runtime.schemes.adaptive.adaptive_state import STOPS, AdaptiveState
+from runtime.schemes.adaptive.controller import SMALLEST, after_acceptance, after_rejection, not_across
+from runtime.schemes.adaptive.error_norm import error_size
+from runtime.schemes.scheme import LARGEST
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+
+ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
+LEAST, LEAST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """The end (q_i, q_i_dot, guess of the loop unknowns) of a step, and its error estimates (n_i each).
+
+    kept: fields of z that the interpolant or the next step takes. seen: closed configurations on the way.
+    middle_power: P in the middle of the step [W], where it was asked for.
+    """
+
+    q: ca.SX
+    v: ca.SX
+    loop: ca.SX
+    dq: ca.SX
+    dv: ca.SX
+    kept: Mapping[str, ca.SX]
+    seen: tuple[ClosedConfiguration, ...]
+    powers: Mapping[str, ca.SX] = field(default_factory=dict)
+
+
+class AdaptiveSteps(AdaptiveState):
+    """The loop. Subclasses give what is evaluated at the start of a step, an attempt, and an interpolant."""
+
+    error_order: int  # the estimate is of h to this power
+
+    # ---- what a method says ---------------------------------------------------------------------------------
+
+    @abstractmethod
+    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+        """(configuration, q_i_ddot, fields) at the start of a step: what does not depend on its length."""
+
+    @abstractmethod
+    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
+        """A step of h [s] from q_from, v_from."""
+
+    @abstractmethod
+    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+        """(q_i, q_i_dot) at tau [s] after the start of a step of h [s] (None: the last one), of the method's order."""
+
+    def moved(self, z: Fields) -> Mapping[str, ca.SX]:
+        """Of a method whose first evaluation is the last of the step before: its fields at the start of a step."""
+        return {}
+
+    # ---- the program ----------------------------------------------------------------------------------------
+
+    def program(self) -> Program:
+        """To the next time that is to be seen."""
+        flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "going")}
+        begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
+        start = Until(Sequence((self.stage("move", self._move), begin)), flag["fresh"], 1, usual=1)
+        reach = Until(Sequence((start, self.stage("attempt", self._attempt))), flag["going"], ATTEMPTS, usual=1)
+        return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
+
+    def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
+        return z["t0"] + (z["n"] + 1) * equations.h[0]
+
+    def _aim(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        low, high = ca.fmin(z["det_low"], z["det_now"]), ca.fmax(z["det_high"], z["det_now"])
+        way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
+        return {"going": way, "det_low": low, "det_high": high}
+
+    @staticmethod
+    def _left(z: Fields, way: ca.SX, t: ca.SX) -> ca.SX:
+        """What is left to go [s], not positive where nothing can be done: stuck, or no further stop is known."""
+        blind = z["stops"][STOPS - 1] <= t
+        return ca.if_else(ca.logic_or(z["stuck"] > 0, blind), 0.0, way)
+
+    def _move(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """The end of a step becomes a start."""
+        out = {f"{name}_from": z[f"{name}_to"] for name in ("q", "v", "loop", "t")}
+        if self.first_same_as_last and "work_from" in z:
+            out |= self._worked(z, z["power_to"])
+        cold = z["cold"] if self.first_same_as_last else ca.SX(1)
+        return {**out, **self.moved(z), "fresh": ca.SX(0), "cold": cold}
+
+    def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """What is evaluated at a start."""
+        motion, a, fields = self.begun(z, equations)
+        out = {"cold": ca.SX(0), "a_from": a, "loop_from": equations.loop_part(motion.q_d), **fields}
+        if "work_from" in z:
+            out |= self._worked(z, equations.power_of(motion, z["v_from"], a))
+        return {**out, **self.closed(z, motion), "det_now": motion.det_loop}
+
+    @staticmethod
+    def _worked(z: Fields, P: ca.SX) -> dict[str, ca.SX]:
+        """The account of the work at the end of a step, where the power is P [W]."""
+        h = z["pending"]
+        done = h / 6 * (z["power"] + 4 * z["power_mid"] + P)
+        bend = ca.fabs(done - h / 2 * (z["power"] + P))
+        return {"work_from": z["work_from"] + done, "pending": ca.SX(0), "power": P, "bends": z["bends"] + bend}
+
+    def time_in_step(self, z: Fields, h: ca.SX, share: float) -> ca.SX:
+        """Time at a share of a step of h [s]: just behind its start and just before its end, where it may jump."""
+        t = z["t_from"] + share * h
+        return t + (z["beside"] if share == 0 else -z["beside"] if share == 1 else 0)
+
+    def power_between(
+        self, z: Fields, equations: StageEquations, tau: ca.SX, guess: ca.SX, h: ca.SX | None = None
+    ) -> ca.SX:
+        """P [W] at tau after the start of a step that ends at q_to; guess: of the loop unknowns."""
+        q, v = self.between(z, equations, tau, h)
+        motion = equations.close_well(q, guess, z["t_from"] + tau)
+        a = equations.accelerations(motion, v) if equations.drives else ca.SX.zeros(q.numel())
+        return equations.power_of(motion, v, a)
+
+    def step_end(self, z: Fields, equations: StageEquations) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """(length [s] of the step to try, time at its end, may something jump there?).
+
+        The one place where the end of a step is chosen. Nothing crosses the next of
+        `stops`, nor, where z `lands`, the time that is to be reached.
+        """
+        t, stop = z["t_from"], ca.SX(LARGEST)
+        for k in range(STOPS):
+            stop = ca.fmin(stop, ca.if_else(z["stops"][k] > t, z["stops"][k], LARGEST))
+        end = ca.fmin(stop, ca.if_else(z["lands"] > 0, self._goal(z, equations), LARGEST))
+        h = not_across(z["h_next"], end - t)
+        arrives = h >= end - t
+        return h, ca.if_else(arrives, end, t + h), arrives
+
+    def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        h, t, at_stop = self.step_end(z, equations)
+        tried = self.attempted(z, equations, h)
+        low, high = ca.fmin(z["q_low"], tried.q), ca.fmax(z["q_high"], tried.q)
+        error = error_size(self.model, low, high, tried.dq, h * tried.dv) / equations.h[-1]
+        accepted = error <= 1  # not where the error is no number
+        counted = ca.fmax(error, SMALLEST)
+        grown = after_acceptance(h, counted, z["error_last"], self.error_order, z["was_rejected"])
+        longer = ca.fmax(grown, ca.if_else(h < z["h_next"], z["h_next"], 0.0))  # a stop shortened it, not the error
+        t_reached = ca.if_else(accepted, t, z["t_from"])
+        h_next = ca.if_else(accepted, longer, after_rejection(h, counted, self.error_order))
+        stuck = h_next < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t)
+        taken = {
+            "q_to": tried.q,
+            "v_to": tried.v,
+            "loop_to": tried.loop,
+            "t_to": t,
+            "q_low": low,
+            "q_high": high,
+            "error_last": ca.if_else(at_stop, 1.0, counted),
+            "fresh": ca.SX(1),
+            "cold": at_stop,
+            "accepted": z["accepted"] + 1,
+            "h_least": ca.fmin(z["h_least"], h),
+            "h_largest": ca.fmax(z["h_largest"], h),
+            **self.closed(z, *tried.seen),
+            "det_now": tried.seen[-1].det_loop,
+            **({"pending": h} if "work_from" in z else {}),
+        }
+        return {
+            **tried.kept,
+            **tried.powers,
+            **{name: ca.if_else(accepted, new, z[name]) for name, new in taken.items()},
+            "h_next": h_next,
+            "was_rejected": ca.if_else(accepted, 0.0, 1.0),
+            "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
+            "stuck": ca.if_else(stuck, 1.0, z["stuck"]),
+            "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t_reached, t_reached),
+        }
+
+    def _show(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        goal = self._goal(z, equations)
+        arrived = z["t_to"] >= goal
+        tau = ca.fmin(goal, z["t_to"]) - z["t_from"]
+        q, v = self.between(z, equations, tau)
+        loop = z["loop_from"] + tau * (z["loop_to"] - z["loop_from"]) / (z["t_to"] - z["t_from"])
+        out = {"x": q, "v": v, "loop": loop, "n": z["n"] + 1}
+        if "work_from" in z:
+            middle, end = (
+                self.power_between(z, equations, part * tau, z["loop_from"] + part * (loop - z["loop_from"]))
+                for part in (0.5, 1.0)
+            )
+            out["work"] = z["work_from"] + tau / 6 * (z["power"] + 4 * middle + end)
+        return {name: ca.if_else(arrived, new, z[name]) for name, new in out.items()}

@@ -1,0 +1,108 @@
+"""Dormand and Prince's explicit pair of orders 5 and 4, by fixed steps or by steps as long as a tolerance asks for.
+
+For motion without stiffness. The last evaluation of a step is the first of the next one, and all that a rejected step
+keeps. Between the ends q_i is the polynomial of degree 5 through q_i, q_i_dot and q_i_ddot at both: order 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import casadi as ca
+import numpy as np
+
+from runtime.engine.program import Fields
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
+from runtime.schemes.baselines.runge_kutta import ExplicitRungeKutta, combined
+from runtime.schemes.options import AdaptiveOptions
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
+from runtime.schemes.state_fields import StateField, state
+
+A = np.array(
+    [
+        [0, 0, 0, 0, 0, 0],
+        [1 / 5, 0, 0, 0, 0, 0],
+        [3 / 40, 9 / 40, 0, 0, 0, 0],
+        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
+        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
+        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
+    ]
+)
+WEIGHTS = np.array([35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84])
+NODES = np.array([0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1])
+ERROR = np.array([71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])  # orders 5 less 4
+
+
+class DormandPrince5(ExplicitRungeKutta):
+    """Order 5, six evaluations; an undamped mode is stable to h w = 0.997, a decay to h d = 3.306."""
+
+    reach, decay_reach, order = 0.997, 3.306, 5
+
+    @staticmethod
+    def tableau() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Dormand and Prince (1980)."""
+        return A, WEIGHTS, NODES
+
+
+class AdaptiveDormandPrince(AdaptiveSteps):
+    """Six evaluations an attempt."""
+
+    options: AdaptiveOptions
+    order, error_order, counted_evaluations = 5, 5, (0, 6)
+    first_same_as_last = True
+
+    def method_fields(self) -> dict[str, StateField]:
+        """Rates of the loop unknowns at the start, and accelerations and these rates at the end."""
+        n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
+        return {"a_to": state(n), "loop_dot": state(loops), "loop_dot_to": state(loops)}
+
+    def begun(self, z: Fields, equations: StageEquations) -> tuple[ClosedConfiguration, ca.SX, Mapping[str, ca.SX]]:
+        """Accelerations."""
+        t = self.time_in_step(z, ca.SX(0), 0)
+        start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
+        rates = equations.loop_part(equations.rates(start, z["v_from"]))
+        return start, equations.accelerations(start, z["v_from"]), {"loop_dot": rates}
+
+    def moved(self, z: Fields) -> Mapping[str, ca.SX]:
+        """What was evaluated at the end of the last step."""
+        return {"a_from": z["a_to"], "loop_dot": z["loop_dot_to"]}
+
+    def attempted(self, z: Fields, equations: StageEquations, h: ca.SX) -> Attempt:
+        """Slopes of (q_i, q_i_dot, loop unknowns)."""
+        n = len(self.model.q_i)
+        start = ca.vertcat(z["q_from"], z["v_from"], z["loop_from"])
+        slopes, seen, powers = [ca.vertcat(z["v_from"], z["a_from"], z["loop_dot"])], [], {}
+        y = start
+        for row, node in [*zip(A[1:], NODES[1:], strict=True), (WEIGHTS, 1.0)]:
+            y = start + h * combined(row[: len(slopes)], slopes)
+            v = y[n : 2 * n]
+            at = equations.close(y[:n], y[2 * n :], self.time_in_step(z, h, node), self.options.closure_iterations)
+            slopes.append(ca.vertcat(v, equations.accelerations(at, v), equations.loop_part(equations.rates(at, v))))
+            seen.append(at)
+        error, last = h * combined(ERROR, slopes), slopes[-1]
+        kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
+        loop = equations.loop_part(seen[-1].q_d)
+        if "work_from" in z:
+            trial = {**z, "q_to": y[:n], "v_to": y[n : 2 * n], **kept}
+            powers["power_to"] = equations.power_of(seen[-1], y[n : 2 * n], kept["a_to"])
+            powers["power_mid"] = self.power_between(trial, equations, h / 2, (z["loop_from"] + loop) / 2, h)
+        return Attempt(y[:n], y[n : 2 * n], loop, error[:n], error[n : 2 * n], kept, tuple(seen), powers)
+
+    def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
+        """The polynomial of degree 5 and its derivative."""
+        h = z["t_to"] - z["t_from"] if h is None else h
+        return quintic(tau, h, *(z[f"{name}_{end}"] for end in ("from", "to") for name in "qva"))
+
+
+def quintic(
+    tau: ca.SX, h: ca.SX, q0: ca.SX, v0: ca.SX, a0: ca.SX, q1: ca.SX, v1: ca.SX, a1: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """(q, q') at tau of the polynomial of degree 5 with these values and derivatives at 0 and h."""
+    x = tau / h
+    bent, turned = q1 - q0 - h * (v0 + h / 2 * a0), h * (v1 - v0 - h * a0)
+    curved = h * h * (a1 - a0)
+    c3 = 10 * bent - 4 * turned + curved / 2
+    c4 = -15 * bent + 7 * turned - curved
+    c5 = 6 * bent - 3 * turned + curved / 2
+    q = q0 + tau * (v0 + tau / 2 * a0) + x**3 * (c3 + x * (c4 + x * c5))
+    return q, v0 + tau * a0 + x * x / h * (3 * c3 + x * (4 * c4 + x * 5 * c5))

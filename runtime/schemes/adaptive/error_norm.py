@@ -1,0 +1,37 @@
+"""The size of an estimated error: root mean square of (dq, h dv) relative to the amplitudes of the coordinates.
+
+Velocities are weighted by h: without them what is delivered is many times what was asked. The amplitude of a
+coordinate is half the range that it has been seen in, the end of the step in question included, so that the first
+steps of a motion from rest are measured by how far they go; at least FLOOR of the largest of its kind and unit, and of
+an angle of a body at most TURN.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model
+
+FLOOR = 1e-6  # as runtime/results/amplitudes.py
+TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
+TINY = 1e-200
+
+
+def error_size(model: Model, low: ca.SX, high: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
+    """Of errors dq and h dv (n_i each) of coordinates seen between low and high."""
+    scale = amplitudes(model, (high - low) / 2)
+    squares = ca.sumsqr(dq / scale) + ca.sumsqr(h_dv / scale)
+    return ca.sqrt(squares / (2 * len(model.q_i)))
+
+
+def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
+    """(n_i) what errors are measured by."""
+    entries = {entry.name: entry for entry in model.description.coordinates}
+    kinds = [(entries[name].kind, entries[name].unit) for name in model.q_i]
+    turns = [entries[name].unit == "rad" and not entries[name].elastic for name in model.q_i]
+    seen = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
+    largest = {kind: ca.SX(TINY) for kind in kinds}
+    for kind, one in zip(kinds, seen, strict=True):
+        largest[kind] = ca.fmax(largest[kind], one)
+    return ca.vertcat(*(ca.fmax(one, FLOOR * largest[kind]) for kind, one in zip(kinds, seen, strict=True)))

@@ -1,0 +1,214 @@
+"""A tolerance instead of a step: what is delivered, orders between steps, stops, rejections, the least step."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runtime import SchemeError, ensemble, load_model, output_jacobian, resume, simulate
+from runtime.contract.model import Model
+from runtime.running.segment import Segment
+from runtime.running.simulate import make_plan
+from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.scheme import LARGEST
+from runtime.schemes.switching.times import SwitchTime
+from symgen.scene import Scene, SceneBuilder
+from symgen.scenes import generated_folder
+from tests.support.model_values import Array
+from tests.support.prepared_runs import PreparedRuns
+
+Load = Callable[[str], Model]
+Build = Callable[[Scene], Model]
+PAIRS = ("dopri5", "exponential_rk4")
+
+
+def rotor(torque: str, **simulation: object) -> Scene:
+    """theta'' = torque(t), with I = 1."""
+    return (
+        SceneBuilder("rotor")
+        .rigid("rotor", mass=1.0, inertia=1.0)
+        .revolute("axle", "ground.origin", "rotor.origin")
+        .torque("motor", "rotor.origin", torque)
+        .simulation(t_end=1.0, dt=0.01, scheme="dopri5", **simulation)
+        .build()
+    )
+
+
+@pytest.mark.parametrize("scheme", PAIRS)
+def test_what_is_asked_is_delivered_and_told(built_in: Load, scheme: str) -> None:
+    """A pendulum against steps of one length that are far finer: error and estimate within what was asked."""
+    model = built_in("pendulum")
+    exact = simulate(model, scheme="dop853", dt=0.01, t_end=4.0, save_every=1)
+    for tolerance in (1e-3, 1e-5):
+        run = simulate(model, scheme=scheme, tolerance=tolerance, dt=0.02, t_end=4.0)
+        assert run.status.ok and run.t[-1] == pytest.approx(4.0, abs=1e-12)
+        amplitude = np.ptp(exact.q_i) / 2
+        error = float(np.abs(run.q_i - exact.q_i[::2]).max()) / amplitude
+        assert 1e-3 * tolerance < error < 3 * tolerance
+        assert error / 10 < float(run.stats["estimated_error"]) < 10 * max(error, tolerance / 10)
+        assert run.stats["rejected_steps"] <= 0.1 * run.stats["steps"]  # type: ignore[operator]
+        assert 0 < run.stats["least_step"] < run.stats["largest_step"]  # type: ignore[operator]
+
+
+def seen_inside_a_step(model: Model, scheme: str, h: float, share: float) -> tuple[Array, Array, Array]:
+    """(q_i, q_i_dot) at a share of one step of h from the start, and the exact ones, one below the other."""
+    runs = PreparedRuns(model, scheme, options={"tolerance": 0.1})
+    assert isinstance(runs.scheme, AdaptiveSteps)
+    layout, state = runs.scheme.layout, runs.state
+    z = runs.stepper.start(0.0, state.q, state.q_dot, runs.c, share * h)
+    z[layout.slice("h_next")] = h
+    runs.stepper.run(z, runs.stepper.ready_for(runs.scheme.constants(runs.c, share * h, 1e9)), 1)
+    assert z[layout.slice("accepted")] == 1 and z[layout.slice("t_to")] == pytest.approx(h)
+    fine = PreparedRuns(model, "dop853").samples(share * h / 40, 40, 40)
+    exact = np.array([fine["x"][-1], fine["v"][-1]])
+    return z[layout.slice("x")], z[layout.slice("v")], exact
+
+
+@pytest.mark.parametrize(("scheme", "order"), [("dopri5", 5), ("exponential_rk4", 4)])
+def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: str, order: int) -> None:
+    """Local errors of q_i and q_i_dot inside a step fall as h^(order + 1) and h^order at least, with a loop."""
+    model, h = built_in("slider_crank"), 5e-4
+    errors = []
+    for k in range(2):
+        q, v, exact = seen_inside_a_step(model, scheme, h / 2**k, 0.37)
+        errors.append([np.abs(q - exact[0]).max(), np.abs(v - exact[1]).max()])
+    slopes = np.log2(np.array(errors[0]) / np.array(errors[1]))
+    assert slopes[0] > order + 0.6 and slopes[1] > order - 0.4
+    assert errors[-1][0] < 3e-9 and errors[-1][1] < 1e-4
+
+
+@pytest.mark.parametrize("scheme", PAIRS)
+def test_no_step_crosses_a_stop(built_in: Load, scheme: str) -> None:
+    """Thirteen stops, some closer than a step and some next to each other: each is the end of a step."""
+    model = built_in("pendulum")
+    stops = (0.1, 0.103, 0.5, 0.77, 0.78, 0.79, 0.8, 0.81, 1.0, 1.25, 1.5, 1.75, 1.7500001)
+    plan = make_plan(model, 2.0, 1e-3, None, scheme, None, {"tolerance": 1e-4}, 0.0)
+    segment = Segment.build(model, plan, model.parameter_vector(), "auto")
+    segment._jumps = [SwitchTime(stop, stop, stop, ()) for stop in stops]
+    z, layout = segment.start(model.initial_q, model.initial_q_dot), plan.scheme.layout
+    ends = set()
+    for _ in range(plan.steps):
+        segment.run(z, 1)
+        ends.add(float(z[layout.slice("t_to")][0]))
+    assert set(stops[:-2]) <= ends
+    assert z[layout.slice("h_least")] == pytest.approx(1e-7)  # from the last but one to the last
+    assert len(ends) < plan.steps / 4  # what is seen does not shorten steps
+    start, end = z[layout.slice("t_from")][0], z[layout.slice("t_to")][0]
+    assert not any(start < stop < end for stop in stops) and z[layout.slice("stops")][0] == LARGEST
+
+
+def test_steps_end_where_a_load_jumps(model_of: Build) -> None:
+    """theta'' = 1 until 0.4, then -2: found in the expression, and with a step's end there the pair is exact."""
+    model = model_of(rotor("where(t < 0.4, 1.0, -2.0)"))
+    plan = make_plan(model, 1.0, 0.1, None, "dopri5", None, {"tolerance": 1e-3}, 0.0)
+    for jumps, most in ((None, 1e-13), ([], 0.1)):
+        segment = Segment.build(model, plan, model.parameter_vector(), "auto")
+        segment._jumps = jumps
+        z = segment.start(model.initial_q, model.initial_q_dot)
+        segment.run(z, 10)
+        error = abs(float(z[plan.scheme.layout.slice("x")][0]) - (0.08 + 0.4 * 0.6 - 0.36))
+        assert error < most and (error > 1e-9) == (jumps == [])
+
+
+@pytest.mark.parametrize("scheme", PAIRS)
+def test_a_rejected_step_is_made_as_if_it_had_not_been_tried(built_in: Load, scheme: str) -> None:
+    """A first step far too long is rejected; the motion is that of a run which begins with the step then accepted."""
+    runs = PreparedRuns(built_in("slider_crank"), scheme, options={"tolerance": 1e-6})
+    layout, ready = runs.scheme.layout, runs.stepper.ready(runs.c, 1e-6)
+    z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 1e-6)
+    other = z.copy()
+    z[layout.slice("h_next")] = 0.05
+    runs.stepper.run(z, ready, 1)
+    assert z[layout.slice("rejected")] >= 2
+    other[layout.slice("h_next")] = z[layout.slice("h_least")]
+    runs.stepper.run(other, ready, 1)
+    assert other[layout.slice("rejected")] == 0
+    for name in ("q_to", "v_to", "a_from", "x", "v", "t_to"):
+        np.testing.assert_array_equal(z[layout.slice(name)], other[layout.slice(name)], name)
+
+
+def test_the_least_step_ends_a_run_by_name(model_of: Build) -> None:
+    """theta'' = (0.9876543 - t)^-3 has no motion beyond that time."""
+    model = model_of(rotor("1/(0.9876543 - t)**3"))
+    run = simulate(model, tolerance=1e-4, scheme="dopri5", t_end=2.0)
+    assert run.status.name == "step_too_short" and 0.95 < run.status.time < 0.99
+    assert np.isfinite(run.q).all() and run.t[-1] == run.status.time
+
+
+@pytest.mark.parametrize("scheme", PAIRS)
+def test_work_is_integrated_over_the_steps(built_in: Load, scheme: str) -> None:
+    """Of a driven mechanism with damping, seen rarely: energy less work stays at what the tolerance leaves."""
+    model = built_in("flexible_slider_crank")
+    run = simulate(model, scheme=scheme, tolerance=1e-6, dt=2e-3, t_end=0.02)
+    scale = float((run.energy["kinetic"] + run.energy["elastic"]).max())
+    assert float(np.abs(run.work()).max()) > 1e-3 * scale
+    assert float(np.abs(run.energy_balance()).max()) < 1e-4 * scale
+
+
+@pytest.mark.parametrize("scheme", PAIRS)
+def test_a_resumed_run_is_the_uninterrupted_one(built_in: Load, tmp_path: Path, scheme: str) -> None:
+    model, path = built_in("slider_crank"), tmp_path / "run.npz"
+    settings = {"scheme": scheme, "tolerance": 1e-4, "dt": 1e-3, "t_end": 0.06}
+    whole = simulate(model, **settings)  # type: ignore[arg-type]
+
+    def stop(t: float, t_end: float) -> None:
+        if t > 0.03:
+            shutil.copy(path, tmp_path / "copy.npz")
+            raise KeyboardInterrupt
+
+    broken = simulate(model, **settings, checkpoint=path, checkpoint_every=7, progress=stop)  # type: ignore[arg-type]
+    assert broken.status.name == "interrupted"
+    for kept in (path, tmp_path / "copy.npz"):
+        run = resume(model, kept)
+        assert np.array_equal(run.q, whole.q) and np.array_equal(run.q_ddot, whole.q_ddot)
+        assert run.stats["steps"] == whole.stats["steps"]
+
+
+def test_both_engines_give_the_same_bits(built_in: Load) -> None:
+    settings = {"scheme": "exponential_rk4", "tolerance": 1e-3, "dt": 0.05, "t_end": 0.5}
+    one, other = (
+        simulate(built_in("hub_beam"), engine=name, **settings) for name in ("compiled-library", "interpreted")
+    )  # type: ignore[arg-type]
+    assert np.array_equal(one.q, other.q) and one.stats["steps"] == other.stats["steps"]
+
+
+def test_auto_takes_the_method_that_stiffness_asks_for(built_in: Load) -> None:
+    plain, stiff = (
+        simulate(built_in("pendulum"), tolerance=1e-3),
+        simulate(built_in("stiff_slider_crank"), scheme="auto", t_end=0.01),
+    )
+    assert plain.scheme == "dopri5" and "no deflection" in str(plain.stats["advice"])
+    assert stiff.scheme == "exponential_rk4" and "operations" in str(stiff.stats["advice"])
+    assert plain.status.ok and stiff.status.ok
+
+
+def test_a_scene_may_ask_for_a_tolerance(model_of: Build) -> None:
+    model = model_of(rotor("cos(6*t)", tolerance=1e-6))
+    run = simulate(model)
+    assert run.stats["options"] == "closure_iterations = 2, tolerance = 1e-06"
+    theta = (1 - np.cos(6 * run.t)) / 36
+    assert np.abs(run["rotor.theta"] - theta).max() < 1e-6 * np.ptp(theta)
+    fixed = simulate(model, scheme="rk4")  # another scheme takes the scene's step
+    assert fixed.dt == 0.01 and fixed.stats["steps"] == 100
+
+
+def test_what_cannot_follow_a_tolerance_says_so(built_in: Load) -> None:
+    model = built_in("pendulum")
+    with pytest.raises(SchemeError, match="rk4 takes steps of one length dt; a tolerance goes with exponential_rk4"):
+        simulate(model, scheme="rk4", tolerance=1e-3)
+    for wrong in (0.0, -1e-3, 0.5, True, float("nan"), "small"):
+        with pytest.raises(SchemeError, match="tolerance must be between 0 and 0.1"):
+            simulate(model, scheme="dopri5", tolerance=wrong)  # type: ignore[arg-type]
+    adaptive = {"scheme": "dopri5", "options": {"tolerance": 1e-3}}
+    with pytest.raises(SchemeError, match="a stepper needs steps of one length"):
+        load_model(generated_folder("pendulum")).stepper(**adaptive)
+    with pytest.raises(SchemeError, match="an ensemble needs steps of one length"):
+        ensemble(model, {"rod.mass": [1.0, 2.0]}, outputs=["rod.theta"], t_end=0.1, dt=0.01, **adaptive)
+    with pytest.raises(SchemeError, match="a derivative of a run needs steps of one length"):
+        output_jacobian(model, ["rod.theta"], ["rod.mass"], t_end=0.1, dt=0.01, **adaptive)
+    with pytest.raises(SchemeError, match="auto chooses m and options itself"):
+        simulate(model, scheme="auto", options={"closure_iterations": 3})
