@@ -126,9 +126,9 @@ SYMBOLS: tuple[Notation, ...] = (
         "load_forces",
         "",
         "",
-        "3, 6 or 7 x loads on beams",
+        "3, 6 or 7 x loads",
         "N, N m",
-        "force of a load on the frame coordinates of a beam",
+        "force of a load on the frame of a flexible body",
     ),
     Notation(
         "load_actions", "", "", "3 or 6 x loads", "N, N m", "world force and moment of a load on its marker, or b"

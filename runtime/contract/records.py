@@ -193,11 +193,23 @@ class FunctionSpec:
 
 
 @dataclass(frozen=True)
+class LoadedBody:
+    """A body with modes of its own in space: names of its loads and frictions, in the order of `load_forces`.
+
+    Their columns come after those of the beams.
+    """
+
+    body: str
+    loads: list[str]
+
+
+@dataclass(frozen=True)
 class Description:
     """All that is said of a model in words: everything but its functions and its numbers.
 
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
     components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
+    beams: those with exact shapes; flexible: other bodies with modes in space that loads act on;
     switching: the load, joint or state of each output of the function `switching`.
     """
 
@@ -222,7 +234,14 @@ class Description:
     simulation: Mapping[str, Any]
     inputs: list[InputRecord] = field(default_factory=list)
     beams: list[BeamRecord] = field(default_factory=list)
+    flexible: list[LoadedBody] = field(default_factory=list)
     switching: list[str] = field(default_factory=list)
+
+    @property
+    def load_columns(self) -> list[tuple[str, str]]:
+        """(body, load or joint with friction) of each column of `load_forces`."""
+        beams = [(record.body, name) for record in self.beams for name in record.loads]
+        return beams + [(record.body, name) for record in self.flexible for name in record.loads]
 
 
 _TABLES: dict[str, type] = {
@@ -236,12 +255,13 @@ _TABLES: dict[str, type] = {
     "parameters": Parameter,
     "bounded": BoundedQuantity,
     "inputs": InputRecord,
+    "flexible": LoadedBody,
 }
-_MAY_LACK = ("inputs", "beams", "switching")  # tables that are not written where they are empty
+_MAY_LACK = ("inputs", "beams", "flexible", "switching")  # tables that are not written where they are empty
 
 
 def as_plain(description: Description) -> dict[str, Any]:
-    """The description as plain values for JSON; a model without shapes, inputs or beams has no entry for them."""
+    """The description as plain values for JSON; a model without shapes, inputs, beams, ... has no entry for them."""
     plain = asdict(description)
     for looks in ("shapes", "surfaces"):
         if not plain["drawing"][looks]:

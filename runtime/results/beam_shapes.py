@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from runtime.contract.beams import ShapeFunctions, bending_shapes, gauss_points, panels_for, stretching_shapes
 from runtime.contract.model import Model, ModelError
+from runtime.results.attached_forces import attached_markers
 
 STRETCHING, ALONG_Y, ALONG_Z, TORSION = range(4)
 BENDING = (ALONG_Y, ALONG_Z)
@@ -86,6 +86,7 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         xi, weights = gauss_points(panels_for(one.modes))
         square = float(weights @ functions.at(xi)[:, 0] ** 2)
         sets[one.axis] = BeamShapes(mine, functions, float(K[mine[0], mine[0]] / (eigenvalues[0] * square)))
+    places = {point.name: x / length for point, x in points if point.name}
     return Beam(
         name,
         frame[:dimension],
@@ -96,16 +97,5 @@ def beam_of(model: Model, name: str, p: np.ndarray) -> Beam:
         sides**2 / 12,
         sets,
         any(point.stiffened for point, _ in points),
-        _attached(model, records[name].loads, {f"{name}.{one.name}": x / length for one, x in points if one.name}),
+        {load: [places[marker] for marker in own] for load, own in attached_markers(model, name).items()},
     )
-
-
-def _attached(model: Model, loads: Sequence[str], places: dict[str, float]) -> dict[str, list[float]]:
-    """Joints and loads on the beam -> the places of their markers on it."""
-    described, found = model.description, {}
-    for joint in described.joints:
-        found[joint.name] = [places[one] for one in (joint.marker_a, joint.marker_b) if one in places]
-    for load in described.loads:
-        if load.name in loads:
-            found[load.name] = [places[one] for one in load.markers.values() if one in places]
-    return {name: where for name, where in found.items() if where}

@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from runtime.contract.body_motion import cross_matrix
+
 EULER_PARAMETERS = "euler_parameters"
 
 
@@ -39,14 +41,6 @@ def frame_motion(kind: str, theta: np.ndarray, theta_dot: np.ndarray, theta_ddot
     if not kind:
         return _planar(theta, theta_dot, theta_ddot)
     return _of_angles(kind, theta, theta_dot, theta_ddot)
-
-
-def cross_matrix(v: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) with cross_matrix(v) w = v x w, for v (N, 3)."""
-    found = np.zeros((len(v), 3, 3))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        found[:, k, j], found[:, j, k] = v[:, i], -v[:, i]
-    return found
 
 
 def _planar(theta: np.ndarray, theta_dot: np.ndarray, theta_ddot: np.ndarray) -> FrameMotion:

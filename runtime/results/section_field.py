@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from runtime.contract.beams import gauss_points, panels_for
+from runtime.contract.body_motion import cross_matrix
 from runtime.results.beam_shapes import ALONG_Y, ALONG_Z, STRETCHING, TORSION, Beam
-from runtime.results.frame_motion import FrameMotion, cross_matrix
+from runtime.results.frame_motion import FrameMotion
 
 Rates = tuple[np.ndarray, np.ndarray, np.ndarray]
 

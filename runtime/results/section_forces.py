@@ -16,9 +16,9 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import ModelError
+from runtime.results.attached_forces import LONGEST, attached_forces, into_body, vectors, wrench
 from runtime.results.beam_shapes import Beam, beam_of
-from runtime.results.frame_motion import FrameMotion, frame_motion
-from runtime.results.sampling import evaluate
+from runtime.results.frame_motion import frame_motion
 from runtime.results.section_field import SectionField
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ Way = Literal["equilibrium", "modes"]
 Which = Literal["normal", "shear", "shear_z", "torsion", "moment_y", "moment"]
 WAYS = ("equilibrium", "modes")
 STATIONS = tuple(float(at) for at in np.linspace(0.0, 1.0, 33))
-LONGEST = 256  # samples at once
 
 
 class LargestForce(NamedTuple):
@@ -89,52 +88,15 @@ def _by_equilibrium(solution: Samples, beam: Beam, field: SectionField) -> np.nd
     """(6, N, n) from the forces on the part beyond each section."""
     gravity = np.resize([*solution.model.description.gravity, 0.0, 0.0, 0.0], 3)
     found = np.empty((6, len(solution.t), len(field.sections)))
-    parts = _generalised(solution, beam)
+    places = {name: _one_place(name, where, beam) for name, where in beam.attached.items()}
+    parts = attached_forces(solution, beam.name, [*beam.place, *beam.turning], list(places))
     for first in range(0, len(solution.t), LONGEST):
         rows = slice(first, first + LONGEST)
         moved = solution.q[rows], solution.q_dot[rows], solution.q_ddot[rows]
         frame = frame_motion(beam.orientation, *(values[:, beam.turning] for values in moved))
-        into_body = frame.A.transpose(0, 2, 1)
-        a_o = into_body @ (_vectors(moved[2][:, beam.place]) - gravity)[:, :, None]
-        loads = [(place, _wrench(force[rows], len(beam.place), frame, into_body)) for place, force in parts]
-        found[:, rows] = field.forces(moved, frame, a_o[:, :, 0], loads)
-    return found
-
-
-def _vectors(values: np.ndarray) -> np.ndarray:
-    """(N, 3) from x and y, or x, y and z."""
-    return np.pad(values, ((0, 0), (0, 3 - values.shape[1])))
-
-
-def _wrench(generalised: np.ndarray, dimension: int, frame: FrameMotion, into_body: np.ndarray) -> np.ndarray:
-    """(N, 6) force and moment about the frame origin, in the beam's axes, of forces on its frame's coordinates."""
-    force = (into_body @ _vectors(generalised[:, :dimension])[:, :, None])[:, :, 0]
-    turning = generalised[:, dimension : dimension + frame.W.shape[2]]
-    return np.hstack([force, frame.moment(turning)])
-
-
-def _generalised(solution: Samples, beam: Beam) -> list[tuple[float, np.ndarray]]:
-    """(place, force on the frame's coordinates (N, .)) of each joint and load on the beam."""
-    model, N = solution.model, len(solution.t)
-    frame = [*beam.place, *beam.turning]
-    places = {name: _one_place(name, where, beam) for name, where in beam.attached.items()}
-    values = {"q": solution.q, "q_dot": solution.q_dot, "t": solution.t[:, None]}
-    c = model.constants(solution.parameters)
-    rows = {name: [k for k, row in enumerate(model.description.constraints) if row.joint == name] for name in places}
-    acting = {name: np.zeros((N, len(frame))) for name, own in rows.items() if own}
-    n_c, n = len(model.constraints), len(model.coordinates)
-    for first in range(0, N if acting else 0, LONGEST):
-        some = {key: value[first : first + LONGEST] for key, value in values.items()}
-        C_q = evaluate(model.kernel("constraints"), some, c)["C_q"].reshape(-1, n, n_c)
-        lam = solution.lam[first : first + LONGEST]
-        for name, force in acting.items():
-            part = np.einsum("sir,sr->si", C_q[:, frame][:, :, rows[name]], lam[:, rows[name]])
-            force[first : first + LONGEST] = -part
-    found = [(places[name], force) for name, force in acting.items()]
-    columns = [(record.body, name) for record in model.description.beams for name in record.loads]
-    if any(body == beam.name for body, _ in columns):
-        forces = evaluate(model.kernel("load_forces"), values, c)["load_forces"].reshape(N, len(columns), -1)
-        found += [(places[name], forces[:, k]) for k, (body, name) in enumerate(columns) if body == beam.name]
+        a_o = into_body(frame, vectors(moved[2][:, beam.place]) - gravity)
+        loads = [(places[name], wrench(force[rows], len(beam.place), frame)) for name, force in parts]
+        found[:, rows] = field.forces(moved, frame, a_o, loads)
     return found
 
 

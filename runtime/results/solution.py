@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from runtime.contract.body_motion import BodyMotion
 from runtime.contract.model import Model
 from runtime.results import export
+from runtime.results.body_motion import body_motion
 from runtime.results.samples import Samples
 from runtime.results.section_forces import SectionForces, Way, section_forces
 from runtime.results.showing import SHOWS
@@ -62,6 +64,13 @@ class Solution(Samples):
         of modal forces. at: 33 sections if left out. Errors as of runtime.results.section_forces.section_forces.
         """
         return section_forces(self, body, at, way)
+
+    def body_motion(self, body: str) -> BodyMotion:
+        """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.
+
+        Raises ModelError as runtime.results.body_motion.body_motion.
+        """
+        return body_motion(self, body)
 
     def to_csv(self, path: str | Path) -> None:
         """One row a sample, a header row of names; of the outputs if only those were kept. Raises OutputError."""

@@ -15,6 +15,7 @@ from runtime.contract.records import (
     Drawing,
     FunctionSpec,
     JointRecord,
+    LoadedBody,
     LoadRecord,
     Measure,
     PointRecord,
@@ -54,6 +55,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         functions=list(derived.functions.values() if functions is None else functions),
         inputs=eq.inputs,
         switching=[item for item, _ in eq.switching],
+        flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )

@@ -18,6 +18,7 @@ from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_loss
 from symgen.fe.lumping import lumped
 from symgen.fe.material import Material
 from symgen.fe.modal_fields import Marker, modal_fields
+from symgen.fe.mode_acceleration import EquilibriumStresses, equilibrium_stresses
 from symgen.fe.mode_sets import MODE_SETS, ModeSet, fixed_interface_modes, free_modes, mixed_modes
 from symgen.fe.nastran import BULK, nastran_matrices, nastran_nodes
 from symgen.fe.reading import MatrixSource, TableSource, read_dofs, read_matrix, read_nodes
@@ -25,7 +26,7 @@ from symgen.fe.report import body_report
 from symgen.fe.rigid_check import RigidCheck, check_free_body
 from symgen.fe.solids import solid_structure
 from symgen.fe.stress_stiffness import StressStiffening, stress_stiffening
-from symgen.fe.stresses import ModalStresses, SolidStress
+from symgen.fe.stresses import ModalStresses, SolidStress, solid_stress
 from symgen.fe.structure import AXES, FEStructure, structure
 from symgen.fe.surface import surface_data
 from symgen.modes.cleaning import Array, fixed
@@ -181,11 +182,16 @@ class FlexibleBody:
 
         Raises FiniteElementError for a body that is not made from a solid mesh.
         """
-        stress = self.structure.stress
-        if not isinstance(stress, SolidStress):
-            remedy = "make it with from_mesh from tetrahedra or hexahedra"
-            raise FiniteElementError("stresses", "the body is not made from a solid mesh", remedy)
+        stress = solid_stress(self.structure)
         return ModalStresses(fixed(stress.points - self.origin), fixed(stress.tensors(self.modes.shapes)))
+
+    def equilibrium_stresses(self, at: ArrayLike | None = None) -> EquilibriumStresses:
+        """Stresses by the forces of a motion (mode acceleration, inertia relief): `of(solution.body_motion("rod"))`.
+
+        at (m, 3) [m] from the origin: places, as of `stresses().at`; left out: points in the elements.
+        Raises FiniteElementError for a body that is not made from a solid mesh.
+        """
+        return equilibrium_stresses(self.structure, self.modes.shapes, self.origin, self.interfaces, at)
 
     def losses(self) -> list[FlexibilityLoss]:
         """What the modes lose of the static flexibility at each interface, against the full model.

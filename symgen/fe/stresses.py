@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symgen.fe.errors import FiniteElementError
 from symgen.fe.material import Material
-from symgen.fe.structure import AXES, Integers, StressStiffness
+from symgen.fe.structure import AXES, FEStructure, Integers, StressStiffness
 from symgen.modes.cleaning import Array
 
 VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
@@ -76,25 +77,39 @@ class ModalStresses:
 
         From the points around, by the linear field that fits them best: exact where the stress is linear.
         """
-        from scipy.spatial import KDTree  # when it is needed: importing it takes long
-
-        there = np.asarray(places, dtype=float)
-        _, near = KDTree(self.points).query(there, k=min(NEIGHBOURS, len(self.points)))
-        apart = self.points[near] - there[:, None]
-        size = np.linalg.norm(apart, axis=2).max(axis=1)[:, None]
-        fit = np.concatenate([np.ones((*near.shape, 1)), apart / size[..., None]], axis=2)
-        weights = np.linalg.pinv(fit, rcond=FLAT)[:, 0]  # (m, neighbours): the value of the linear field at the place
+        near, weights = linear_fit(self.points, np.asarray(places, dtype=float))
         parts = [self.tensors[:, i, j] for i, j in VOIGT]
         return np.stack([np.einsum("amk,mk->ma", part[:, near], weights) for part in parts], axis=1, dtype=np.float32)
 
     def von_mises(self, q_f: ArrayLike) -> Array:
         """(N, n) von Mises stress [Pa] for modal coordinates (N, nf)."""
-        found = []
-        for row in np.atleast_2d(np.asarray(q_f, dtype=float)):  # one sample at a time: tensors of all points are large
-            stress = self.of(row)[0]
-            deviator = stress - np.eye(AXES)[:, :, None] * np.einsum("iip->p", stress) / AXES
-            found.append(np.sqrt(1.5 * np.einsum("ijp,ijp->p", deviator, deviator)))
-        return np.array(found)
+        rows = np.atleast_2d(np.asarray(q_f, dtype=float))
+        return np.array([von_mises(self.of(row)[0]) for row in rows])  # one at a time: tensors of all points are large
+
+
+def von_mises(tensors: Array) -> Array:
+    """(n,) von Mises stress of stress tensors (3, 3, n) [Pa]."""
+    deviator = tensors - np.eye(AXES)[:, :, None] * np.einsum("iip->p", tensors) / AXES
+    return np.asarray(np.sqrt(1.5 * np.einsum("ijp,ijp->p", deviator, deviator)))
+
+
+def linear_fit(points: Array, places: Array) -> tuple[Integers, Array]:
+    """Places of points around and their weights (m, k each): a linear field's values at places (m, 3) [m]."""
+    from scipy.spatial import KDTree  # when it is needed: importing it takes long
+
+    _, near = KDTree(points).query(places, k=min(NEIGHBOURS, len(points)))
+    apart = points[near] - places[:, None]
+    size = np.linalg.norm(apart, axis=2).max(axis=1)[:, None]
+    fit = np.concatenate([np.ones((*near.shape, 1)), apart / size[..., None]], axis=2)
+    return near, np.linalg.pinv(fit, rcond=FLAT)[:, 0]
+
+
+def solid_stress(body: FEStructure) -> SolidStress:
+    """The stresses of a body. Raises FiniteElementError for one that is not made from a solid mesh."""
+    if isinstance(body.stress, SolidStress):
+        return body.stress
+    remedy = "make it with from_mesh from tetrahedra or hexahedra"
+    raise FiniteElementError("stresses", "the body is not made from a solid mesh", remedy)
 
 
 def frame_stress(

@@ -120,16 +120,16 @@ def energy(system: Condensed) -> Kernel:
     )
 
 
-def load_forces(system: Condensed, beams: Sequence[str]) -> Kernel:
-    """Generalised force of each load on the coordinates of each beam's frame [N, N m], zeros where one has fewer."""
+def load_forces(system: Condensed, bodies: Sequence[str]) -> Kernel:
+    """Generalised force of each load on the coordinates of each body's frame [N, N m], zeros where one has fewer."""
     eq = system.equations
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
-    frames = {beam: eq.frame_columns(beam) for beam in beams}
+    frames = {body: eq.frame_columns(body) for body in bodies}
     rows = max((len(columns) for columns in frames.values()), default=0)
     columns = [
         ca.vertcat(*(eq.load_forces[name].get(column, ca.SX(0)) for column in own), ca.SX(rows - len(own), 1))
-        for beam, own in frames.items()
-        for name in eq.loads_on(beam)
+        for body, own in frames.items()
+        for name in eq.loads_on(body)
     ]
     return Kernel(inputs, {"load_forces": ca.densify(ca.horzcat(*columns)) if columns else ca.SX(rows, 0)})
 

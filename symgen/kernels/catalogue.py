@@ -76,7 +76,7 @@ def kernel_builders(
         "measures": partial(measures, system),
         "load_actions": partial(load_actions, system),
         "poses": lambda: poses(system.equations),
-        "load_forces": partial(load_forces, system, list(system.equations.beams)),
+        "load_forces": partial(load_forces, system, [*system.equations.beams, *system.equations.flexible]),
     }
     if system.equations.switching:
         builders["switching"] = partial(switching, system)
@@ -111,7 +111,7 @@ def _absent(system: Condensed) -> frozenset[str]:
         "measures": eq.measures,
         "load_actions": eq.load_actions,
         "poses": eq.picture.poses,
-        "load_forces": [name for beam in eq.beams for name in eq.loads_on(beam)],
+        "load_forces": [name for body in (*eq.beams, *eq.flexible) for name in eq.loads_on(body)],
     }
     return frozenset(name for name, parts in gives.items() if not parts)
 

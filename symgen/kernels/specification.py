@@ -185,7 +185,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         _spec(
             "load_forces",
             "",
-            "Generalised force of each load on the coordinates of each beam's frame",
+            "Generalised force of each load on the coordinates of each flexible body's frame",
             "report",
             "q q_dot t u c",
             "load_forces",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import set_records
 from symgen.bodies.static_residual import static_residuals
-from symgen.scene import BeamBody, Scene, with_ends
+from symgen.scene import BeamBody, Scene, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
 from symgen.system.planar import PlanarSpace
@@ -56,5 +56,6 @@ def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equat
     equations.beams = {body.name: set_records(body) for body in exact}
     if scene.space == "planar":
         return Mechanism(scene, table, PlanarSpace(scene, table), equations, topology).equations
+    equations.flexible = [body.name for body in scene.bodies if isinstance(body, SpatialModalBody)]
     space = SpatialSpace(scene, table, equations, topology)
     return Mechanism(scene, table, space, equations, topology).equations

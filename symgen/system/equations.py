@@ -52,7 +52,8 @@ class Equations:
     springs: loads that are linear springs, by name. joint_columns: coordinates of joints; gravity: its components
     [m/s^2]; measure_units: SI unit of each measure. u: the entries of the inputs by name, each a symbol.
     load_forces: generalised force of each load and each joint's friction, by its name. beams: mode sets of the
-    beams with exact shapes; static_residuals: beams whose shapes do not carry what is attached to them.
+    beams with exact shapes; flexible: bodies in space with modes of their
+    own; static_residuals: beams whose shapes do not carry what is attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
     """
@@ -78,6 +79,7 @@ class Equations:
     measure_units: dict[str, str] = field(default_factory=dict)
     load_forces: dict[str, Row] = field(default_factory=dict)
     beams: dict[str, list[ModeSetRecord]] = field(default_factory=dict)
+    flexible: list[str] = field(default_factory=list)
     static_residuals: list[StaticResidual] = field(default_factory=list)
     load_actions: dict[str, Sequence[ca.SX]] = field(default_factory=dict)
     switching: list[tuple[str, ca.SX]] = field(default_factory=list)

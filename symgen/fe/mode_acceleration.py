@@ -1,0 +1,127 @@
+"""Stresses of a solid body by the forces that act on it: mode acceleration with inertia relief.
+
+The sum of modal stresses needs the static shapes of all loads among its modes. Here the body is solved statically for
+what loads it at each moment: the forces and moments at its interfaces, and the inertia forces -M a of the acceleration
+
+    a = a_o + G rho0 + sum_a G_a phi_a,   G = alpha~ + omega~ omega~,  G_a = G q_a + 2 omega~ q_a' + 1 q_a''
+
+All of it is linear in its causes, so that one static solution of the free body (balanced by its rigid acceleration) for
+each unit cause suffices: 9 fields x_i e_j, 9 nf fields phi_a,i e_j, 6 loads an interface. Weight and a_o are rigid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from runtime.contract.body_motion import BodyMotion, cross_matrix
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.interfaces import Interface
+from symgen.fe.static import inertia_relief
+from symgen.fe.stresses import linear_fit, solid_stress, von_mises
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
+from symgen.modes.cleaning import Array, fixed
+
+SAME_PLACE = 1e-9  # of the size of the body: a marker of another name there stands for the interface
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumStresses:
+    """Stresses of a body per unit cause at points (n, 3) [m] from its frame's origin.
+
+    tensors (k, 3, 3, n) [Pa]: of the fields x_i e_j (9, i slowest), phi_a,i e_j (9 nf, a slowest, then i), and of the
+    forces and moments of the interfaces (6 each). interfaces: name -> position (3,) [m] of the marker; nf: modes.
+    """
+
+    points: Array
+    tensors: Array
+    interfaces: dict[str, Array]
+    nf: int
+
+    def of(self, motion: BodyMotion) -> Array:
+        """(N, 3, 3, n) stress tensors [Pa] of a motion, `solution.body_motion(name)`.
+
+        Raises FiniteElementError for a motion of a body with other modes, and for forces at a marker that is no
+        interface.
+        """
+        return np.asarray(np.tensordot(self._causes(motion), self.tensors, axes=1))
+
+    def von_mises(self, motion: BodyMotion) -> Array:
+        """(N, n) von Mises stress [Pa]; arguments and errors as of `of`."""
+        return np.array([von_mises(np.tensordot(row, self.tensors, axes=1)) for row in self._causes(motion)])
+
+    def _causes(self, motion: BodyMotion) -> Array:
+        """(N, k) amounts of the unit causes."""
+        nf = motion.q_f.shape[1]
+        if nf != self.nf:
+            raise FiniteElementError(
+                "motion", f"{motion.body} has {nf} modes, not {self.nf}", "give that body's motion"
+            )
+        G, turning = motion.field(), 2.0 * cross_matrix(motion.omega)
+        modes = (
+            motion.q_f[:, :, None, None] * G[:, None]
+            + motion.q_f_dot[:, :, None, None] * turning[:, None]
+            + motion.q_f_ddot[:, :, None, None] * np.eye(AXES)
+        )
+        N = len(motion.t)
+        forces = {name: np.zeros((N, RIGID_MOTIONS)) for name in self.interfaces}
+        for one in motion.forces:
+            forces[self._interface(one.marker, one.position)] += one.wrench
+        fields = [-G.transpose(0, 2, 1).reshape(N, -1), -modes.transpose(0, 1, 3, 2).reshape(N, -1)]
+        return np.hstack([*fields, *forces.values()])
+
+    def _interface(self, marker: str, position: Array) -> str:
+        """The interface that a marker stands for: of its name, else at its place."""
+        if marker in self.interfaces:
+            return marker
+        size = float(np.ptp(self.points, axis=0).max()) if len(self.points) > 1 else 1.0
+        for name, place in self.interfaces.items():
+            if np.abs(place - position).max() <= SAME_PLACE * size:
+                return name
+        raise FiniteElementError(
+            f"marker '{marker}'", "forces act there, but it is no interface", "name an interface at that place"
+        )
+
+
+def equilibrium_stresses(
+    body: FEStructure, shapes: Array, origin: Array, interfaces: Mapping[str, Interface], at: ArrayLike | None
+) -> EquilibriumStresses:
+    """For shapes (n_dof, nf) about `origin` (3,) [m]; at: see `FlexibleBody.equilibrium_stresses`, errors too."""
+    stress = solid_stress(body)
+    points, pick = stress.points - origin, _all
+    if at is not None:
+        places = _places(at)
+        near, weights = linear_fit(points, places)
+        points, pick = places, lambda tensors: np.einsum("ijmk,mk->ijm", tensors[:, :, near], weights)
+    solve = inertia_relief(body.K, body.M, body.rigid(body.positions.mean(axis=0)))
+    linear = (body.positions - origin)[:, :, None]  # (nodes, i, 1)
+    fields = [_along_axes(body, linear), _along_axes(body, body.nodal(shapes, 0))]
+    loads = [body.M @ np.hstack(fields), *(np.asarray(part.average.todense()).T for part in interfaces.values())]
+    bent = solve(np.hstack(loads))
+    tensors = [pick(stress.tensors(bent[:, k : k + 1])[0]) for k in range(bent.shape[1])]
+    markers = {name: np.asarray(part.position - origin) for name, part in interfaces.items()}
+    return EquilibriumStresses(fixed(points), fixed(np.stack(tensors)), markers, shapes.shape[1])
+
+
+def _places(at: ArrayLike) -> Array:
+    wanted = np.atleast_2d(np.asarray(at, dtype=float))
+    if wanted.shape[1] != AXES or not np.isfinite(wanted).all():
+        raise FiniteElementError("at", "has rows that are no points", "give x, y, z in metres")
+    return wanted
+
+
+def _all(tensors: Array) -> Array:
+    return tensors
+
+
+def _along_axes(body: FEStructure, nodal: Array) -> Array:
+    """(n_dof, 9 k) of nodal vectors (nodes, 3, k): for each of them, component i of it along axis j."""
+    n, _, k = nodal.shape
+    fields = np.zeros((body.n_dof, k, AXES, AXES))
+    for j in range(AXES):
+        rows = body.component == j
+        fields[rows, :, :, j] = nodal[body.node[rows]].transpose(0, 2, 1)
+    return fields.reshape(body.n_dof, -1)
