@@ -20,11 +20,12 @@ LONGEST = 256  # samples at once
 def attached_markers(model: Model, body: str) -> dict[str, list[str]]:
     """Joints and loads on a body -> the names of their markers on it."""
     described, found = model.description, {}
+    markers = {f"{body}.{marker}": marker for one in described.bodies if one.name == body for marker in one.markers}
     pairs = [(joint.name, [joint.marker_a, joint.marker_b]) for joint in described.joints]
     acting = {name for owner, name in described.load_columns if owner == body}
     pairs += [(load.name, list(load.markers.values())) for load in described.loads if load.name in acting]
     for name, references in pairs:
-        own = [one.partition(".")[2] for one in references if one.partition(".")[0] == body]
+        own = [markers[one] for one in references if one in markers]
         if own:
             found[name] = own
     return found
