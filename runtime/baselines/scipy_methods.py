@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, observed_solution, start_of
+from runtime.baselines.pieces import Impulses, Slope, pieces_of
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.contract.model import Model
 from runtime.contract.status import Status
@@ -17,7 +18,6 @@ from runtime.results.solution import Solution
 
 EXPLICIT = ("RK23", "RK45", "DOP853")
 IMPLICIT = ("Radau", "BDF", "LSODA")
-Slope = Callable[[float, np.ndarray], np.ndarray]
 MOST_EVALUATIONS = 5_000_000  # minutes of work: at a singular position steps would shrink for ever
 
 
@@ -40,8 +40,6 @@ def scipy_solution(
     times: where to report (the end only by default). Raises ArgumentError for an unknown method, ModelError or
     InitialStateError for bad arguments, NoResult after MOST_EVALUATIONS.
     """
-    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
-
     if method not in EXPLICIT + IMPLICIT:
         raise ArgumentError(f"method must be one of {', '.join(EXPLICIT + IMPLICIT)}, not {method!r}")
     given = start_of(model, parameters, initial, start)
@@ -53,30 +51,55 @@ def scipy_solution(
         more["jac"] = lambda t, y: jacobian(t, y).reshape(size, size).T.copy()
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     started = time.perf_counter()
-    result = solve_ivp(
-        counted(slope, method), (0.0, t_end), given.y, method=method, t_eval=t, rtol=rtol, atol=atol, **more
-    )
-    wall = time.perf_counter() - started
-    status = (
-        Status("completed", t_end)
-        if result.success
-        else Status(
-            "integrator_refused",
-            float(result.t[-1]) if len(result.t) else 0.0,
-            None,
-            str(result.message),
-            "Loosen the tolerances.",
-        )
-    )
+    settings = {"method": method, "rtol": rtol, "atol": atol}
+    results = in_pieces(model, given.c, counted(slope, method), given.y, t_end, t, **settings, **more)
+    wall, last = time.perf_counter() - started, results[-1]
+    reached, states = (np.concatenate([getattr(one, name) for one in results], axis=-1) for name in ("t", "y"))
+    status = Status("completed", t_end)
+    if not last.success:
+        late = float(reached[-1]) if len(reached) else 0.0
+        status = Status("integrator_refused", late, None, str(last.message), "Loosen the tolerances.")
     stats: dict[str, float | int | str] = {
-        "evaluations": int(result.nfev),
+        "evaluations": sum(int(one.nfev) for one in results),
         "wall_seconds": wall,
         "rtol": rtol,
         "atol": atol,
     }
     if method in IMPLICIT:
-        stats |= {"jacobians": int(result.njev), "factorisations": int(result.nlu)}
-    return observed_solution(model, given, result.t, result.y.T, method, stats, status)
+        stats |= {"jacobians": sum(int(one.njev) for one in results)}
+        stats |= {"factorisations": sum(int(one.nlu) for one in results)}
+    return observed_solution(model, given, reached, states.T, method, stats, status)
+
+
+def in_pieces(
+    model: Model,
+    c: np.ndarray,
+    slope: Slope,
+    y: np.ndarray,
+    t_end: float,
+    times: np.ndarray | None,
+    **settings: Any,
+) -> list[Any]:
+    """Results of solve_ivp from 0, one a piece between jumps, until one fails; times: where to report (None: all)."""
+    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
+
+    pieces = pieces_of(model, c, t_end)
+    if len(pieces) == 1:
+        return [solve_ivp(slope, (0.0, t_end), y, t_eval=times, **settings)]
+    impulses, results = Impulses(model, c), list[Any]()
+    for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
+        own = times
+        if times is not None:
+            own = times[(times >= piece.start) & ((times < piece.end) | (after is None))]
+            own = own if after is None else np.append(own, piece.end)
+        found = solve_ivp(piece.within(slope), (piece.start, piece.end), y, t_eval=own, **settings)
+        results.append(found)
+        if not found.success or after is None:
+            break
+        y = impulses.across(found.y[:, -1], piece.last, after.first)
+        if times is not None:
+            found.t, found.y = found.t[:-1], found.y[:, :-1]
+    return results
 
 
 def counted(slope: Slope, method: str) -> Slope:

@@ -16,6 +16,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde, Start, observed_solution, start_of
+from runtime.baselines.pieces import refuse_impulses
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model
 from runtime.contract.status import Status
@@ -62,6 +63,7 @@ def sundials_solution(
             f"not {method!r} and {multistep!r}"
         )
     given = start_of(model, parameters, initial, start)
+    refuse_impulses(model, given.c, t_end, given.y, method)
     t = np.array([t_end]) if times is None else np.asarray(times, dtype=float)
     done = _integrated(model, method, given, t, _options(method, multistep, rtol, atol), compiled)
     name = f"{method} {multistep}" if method == "cvodes" else method

@@ -27,7 +27,13 @@ StatusName = Literal[
     "not_assembled",
 ]
 EventKind = Literal[
-    "repartition", "singular_position", "no_variant", "checkpoint_failed", "load_missed", "shapes_missing"
+    "repartition",
+    "singular_position",
+    "no_variant",
+    "checkpoint_failed",
+    "load_missed",
+    "shapes_missing",
+    "velocity_jump",
 ]
 
 

@@ -25,6 +25,7 @@ from runtime.running.singular.passage import Passage, locate
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
 LONGEST_BATCH = 1 << 20
+MOST_TOLD = 100  # impulses of prescribed motions, each an event
 Progress = Callable[[float, float], None]
 
 
@@ -145,7 +146,15 @@ class Run:
         else:
             self.guard.accept(*determinants)
             self.earlier = before
+        self._note_impulses()
         self.status = self.status or self._checked()
+
+    def _note_impulses(self) -> None:
+        """An event for each impulse of a prescribed motion until now."""
+        told = {event.time for event in self.events if event.kind == "velocity_jump"}
+        for event in self.segment.impulses_until(self.segment.plan.time(self.step)):
+            if event.time not in told and len(told) < MOST_TOLD:
+                self.events.append(event)
 
     def _checked(self, closely: bool = False) -> Status | None:
         return self.segment.monitor.after(self._state, last=closely or self.step == self.segment.plan.steps)

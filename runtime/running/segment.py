@@ -8,16 +8,17 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
+from runtime.contract.status import Event
 from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
-from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
+NEAR = 1e-6  # of a step: what happens at its end
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
@@ -27,7 +28,6 @@ class Segment(SteppedModel):
 
     monitor: Monitor
     _energies: ca.Function | None = None
-    _jumps: list[SwitchTime] | None = None  # what no step of a scheme with a tolerance crosses
 
     @classmethod
     def build(cls, model: Model, plan: Plan, p: np.ndarray, engine: str) -> Segment:
@@ -36,15 +36,19 @@ class Segment(SteppedModel):
         watch_turns(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
         monitor = Monitor(model, plan.scheme, one.c, force=plan.force, p=one.p)
-        return cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
+        found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
+        found.find_switches(plan.t0, plan.t_end)
+        return found
 
     def start(self, q: np.ndarray, q_dot: np.ndarray, step: int = 0, work: float = 0.0) -> np.ndarray:
         """The whole z at a consistent state of all coordinates (n,) after so many steps of the run (Eqs. 68-71).
 
         work [J]: what was done on the mechanism until then.
         """
-        z = self.begin(self.plan.time(step), q, q_dot)
-        z[0], z[1] = self.plan.t0, step  # the grid of times is the run's
+        grid = self.plan.time(step)
+        start = grid if self.broken is None else self.broken.clock(step)
+        z = self.begin(start, q, q_dot)
+        z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
         begin_turns(self.plan.scheme, z)
         self.count_anew(z, work)
@@ -52,6 +56,9 @@ class Segment(SteppedModel):
 
     def count_anew(self, z: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of which the work until then [J] is known."""
+        if self.broken is not None:
+            self.broken.count_anew(z, self.c, work)
+            return
         constants = self.plan.scheme.constants(self.c)
         begin_account(self.plan.scheme, z, constants, work, lambda state: self.advance(state, 1))
 
@@ -75,10 +82,8 @@ class Segment(SteppedModel):
             self.advance(z, steps)
             return
         end = self.step_of(z) + steps
-        if self._jumps is None:
-            self._jumps = switching_times(self.model, self.c, self.plan.t0, self.plan.t_end)
         while self.step_of(z) < end and not scheme.is_stuck(z):
-            scheme.look_ahead(z, self._jumps)
+            scheme.look_ahead(z, self.switches)
             self.advance(z, end - self.step_of(z))
 
     def land(self, z: np.ndarray) -> None:
@@ -86,6 +91,19 @@ class Segment(SteppedModel):
         scheme = self.plan.scheme
         if isinstance(scheme, AdaptiveSteps):
             scheme.land(z)
+
+    def impulses_until(self, time: float) -> list[Event]:
+        """Those of prescribed motions whose velocity has jumped until a time [s]."""
+        names, found = self.model.coordinates, []
+        for at, impulse in sorted(self.broken.impulses.items()) if self.broken is not None else []:
+            if at <= time + NEAR * self.plan.grid.dt_L:
+                k = int(np.abs(impulse.jumps).argmax())
+                text = (
+                    f"the velocity of a prescribed motion jumps: its impulse changes the rate of {names[k]} by "
+                    f"{impulse.jumps[k]:.6g}, the energy by {impulse.energy:.6g} J"
+                )
+                found.append(Event(at, "velocity_jump", text))
+        return found
 
     def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
         """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""

@@ -73,9 +73,7 @@ def simulate(
     schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
     p = started(model, model.parameter_vector(parameters), schedule, t0)
     state = start_state(model, p, model.constants(p), t0, initial, start)
-    events = check_time_functions(model, model.constants(p), plan, state)
     run, set_up = _begun(model, plan, p, state, more, rule)
-    run.events += events
     run.schedule = with_reads(schedule, run)
     return finished(run, set_up)
 
@@ -99,6 +97,7 @@ def _begun(
     """(a run at its checked start with parameters p (n_p,), seconds that preparing it took)."""
     started = time.perf_counter()
     segment = Segment.build(model, plan, p, more.engine)
+    events = check_time_functions(model, segment.c, plan, state, segment.switches)
     z = segment.start(state.q, state.q_dot)
     set_up = time.perf_counter() - started
     changes = ", ".join(f"{key}: {a:.9g} -> {b:.9g}" for key, (a, b) in state.changed.items() if _differ(a, b))
@@ -111,6 +110,7 @@ def _begun(
         rule,
         changes or "none",
         progress,
+        events,
         engine=more.engine,
         guard=segment.new_guard(),
         accuracy=Accuracy(plan.steps, plan.scheme.adaptive),

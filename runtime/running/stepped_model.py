@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Self
 
 import numpy as np
@@ -14,6 +14,8 @@ from runtime.results.observe import observe_samples
 from runtime.results.solution import Solution
 from runtime.running.plan import Plan
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.times import SwitchTime, switching_times
 
 
 @dataclass(eq=False)
@@ -21,7 +23,8 @@ class SteppedModel:
     """model, plan and compiled stepper; p (n_p,), c (c_size,) and `ready`, what the compiled program reads.
 
     The arrays stay where they are and change in place: compiled code that was bound to them sees it. States z (flat)
-    belong to whoever steps.
+    belong to whoever steps. switches: times at which loads or motions jump or kink, where they were looked for;
+    broken: who steps across them.
     """
 
     model: Model
@@ -30,6 +33,8 @@ class SteppedModel:
     p: np.ndarray
     c: np.ndarray
     ready: np.ndarray
+    switches: list[SwitchTime] = field(default_factory=list, init=False)
+    broken: BrokenSteps | None = field(default=None, init=False)
 
     @classmethod
     def prepared(cls, model: Model, plan: Plan, p: np.ndarray, engine: str, wait: bool = False) -> Self:
@@ -48,8 +53,26 @@ class SteppedModel:
         return self.stepper.start(t, q, q_dot, self.c, self.plan.grid.dt_L)
 
     def advance(self, z: np.ndarray, steps: int) -> None:
-        """Make so many major steps in one native call, in place."""
-        self.stepper.run(z, self.ready, steps)
+        """Make so many major steps in place, in one native call where nothing jumps."""
+        if self.broken is None:
+            self.stepper.run(z, self.ready, steps)
+        else:
+            self.broken.run(z, self.ready, self.c, steps)
+
+    def with_inputs(self, z: np.ndarray) -> np.ndarray:
+        """(c_size,) the constants with the inputs that z holds."""
+        layout = self.plan.scheme.layout
+        if "inputs" not in layout.sizes:
+            return self.c
+        held = z[layout.slice("inputs")]
+        return np.concatenate([self.c[: len(self.c) - len(held)], held])
+
+    def find_switches(self, t0: float, t_end: float) -> None:
+        """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
+        self.switches = switching_times(self.model, self.c, t0, t_end)
+        scheme, length = self.plan.scheme, self.plan.grid.dt_L
+        breaks = bool(self.switches) and not scheme.adaptive  # who chooses the ends of steps puts them there
+        self.broken = BrokenSteps(self.stepper, t0, length, self.switches) if breaks else None
 
     def bound(self, z: np.ndarray) -> Callable[[int], None]:
         """`advance` of a z that stays where it is: a call costs nothing but its steps."""

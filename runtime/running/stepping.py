@@ -19,6 +19,7 @@ from runtime.running.monitor import Monitor
 from runtime.running.plan import make_plan
 from runtime.running.reading import reading
 from runtime.running.stepped_model import SteppedModel
+from runtime.running.unending import UnendingSteps, may_jump
 from runtime.start.start_state import start_state
 
 HORIZON = 1e9  # major steps: no end is meant
@@ -26,10 +27,11 @@ HORIZON = 1e9  # major steps: no end is meant
 
 @dataclass(frozen=True, eq=False)
 class SteppedState:
-    """Everything that the next step depends on: the scheme's z (flat) and the parameters p (n_p,)."""
+    """All that the next step depends on: the scheme's z (flat), the parameters p (n_p,), where its grid begins [s]."""
 
     z: np.ndarray
     p: np.ndarray
+    t0: float = 0.0
 
 
 class ModelStepper:
@@ -67,7 +69,9 @@ class ModelStepper:
         state = start_state(model, self.parameters, self._own.c, 0.0, None)
         # this array stays where it is: compiled code and readers know its address
         self._z = self._own.begin(0.0, state.q, state.q_dot).copy()
-        self._advance = self._own.bound(self._z)
+        self._across = UnendingSteps(self._own, self._z) if may_jump(model) else None
+        self._advance = self._own.bound(self._z) if self._across is None else self._across.run
+        self._set_out(0.0)
         w = model.signals
         self._own_inputs = self._z[plan.scheme.layout.slice("inputs")] if model.inputs else self._z[:0]
         self._plain_inputs = {} if SINCE in w.names or w.sources else {name: k for k, name in enumerate(w.names)}
@@ -99,7 +103,13 @@ class ModelStepper:
             found = start_state(self.model, self.parameters, self._own.c, t, state, start)
             q, q_dot = found.q, found.q_dot
         self._z[:] = self._own.begin(t, q, q_dot)
+        self._set_out(t)
         self._sample = None
+
+    def _set_out(self, t: float) -> None:
+        """The grid of steps begins at t [s]; a jump that is there is over."""
+        if self._across is not None:
+            self._across.begin(t)
 
     def step(self, u: int | Mapping[str, float] | Sequence[float] | None = None, n: int = 1) -> None:
         """Make n major steps with the inputs u: by name, or one number for each of model.inputs; None: as they are.
@@ -117,6 +127,8 @@ class ModelStepper:
 
     def _hold(self, u: Mapping[str, float] | Sequence[float]) -> None:
         """From now on these inputs."""
+        if self._across is not None:
+            self._across.forget()
         names, own = self.model.inputs, self._own_inputs
         if not isinstance(u, Mapping):
             if len(u) != len(names):
@@ -158,7 +170,8 @@ class ModelStepper:
 
     def save(self) -> SteppedState:
         """What `restore` goes back to."""
-        return SteppedState(self._z.copy(), self.parameters.copy())
+        t0 = float(self._z[0]) if self._across is None else self._across.t0
+        return SteppedState(self._z.copy(), self.parameters.copy(), t0)
 
     def restore(self, kept: SteppedState) -> None:
         """Go back to what was saved. Raises ArgumentError if it is of another stepper."""
@@ -168,6 +181,8 @@ class ModelStepper:
             )
         self._take(kept.p)
         self._z[:] = kept.z
+        if self._across is not None:
+            self._across.t0 = kept.t0
         self._sample = None
 
     # ---- reading --------------------------------------------------------------------------------------------
@@ -240,6 +255,8 @@ class ModelStepper:
     def _take(self, p: np.ndarray) -> None:
         """Other parameters: what the program reads is written in place."""
         self._own.take(p)
+        if self._across is not None:
+            self._across.forget()
         self._constants[:] = self.scheme.constants(self._own.c, self.dt)
         self._sample = None
 

@@ -1,12 +1,14 @@
 """Loads and prescribed motions as functions of time alone: do the steps of a run see what they do?
 
-Everything but t is held as it is at the start. Each of the shortest steps is looked into at a few points: a load whose
-impulse the ends of the steps do not show is named, and so is a prescribed motion whose velocity jumps, which would need
-an impulse that no step of finite forces gives.
+Everything but t is held as it is at the start. Where a load jumps or kinks steps end, so that nothing is missed there.
+Of the others each of the shortest steps is looked into at a few points: a load whose impulse the ends of the steps do
+not show is named. A prescribed motion whose velocity jumps at a known time has an impulse; one whose position jumps is
+refused, and so is a jump of velocity that no condition tells of.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import prod
 
 import casadi as ca
@@ -17,23 +19,56 @@ from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
 from runtime.schemes.stage_equations import is_long_tree
+from runtime.schemes.switching.times import SwitchTime, switching_times
 
 INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
 MISSED = 0.02  # of the whole impulse of a load
-JUMP = 1e-6  # of the largest velocity of the prescribed motions
+JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
+SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad
 CANDIDATES, HALVINGS = 8, 60
 
 
-def check_time_functions(model: Model, c: np.ndarray, plan: Plan, state: ConsistentState) -> list[Event]:
-    """What steps of the plan miss, in events. Raises ModelError for a prescribed motion whose velocity jumps."""
+def check_time_functions(
+    model: Model, c: np.ndarray, plan: Plan, state: ConsistentState, switches: Sequence[SwitchTime] | None = None
+) -> list[Event]:
+    """What steps of the plan miss, in events. Raises ModelError for a prescribed motion that jumps.
+
+    switches: where steps end; None where they do not. Then, and where steps follow from a tolerance, a jump of velocity
+    is refused, too.
+    """
+    known = switching_times(model, c, plan.t0, plan.t_end) if switches is None else switches
+    refuse_position_jumps(model, c, state, known, plan.t0, plan.t_end)
     steps = plan.steps * prod(plan.grid.m)
     points = min(INSIDE, MOST_POINTS // steps)
     if points < 2:
         return []
     times = np.linspace(plan.t0, plan.t_end, steps * points + 1)
-    _refuse_jumps(model, c, state, times)
-    return _missed_loads(model, c, state, times, points)
+    ends = [one.time for one in switches or ()]
+    _refuse_jumps(model, c, state, times, [] if plan.scheme.adaptive else ends)
+    broken = np.unique([int((end - plan.t0) / plan.grid.dt_L * (1 - 1e-9)) for end in ends]).astype(int)
+    sub_steps = np.repeat(np.isin(np.arange(plan.steps), broken), prod(plan.grid.m))
+    return _missed_loads(model, c, state, times, points, sub_steps)
+
+
+def refuse_position_jumps(
+    model: Model, c: np.ndarray, state: ConsistentState, switches: Sequence[SwitchTime], t0: float, t_end: float
+) -> None:
+    """Raises ModelError for a prescribed motion whose position jumps at one of these times, by what it does else."""
+    function = _of_time(model, c, state, "constraints", "C") if model.constraints and switches else None
+    if function is None:
+        return
+    sides = np.array([[one.before, one.after] for one in switches]).ravel()
+    values = np.asarray(function(np.concatenate([sides, np.linspace(t0, t_end, SEEN)])[None, :]))
+    jumps = np.abs(values[:, 1 : len(sides) : 2] - values[:, 0 : len(sides) : 2])
+    allowed = JUMP * np.ptp(values, axis=1) + DUST
+    row, k = divmod(int((jumps - allowed[:, None]).argmax()), len(switches))
+    if jumps[row, k] > allowed[row]:
+        raise ModelError(
+            f"prescribed motion of {model.constraints[row]}",
+            f"its position jumps by {jumps[row, k]:.4g} at t = {switches[k].time:.6g} s",
+            "let it go there in a finite time; a jump of its velocity is possible, one of its position is not",
+        )
 
 
 def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, output: str) -> ca.Function | None:
@@ -54,7 +89,9 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     return ca.Function("of_time", [t], [found]) if ca.depends_on(found, t) else None
 
 
-def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray) -> None:
+def _refuse_jumps(
+    model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, ends: Sequence[float]
+) -> None:
     function = _of_time(model, c, state, "constraints", "C_t") if model.constraints else None
     if function is None:
         return
@@ -62,6 +99,8 @@ def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np
     for row, values in enumerate(velocities):
         allowed = JUMP * max(float(np.abs(values).max()), 1e-300)
         for k in np.argsort(-np.abs(np.diff(values, 2)))[:CANDIDATES]:  # steep is no jump
+            if any(times[k] <= end <= times[k + 2] for end in ends):
+                continue
             near = k - 1 if k > 0 else min(k + 2, len(values) - 2)
             slope = float(values[near + 1] - values[near]) / float(times[near + 1] - times[near])
 
@@ -84,7 +123,9 @@ def _refuse_jumps(model: Model, c: np.ndarray, state: ConsistentState, times: np
                 )
 
 
-def _missed_loads(model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int) -> list[Event]:
+def _missed_loads(
+    model: Model, c: np.ndarray, state: ConsistentState, times: np.ndarray, points: int, broken: np.ndarray
+) -> list[Event]:
     if is_long_tree(model) and "t" not in model.kernel("forward_dynamics").name_in():
         return []
     function = _of_time(model, c, state, "condensed", "Q_hat")
@@ -97,7 +138,7 @@ def _missed_loads(model: Model, c: np.ndarray, state: ConsistentState, times: np
     impulse = fine.reshape(len(forces), -1, points).sum(axis=2)
     ends = varying[:, ::points]
     shown = points * h * (ends[:, 1:] + ends[:, :-1]) / 2
-    missed = np.abs(impulse - shown)
+    missed = np.where(broken, 0.0, np.abs(impulse - shown))
     share = missed.max(axis=1) / np.maximum(np.abs(fine).sum(axis=1), 1e-300)
     worst = int(share.argmax())
     if not share[worst] > MISSED:

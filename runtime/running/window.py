@@ -9,6 +9,7 @@ import numpy as np
 from runtime.contract.model import ModelError
 from runtime.running.segment import Segment
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.switching.broken_steps import BrokenSteps
 
 FINER = 8  # tolerance of the run over that of the finer one
 STEPS = 4  # of a run whose steps follow from a tolerance
@@ -47,8 +48,8 @@ def _of_one_length(segment: Segment, z: np.ndarray, length: int) -> Window:
     start = segment.observed([stepper.state(z)])
     t, q, q_dot = float(start.t[0]), start.q[0], start.q_dot[0]
     segment.run(z, length)
-    halved = stepper.start(t, q, q_dot, segment.c, dt / 2)
-    stepper.run(halved, stepper.ready(segment.c, dt / 2), 2 * length)
+    halved, half = stepper.start(t, q, q_dot, segment.c, dt / 2), BrokenSteps(stepper, t, dt / 2, segment.switches)
+    half.run(halved, stepper.ready(segment.c, dt / 2), segment.c, 2 * length)
     constants = scheme.constants(segment.c, dt), scheme.constants(segment.c, dt / 2)
     more = 2.0**scheme.order / (2.0**scheme.order - 1)
     return Window(q, q_dot, z, constants[0], halved, constants[1], length * dt, more)

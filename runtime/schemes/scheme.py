@@ -118,12 +118,12 @@ class Scheme(ABC):
     @property
     def memory(self) -> list[str]:
         """The fields of z through which one major step acts on the next, in the order of z."""
-        return self._lasting(Lasting.STATE, Lasting.HISTORY)
+        return self.lasting(Lasting.STATE, Lasting.HISTORY)
 
     @property
     def history(self) -> list[str]:
         """Of these, what each coordinate of q_i remembers of earlier steps."""
-        return self._lasting(Lasting.HISTORY)
+        return self.lasting(Lasting.HISTORY)
 
     def keep_account(self, sizes: Mapping[str, int]) -> None:
         """Further fields of z that no step reads. Before anything of the scheme is built."""
@@ -133,9 +133,10 @@ class Scheme(ABC):
     @property
     def bookkeeping(self) -> list[str]:
         """The fields of z that do not act on any value of the motion."""
-        return self._lasting(Lasting.CONTROL, Lasting.ACCOUNT)
+        return self.lasting(Lasting.CONTROL, Lasting.ACCOUNT)
 
-    def _lasting(self, *kinds: Lasting) -> list[str]:
+    def lasting(self, *kinds: Lasting) -> list[str]:
+        """The fields of z that matter so long, in the order of z."""
         return [name for name, one in self._fields.items() if one.lasting in kinds]
 
     def constants(self, c: np.ndarray, dt: float | None = None) -> np.ndarray:

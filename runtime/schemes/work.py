@@ -55,11 +55,12 @@ def accounted(scheme: Scheme) -> bool:
 
 
 def begin_account(
-    scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float, step: Callable[[np.ndarray], None]
+    scheme: Scheme, z: np.ndarray, c: np.ndarray, work: float, step: Callable[[np.ndarray], None] | None
 ) -> None:
     """Count anew from a state z (at least the scheme's part, flat) with this work [J]; c as the stages read it.
 
-    step advances a state by a major step: the first powers are looked at in advance, for Gregory's formula.
+    step advances a state by a major step: the first powers are looked at in advance, for Gregory's formula; None where
+    something jumps within them.
     """
     if not accounted(scheme):
         return
@@ -73,7 +74,7 @@ def begin_account(
     if scheme.power_at == END_OF_STEP:
         start = P_0 / 2
     elif scheme.power_at != MIDDLE:
-        P_1, P_2 = _next_powers(scheme, z.copy(), c, step)
+        P_1, P_2 = (P_0, P_0) if step is None else _next_powers(scheme, z.copy(), c, step)
         if not np.isfinite([P_1, P_2]).all():
             P_1 = P_2 = P_0
         bend = P_0 - 2 * P_1 + P_2

@@ -110,7 +110,7 @@ def _changes(value: ca.SX, t: ca.SX, t0: float, t_end: float) -> list[tuple[floa
     after = -_last(-high, -low, lambda x: np.where(rising, at(-x) > 0, at(-x) < 0), np.where(rising, b > 0, b < 0))
     time = before + (after - before) / 2
     inside = (time >= t0 - around) & (time <= t_end + around)
-    margin = MARGIN * np.maximum(np.abs(time), t_end - t0)
+    margin = MARGIN * np.abs(time)
     clocks = np.column_stack([np.clip(time, t0, t_end), before - margin, after + margin])[inside]
     return [(float(one), float(two), float(three)) for one, two, three in clocks]
 

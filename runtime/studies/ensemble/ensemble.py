@@ -15,6 +15,7 @@ from runtime.contract.model import Model, ModelError
 from runtime.results.meter import Meter
 from runtime.running.plan import whole_number
 from runtime.running.time_functions import check_time_functions
+from runtime.schemes.switching.times import switching_times
 from runtime.start.start_state import start_state
 from runtime.studies.ensemble.conduct import Means, Progress, answered
 from runtime.studies.ensemble.dataset import dataset
@@ -101,5 +102,6 @@ def _check_names(model: Model, question: Question, table: np.ndarray) -> None:
         if name not in coordinates:
             start_state(model, p, model.constants(p), question.t0, {name: 0.0}, question.start or None)  # says why
     if model.constraints:
-        own = start_state(model, p, model.constants(p), 0.0, None, "given")
-        check_time_functions(model, model.constants(p), plan, own)
+        c = model.constants(p)
+        own = start_state(model, p, c, 0.0, None, "given")
+        check_time_functions(model, c, plan, own, switching_times(model, c, plan.t0, plan.t_end))

@@ -10,6 +10,7 @@ import numpy as np
 from runtime.contract.model import Model
 from runtime.engine.ensemble_code import blocks_of
 from runtime.studies.ensemble.account import cause_of
+from runtime.studies.ensemble.jumping import jumping
 from runtime.studies.ensemble.lane_programs import programs_of
 from runtime.studies.ensemble.looks import FIELDS, FOUND, judged
 from runtime.studies.ensemble.question import Question
@@ -48,6 +49,7 @@ class LaneRuns:
         """All runs of these cases; None if `stopped` said so on the way."""
         blocks, cases = self.begun(starts), len(starts.close)
         alone = starts.close & ~(self.values(blocks, cases, "fits")[:, 0] > 0)
+        alone |= jumping(self.programs.plan, starts)
         watch = _Watch(self._looked(blocks, cases))
         samples, done = self._first_samples(blocks, cases), 0
         for step, looking, sampled in self._stations():

@@ -14,6 +14,8 @@ import numpy as np
 from runtime.results.sampling import evaluate
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.times import SwitchTime, switching_times
 from runtime.schemes.verdict import verdict
 from runtime.studies.work_precision.problem import Problem
 
@@ -86,7 +88,8 @@ class PreparedMethod:
         problem = self.problem
         dt = problem.t_end / steps
         z0, ready = self._started(dt)
-        states, seconds = self._sampled(z0, ready, steps)
+        broken = self._broken(dt)
+        states, seconds = self._sampled(z0, ready, broken, steps)
         per_step, partial = self.scheme.evaluations()
         iterations = int(np.nan_to_num(states[-1][self.scheme.layout.slice("iterations")][0]))
         evaluations = (iterations or steps * per_step) + steps * partial
@@ -99,13 +102,13 @@ class PreparedMethod:
             return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
         if ended == "iteration_failed":
             return self._failed(dt, steps, seconds, evaluations, "iteration failed")
-        seconds = self._timed(z0, ready, steps, seconds)
+        seconds = self._timed(z0, ready, broken, steps, seconds)
         return Trial(self.spec.label, dt, steps, seconds, evaluations, float(rms.max()), float(end.max()), rms)
 
     def observed(self, steps: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
         """(what a run in so many steps shows at N samples: each (N, size); the model's constants (c_size,))."""
         dt = self.problem.t_end / steps
-        states, _ = self._sampled(*self._started(dt), steps)
+        states, _ = self._sampled(*self._started(dt), self._broken(dt), steps)
         return self._seen(states, dt), self.problem.c
 
     def _seen(self, states: list[np.ndarray], dt: float) -> dict[str, np.ndarray]:
@@ -115,13 +118,29 @@ class PreparedMethod:
         problem, state = self.problem, self.problem.state
         return (self._stepper.start(0.0, state.q, state.q_dot, problem.c, dt), self._stepper.ready(problem.c, dt))
 
-    def _sampled(self, z0: np.ndarray, ready: np.ndarray, steps: int) -> tuple[list[np.ndarray], float]:
+    def _broken(self, dt: float) -> BrokenSteps | None:
+        """Who steps where something jumps."""
+        return BrokenSteps(self._stepper, 0.0, dt, self._switches) if self._switches else None
+
+    def _run(self, z: np.ndarray, ready: np.ndarray, broken: BrokenSteps | None, steps: int) -> None:
+        if broken is None:
+            self._stepper.run(z, ready, steps)
+        else:
+            broken.run(z, ready, self.problem.c, steps)
+
+    @cached_property
+    def _switches(self) -> list[SwitchTime]:
+        return switching_times(self.problem.model, self.problem.c, 0.0, self.problem.t_end)
+
+    def _sampled(
+        self, z0: np.ndarray, ready: np.ndarray, broken: BrokenSteps | None, steps: int
+    ) -> tuple[list[np.ndarray], float]:
         z, states, spent, every = z0.copy(), [self._stepper.state(z0).copy()], 0.0, max(1, ceil(steps / SAMPLES))
         done = 0
         while done < steps:
             n = min(every, steps - done)
             began = time.process_time()
-            self._stepper.run(z, ready, n)
+            self._run(z, ready, broken, n)
             spent += time.process_time() - began
             done += n
             states.append(self._stepper.state(z).copy())
@@ -129,7 +148,7 @@ class PreparedMethod:
                 break
         return states, spent
 
-    def _timed(self, z0: np.ndarray, ready: np.ndarray, steps: int, first: float) -> float:
+    def _timed(self, z0: np.ndarray, ready: np.ndarray, broken: BrokenSteps | None, steps: int, first: float) -> float:
         if first > ENOUGH:
             return first
         best, total = np.inf, 0.0
@@ -138,7 +157,7 @@ class PreparedMethod:
                 break
             z = z0.copy()
             began = time.process_time()
-            self._stepper.run(z, ready, steps)
+            self._run(z, ready, broken, steps)
             spent = time.process_time() - began
             best, total = min(best, spent), total + spent
         return float(best)

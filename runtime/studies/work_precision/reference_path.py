@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from runtime.baselines.condensed_ode import CondensedOde
-from runtime.baselines.scipy_methods import counted
+from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
@@ -22,14 +22,23 @@ def reference_path(
     model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float, atol: float
 ) -> Callable[[np.ndarray], np.ndarray]:
     """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference, or NoResult for steps that shrink."""
-    from scipy.integrate import solve_ivp  # when it is needed: importing it takes a third of a second
-
     columns, n = model.independent_columns, len(model.q_i)
     loop = state.q[model.loop_columns]
     y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
     slope = counted(evaluator(CondensedOde(model, 1).right_hand_side(), c), "the reference")
     with np.errstate(all="ignore"):  # a motion that leaves the range of numbers is told by the result
-        result = solve_ivp(slope, (0.0, t_end), y0, method="DOP853", dense_output=True, rtol=rtol, atol=atol)
-    if not result.success or not np.isfinite(result.y[:, -1]).all():
-        raise NoReference(f"the reference stopped at t = {result.t[-1]:.6g} s: {result.message}")
-    return lambda times: result.sol(np.clip(times, 0.0, t_end)).T[:, :n]
+        settings = {"method": "DOP853", "dense_output": True, "rtol": rtol, "atol": atol}
+        results = in_pieces(model, c, slope, y0, t_end, None, **settings)
+    last = results[-1]
+    if not last.success or not np.isfinite(last.y[:, -1]).all():
+        raise NoReference(f"the reference stopped at t = {last.t[-1]:.6g} s: {last.message}")
+    starts = np.array([one.t[0] for one in results[1:]])
+
+    def path(times: np.ndarray) -> np.ndarray:
+        asked = np.clip(times, 0.0, t_end)
+        pieces, found = np.searchsorted(starts, asked, side="right"), np.zeros((len(asked), n))
+        for k in np.unique(pieces):
+            found[pieces == k] = results[k].sol(asked[pieces == k]).T[:, :n]
+        return found
+
+    return path

@@ -16,6 +16,8 @@ from runtime.contract.model import Model
 from runtime.results.amplitudes import floored
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.times import switching_times
 from runtime.studies.work_precision.reference_path import NoReference
 
 MARGIN = 30.0  # the path is this much more accurate than the tolerance asked for
@@ -32,13 +34,13 @@ class OneStepPath:
     """q_i at any times, by steps of at most `step` that end there."""
 
     def __init__(self, model: Model, c: np.ndarray, state: ConsistentState, method: str, m: list[int] | None) -> None:
-        self.c, self.state = c, state
+        self._model, self.c, self.state = model, c, state
         self._stepper = Stepper(scheme_kind(method).build(method, model, 1.0, m, {}))
         self.step = np.inf
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """(N, n) at ascending times from 0 on."""
-        layout = self._stepper.scheme.layout
+        layout, known = self._stepper.scheme.layout, switching_times(self._model, self.c, 0.0, float(times[-1]))
         z = self._stepper.start(0.0, self.state.q, self.state.q_dot, self.c, 1.0)
         t0, n, x = (layout.slice(name) for name in ("t0", "n", "x"))
         rows, reached, ready, last = [], 0.0, None, 0.0
@@ -48,8 +50,10 @@ class OneStepPath:
                 dt = (t - reached) / steps
                 if ready is None or abs(dt - last) > 1e-12 * dt:
                     ready, last = self._stepper.ready(self.c, dt), dt
-                z[t0], z[n] = reached, 0.0  # the clock of a scheme counts steps of one size
-                self._stepper.run(z, ready, steps)
+                own = [one for one in known if reached <= one.time <= t]
+                parts = BrokenSteps(self._stepper, reached, dt, own)
+                z[t0], z[n] = parts.clock(0), 0.0  # the clock of a scheme counts steps of one size
+                parts.run(z, ready, self.c, steps)
                 reached = float(t)
             rows.append(z[x].copy())
         return np.array(rows)

@@ -1,0 +1,65 @@
+"""Steps without an end across jumps in time: they are looked for as time goes on, always over the same stretches."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.model import Model
+from runtime.running.stepped_model import SteppedModel
+from runtime.running.time_functions import refuse_position_jumps
+from runtime.schemes.switching.broken_steps import BrokenSteps
+from runtime.schemes.switching.impulse import moves_in_time
+from runtime.schemes.switching.times import has_switching_times, switching_times
+
+STRETCH = 4096  # steps over which jumps are looked for at a time: the same in one call or in many
+
+
+def may_jump(model: Model) -> bool:
+    """Does a condition change with time, by the scene, by inputs that move, or by functions given for them?"""
+    if not has_switching_times(model):
+        return False
+    if model.sources:
+        return True
+    t, c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+    return bool(ca.depends_on(model.evaluate("switching", t=t, c=c)["switching"], t))
+
+
+class UnendingSteps:
+    """Advances a z (whole, flat) that stays where it is; t0 [s] is where its grid of steps begins."""
+
+    def __init__(self, own: SteppedModel, z: np.ndarray) -> None:
+        self._own, self._z, self.t0 = own, z, float(z[0])
+        self._first, self._broken = -1, BrokenSteps(own.stepper, self.t0, own.plan.grid.dt_L, [])
+
+    def begin(self, t0: float) -> None:
+        """The grid of steps begins there [s]."""
+        self.t0 = t0
+        self.forget()
+        self._look(self._own.with_inputs(self._z))
+        self._z[0] = t0 + (self._broken.clock(int(self._z[1])) - self._broken.time(int(self._z[1])))
+
+    def forget(self) -> None:
+        """Inputs or parameters have changed: look again."""
+        self._first = -1
+
+    def run(self, steps: int) -> None:
+        """Make so many major steps. Raises ModelError for a prescribed motion whose position jumps in them."""
+        end = int(self._z[1]) + steps
+        while (step := int(self._z[1])) < end:
+            c = self._own.with_inputs(self._z)
+            if self._first != step // STRETCH * STRETCH:
+                self._look(c)
+            n = min(end, self._first + STRETCH) - step
+            self._broken.run(self._z, self._own.ready, c, n)
+
+    def _look(self, c: np.ndarray) -> None:
+        own, h = self._own, self._own.plan.grid.dt_L
+        self._first = int(self._z[1]) // STRETCH * STRETCH
+        ends = self.t0 + self._first * h, self.t0 + (self._first + STRETCH) * h
+        found = switching_times(own.model, c, *ends)
+        if found and moves_in_time(own.model):
+            seen = own.observed([own.state(self._z)])
+            refuse_position_jumps(own.model, c, ConsistentState(seen.q[0], seen.q_dot[0], {}), found, *ends)
+        self._broken = BrokenSteps(own.stepper, self.t0, h, found)

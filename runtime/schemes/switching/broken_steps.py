@@ -1,0 +1,187 @@
+"""Major steps in which something jumps are made of parts that end there, each with its own side of the jump.
+
+The grid of major steps stays as it is. A step from t_k with a jump inside is a step from t_k to the jump and one from
+there to t_{k+1}. Schemes of one step go on from positions and rates as they are; those that remember earlier steps are
+started anew (Eqs. 68-71), with the acceleration of the right side. A part that ends at a jump runs on clocks before
+it, one that begins there on clocks after it, so that no rounding of t decides which side a load is on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import floor, prod
+
+import numpy as np
+
+from runtime.contract.model import Model
+from runtime.schemes.state_fields import Lasting
+from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
+from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.work import account_at, accounted, begin_account, power_of
+
+ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
+AHEAD = 2  # steps that the account of work looks at in advance
+MOST_KEPT = 64  # lengths
+
+
+@dataclass(frozen=True)
+class Leg:
+    """Where a part of a step has led: z (whole), its dt [s], work [J]; seen: q and q_dot where rates have jumped."""
+
+    z: np.ndarray
+    dt: float
+    work: float
+    seen: tuple[np.ndarray, np.ndarray] | None = None
+
+
+class BrokenSteps:
+    """Runs major steps dt [s] of a stepper from t0 on, breaking those in which something jumps.
+
+    impulses: of prescribed motions whose velocity has jumped so far, by time.
+    """
+
+    def __init__(self, stepper: Stepper, t0: float, dt: float, switches: Sequence[SwitchTime]) -> None:
+        self.stepper, self.t0, self.dt = stepper, t0, dt
+        self.impulses: dict[float, Impulse] = {}
+        self._moves = moves_in_time(self.model)
+        self._remembers = set(stepper.scheme.memory) != {"x", "v", "loop"}
+        self._kept: dict[float, np.ndarray] = {}
+        self._inside: dict[int, list[SwitchTime]] = {}
+        self._on: dict[int, tuple[float, float]] = {}  # step -> clocks on both sides of its start
+        for one in switches:
+            k = floor((one.time - t0) / dt)
+            near = [step for step in (k, k + 1) if abs(one.time - self.time(step)) <= ON_THE_GRID * dt]
+            if near:
+                before, after = self._on.get(near[0], (np.inf, -np.inf))
+                self._on[near[0]] = min(before, one.before), max(after, one.after)
+            else:
+                self._inside.setdefault(k, []).append(one)
+        self._broken = np.unique([*self._inside, *(k - 1 for k in self._on if k > 0)]).astype(int)
+
+    @property
+    def model(self) -> Model:
+        """Of the scheme."""
+        return self.stepper.scheme.model
+
+    def time(self, step: int) -> float:
+        """Of the grid [s]."""
+        return self.t0 + step * self.dt
+
+    def clock(self, step: int) -> float:
+        """The time from which a step starts [s]: after a jump that is there."""
+        return max(self.time(step), self._on[step][1]) if step in self._on else self.time(step)
+
+    def next_broken(self, step: int) -> int | None:
+        """The first broken step from this one on."""
+        k = int(np.searchsorted(self._broken, step))
+        return int(self._broken[k]) if k < len(self._broken) else None
+
+    def run(self, z: np.ndarray, ready: np.ndarray, c: np.ndarray, steps: int) -> None:
+        """Advance z (whole, flat) in place; c (c_size,) are the model's constants, ready what the program reads."""
+        end = int(z[1]) + steps
+        while (step := int(z[1])) < end:
+            broken = self.next_broken(step)
+            if broken == step:
+                self._break(z, c)
+                continue
+            n = end - step if broken is None else min(end, broken) - step
+            if z[0] != self.t0:  # the clock was set after a jump at the start of this step
+                self.stepper.run(z, ready, 1)
+                z[0] = self.t0
+            else:
+                self.stepper.run(z, ready, n)
+
+    def _break(self, z: np.ndarray, c: np.ndarray) -> None:
+        """One major step in parts."""
+        step, c = int(z[1]), self._with_inputs(z, c)
+        leg = Leg(z, self.dt, account_at(self.stepper.scheme, z, self._constants(c, self.dt))[0])
+        clock = max(z[0] + step * self.dt, self.clock(step))
+        for one in self._inside.get(step, ()):
+            leg = self._jumped(c, self._part(leg, c, clock, one.before), one.before, one.after)
+            clock = one.after
+        if step + 1 in self._on:
+            on = self._on[step + 1]
+            leg = self._jumped(c, self._part(leg, c, clock, on[0]), *on)
+        else:
+            leg = self._part(leg, c, clock, self.time(step + 1))
+        start = self.clock(step + 1)
+        z[:] = self._set_out(leg, c, start, self.dt)
+        z[0], z[1] = self.t0 + (start - self.time(step + 1)), step + 1
+        self.count_anew(z, c, leg.work)
+
+    def _part(self, leg: Leg, c: np.ndarray, start: float, end: float) -> Leg:
+        """A step between two clocks."""
+        scheme = self.stepper.scheme
+        length = (end - start) * (1 - 2 * np.finfo(float).eps * prod(scheme.grid.m))  # sub-steps add up by rounding
+        z, constants, work = self._set_out(leg, c, start, length), self._constants(c, length), leg.work
+        powers = [power_of(scheme, self.stepper.state(z), constants)] if accounted(scheme) else []
+        self.stepper.run(z, self._ready(c, length), 1)
+        if powers:
+            powers.append(power_of(scheme, self.stepper.state(z), constants))
+            work += length * sum(powers) / 2
+        return Leg(z, length, work)
+
+    def _set_out(self, leg: Leg, c: np.ndarray, t: float, dt: float) -> np.ndarray:
+        """z from which steps dt [s] go on at a clock, with the accounts and inputs of the leg before."""
+        scheme = self.stepper.scheme
+        if self._remembers:
+            q, q_dot = leg.seen or self._seen(leg.z, self._constants(c, leg.dt))
+            z = self.stepper.start(t, q, q_dot, c, dt)
+            for name in scheme.lasting(Lasting.ACCOUNT, Lasting.GIVEN):
+                z[scheme.layout.slice(name)] = leg.z[scheme.layout.slice(name)]
+        else:
+            z = leg.z.copy()
+            if leg.seen is not None:
+                z[scheme.layout.slice("v")] = leg.seen[1][self.model.independent_columns]
+        z[0], z[1] = t, 0.0
+        return z
+
+    def _seen(self, z: np.ndarray, constants: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """All coordinates and rates (n,) of a state."""
+        model, seen = self.model, self.stepper.scheme.observer(z=self.stepper.state(z), c=constants)
+        q, q_dot = np.zeros(len(model.coordinates)), np.zeros(len(model.coordinates))
+        for columns, end in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
+            q[columns], q_dot[columns] = (np.asarray(seen[f"q_{end}{rate}"]).ravel() for rate in ("", "_dot"))
+        return q, q_dot
+
+    def _jumped(self, c: np.ndarray, leg: Leg, before: float, after: float) -> Leg:
+        """With the rates just after a jump."""
+        if not self._moves:
+            return leg
+        q, q_dot = self._seen(leg.z, self._constants(c, leg.dt))
+        found = impulse_at(self.model, c, q, q_dot, before, after)
+        if found is None:
+            return leg
+        self.impulses[(before + after) / 2] = found
+        return Leg(leg.z, leg.dt, leg.work + found.energy, (q, found.q_dot))
+
+    def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
+        """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""
+        scheme, broken = self.stepper.scheme, self.next_broken(int(z[1]))
+        near = broken is not None and broken < int(z[1]) + AHEAD
+        if not accounted(scheme):
+            return
+        ready = self._ready(c, self.dt)
+        ahead = None if near else (lambda state: self.stepper.run(state, ready, 1))
+        begin_account(scheme, z, self._constants(c, self.dt), work, ahead)
+
+    def _constants(self, c: np.ndarray, dt: float) -> np.ndarray:
+        return self.stepper.scheme.constants(c, dt)
+
+    def _ready(self, c: np.ndarray, dt: float) -> np.ndarray:
+        """What the program reads for a length, kept while there are few of them."""
+        if dt not in self._kept:
+            if len(self._kept) >= MOST_KEPT:
+                self._kept.clear()
+            self._kept[dt] = self.stepper.ready(c, dt)
+        return self._kept[dt]
+
+    def _with_inputs(self, z: np.ndarray, c: np.ndarray) -> np.ndarray:
+        """c with the inputs that z holds."""
+        layout = self.stepper.scheme.layout
+        if "inputs" not in layout.sizes:
+            return c
+        held = z[layout.slice("inputs")]
+        return np.concatenate([c[: len(c) - len(held)], held])

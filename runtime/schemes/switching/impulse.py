@@ -1,0 +1,78 @@
+"""A prescribed motion whose velocity jumps gives an impulse: the rates of a mechanism just after it.
+
+Positions stay, q_d' = B q_i' + b changes by the jump of b, and momentum changes along the constraint forces only, so
+that S^T M (q'+ - q'-) = 0 with S = [1; B] in the order (q_i, q_d): M_hat (q_i'+ - q_i'-) = -S^T M [0; b+ - b-].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from runtime.contract.model import Model, ModelError
+
+DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
+
+
+@dataclass(frozen=True)
+class Impulse:
+    """q_dot (n,) just after; energy [J]: what the motion's impulse did; jumps (n,): by what each rate changed."""
+
+    q_dot: np.ndarray
+    energy: float
+    jumps: np.ndarray
+
+
+def moves_in_time(model: Model) -> bool:
+    """Are there prescribed motions?"""
+    return bool(model.constraints) and (not model.has("constraints") or "t" in model.kernel("constraints").name_in())
+
+
+def impulse_at(
+    model: Model, c: np.ndarray, q: np.ndarray, q_dot: np.ndarray, before: float, after: float
+) -> Impulse | None:
+    """What the prescribed motions do at a time with a clock on each side [s]; None if no velocity jumps there.
+
+    q, q_dot (n,): all coordinates and rates before. Raises ModelError for a model without the function `energy`.
+    """
+    i, d = model.independent_columns, model.dependent_columns
+    if not len(d):
+        return None
+    at = {"q_i": q[i], "q_d": q[d], "c": c}
+    rates = [
+        np.asarray(model.evaluate("velocities", **at, q_i_dot=q_dot[i], t=t)["q_d_dot"]).ravel()
+        for t in (before, after)
+    ]
+    jump = np.zeros(len(q))
+    jump[d] = rates[1] - rates[0]
+    if np.abs(jump).max() <= DUST * max(1e-300, float(np.abs(q_dot).max()), float(np.abs(rates).max())):
+        return None
+    if not model.has("energy"):
+        raise ModelError(
+            f"model {model.name}",
+            f"the velocity of a prescribed motion jumps at t = {after:.6g} s, which takes the function energy",
+            "regenerate the scene with that function",
+        )
+    momentum = model.derived("momentum", lambda: _momentum(model))
+    projected = np.asarray(momentum(q, jump, q[i], q[d], after, c)).ravel()
+    M_hat = np.asarray(model.evaluate("condensed", **at, q_i_dot=q_dot[i], q_d_dot=rates[0], t=before)["M_hat"])
+    found = np.zeros(len(q))
+    found[i] = q_dot[i] - np.linalg.solve(M_hat, projected)
+    found[d] = np.asarray(model.evaluate("velocities", **at, q_i_dot=found[i], t=after)["q_d_dot"]).ravel()
+    kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=after, c=c)["kinetic"]) for v in (q_dot, found)]
+    return Impulse(found, kinetic[1] - kinetic[0], found - q_dot)
+
+
+def _momentum(model: Model) -> ca.Function:
+    """(q, v, q_i, q_d, t, c) -> S^T M v; the kinetic energy is v^T M v / 2."""
+    n, n_i, n_d = len(model.coordinates), len(model.q_i), len(model.q_d)
+    q, v, c, t = ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("c", model.c_size), ca.SX.sym("t")
+    q_i, q_d, q_i_dot = ca.SX.sym("q_i", n_i), ca.SX.sym("q_d", n_d), ca.SX.sym("q_i_dot", n_i)
+    momentum = ca.gradient(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"], v)
+    q_d_dot = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t, c=c)["q_d_dot"]
+    B = ca.jacobian(q_d_dot, q_i_dot)
+    i, d = model.independent_columns.tolist(), model.dependent_columns.tolist()
+    projected = momentum[i] + ca.mtimes(B.T, momentum[d])
+    return ca.Function("momentum", [q, v, q_i, q_d, t, c], [ca.densify(projected)])

@@ -1,0 +1,177 @@
+"""Loads and prescribed motions that jump in time: steps end there, each side has its value, impulses are given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from runtime import Model, ModelError, ensemble, resume, simulate
+from runtime.schemes.catalogue import SCHEMES
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+ON, OFF, BACK = 0.2713, 0.611, 0.8
+CAPS = {2: 1e-2, 4: 2e-5, 5: 1e-6, 8: 1e-9}  # of the error at 40 steps, by order
+
+
+def pendulum() -> Scene:
+    """m = 1, centre at 0.5 m, inertia 0.35 about the hinge; a torque that is switched on, off, and kinks."""
+    builder = SceneBuilder("kicked").gravity(0, -9.81).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "rod.origin")
+    builder.torque("kick", "rod.origin", f"where({ON} <= t < {OFF}, 5, 0) + 20 * max(t - {BACK}, 0)")
+    return builder.simulation(t_end=1.0, dt=0.01, scheme="rk4").build()
+
+
+def exact_pendulum() -> np.ndarray:
+    """theta and its rate after 1 s by hand: 0.35 theta'' = -4.905 cos theta + torque, piece by piece."""
+    y, ends = np.zeros(2), (0.0, ON, OFF, BACK, 1.0)
+    for k, (a, b) in enumerate(zip(ends, ends[1:], strict=False)):
+
+        def slope(t: float, y: np.ndarray, k: int = k) -> list[float]:
+            torque = 5.0 * (k == 1) + 20 * (t - BACK) * (k == 3)
+            return [y[1], (torque - 4.905 * np.cos(y[0])) / 0.35]
+
+        y = solve_ivp(slope, (a, b), y, method="DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
+    return y
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_every_scheme_keeps_its_order_across_jumps(model_of: Build, scheme: str) -> None:
+    """Jumps within steps, and a kink at the end of one. Doubling the steps divides the error by 2^order."""
+    model, exact = model_of(pendulum()), exact_pendulum()
+    order = {"rk4": 4, "exponential": 4, "exponential_rk4": 4, "radau": 5, "dopri5": 5, "dop853": 8}.get(scheme, 2)
+    errors = []
+    for steps in (20, 40):
+        run = simulate(model, scheme=scheme, dt=1 / steps, force=True)
+        assert run.status.ok, run.status
+        errors.append(np.abs([run["rod.theta"][-1] - exact[0], run.rate("rod.theta")[-1] - exact[1]]).max())
+    assert errors[1] < 1e-10 or np.log2(errors[0] / errors[1]) > order - 0.4, errors
+    assert errors[1] < CAPS[order]
+
+
+UP, DOWN = float(np.nextafter(0.3, 1)), float(np.nextafter(0.7, 0))
+PULSES = [(0.3, 0.7), (UP, DOWN), (0.123, 0.456), (0.51, 0.53), (0.1, 0.1517), (0.0, 0.25), (0.6, 1.0), (-1.0, 0.0)]
+
+
+def pushed_masses() -> Scene:
+    """A mass on a rail for each pulse, pushed by 3 N from the first time to the second."""
+    builder = SceneBuilder("pushed_masses")
+    for k, (a, b) in enumerate(PULSES):
+        builder.rigid(f"mass{k}", mass=1.0, inertia=0.1).prismatic(f"rail{k}", "ground.origin", f"mass{k}.origin")
+        builder.force(f"push{k}", f"mass{k}.origin", f"where(t < {a!r}, 0, where(t <= {b!r}, 3, 0))", 0.0)
+    return builder.simulation(t_end=1.0, dt=0.1, scheme="rk4").build()
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_each_side_has_its_own_value(model_of: Build, scheme: str) -> None:
+    """A constant force from a to b gives v = F (b - a) and x = F (b - a) (t - (a + b) / 2), to rounding.
+
+    Times within steps, at ends of steps, a rounding beside one, both in one step, at the start and at the end: one
+    evaluation on the wrong side would be off by F h or more.
+    """
+    run = simulate(model_of(pushed_masses()), scheme=scheme, force=True)
+    for k, (a, b) in enumerate(PULSES):
+        a = max(a, 0.0)
+        assert run.rate(f"mass{k}.x")[-1] == pytest.approx(3 * (b - a), rel=1e-11, abs=1e-12)
+        assert run[f"mass{k}.x"][-1] == pytest.approx(3 * (b - a) * (1 - (a + b) / 2), rel=1e-11, abs=1e-12)
+    assert run.t == pytest.approx(np.linspace(0, 1, 11), abs=1e-12)
+
+
+def kicked_crank(motion: str, **settings: Any) -> Scene:
+    """A bob (1 kg, centre at 0.5 m, 0.35 kg m2 about its hinge) on the tip of a driven crank of 0.5 m."""
+    builder = SceneBuilder("kicked_crank").gravity(0, -9.81).parameter("jump", 0.4567, "s")
+    builder.rigid("crank", mass=1.0, inertia=0.01, markers={"tip": {"position": (0.5, 0)}})
+    builder.rigid("bob", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "crank.origin").revolute("hinge", "crank.tip", "bob.origin")
+    builder.prescribed_angle("drive", "ground.origin", "crank.origin", motion=motion).initial({"bob.theta": -1.0})
+    return builder.simulation(**{"t_end": 1.0, "dt": 1e-2, "scheme": "rk4", **settings}).build()
+
+
+@pytest.mark.parametrize("jump", [0.4567, 0.46])
+def test_a_velocity_that_jumps_gives_its_impulse(model_of: Build, jump: float) -> None:
+    """By hand: the hinge jumps by 0.5 * 2 m/s upwards, and 0.35 dw + m l cos(theta) dv = 0 about it."""
+    model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
+    run = simulate(model, parameters={"jump": jump}, scheme="dop853")
+    assert run.status.ok and [event.kind for event in run.events] == ["velocity_jump"]
+
+    def hanging(t: float, y: np.ndarray, v: float = 0.0) -> list[float]:
+        """The hinge goes round: its acceleration is -0.5 v^2 (cos 2t, sin 2t) with v = 2 after the jump."""
+        angle = v * (t - jump)
+        ax, ay = -0.5 * v**2 * np.cos(angle), -0.5 * v**2 * np.sin(angle) + 9.81
+        return [y[1], -0.5 * (ay * np.cos(y[0]) - ax * np.sin(y[0])) / 0.35]
+
+    tight = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-12}
+    before = solve_ivp(hanging, (0, jump), [-1.0, 0.0], **tight).y[:, -1]
+    change = -0.5 * np.cos(before[0]) * 1.0 / 0.35
+    after = solve_ivp(hanging, (jump, 1.0), before + [0, change], args=(2.0,), **tight).y[:, -1]
+    assert run["bob.theta"][-1] == pytest.approx(after[0], abs=1e-8)
+    assert run.rate("bob.theta")[-1] == pytest.approx(after[1], abs=1e-8)
+    assert run.events[0].time == pytest.approx(jump, abs=1e-12)
+    energy = run.energy["kinetic"] + run.energy["potential"] - run.energy["work"]
+    assert np.ptp(energy) < 1e-4  # of jumps of 1 J
+
+
+def test_a_position_that_jumps_is_refused_by_name(model_of: Build) -> None:
+    model = model_of(kicked_crank("0.3 * step(t - jump)"))
+    with pytest.raises(ModelError, match=r"drive\.angle: its position jumps by 0\.3 at t = 0\.4567 s"):
+        simulate(model)
+    jumping = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
+    with pytest.raises(ModelError, match=r"drive\.angle: its velocity jumps by 2"):
+        simulate(jumping, scheme="dopri5", tolerance=1e-4)
+
+
+def test_a_run_across_jumps_is_gone_on_with_bit_for_bit(model_of: Build, tmp_path: Path) -> None:
+    """Stopped before and after a jump, at the end of a step and within one."""
+    model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
+    for jump in (0.46, 0.4567):
+        settings: dict[str, Any] = {"parameters": {"jump": jump}, "scheme": "single_rate", "save_every": 1}
+        whole = simulate(model, **settings)
+        for stop in (0.45, 0.46):
+
+            def interrupt(t: float, t_end: float, stop: float = stop) -> None:
+                if t > stop - 1e-9:
+                    raise KeyboardInterrupt
+
+            path = tmp_path / f"{jump}_{stop}.npz"
+            simulate(model, **settings, checkpoint=path, progress=interrupt)
+            again = resume(model, path)
+            assert np.array_equal(again.q, whole.q) and np.array_equal(again.q_dot, whole.q_dot)
+            assert again.events == whole.events
+
+
+def test_a_stepper_gives_the_run(model_of: Build) -> None:
+    """Bit for bit, in one call or in many, from a saved state, after a change of the parameter that moves the jump."""
+    model = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))"))
+    for jump in (0.46, 0.4567):
+        whole = simulate(model, parameters={"jump": jump}, save_every=50)
+        stepper = model.stepper(parameters={"jump": 0.2})
+        stepper.step(40)
+        stepper.change({"jump": jump})
+        stepper.reset()
+        stepper.step(46)
+        kept = stepper.save()
+        for _ in range(4):
+            stepper.step()
+        assert stepper.state["bob.theta_dot"] == whole.rate("bob.theta")[1]
+        stepper.step(30)
+        stepper.restore(kept)
+        stepper.step(54)
+        assert stepper.state["bob.theta"] == whole["bob.theta"][-1]
+    late = model_of(kicked_crank("0.3 * step(t - 50.05)")).stepper()
+    with pytest.raises(ModelError, match="position jumps by 0.3 at t = 50.05"):
+        late.step(5100)
+
+
+def test_cases_of_an_ensemble_have_their_own_jumps(model_of: Build) -> None:
+    """Each is the run by itself; a case without a jump stays in its lane."""
+    model, jumps = model_of(kicked_crank("where(t < jump, 0, 2 * (t - jump))")), [0.3, 0.4567, 2.0]
+    found = ensemble(model, {"jump": jumps}, outputs=["bob.theta", "bob.theta_dot"], every=100)
+    for k, jump in enumerate(jumps):
+        alone = simulate(model, parameters={"jump": jump})
+        assert float(found["bob.theta"][k, -1]) == alone["bob.theta"][-1]
+        assert float(found["bob.theta_dot"][k, -1]) == alone.rate("bob.theta")[-1]
