@@ -8,12 +8,14 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from runtime import ensemble, gradient, simulate
 from runtime.contract.model import Model
 from runtime.engine.interpreted import InterpretedProgram
 from runtime.engine.llvm_code import Effort, Processor, host
 from runtime.engine.llvm_ir import Form
 from runtime.engine.native import NativeProgram
 from runtime.engine.tiers import BEST, FIRST
+from runtime.gradients.objectives import End
 from tests.support.step_programs import StepProgram, step_program
 
 Load = Callable[[str], Model]
@@ -120,3 +122,19 @@ def test_threads_do_not_disturb_each_other(built_in: Load) -> None:
     expected = given.run(200, Form(), BEST)[0]
     for state in states:
         np.testing.assert_array_equal(state, expected)
+
+
+def test_no_run_calls_another_program(built_in: Load, tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Runs, ensembles and gradients with an empty cache: neither a C compiler nor anything else is started."""
+
+    def refused(*arguments: object, **further: object) -> None:
+        raise AssertionError(f"started: {arguments}")
+
+    monkeypatch.setenv("SYMGEN_CACHE", str(tmp_path))
+    monkeypatch.setattr("subprocess.Popen", refused)
+    monkeypatch.setattr("os.system", refused)
+    model = built_in("pendulum")
+    assert simulate(model, t_end=0.01).stats["engine"] == "compiled"
+    answer = ensemble(model, {"rod.mass": [1.0, 2.0]}, reduce={"rod.theta": ["end"]}, t_end=0.01)
+    assert list(answer["status"]) == ["completed", "completed"]
+    assert gradient(model, End(model.q_i[0]), [f"{model.q_i[0]}_dot"], t_end=0.01).derivatives.all()

@@ -141,6 +141,22 @@ def test_every_scheme_has_a_way_back(built_in: Load, scheme: str) -> None:
     np.testing.assert_array_equal(run.values(), whole.q_i)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_complex_steps_confirm_every_scheme(built_in: Load, scheme: str) -> None:
+    """An arm of two links with elastic joints: by a mass, an angle and a rate, none of which acts linearly."""
+    by, names = ["link2.mass", "link1.theta", "rotor2.theta_dot"], ["link1.theta_dot", "link2.theta_dot"]
+    initial = {"link1.theta": 0.4, "rotor1.theta": 0.39, "link1.theta_dot": 3.0, "link2.theta_dot": -5.0}
+    settings = {"dt": 4e-4, "t_end": 8e-4, "save_every": 2, "initial": initial}
+    run = DifferentiableRun(built_in("flexible_joint_arm"), names, by, scheme=scheme, **settings)
+    jacobian = run.jacobian()
+    for name in by:
+        exact = complex_step.derivatives(run, name, initial)
+        for k, output in enumerate(names):
+            limit = 1e-9 * np.abs(exact[:, k]).max()
+            np.testing.assert_allclose(jacobian[output, name], exact[:, k], rtol=0, atol=limit)
+        assert np.abs(exact).max() > 0
+
+
 def test_a_quasi_static_start_moves_with_its_parameters(built_in: Load) -> None:
     """Equilibrium of the rod and its rate, by parameters and rigid coordinates: against sixth-order differences."""
     model, by = built_in("flexible_slider_crank_free"), ["crank.tip.x", "slider.mass", "crank.theta", "crank.theta_dot"]

@@ -5,7 +5,7 @@ Only the step program itself is used, node by node; nothing that differentiates.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import casadi as ca
 import numpy as np
@@ -64,10 +64,16 @@ def evaluated(tape: Tape, *inputs: np.ndarray) -> np.ndarray:
     return np.array([values[k] for k in tape.outputs[0]])
 
 
-def derivatives(run: DifferentiableRun, name: str) -> np.ndarray:
-    """(N, n_y) derivatives of the outputs by a parameter, or by an initial value of q_i, at the run's start."""
+def derivatives(run: DifferentiableRun, name: str, initial: Mapping[str, float] | None = None) -> np.ndarray:
+    """(N, n_y) derivatives of the outputs by a parameter, or by an initial value of q_i, at the run's start.
+
+    initial: values and rates of q_i that the run starts from instead of the model's.
+    """
     model, scheme, program = run.model, run.plan.scheme, run.program
     p, q, v = model.parameter_vector().astype(complex), model.initial_q.astype(complex), model.initial_q_dot + 0j
+    for key, value in (initial or {}).items():
+        part = v if key.endswith("_dot") else q
+        part[model.coordinates.index(key.removesuffix("_dot"))] = value
     names = [parameter.name for parameter in model.parameters]
     if name in names:
         p[names.index(name)] += 1j * H
