@@ -35,6 +35,7 @@ from warnings import warn
 import casadi as ca
 import numpy as np
 
+from runtime.contract.collection import no_collection
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.records import BoundedQuantity, FunctionSpec, Group, Parameter
 from runtime.contract.tape import Tape
@@ -150,7 +151,7 @@ def derive(scene: Scene, functions: frozenset[str] | None = None, at: Configurat
     at: the configuration at which coordinates are chosen, the scene's assembled initial state by default.
     Raises SceneError for constraints in conflict, singular or impossible initial states and impossible partitions.
     """
-    with _scene_errors():
+    with _scene_errors(), no_collection():
         found = _condensation(scene, at)
         tapes = hoist(found.kernels(functions), found.built.parameters.vector())
         more = found.of_parameters()
@@ -164,12 +165,12 @@ def derive_on_demand(scene: Scene) -> Derived:
 
     Raises SceneError as `derive` does; what only a function shows is found when that is derived.
     """
-    with _scene_errors():
+    with _scene_errors(), no_collection():
         found = _condensation(scene, None)
     p = found.built.parameters.vector()
 
     def tape(build: Callable[[], Kernel]) -> Tape:
-        with _scene_errors():
+        with _scene_errors(), no_collection():
             return unhoisted(build(), p)
 
     constants = {"constants": Kernel({"p": p}, {"c": p}).tape}

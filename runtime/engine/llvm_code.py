@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import ctypes
-import gc
 import hashlib
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import casadi as ca
 
+from runtime.contract.collection import no_collection
 from runtime.contract.tape import read_tape
 from runtime.engine.compiled import CompilerError
 from runtime.engine.llvm_ir import Form, program_ir
@@ -112,21 +111,9 @@ class Compiler:
 
 def compiled(program: Program, form: Form, effort: Effort, processor: Processor) -> tuple[bytes, int]:
     """(object file, entries of the work array)."""
-    with _no_collection():
+    with no_collection():
         text, work = program_ir(program, {stage.name(): read_tape(stage) for stage in program.stages()}, form)
     return machine_code(text, effort, processor), work
-
-
-@contextmanager
-def _no_collection() -> Iterator[None]:
-    """Python looks for no cycles meanwhile: the tuples of a tape are in none, and looking takes a third of the time."""
-    collecting = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collecting:
-            gc.enable()
 
 
 def machine_code(text: str, effort: Effort, processor: Processor) -> bytes:

@@ -13,6 +13,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.binding_time import Place, Time, binding_times, split
+from runtime.contract.collection import no_collection
 from runtime.contract.tape import UNUSED, Node, Tape, as_function, read_tape
 from runtime.engine.invariants import hoist_invariants
 from runtime.engine.program import Program
@@ -40,6 +41,11 @@ class Prepared:
 
 def prepare(program: Program, z_size: int, c_size: int) -> Prepared:
     """The program with what a repetition or the run's constants fix taken out of its stages."""
+    with no_collection():
+        return _prepared(program, z_size, c_size)
+
+
+def _prepared(program: Program, z_size: int, c_size: int) -> Prepared:
     program, z_size = hoist_invariants(program, z_size)
     tapes = {stage.name(): _with_reciprocals(read_tape(stage)) for stage in program.stages()}
     once, rest = split(tapes, {"c": c_size}, _input_time, Time.RUN, Place("c", c_size))

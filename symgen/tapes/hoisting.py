@@ -48,12 +48,14 @@ def _input_time(name: str, entry: int) -> Time:
 
 def _as_loaded(name: str, tape: Tape) -> Tape:
     """The tape as CasADi will simplify it when it loads the emitted text."""
-    simplified = read_tape(as_function(name, tape))
-    return tape if simplified.operations == tape.operations else simplified
+    loaded = as_function(name, tape)
+    return tape if loaded.n_instructions() == tape.operations else read_tape(loaded)
 
 
 def _without_unused_inputs(tape: Tape) -> Tape:
     used = sorted({node.a for node in tape.nodes if node.op == ca.OP_INPUT})
+    if len(used) == len(tape.input_names):
+        return tape
     argument = {k: position for position, k in enumerate(used)}
     same = {k: k for k in range(len(tape.nodes))}
     return replace(
