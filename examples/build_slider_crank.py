@@ -47,6 +47,7 @@ def main(picture: Path | None = None) -> None:
         left, right = (figure := Figure(figsize=(10, 4), layout="constrained", dpi=120)).subplots(1, 2)
         plots.snapshots(solution, ax=left, instants=[0.03, 0.035, 0.04, 0.045, 0.05], traces=["crank.tip"])
         plots.coordinates(solution, ax=right, names=["rod.q1", "rod.q2"])
+        right.set_title("modal coordinates of the rod")
         figure.savefig(picture)
 
 

@@ -32,7 +32,7 @@ def main(picture: Path | None = None, out: Path | None = None) -> None:
             moved = surface["vertices"] + 0.03 * shape / np.abs(shape).max()
             ax.plot_trisurf(*moved.T, triangles=surface["triangles"], color="#6baed6", lw=0.1, edgecolor="0.4")
             ax.set_title(f"mode {k + 1}: {rod.frequencies[k]:.0f} Hz", y=0.9)
-            ax.set_box_aspect(np.ptp(moved, axis=0), zoom=1.1)
+            ax.set_box_aspect(np.ptp(moved, axis=0), zoom=1.6)
             ax.set_axis_off()
             ax.view_init(35, -75)
         figure.savefig(picture)

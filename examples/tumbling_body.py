@@ -37,7 +37,7 @@ def main(picture: Path | None = None) -> None:
         plots.snapshots(run, ax=left, instants=[9.0, 10.0, 11.0, 12.0])
         right.plot(run.t, spin.T, label=["smallest inertia", "middle", "largest"])
         right.set(xlabel="time [s]", ylabel="angular velocity [rad/s]", title="in the axes of the body")
-        right.legend(frameon=False, loc="upper right")
+        right.legend(frameon=False, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.15))
         figure.savefig(picture)
 
 

@@ -140,8 +140,13 @@ def _stepper(*arguments: Any, **settings: Any) -> Any:
     return import_module("runtime.running.stepping").ModelStepper(*arguments, **settings)
 
 
+def _sketch(*arguments: Any) -> Any:
+    return import_module("runtime.views.model_sketch").model_sketch(*arguments)
+
+
 showing.SHOWS["page"] = _page
 doors.OPENS["stepper"] = _stepper
+doors.OPENS["sketch"] = _sketch
 
 
 def __getattr__(name: str) -> Any:

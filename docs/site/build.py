@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 import yaml
@@ -17,40 +18,40 @@ import yaml
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import mathematics  # noqa: E402
+import moving  # noqa: E402
 import pages  # noqa: E402
 import reference  # noqa: E402
 
-MOVING = "slider_crank_moves.html"
+FRONT = "slider_crank_moves.html"
 
 
-def staged(folder: Path) -> None:
-    """Everything that Zensical takes, below `folder`."""
+def staged(folder: Path, moves: Sequence[str]) -> None:
+    """Everything that Zensical takes, below `folder`; moves: the examples that get a page in three dimensions."""
     docs = folder / "docs"
     shutil.copytree(pages.DOCS / "images", docs / "images", ignore=shutil.ignore_patterns("*.py"))
     made = runpy.run_path(str(pages.DOCS / "make_gallery.py"))
     examples = [name for names in made["SECTIONS"].values() for name in names]
     described = {name: made["described"](name) for name in examples}
     contents = {place: pages.page(place, path) for place, path in pages.sources().items()}
-    contents |= pages.gallery(made["SECTIONS"], described, made["HEAD"])
+    contents |= pages.gallery(
+        made["SECTIONS"], described, made["HEAD"], {name: moving.MOVING[name].state for name in moves}
+    )
     contents |= {f"reference/{name}": text for name, text in reference.pages().items()}
-    contents |= {"index.md": pages.front(MOVING), "search.md": (HERE / "search.html").read_text(encoding="utf-8")}
+    contents |= {
+        "index.md": pages.front(f"{FRONT}#{moving.FRONT.state}"),
+        "search.md": (HERE / "search.html").read_text(encoding="utf-8"),
+    }
     for place, text in contents.items():
         (docs / place).parent.mkdir(parents=True, exist_ok=True)
         (docs / place).write_text(mathematics.as_mathml(text), encoding="utf-8")
     for name in ("site.css", "site.js"):
         shutil.copy(HERE / name, docs / name)
-    _moving_page(docs / MOVING)
+    moving.write("", docs / FRONT, moving.FRONT)
+    for name in moves:
+        moving.write(name, docs / "gallery" / f"{name}_moves.html", moving.MOVING[name])
     settings = (HERE / "mkdocs.yml").read_text(encoding="utf-8").replace("ROOT", str(pages.ROOT))
     nav = pages.navigation(list(contents), [f"reference/{name}" for name in reference.pages()])
     (folder / "mkdocs.yml").write_text(settings + yaml.safe_dump({"nav": nav}), encoding="utf-8")
-
-
-def _moving_page(path: Path) -> None:
-    from runtime import load_model, simulate
-    from symgen.scenes import generated_folder
-
-    model = load_model(generated_folder("flexible_slider_crank_torque"))
-    simulate(model, t_end=0.3, scheme="exponential", m=[1], dt=1e-4, save_every=5).view(path)
 
 
 def index(site: Path) -> list[dict[str, str]]:
@@ -75,11 +76,14 @@ def _plain(html: str) -> str:
     return " ".join(text.split())
 
 
-def build(target: Path) -> None:
-    """Build the site into `target`, which is replaced. Ends with its words where Zensical finds a fault."""
+def build(target: Path, moves: Sequence[str] = tuple(moving.MOVING)) -> None:
+    """Build the site into `target`, which is replaced. Ends with its words where Zensical finds a fault.
+
+    moves: the examples that are shown in three dimensions.
+    """
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        staged(folder)
+        staged(folder, moves)
         command = [sys.executable, "-m", "zensical", "build", "--strict"]
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
         if done.returncode:

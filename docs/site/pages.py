@@ -40,8 +40,13 @@ def _link(found: re.Match[str], folder: Path, place: str) -> str:
     return f"{words[1:-1]} (`{inside}`)"  # a file of the repository that the site does not have
 
 
-def gallery(sections: dict[str, list[str]], described: dict[str, tuple[str, str]], head: str) -> dict[str, str]:
-    """The gallery's page with cards, and a page with picture and program for each example."""
+def gallery(
+    sections: dict[str, list[str]], described: dict[str, tuple[str, str]], head: str, moving: dict[str, str]
+) -> dict[str, str]:
+    """The gallery's page with cards, and a page with picture and program for each example.
+
+    moving: the examples that also have a page in three dimensions, and the moment at which it opens.
+    """
     parts, pages = [head.replace(" A click on a picture opens the script.", "")], {}
     for section, names in sections.items():
         parts.append(f'\n## {section}\n\n<div class="cards">')
@@ -54,11 +59,20 @@ def gallery(sections: dict[str, list[str]], described: dict[str, tuple[str, str]
             )
             program = (ROOT / "examples" / f"{name}.py").read_text(encoding="utf-8")
             pages[f"gallery/{name}.md"] = (
-                f"# {title.capitalize()}\n\n{shows}\n\n![{title}](../images/gallery/{name}.png)\n\n{checks}\n\n"
+                f"# {title.capitalize()}\n\n{shows}\n\n{_frame(name, title, moving)}"
+                f"![{title}](../images/gallery/{name}.png)\n\n{checks}\n\n"
                 f"```python\n{program}```\n"
             )
         parts.append("</div>")
     return pages | {"gallery.md": "\n".join(parts) + "\n"}
+
+
+def _frame(name: str, title: str, moving: dict[str, str]) -> str:
+    """The page in three dimensions, loaded when it comes into sight."""
+    if name not in moving:
+        return ""
+    source = f"{name}_moves.html#{moving[name]}"
+    return f'<iframe class="motion" loading="lazy" title="{title}" src="{source}"></iframe>\n\n'
 
 
 def _html(text: str) -> str:
@@ -80,7 +94,7 @@ hide: [navigation, toc]
 A mechanism with flexible bodies, described in twenty lines, becomes readable CasADi functions, and a motion that is
 stepped, checked and judged.
 
-<iframe class="motion" loading="lazy" title="A slider-crank with a flexible rod" src="{moving}#t=0.06"></iframe>
+<iframe class="motion" loading="lazy" title="A slider-crank with a flexible rod" src="{moving}"></iframe>
 
 {example}
 

@@ -5,4 +5,4 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-OPENS: dict[str, Callable[..., Any]] = {}  # "stepper": (model, settings) -> a stepper
+OPENS: dict[str, Callable[..., Any]] = {}  # "stepper": (model, settings) -> a stepper; "sketch": model -> SVG

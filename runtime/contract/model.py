@@ -178,7 +178,7 @@ class Model:
         )
 
     def _repr_html_(self) -> str:
-        return model_card(self.description)
+        return model_card(self.description, OPENS["sketch"](self) if "sketch" in OPENS else "")
 
     def kernel(self, name: str) -> ca.Function:
         """The emitted Function `name`, with c as its last argument. Raises ModelError if it was not generated."""

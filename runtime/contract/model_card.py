@@ -6,8 +6,8 @@ from runtime.contract.cards import card, fold, table
 from runtime.contract.records import Description
 
 
-def model_card(described: Description) -> str:
-    """HTML of a model's description."""
+def model_card(described: Description, sketch: str = "") -> str:
+    """HTML of a model's description; sketch: a drawing of it, as SVG."""
     elastic = sum(entry.elastic for entry in described.coordinates)
     about = (
         f"{described.name}: {len(described.coordinates)} coordinates, {elastic} elastic, "
@@ -27,6 +27,7 @@ def model_card(described: Description) -> str:
     return card(
         described.title or described.name,
         about,
+        sketch,
         table([row for row in rows if row[1]]),
         fold(f"{len(parameters)} parameters", table(parameters, ("name", "default", "unit", "meaning"))),
         fold(f"{len(operations)} functions", table(operations, ("function", "operations", "what it gives"))),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 
 import numpy as np
 
@@ -150,7 +151,8 @@ class Samples:
         if name not in names:
             known = [*self.model.coordinates, *self.model.measures] if "measure" in kind else list(names)
             listed = ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
-            raise ModelError(f"model {self.model.name} has no {kind} {name!r}; it has {listed or 'none'}")
+            near = "".join(f"; did you mean {one!r}?" for one in get_close_matches(str(name)[:80], known, 1))
+            raise ModelError(f"model {self.model.name} has no {kind} {name!r}; it has {listed or 'none'}{near}")
         return list(names).index(name)
 
     @property

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from runtime.contract.records import Coordinate
+from runtime.results.samples import PRESCRIBED
 from runtime.views.mechanism.scenery import scenery
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
 
 STILL = 1e-12  # m or rad: what moves less than this against its own size has nothing to show
+SAME = 1e-9  # of a curve's size, by which it differs from one that covers it
 SMALL = 1e-3  # of the largest modal coordinate of a body: what stays below is left out
 
 
@@ -33,6 +35,17 @@ class Curves:
             return self
         order = np.sort(np.argsort(-np.abs(self.values).max(axis=1, initial=0.0), kind="stable")[:most])
         return replace(self, names=[self.names[k] for k in order], values=self.values[order], of=len(self.names))
+
+    def merged(self) -> Curves:
+        """Curves that are the same to rounding as one, by all their names: one would hide the other."""
+        groups: list[list[int]] = []
+        for k, values in enumerate(self.values):
+            size = float(np.abs(values).max(initial=0.0))
+            same = (own for own in groups if np.abs(self.values[own[0]] - values).max(initial=0.0) <= SAME * size)
+            found = next(same, None)
+            groups.append([k]) if found is None else found.append(k)
+        names = [", ".join(self.names[k] for k in own) for own in groups]
+        return replace(self, names=names, values=self.values[[own[0] for own in groups]])
 
     @property
     def heading(self) -> str:
@@ -96,12 +109,27 @@ def deformation(solution: Solution) -> list[Curves]:
 
 
 def forces(solution: Solution) -> list[Curves]:
-    """Size of the force of each joint and load; of its moment in space, or the moment itself about z in a plane."""
+    """Size of the force of each joint and load; of its moment in space, or the moment itself about z in a plane.
+
+    Behind them what the motors of prescribed motions give, along the motion.
+    """
     loads = [load.name for load in solution.model.description.loads]
     return [
         *_forces("joint", list(solution.model.joints), solution.joint_forces),
         *_forces("load", loads, solution.load_forces),
+        *_motors(solution),
     ]
+
+
+def _motors(solution: Solution) -> list[Curves]:
+    """Torques and forces of prescribed motions."""
+    drives = [joint for joint in solution.model.description.joints if joint.type in PRESCRIBED]
+    found = []
+    for type, title, unit in zip(PRESCRIBED, ("motor torques", "motor forces"), ("N m", "N"), strict=True):
+        names = [joint.name for joint in drives if joint.type == type]
+        if names:
+            found.append(Curves(title, unit, names, np.array([solution.motor(name) for name in names])))
+    return found
 
 
 def _forces(what: str, names: list[str], every: np.ndarray) -> list[Curves]:

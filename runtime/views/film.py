@@ -77,8 +77,12 @@ def film_at(solution: Solution, times: np.ndarray, exaggeration: float | None = 
         raise ArgumentError(f"exaggeration must be finite, not {exaggeration}")
     scene = scenery(solution, times)
     factor = scene.automatic() if exaggeration is None else float(exaggeration)
-    lines = [*_bodies(scene, factor), *_between(scene, factor)]
-    return Film(scene.t, lines, factor, axis_labels(solution.model))
+    return Film(scene.t, lines_of(scene, factor), factor, axis_labels(solution.model))
+
+
+def lines_of(scene: Scenery, factor: float) -> list[Line]:
+    """All lines of a mechanism, its deformation multiplied by `factor`."""
+    return [*_bodies(scene, factor), *_between(scene, factor)]
 
 
 def _bodies(scene: Scenery, factor: float) -> list[Line]:

@@ -56,7 +56,7 @@ def frequencies(
     limit.tick_params(labelsize=8)
     legend(own)
     if own.get_legend() is not None:
-        own.get_legend().set_bbox_to_anchor((1.12, 0.5))
+        own.get_legend().set_bbox_to_anchor((1.2, 0.5))  # beyond the right axis and its words
     return finish(figure, path)
 
 

@@ -15,10 +15,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from runtime.contract.errors import ArgumentError
+from runtime.results.samples import Samples
 from runtime.views import curves
 from runtime.views.curves import Curves
 from runtime.views.figure import finish, grid, legend, owner, panel, prefixed, title
 from runtime.views.frequencies_picture import frequencies as frequencies
+from runtime.views.section_picture import section_forces as section_forces
 from runtime.views.snapshots import snapshots as snapshots
 from runtime.views.style import COLOURS
 
@@ -49,10 +51,10 @@ def deformation(solution: Solution, path: str | Path | None = None) -> Figure:
 
 
 def forces(solution: Solution, path: str | Path | None = None) -> Figure:
-    """Forces |F| and moments of the joints, the six largest each. Raises ArgumentError without joints."""
+    """Forces |F| and moments of joints and loads, the six largest each, and of motors. Raises ArgumentError without."""
     groups = [group.largest(MOST_FORCES) for group in curves.forces(solution)]
     if not groups:
-        raise ArgumentError(f"{solution.model.name} has no joints")
+        raise ArgumentError(f"{solution.model.name} has no joints and no loads")
     return _panels(solution, groups, path)
 
 
@@ -149,33 +151,35 @@ def phase(
 
 
 def difference(
-    first: Solution, second: Solution, path: str | Path | None = None, names: Sequence[str] | None = None
+    first: Solution,
+    second: Solution | Sequence[Solution],
+    path: str | Path | None = None,
+    names: Sequence[str] | None = None,
 ) -> Figure:
-    """Two runs over each other, and below each pair their difference (second - first), at the first run's times.
+    """Runs over each other, and beside them the difference of each other run to the first, at the first run's times.
 
-    names: coordinates or measures that both have; by default the independent coordinates that they share, at most
-    six. Raises ModelError for an unknown name, ArgumentError where the runs share no name or no time.
+    second: one other run, or several. names: coordinates or measures that all have; by default the independent
+    coordinates that they share, at most six. Raises ModelError for an unknown name, ArgumentError where the runs share
+    no name or no time.
     """
-    chosen = (
-        list(names) if names is not None else [name for name in first.model.q_i if name in second.model.coordinates]
-    )
-    t = first.t[(first.t >= second.t[0]) & (first.t <= second.t[-1])]
-    if not chosen or not len(t):
-        raise ArgumentError("the two runs share no " + ("time" if chosen else "independent coordinate; give names"))
+    others = [second] if isinstance(second, Samples) else list(second)
+    shared = [name for name in first.model.q_i if all(name in run.model.coordinates for run in others)]
+    chosen = list(names) if names is not None else shared
+    t = first.t[[all(run.t[0] <= at <= run.t[-1] for run in others) for at in first.t]]
+    if not others or not chosen or not len(t):
+        raise ArgumentError("the runs share no " + ("time" if chosen else "independent coordinate; give names"))
     chosen = chosen[:MOST_FORCES]
-    about = f"{title(first)}   and   {second.scheme}, dt {second.dt:g} s"
+    about = "   and   ".join([title(first), *(f"{run.scheme}, dt {run.dt:g} s" for run in others)])
     figure, axes = grid(2 * len(chosen), about)
     for k, name in enumerate(chosen):
-        a, b = (np.asarray(run.interpolate(t, name)) for run in (first, second))
-        unit = _unit(first, name)
-        labels = [f"{run.scheme} {run.dt:g}" for run in (first, second)]
-        panel(axes[2 * k], t, Curves(name, unit, labels, np.array([a, b])))
-        axes[2 * k].lines[1].set_linestyle((0, (4, 2)))
-        panel(
-            axes[2 * k + 1],
-            t,
-            Curves(f"difference, at most {_written(np.abs(b - a).max(), unit)}", unit, [""], (b - a)[None]),
-        )
+        values = np.array([run.interpolate(t, name) for run in (first, *others)])
+        unit, apart = _unit(first, name), values[1:] - values[0]
+        labels = [f"{run.scheme} {run.dt:g}" for run in (first, *others)]
+        panel(axes[2 * k], t, Curves(name, unit, labels, values))
+        for line in axes[2 * k].lines[1:]:
+            line.set_linestyle((0, (4, 2)))
+        about = f"difference, at most {_written(np.abs(apart).max(), unit)}"
+        panel(axes[2 * k + 1], t, Curves(about, unit, labels[1:] if len(others) > 1 else [""], apart))
     for ax in axes[:-2]:
         ax.set_xlabel("")
     return finish(figure, path)
@@ -197,7 +201,7 @@ def _panels(solution: Solution, groups: list[Curves], path: str | Path | None) -
     shown, left_out = groups[:MAX_PANELS], len(groups) - MAX_PANELS
     figure, axes = grid(len(shown), title(solution))
     for k, (ax, group) in enumerate(zip(axes, shown, strict=True)):
-        panel(ax, solution.t, group)
+        panel(ax, solution.t, group.merged())
         if k < len(shown) - 2:
             ax.set_xlabel("")
     if left_out > 0:

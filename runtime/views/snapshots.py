@@ -49,8 +49,8 @@ def snapshots(
         figure, (ax,) = grid(1, title(solution), shared=False)
     else:
         figure = owner(ax)
-    for k, (name, xy) in enumerate(zip(traces, paths, strict=True)):
-        ax.plot(*xy, color=COLOURS[-1 - k % len(COLOURS)], lw=0.9, alpha=0.7, label=f"path of {name}", zorder=1.8)
+    for k, xy in enumerate(paths):
+        ax.plot(*xy, color=COLOURS[-1 - k % len(COLOURS)], lw=0.9, alpha=0.7, zorder=1.8)
     for frame in range(len(times)):
         last = frame == len(times) - 1
         for line in shown.lines:
@@ -59,9 +59,8 @@ def snapshots(
     ax.set_aspect("equal")
     ax.set_xlabel(shown.axes[0], fontsize=9)
     ax.set_ylabel(shown.axes[1], fontsize=9)
-    ax.set_title(_heading(times, shown), fontsize=9.5, loc="left")
-    if traces:
-        ax.legend(fontsize=7.5, frameon=False)
+    paths_of = f"\nthin: path of {', '.join(traces)}" if traces else ""  # a legend would cover what is drawn
+    ax.set_title(_heading(times, shown) + paths_of, fontsize=9.5, loc="left")
     return finish(figure, path)
 
 

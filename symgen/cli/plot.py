@@ -22,6 +22,7 @@ def add(subparsers: Any) -> None:
     add_scene(command, metavar="RESULTS|SCENE", help="results folder, built-in name, .toml file, or generated folder")
     command.add_argument("--names", type=names, metavar="NAMES", help="coordinates, rates or measures, by commas")
     command.add_argument("--frequencies", action="store_true", help="the frequencies along the motion instead")
+    command.add_argument("--sections", metavar="BEAM", help="section forces along this beam instead")
     command.add_argument("--out", metavar="DIR", help="folder for the pictures (default: RESULTS, or out/SCENE)")
     add_run_options(command)
 
@@ -36,6 +37,9 @@ def run(arguments: argparse.Namespace) -> Outcome:
     if arguments.frequencies:
         paths = [target / "frequencies.png"]
         plots.frequencies(solution, paths[0])
+    elif arguments.sections:
+        paths = [target / f"sections_{arguments.sections}.png"]
+        plots.section_forces(solution, arguments.sections, paths[0])
     elif arguments.names:
         paths = [target / "curves.png"]
         plots.coordinates(solution, paths[0], arguments.names)

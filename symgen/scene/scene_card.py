@@ -1,9 +1,10 @@
-"""A scene in a notebook: bodies, joints, loads and parameters as tables."""
+"""A scene in a notebook: what joins what as a drawing; bodies, joints, loads and parameters as tables."""
 
 from __future__ import annotations
 
 from runtime.contract.cards import card, fold, table
 from symgen.scene.parts import SceneParts
+from symgen.scene.scene_sketch import scene_sketch
 
 
 def scene_card(scene: SceneParts) -> str:
@@ -34,4 +35,4 @@ def scene_card(scene: SceneParts) -> str:
         )
         if rows
     ]
-    return card(scene.title or scene.name, about, *parts)
+    return card(scene.title or scene.name, about, scene_sketch(scene), *parts)

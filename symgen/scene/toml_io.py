@@ -6,6 +6,7 @@ import os
 import re
 import stat
 import tomllib
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,9 @@ def read(path: str | Path) -> dict[str, Any]:
         with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        raise SceneError(item, "does not exist", "check the path") from None
+        beside = [one.name for one in Path(path).parent.glob("*.toml")]
+        near = get_close_matches(Path(path).name[:80], beside, 1)
+        raise SceneError(item, "does not exist", f"did you mean '{near[0]}'?" if near else "check the path") from None
     except (OSError, ValueError, TypeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise SceneError(item, f"cannot be read ({reason})", "give a readable scene file") from None

@@ -211,5 +211,8 @@ def test_bad_files(tmp_path: Path, content: bytes, phrase: str) -> None:
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="does not exist"):
         Scene.from_toml(tmp_path / "none.toml")
+    (tmp_path / "pumpjack.toml").touch()
+    with pytest.raises(SceneError, match="did you mean 'pumpjack.toml'"):
+        Scene.from_toml(tmp_path / "pumpjak.toml")
     with pytest.raises(SceneError, match="cannot be read"):
         Scene.from_toml(tmp_path)

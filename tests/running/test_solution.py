@@ -142,6 +142,11 @@ def test_access_by_name() -> None:
     assert np.array_equal(solution.multiplier("hinge.y"), solution.lam[:, 1])
 
 
+def test_a_misspelled_name_is_recognised() -> None:
+    with pytest.raises(ModelError, match="'rod.tetha'; it has .*; did you mean 'rod.theta'"):
+        rod_solution()["rod.tetha"]
+
+
 @pytest.mark.parametrize(
     "access",
     [

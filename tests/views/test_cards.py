@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from typing import Any
@@ -51,12 +52,15 @@ def shown(thing: Any) -> str:
 def test_scenes_show_their_parts(name: str) -> None:
     scene = SCENES[name]()
     text = shown(scene)
+    boxes = re.findall(r'<rect x="(\d+)" y="(\d+)"', text)  # one a body, none on another
+    assert len(boxes) == len(set(boxes)) == (len(scene.moving_bodies) + 1 if scene.moving_bodies else 0)
     for part in (*scene.bodies, *scene.joints, *scene.loads):
         assert part.name in text
 
 
 def test_models_show_partition_and_parameters(built_in) -> None:
     text = shown(built_in("flexible_slider_crank"))
+    assert text.count("<path") >= 3 and "nan" not in text  # rods and beams as they stand at the start
     for word in ("13 coordinates", "group L", "rod.q1", "revolute", "rod.mass", "condensed"):
         assert word in text
 

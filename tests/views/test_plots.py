@@ -20,7 +20,9 @@ from runtime.results.solution import Solution
 from runtime.running.simulate import simulate
 from runtime.views import plots
 from runtime.views.animation import animate
+from runtime.views.curves import Curves
 from runtime.views.film import film
+from symgen.scene import SceneBuilder
 from tests.running.test_solution import rod_solution
 
 
@@ -121,6 +123,42 @@ def test_two_runs_are_drawn_with_their_difference(tmp_path) -> None:
     assert np.allclose(q1, 1.0, atol=2e-3)
     with pytest.raises(ArgumentError, match="no time"):
         plots.difference(first, replace(second, t=second.t + 10.0))
+
+
+def test_several_runs_are_drawn_with_their_differences_to_the_first() -> None:
+    first, *others = (rod_solution() for _ in range(3))
+    for k, run in enumerate(others):
+        run.q[:, 3] += (k + 1) * 1e-3
+    right = plots.difference(first, others).axes[1::2]
+    q1 = next(ax for ax in right if ax.get_title(loc="left") == "difference, at most 2 mm")
+    assert all(np.allclose(line.get_ydata(), k, atol=2e-3) for line, k in zip(q1.lines, (1, 2), strict=True))
+
+
+def test_section_forces_along_a_cantilever(model_of, tmp_path) -> None:
+    """Hand, to first order: M = -F (L - x) and Q = -F at every section; nothing is pulled."""
+    builder = SceneBuilder("cantilever").beam("arm", length=0.5, density=7800.0, youngs_modulus=2e11, area=2e-4,
+                                              second_moment=6.7e-9, lateral={"modes": 2})  # fmt: skip
+    builder.weld("wall", "ground.origin", "arm.start").force("tip", "arm.end", 0.0, -0.3)
+    run = simulate(model_of(builder.simulation(t_end=2e-6, dt=1e-6, scheme="rk4", start="quasi_static").build()))
+    axes = plots.section_forces(run, "arm", tmp_path / "arm.png").axes
+    drawn = {ax.get_title(loc="left").partition(",")[0]: ax.lines[0].get_xydata() for ax in axes}
+    x, moment = drawn["bending moment about z"].T
+    assert np.allclose(moment, -150.0 * (1.0 - x), atol=0.05)  # N mm
+    assert np.allclose(drawn["shear force along y"][:, 1], -300.0, atol=0.1)  # mN
+    with pytest.raises(ModelError, match="no beam"):
+        plots.section_forces(run, "wall")
+
+
+def test_motors_and_equal_curves(built_in) -> None:
+    """The motor of a driven crank is among the forces; curves that cover each other are one with all their names."""
+    run = simulate(built_in("flexible_slider_crank"), t_end=2e-3)
+    motors = next(ax for ax in plots.forces(run).axes if ax.get_title(loc="left").startswith("motor torques"))
+    (drive,) = (joint.name for joint in run.model.description.joints if joint.type == "prescribed_angle")
+    (line,) = motors.lines
+    drawn, own = np.asarray(line.get_ydata()), run.motor(drive)
+    assert np.allclose(drawn / np.abs(drawn).max(), own / np.abs(own).max())
+    curves = Curves("", "m", ["a", "b", "c"], np.array([[1.0, 2.0], [1.0, 3.0], [1.0, 2.0]]))
+    assert curves.merged().names == ["a, c", "b"] and curves.merged().values.tolist() == [[1.0, 2.0], [1.0, 3.0]]
 
 
 def test_a_run_that_failed_says_so_in_the_title() -> None:

@@ -33,11 +33,11 @@ def test_a_cantilever_under_a_force(model_of: Callable[[Scene], Model]) -> None:
     run = simulate(model_of(scene))
     (beam,) = (body for body in view_record(run, {})["bodies"] if body["name"] == "beam")
     corners = np.frombuffer(base64.b64decode(beam["mesh"]["x"]), "<f4").reshape(-1, 4, 3)
-    sides = np.frombuffer(base64.b64decode(beam["stress"]["sides"]), "<f4").reshape(-1, len(corners), 2)
-    for k, corner in enumerate((0, 1)):
-        x, y = corners[:, corner, :2].T
+    stresses = np.frombuffer(base64.b64decode(beam["stress"]["corners"]), "<f4").reshape(-1, len(corners), 4)
+    for k in range(4):
+        x, y = corners[:, k, :2].T
         expected = np.abs(pull / (width * height) - 12 * force * (length - x) * y / (width * height**3))
-        np.testing.assert_allclose(sides[0, :, k], expected, atol=1e-3 * pull / (width * height))
+        np.testing.assert_allclose(stresses[0, :, k], expected, atol=1e-3 * pull / (width * height))
 
 
 def test_the_page_computes_von_mises(tmp_path: Path) -> None:

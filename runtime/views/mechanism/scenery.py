@@ -119,9 +119,17 @@ class Scenery:
 
 def scenery(solution: Solution, t: np.ndarray) -> Scenery:
     """The mechanism of a solution at the times t (N,) [s]. Raises ModelError if the model has nothing to draw."""
-    model = solution.model
-    found = bodies(model, solution.parameters)
-    q = np.asarray(solution.interpolate(t, "q"))
+    return _at(solution.model, solution.parameters, t, np.asarray(solution.interpolate(t, "q")))
+
+
+def still(model: Model) -> Scenery:
+    """The mechanism as the scene starts it, with its own parameters. Raises ModelError if there is nothing to draw."""
+    return _at(model, model.parameter_vector(), np.zeros(1), model.initial_q[None, :])
+
+
+def _at(model: Model, p: np.ndarray, t: np.ndarray, q: np.ndarray) -> Scenery:
+    """With parameters p (n_p,) at coordinates q (frames, n)."""
+    found = bodies(model, p)
     origin, turn = _poses(model, q)
     at_joints = {joint[key] for joint in model.drawing["joints"] for key in ("marker_a", "marker_b")}
     follow = [

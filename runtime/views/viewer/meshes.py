@@ -13,6 +13,7 @@ from runtime.views.mechanism.points import Body, Points
 from runtime.views.mechanism.solids import Solid
 
 MOST_TRIANGLES = 200_000
+CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # of a section, in halves of its height and width
 KEYS = ("vertices", "triangles", "shapes")
 
 
@@ -34,7 +35,7 @@ def beam_mesh(body: Body) -> SurfaceMesh:
     assert body.section is not None
     stations, (height, width) = body.stations, body.section
     n, nf = len(stations.names), stations.shapes.shape[2]
-    corners = np.array([[0, -height, -width], [0, height, -width], [0, height, width], [0, -height, width]]) / 2.0
+    corners = np.array([[0.0, y * height, z * width] for y, z in CORNERS]) / 2.0
     position = (stations.position[:, None] + corners[None]).reshape(-1, 3)
     arm = np.broadcast_to(corners[None, :, :, None], (n, 4, 3, nf))
     turned = np.cross(np.broadcast_to(stations.turns[:, None], (n, 4, 3, nf)), arm, axis=2)

@@ -1,7 +1,7 @@
-"""Stresses that colour a page: von Mises of finite-element surfaces, the bending stress of planar beams.
+"""Stresses that colour a page: von Mises of finite-element surfaces, tension and bending of beams.
 
-A beam's is |N / A -+ M h / (2 I)| at the upper and lower side of the rectangle that is drawn, which has the beam's area
-and second moment; N and M are its section forces.
+A beam's is |N / A - M y / I_z + M_y z / I_y| at the corners of the rectangle that is drawn, which has the beam's area
+and second moments; N, M and M_y are its section forces. Shear and torsion are left out.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from runtime.contract.packing import packed
 from runtime.results.section_forces import section_forces
 from runtime.views.mechanism.points import Body
 from runtime.views.mechanism.scenery import Scenery
-from runtime.views.viewer.meshes import SurfaceMesh
+from runtime.views.viewer.meshes import CORNERS, SurfaceMesh
 
 if TYPE_CHECKING:
     from runtime.results.solution import Solution
@@ -31,8 +31,7 @@ def stress_records(
 ) -> tuple[dict[str, dict[str, str]], float]:
     """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
 
-    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `sides` (frames, stations, 2): at the lower
-    and the upper side.
+    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `corners` (frames, stations, 4).
     """
     found: dict[str, dict[str, str]] = {}
     largest = 0.0
@@ -43,9 +42,9 @@ def stress_records(
         if mesh.stresses is not None:
             found[body.name] = {"modes": packed(mesh.stresses)}
             largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
-        elif body.section is not None and (sides := _sides(solution, body, shown.t)) is not None:
-            found[body.name] = {"sides": packed(sides)}
-            largest = max(largest, float(sides.max()))
+        elif body.section is not None and (corners := _corners(solution, body, shown.t)) is not None:
+            found[body.name] = {"corners": packed(corners)}
+            largest = max(largest, float(corners.max()))
     return found, largest
 
 
@@ -59,8 +58,8 @@ def _von_mises(stresses: np.ndarray, q_f: np.ndarray) -> float:
     return float(np.sqrt(most))
 
 
-def _sides(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
-    """(frames, stations, 2), or None for a beam whose section forces are not known."""
+def _corners(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
+    """(frames, stations, 4), corners as `beam_mesh` has them; None for a beam whose section forces are not known."""
     assert body.section is not None
     height, width = body.section
     x = body.stations.position[:, 0]
@@ -70,9 +69,9 @@ def _sides(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
         forces = section_forces(few, body.name, list((x - x[0]) / (x[-1] - x[0])))
     except ModelError:
         return None
-    if not (np.isfinite(forces.normal).all() and np.isfinite(forces.moment).all()):
-        return None
-    pulled, bent = forces.normal / (height * width), forces.moment * 6 / (width * height**2)
-    sides = np.abs(np.stack([pulled + bent, pulled - bent], axis=2)).reshape(len(kept), -1)
-    at = np.stack([np.interp(t, few.t, column) for column in sides.T], axis=1)
-    return at.reshape(len(t), len(x), 2)
+    pulled = forces.normal / (height * width)
+    bent, aside = 6 * forces.moment / (width * height**2), 6 * forces.moment_y / (height * width**2)
+    parts = [pulled - y * bent + z * aside for y, z in CORNERS]
+    corners = np.abs(np.stack(parts, axis=2)).reshape(len(kept), -1)
+    at = np.stack([np.interp(t, few.t, column) for column in corners.T], axis=1)
+    return at.reshape(len(t), len(x), 4)

@@ -26,7 +26,7 @@ for (const body of run.bodies) {
       const ghost = new THREE.BufferGeometry();
       ghost.setAttribute("position", new THREE.BufferAttribute(new Float32Array(body.mesh.x), 3));
       ghost.setIndex(new THREE.BufferAttribute(body.mesh.triangles, 1));
-      body.ghost = new THREE.Mesh(ghost, matter("#8b93a3", { transparent: true, opacity: 0.28, depthWrite: false, flatShading: true }));
+      body.ghost = new THREE.Mesh(ghost, matter("#8b93a3", { transparent: true, opacity: 0.28, depthWrite: false, flatShading: true, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }));
       body.ghost.matrixAutoUpdate = false;
       layers.undeformed.add(body.ghost);
     }

@@ -61,14 +61,10 @@ function deform(body, set, q, factor) {
   }
 }
 
-// Stress of every vertex: of a beam at its lower and upper side, of a finite-element surface von Mises [Pa].
+// Stress of every vertex [Pa]: of a beam as it was sent, of a finite-element surface von Mises.
 function stressOf(body, q, frame) {
   const n = body.mesh.count, nf = body.nf, found = new Float32Array(n);
-  if (body.stress.sides) {
-    const sides = mixed(body.stress.sides, n / 2, frame);
-    for (let k = 0; k < n; k++) found[k] = sides[2 * (k >> 2) + (k % 4 === 1 || k % 4 === 2 ? 1 : 0)];
-    return found;
-  }
+  if (body.stress.corners) return mixed(body.stress.corners, n, frame);
   const modes = body.stress.modes, part = new Float64Array(6);
   for (let k = 0; k < n; k++) {
     for (let i = 0, at = 6 * k * nf; i < 6; i++) { part[i] = 0; for (let a = 0; a < nf; a++) part[i] += modes[at++] * q[a]; }
