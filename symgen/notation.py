@@ -112,6 +112,12 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("K_s", "", "", "n_s x n_s", "SI", "stiffness of the stiff deflections"),
     Notation("D_s", "", "", "n_s x n_s", "SI", "damping of the stiff deflections"),
     Notation("X", "", "", "n_i x n_s", "SI", "M_hat^-1 B: accelerations by forces along the stiff deflections"),
+    Notation(
+        "shift", "", "", "4", "s^2, s", "kappa and delta of M_hat + B (kappa K_s + delta D_s) B^T, real parts first"
+    ),
+    Notation("push", "", "", "2 n_s", "SI", "forces along the stiff deflections, real parts first"),
+    Notation("x_re", "", "", "n_i", "mixed", "what they do beside the shift, real parts"),
+    Notation("x_im", "", "", "n_i", "mixed", "imaginary parts"),
     Notation("q_L_ddot", "q_L''", "59", "n_L", "mixed", "accelerations of the slower groups, frozen over their step"),
     Notation("dt_L", "Delta t_L", "40-43", "1", "s", "major step: step of the slowest group"),
     Notation("m", "m", "72", "groups - 1", "1", "ratio of each next group's step; in templates a body's mass"),

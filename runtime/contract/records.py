@@ -26,7 +26,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "closure": ("c", "t", "u", "q_i", "q_d"),
     "velocities": ("q_i_dot",),
     "condensed": ("q_d_dot", "q", "q_dot"),
-    "accelerations": ("q_i_ddot", "q_L_ddot", "crossing", "interface"),
+    "accelerations": ("q_i_ddot", "q_L_ddot", "crossing", "interface", "shift", "push"),
     "reactions": ("q_ddot", "lam_R"),
     "report": (),
 }

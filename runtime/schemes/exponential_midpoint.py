@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -24,10 +25,13 @@ from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import MOST_ITERATIONS, ClosureOptions, Options, tolerances, whole_number
 from runtime.schemes.rounding import ROUNDING
 from runtime.schemes.scheme import LARGEST
-from runtime.schemes.stage_equations import StageEquations, StiffResponse
+from runtime.schemes.sparse_lu import Number
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, control, work
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
+from runtime.schemes.stiff_deflections import StiffResponse
 from runtime.schemes.stiff_motion import StiffMotion
+from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 USUAL_ITERATIONS = 6
 STALLED = 64  # roundings of the state below which a change that no longer falls is what rounding leaves
@@ -47,7 +51,7 @@ class ExponentialMidpointOptions(ClosureOptions):
 
 
 class ExponentialMidpoint(OneStep):
-    """x_end, v_end: the last iterate; response: a and X that it was made with; change: by how much it differed."""
+    """x_end, v_end: the last iterate; response: what it was made with; change: by how much it differed."""
 
     options: ExponentialMidpointOptions
     counts_powers = True
@@ -56,7 +60,7 @@ class ExponentialMidpoint(OneStep):
     def further_fields(self) -> dict[str, StateField]:
         """See above. What the iteration starts from does not act on what it converges to."""
         n, loops = len(self.model.q_i), len(self.model.loop_unknowns)
-        n_s = self.equations(ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape[1]
+        n_s = 0 if self.by_tree else self.equations(ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape[1]
         values = {"x_end": work(n), "v_end": work(n), "loop_dot": work(loops)}
         steering = {"response": n * (1 + n_s), "unconverged": 1, "change": 1}
         return values | {name: control(size) for name, size in steering.items()}
@@ -92,26 +96,32 @@ class ExponentialMidpoint(OneStep):
         """Of the usual number of iterations; a run counts its own."""
         return USUAL_ITERATIONS, 0
 
+    @property
+    def by_tree(self) -> bool:
+        """Are there many deflections along a tree?"""
+        return self.model.has("shifted_solution")
+
     def started(
         self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
     ) -> Mapping[str, ca.SX]:
         """The response at the start."""
         fields = super().started(t0, q_i, q_i_dot, loop, equations)
-        found = equations.stiff_response(equations.close(q_i, fields["loop"], t0, 1), q_i_dot)
-        return {**fields, "response": self._held(found, found.a + self._accounted(found, q_i, q_i_dot))}
+        motion = equations.close(q_i, fields["loop"], t0, 1)
+        return {**fields, "response": self._response(equations, motion, q_i_dot)}
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        end = self._moved(z, equations, self._of_last_step(z, equations))
-        return {"x_end": end[0], "v_end": end[1], "unconverged": self.alive(z), "change": ca.SX(LARGEST)}
+        start = None
+        if self.by_tree:
+            start = equations.close(z["x"], z["loop"], self.now(z, equations), self.options.closure_iterations)
+        x, v = self._moved(z, equations, z["response"], start)
+        return {"x_end": x, "v_end": v, "unconverged": self.alive(z), "change": ca.SX(LARGEST)}
 
     def _iterate(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t = equations.h[0], self.now(z, equations) + equations.h[0] / 2
         x_m, v_m = (z["x"] + z["x_end"]) / 2, (z["v"] + z["v_end"]) / 2
         motion = equations.close(x_m, z["loop"], t, self.options.closure_iterations)
-        found = equations.stiff_response(motion, v_m)
-        rest = found.a + self._accounted(found, x_m, v_m)
-        held = StiffResponse(found.B, found.K, found.D, rest - self._accounted(found, z["x"], z["v"]), found.X)
-        x, v = self._moved(z, equations, held)
+        response = self._response(equations, motion, v_m)
+        x, v = self._moved(z, equations, response, motion)
         change = _largest(x - z["x_end"], h * (v - z["v_end"]))
         allowed = self.options.eps[0] * _largest(x - z["x"], h * (v - z["v"]))
         arrived = ca.logic_and(change >= z["change"], change <= STALLED * ROUNDING * _largest(x, h * v))
@@ -121,7 +131,7 @@ class ExponentialMidpoint(OneStep):
             "v_end": v,
             "loop": equations.loop_part(motion.q_d),
             "loop_dot": equations.loop_part(equations.rates(motion, v_m)),
-            "response": self._held(found, rest),
+            "response": response,
             "unconverged": 1 - settled,
             "change": change,
             "iterations": z["iterations"] + 1,
@@ -148,31 +158,36 @@ class ExponentialMidpoint(OneStep):
 
     # ---- the motion of a step -------------------------------------------------------------------------------
 
-    @staticmethod
-    def _moved(z: Fields, equations: StageEquations, held: StiffResponse) -> tuple[ca.SX, ca.SX]:
-        """Where the motion from the start of the step leads; held.a: the accelerations at its start."""
-        none = ca.SX.zeros(held.a.numel())
-        end = StiffMotion(z["x"], z["v"], held, equations.h[0], None).to(2, none, none)
+    def _response(self, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
+        """Accelerations without those of K and D, and X where there are few deflections."""
+        if self.by_tree:
+            return equations.accelerations(motion, v) + self._pushed(equations, motion, motion.q_i, v)
+        found = equations.stiff_response(motion, v)
+        rest = found.a + ca.mtimes(found.X, found.force(motion.q_i, v))
+        return ca.vertcat(rest, ca.vec(ca.densify(found.X)))
+
+    def _moved(
+        self, z: Fields, equations: StageEquations, response: ca.SX, at: ClosedConfiguration | None
+    ) -> tuple[ca.SX, ca.SX]:
+        """Where the motion from the start of the step leads with a response; at: where a tree has its inertia."""
+        x, v, h, n = z["x"], z["v"], equations.h[0], len(self.model.q_i)
+        none, stiff = ca.SX.zeros(n), equations.deflections()
+        motion: StiffMotion | StiffTreeMotion
+        if at is not None and self.by_tree:
+            a, solution = response - self._pushed(equations, at, x, v), partial(equations.shifted_solution, at)
+            motion = StiffTreeMotion(x, v, a, stiff, h, solution)
+        else:
+            X = ca.reshape(response[n:], n, stiff.B.shape[1])
+            a = response[:n] - ca.mtimes(X, stiff.force(x, v))
+            motion = StiffMotion(x, v, StiffResponse(stiff.B, stiff.K, stiff.D, a, X), h, None)
+        end = motion.to(2, none, none)
         return end.q, end.v
 
     @staticmethod
-    def _accounted(found: StiffResponse, x: ca.SX, v: ca.SX) -> ca.SX:
-        """X (K s + D s') at a state."""
-        force = ca.mtimes(found.K, ca.mtimes(found.B.T, x)) + ca.mtimes(found.D, ca.mtimes(found.B.T, v))
-        return ca.mtimes(found.X, force)
-
-    @staticmethod
-    def _held(found: StiffResponse, rest: ca.SX) -> ca.SX:
-        """The field `response`: accelerations without those of K and D, and X."""
-        return ca.vertcat(rest, ca.vec(ca.densify(found.X)))
-
-    def _of_last_step(self, z: Fields, equations: StageEquations) -> StiffResponse:
-        """The last step's forces at the start of this one."""
-        n, stiff = len(self.model.q_i), equations.deflections()
-        X = ca.reshape(z["response"][n:], n, stiff.B.shape[1])
-        found = StiffResponse(stiff.B, stiff.K, stiff.D, z["response"][:n], X)
-        a = found.a - self._accounted(found, z["x"], z["v"])
-        return StiffResponse(stiff.B, stiff.K, stiff.D, a, X)
+    def _pushed(equations: StageEquations, at: ClosedConfiguration, x: ca.SX, v: ca.SX) -> ca.SX:
+        """M_hat^-1 B (K s + D s')."""
+        none = Number(ca.SX(0))
+        return equations.shifted_solution(at, none, none, Number(equations.deflections().force(x, v))).re
 
 
 def _largest(*vectors: ca.SX) -> ca.SX:

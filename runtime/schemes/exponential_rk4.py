@@ -18,16 +18,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import AdaptiveOptions, Options, one_of
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.step_limit import StepLimit, limit_beside_deflections
+from runtime.schemes.stiff_deflections import StiffResponse
 from runtime.schemes.stiff_motion import MotionStage, StiffMotion
+from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 # h w and h d up to which the explicit part is stable: above sqrt(2) a mode grows by 1e-3 a step at 1.6, by 2 % at 2
 IMAGINARY_REACH, REAL_REACH = 2**0.5, 2.785
@@ -58,7 +62,9 @@ class KrogstadStages:
     b2: ca.SX
 
 
-def krogstad(motion: StiffMotion, d: Callable[[MotionStage], ca.SX], rough: bool = False) -> KrogstadStages:
+def krogstad(
+    motion: StiffMotion | StiffTreeMotion, d: Callable[[MotionStage], ca.SX], rough: bool = False
+) -> KrogstadStages:
     """The stages of a step of motion.h; d: what accelerations at a stage are beside what the stiff part accounts for.
 
     Y4 is a result of order 2 and so an estimate of the error; the polynomial with b1, b2 leads through the whole step.
@@ -85,6 +91,18 @@ def tangent_of(
     if options.linearisation != "tangent" or not found.B.shape[1]:
         return None
     return equations.directional_derivatives(start, v, found.along(ca.SX.eye(found.B.shape[1])))
+
+
+def along_tree(model: Model, options: ExponentialRungeKuttaOptions) -> bool:
+    """Are there so many deflections along a tree that no matrix of them is formed?"""
+    return options.linearisation == "stiffness" and model.has("shifted_solution")
+
+
+def motion_along_tree(
+    equations: StageEquations, start: ClosedConfiguration, x: ca.SX, v: ca.SX, a: ca.SX, h: ca.SX
+) -> StiffTreeMotion:
+    """Motions from (x, v), where q_i'' = a, with the inertia of a configuration."""
+    return StiffTreeMotion(x, v, a, equations.deflections(), h, partial(equations.shifted_solution, start))
 
 
 class ExponentialRungeKutta(OneStep):
@@ -115,8 +133,12 @@ class ExponentialRungeKutta(OneStep):
     def _step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t, x, v = equations.h[0], self.now(z, equations), z["x"], z["v"]
         start = equations.close(x, z["loop"], t, self.options.closure_iterations)
-        found = equations.stiff_response(start, v)
-        motion = StiffMotion(x, v, found, h, tangent_of(self.options, equations, start, v, found))
+        motion: StiffMotion | StiffTreeMotion
+        if along_tree(self.model, self.options):
+            motion = motion_along_tree(equations, start, x, v, equations.accelerations(start, v), h)
+        else:
+            found = equations.stiff_response(start, v)
+            motion = StiffMotion(x, v, found, h, tangent_of(self.options, equations, start, v, found))
         loop, loop_dot = equations.loop_part(start.q_d), equations.loop_part(equations.rates(start, v))
         seen: list[ClosedConfiguration] = [start]
 
@@ -126,6 +148,6 @@ class ExponentialRungeKutta(OneStep):
             return motion.remainder(equations.accelerations(seen[-1], stage.v), stage)
 
         end = krogstad(motion, d).end
-        work = self.worked(z, equations, start, v, found.a)
+        work = self.worked(z, equations, start, v, motion.a)
         ahead = {"loop": equations.loop_part(seen[-1].q_d)} if equations.loops else {}
         return {"x": end.q, "v": end.v, "n": z["n"] + 1, **ahead, **work, **self.closed(z, *seen)}

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import casadi as ca
 
 from runtime.contract.model import Model
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.stiff_deflections import StiffDeflections, StiffResponse
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
@@ -37,34 +37,6 @@ class LinearisedEquations:
     a: ca.SX
     J_q: ca.SX
     J_v: ca.SX
-
-
-@dataclass(frozen=True)
-class StiffDeflections:
-    """s = B^T q_i (B n_i x n_s, constant) with stiffness K and damping D, n_s x n_s [SI]."""
-
-    B: ca.SX
-    K: ca.SX
-    D: ca.SX
-
-
-@dataclass(frozen=True)
-class StiffResponse(StiffDeflections):
-    """And q_i_ddot = a (n_i) at a state, and X = M_hat^-1 B (n_i x n_s) there."""
-
-    a: ca.SX
-    X: ca.SX
-
-    @cached_property
-    def Lambda(self) -> ca.SX:
-        """B^T X (n_s x n_s)."""
-        return ca.mtimes(self.B.T, self.X)
-
-    def along(self, change: ca.SX) -> ca.SX:
-        """X Lambda^-1 change: what q_i does when the deflections change so and nothing else is pushed; n_s x any."""
-        factors = factor(Number(self.Lambda), symmetric=True)
-        columns = [solve(factors, Number(ca.densify(column))).re for column in ca.horzsplit(change)]
-        return ca.mtimes(self.X, ca.horzcat(*columns))
 
 
 class StageEquations:
@@ -169,6 +141,16 @@ class StageEquations:
         sides = [Q_hat, *ca.horzsplit(ca.densify(stiff.B))]
         a, *columns = (solve(factors, Number(ca.densify(side))).re for side in sides)
         return StiffResponse(stiff.B, stiff.K, stiff.D, a, ca.horzcat(*columns))
+
+    def shifted_solution(self, motion: ClosedConfiguration, kappa: Number, delta: Number, force: Number) -> Number:
+        """(M_hat + B (kappa K + delta D) B^T)^-1 B force along a tree: n_s -> n_i."""
+
+        def parts(number: Number) -> list[ca.SX]:
+            return [ca.densify(number.re), ca.SX.zeros(number.re.numel()) if number.im is None else number.im]
+
+        shift, push = ca.vertcat(*parts(kappa), *parts(delta)), ca.vertcat(*parts(force))
+        found = self.call("shifted_solution", q_i=motion.q_i, q_d=motion.q_d, t=motion.t, shift=shift, push=push)
+        return Number(found["x_re"], None if force.im is None else found["x_im"])
 
     def directional_derivatives(self, motion: ClosedConfiguration, q_i_dot: ca.SX, along: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Derivatives of q_i_ddot by q_i (q_d following) and by q_i_dot along columns, n_i x any."""

@@ -24,7 +24,7 @@ import casadi as ca
 
 from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of, propagate
 from runtime.schemes.sparse_lu import Number, factor, solve
-from runtime.schemes.stage_equations import StiffResponse
+from runtime.schemes.stiff_deflections import StiffResponse
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class StiffMotion:
     """
 
     def __init__(self, x: ca.SX, v: ca.SX, found: StiffResponse, h: ca.SX, tangent: tuple[ca.SX, ca.SX] | None) -> None:
-        self.x, self.v, self.found, self.h, self.tangent = x, v, found, h, tangent
+        self.x, self.v, self.a, self.found, self.h, self.tangent = x, v, found.a, found, h, tangent
         self.n_s = found.B.shape[1]
         if tangent is None:
             J, J_v = -ca.mtimes(found.Lambda, found.K), -ca.mtimes(found.Lambda, found.D)
@@ -59,7 +59,7 @@ class StiffMotion:
 
         at_once: both halves in one sub-step, with factors of its own: less exact where modes are not resolved.
         """
-        a, tau = self.found.a, halves * self.h / 2
+        a, tau = self.a, halves * self.h / 2
         I1 = tau * (a + tau / 2 * (b1 + tau / 3 * b2))
         I2 = tau * (self.v + tau / 2 * (a + tau / 3 * (b1 + tau / 4 * b2)))  # with tau v_n
         if not self.n_s:
@@ -97,4 +97,4 @@ class StiffMotion:
 
     def remainder(self, a: ca.SX, stage: MotionStage) -> ca.SX:
         """d: what accelerations at a stage are beside a_n and what the stiff part accounts for."""
-        return a - self.found.a - stage.accounted
+        return a - self.a - stage.accounted

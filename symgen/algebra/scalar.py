@@ -1,14 +1,18 @@
 """Arithmetic on SX scalars for the inner loops of the derivation.
 
 CasADi's Python operators try every overload of their arguments (about 20 us); SX.binary goes straight to the
-operation (3 us) with the same simplifications, which is what makes a 50-body scene generate in seconds.
+operation (3 us) with the same simplifications, which is what makes a 50-body scene generate in seconds. Where one
+argument is complex, so is the result.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import cast
 
 import casadi as ca
+
+from symgen.algebra.complex_scalar import ComplexScalar
 
 ZERO, ONE = ca.SX(0), ca.SX(1)
 _binary, _unary = ca.SX.binary, ca.SX.unary
@@ -17,34 +21,42 @@ _ADD, _SUB, _MUL, _DIV, _NEG = ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV, ca.OP
 
 def add(a: ca.SX, b: ca.SX) -> ca.SX:
     """a + b."""
+    if isinstance(a, ComplexScalar) or isinstance(b, ComplexScalar):
+        return cast(ca.SX, ComplexScalar.of(a).plus(ComplexScalar.of(b)))
     return _binary(_ADD, a, b)
 
 
 def sub(a: ca.SX, b: ca.SX) -> ca.SX:
     """a - b."""
+    if isinstance(a, ComplexScalar) or isinstance(b, ComplexScalar):
+        return cast(ca.SX, ComplexScalar.of(a).minus(ComplexScalar.of(b)))
     return _binary(_SUB, a, b)
 
 
 def mul(a: ca.SX, b: ca.SX) -> ca.SX:
     """a b."""
+    if isinstance(a, ComplexScalar) or isinstance(b, ComplexScalar):
+        return cast(ca.SX, ComplexScalar.of(a).times(ComplexScalar.of(b)))
     return _binary(_MUL, a, b)
 
 
 def div(a: ca.SX, b: ca.SX) -> ca.SX:
     """a / b."""
+    if isinstance(a, ComplexScalar) or isinstance(b, ComplexScalar):
+        return cast(ca.SX, ComplexScalar.of(a).over(ComplexScalar.of(b)))
     return _binary(_DIV, a, b)
 
 
 def neg(a: ca.SX) -> ca.SX:
     """-a."""
-    return _unary(_NEG, a)
+    return sub(ZERO, a) if isinstance(a, ComplexScalar) else _unary(_NEG, a)
 
 
 def total(terms: Iterable[ca.SX]) -> ca.SX:
     """Sum of the terms in order; zero for none."""
     result = ZERO
     for term in terms:
-        result = _binary(_ADD, result, term)
+        result = add(result, term)
     return result
 
 
@@ -55,7 +67,7 @@ def length(expressions: Sequence[ca.SX]) -> int:
 
 def dot(u: Sequence[ca.SX], v: Sequence[ca.SX]) -> ca.SX:
     """Sum of u_k v_k."""
-    return total(_binary(_MUL, x, y) for x, y in zip(u, v, strict=True))
+    return total(mul(x, y) for x, y in zip(u, v, strict=True))
 
 
 def entries(matrix: ca.SX) -> list[list[ca.SX]]:

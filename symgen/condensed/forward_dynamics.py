@@ -85,7 +85,7 @@ def given_side(column: int) -> Side:
 def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX]:
     """q_ddot of every independent coordinate of a tree, by column, by the shorter of two ways.
 
-    RowsLeft of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
+    Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
     solve, columns = system.reduced.free_joints, system.choice.independent
     if solve is None or any(s.e for s in system.inner):

@@ -13,7 +13,9 @@ from symgen.notation import BY_NAME
 from symgen.pipeline import Derived
 
 # what the emitted functions call their own: temporaries, arguments, outputs
-RESERVED = re.compile(r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|interface\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$")
+RESERVED = re.compile(
+    r"^(w\d+|c\d*|p\d*|t|ca|lam_R\d*|crossing\d*|interface\d*|shift\d*|push\d*|q\w*|M\w*|C\w*|Q\w*|inputs|outputs)$"
+)
 
 
 def local_names(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
@@ -52,6 +54,9 @@ class Labels:
         if "trunk_response" in derived.tapes:
             interface = derived.functions["trunk_response"].outputs[-1].size[0]
             self.arguments["interface"] = [f"interface{k}" for k in range(interface)]
+        if "shifted_solution" in derived.tapes:
+            sizes = {signal.name: signal.size[0] for signal in derived.functions["shifted_solution"].inputs}
+            self.arguments |= {name: [f"{name}{k}" for k in range(sizes[name])] for name in ("shift", "push")}
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])

@@ -32,6 +32,7 @@ from symgen.kernels.drawing import poses
 from symgen.kernels.jacobians import jacobian_kernels
 from symgen.kernels.kernel import Kernel
 from symgen.kernels.partition_kernels import deflection_kernels, partition_kernels
+from symgen.kernels.shifted_kernels import shifted_kernels
 from symgen.kernels.specification import block_signals, substep_name
 from symgen.system.errors import DerivationError
 from symgen.system.topology import Topology
@@ -43,6 +44,7 @@ TREES_ONLY = {
     "fast_rows",
     "trunk_response",
     "branch_motion",
+    "shifted_solution",
 }  # may be asked for of any scene, and be left out
 FULLY_DRIVEN = (
     "closure", "velocities", "accelerations", "constraints", "reactions", "energy", "measures", "poses", "load_forces",
@@ -84,6 +86,8 @@ def kernel_builders(
     tree, deflections = is_tree(system, topology), system.deflections
     if deflections is not None:
         builders |= deflection_kernels(system, topology, arguments, deflections, tree)
+        if tree:
+            builders |= shifted_kernels(system, topology, arguments, deflections)
     if tree:
         builders["forward_dynamics"] = lambda: _forward_dynamics(system, topology, arguments)
         if len(groups) == 2:

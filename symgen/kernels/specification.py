@@ -110,6 +110,14 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "q_i_ddot X",
         ),
         _spec(
+            "shifted_solution",
+            "38",
+            "x of (M_hat + B (kappa K_s + delta D_s) B^T) x = B push on a large tree; shift: kappa, delta",
+            "accelerations",
+            "q_i q_d shift push t u c",
+            "x_re x_im",
+        ),
+        _spec(
             "constraints",
             "21-27",
             "Constraints and their derivatives in all coordinates",

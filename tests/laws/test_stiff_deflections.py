@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
@@ -17,6 +17,7 @@ from runtime.schemes.scheme import Scheme
 from runtime.schemes.stage_equations import StageEquations
 from runtime.schemes.step_limit import limit_beside_deflections
 from runtime.studies.stability.tangent import TangentStep
+from symgen.generate import model_of as on_demand
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneError
 from symgen.scenes import SCENES
@@ -197,6 +198,40 @@ def test_tangents_keep_the_order(model_of: Build, name: str) -> None:
     runs = PreparedRuns(model, NAME, options={"linearisation": "tangent"}, start=case.start)
     errors = [float(np.max(np.abs(runs.end(case.t_end, step) - exact))) for step in (case.dt, case.dt / 4)]
     assert errors[1] < case.cap and 3.0 < np.log(errors[0] / errors[1]) / np.log(4.0) < 5.0, errors
+
+
+def test_shifted_solutions_along_a_tree() -> None:
+    """(M_hat + B (kappa K + delta D) B^T) x = B f for complex shifts and forces, by the dense matrices."""
+    model = on_demand(chain(5, 2))
+    n, (B, K, D), random = len(model.q_i), deflections(model), np.random.default_rng(3)
+    for state in random_states(model, 2):
+        M_hat = evaluate(model, "condensed", **state.values())["M_hat"].reshape(n, n)
+        kappa, delta = complex(*random.uniform(0, 1e-3, 2)), complex(*random.uniform(0, 1e-2, 2))
+        f = random.normal(size=len(K)) + 1j * random.normal(size=len(K))
+        wanted = np.linalg.solve(M_hat + B @ (kappa * K + delta * D) @ B.T, B @ f)
+        shift, push = np.array([kappa.real, kappa.imag, delta.real, delta.imag]), np.concatenate([f.real, f.imag])
+        found = evaluate(model, "shifted_solution", **state.values(), shift=shift, push=push)
+        x = found["x_re"].ravel() + 1j * found["x_im"].ravel()
+        np.testing.assert_allclose(x, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("scheme", [NAME, "exponential_midpoint"])
+def test_steps_along_a_tree_are_those_of_the_dense_block(scheme: str) -> None:
+    """Ten steps of a chain whose links are all flexible and damped, by shifted solutions and by n_s equations."""
+    data = chain(3, 3).to_dict()
+    for body in data["bodies"]:
+        body["damping_ratio"] = 0.02
+    model = on_demand(Scene.from_dict(data))
+    dense = replace(model, builders={k: v for k, v in model.builders.items() if k != "shifted_solution"}, _kernels={})
+    ends = [PreparedRuns(one, scheme, engine="interpreted").samples(2e-3, 10, 10)["x"][-1] for one in (model, dense)]
+    assert model.has("shifted_solution") and not dense.has("shifted_solution")
+    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-12)
+
+
+def test_price_with_all_links_flexible() -> None:
+    """4,200 operations a link with two modes, with 5 of them and for each further one."""
+    counts = [sum(arithmetic(one) for one in built(on_demand(chain(n, 2))).program().stages()) for n in (5, 7)]
+    assert counts[0] <= 5 * 4_200 and counts[1] - counts[0] <= 2 * 4_200, counts
 
 
 def test_price(model_of: Build) -> None:

@@ -25,9 +25,10 @@ class PreparedRuns:
         options: Mapping[str, Any] | None = None,
         start: str | None = None,
         parameters: Mapping[str, float] | None = None,
+        engine: str = "auto",
     ) -> None:
         self.model, self.scheme = model, scheme_kind(scheme).build(scheme, model, 1.0, m, options or {})
-        self.stepper = Stepper(self.scheme)
+        self.stepper = Stepper(self.scheme, engine)
         p = model.parameter_vector(parameters)
         self.c = model.constants(p)
         self.state = start_state(model, p, self.c, 0.0, None, start)

@@ -14,10 +14,18 @@ import casadi as ca
 
 from runtime.engine.program import Fields
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps, Attempt
-from runtime.schemes.exponential_rk4 import ExponentialRungeKuttaOptions, krogstad, tangent_of
-from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, StiffResponse
+from runtime.schemes.exponential_rk4 import (
+    ExponentialRungeKuttaOptions,
+    along_tree,
+    krogstad,
+    motion_along_tree,
+    tangent_of,
+)
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.schemes.state_fields import StateField, state
+from runtime.schemes.stiff_deflections import StiffResponse
 from runtime.schemes.stiff_motion import MotionStage, StiffMotion
+from runtime.schemes.stiff_tree_motion import StiffTreeMotion
 
 
 class AdaptiveExponentialRungeKutta(AdaptiveSteps):
@@ -29,6 +37,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
     def method_fields(self) -> dict[str, StateField]:
         """X = M_hat^-1 B, the polynomial of the accelerations, rates of the loop unknowns, and the tangent."""
         n, n_s = StageEquations(self.model, ca.SX.zeros(self.model.c_size + 1)).deflections().B.shape
+        n_s = 0 if along_tree(self.model, self.options) else n_s
         tangent = {"A": n * n_s, "A_v": n * n_s} if self.options.linearisation == "tangent" and n_s else {}
         sizes = {"X": n * n_s, **tangent, "loop_dot": len(self.model.loop_unknowns), "b1": n, "b2": n}
         return {name: state(size) for name, size in sizes.items()}
@@ -37,11 +46,11 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         """Accelerations, and what forces along the stiff deflections do."""
         t = self.time_in_step(z, ca.SX(0), 0)
         start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
+        fields = {"loop_dot": equations.loop_part(equations.rates(start, z["v_from"]))}
+        if along_tree(self.model, self.options):
+            return start, equations.accelerations(start, z["v_from"]), fields
         found = equations.stiff_response(start, z["v_from"])
-        fields = {
-            "X": ca.vec(ca.densify(found.X)),
-            "loop_dot": equations.loop_part(equations.rates(start, z["v_from"])),
-        }
+        fields["X"] = ca.vec(ca.densify(found.X))
         tangent = tangent_of(self.options, equations, start, z["v_from"], found)
         if tangent is not None:
             fields |= {"A": ca.vec(tangent[0]), "A_v": ca.vec(tangent[1])}
@@ -72,7 +81,11 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
         stage = self._motion(z, equations, tau).to(2, z["b1"], z["b2"])
         return stage.q, stage.v
 
-    def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion:
+    def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion | StiffTreeMotion:
+        if along_tree(self.model, self.options):
+            t = self.time_in_step(z, ca.SX(0), 0)
+            start = equations.close(z["q_from"], z["loop_from"], t, self.options.closure_iterations)
+            return motion_along_tree(equations, start, z["q_from"], z["v_from"], z["a_from"], h)
         stiff = equations.deflections()
         n, n_s = stiff.B.shape
         found = StiffResponse(stiff.B, stiff.K, stiff.D, z["a_from"], ca.reshape(z["X"], n, n_s))
