@@ -155,6 +155,7 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("turns", "", "", "3 x modes", "1/m", "rotation at a drawn point by each mode of its body"),
     Notation("H", "", "", "1 x entries", "1/m", "foreshortening of the drawn points that have it, nf x nf each"),
     Notation("sections", "", "", "2 x beams", "m", "height and width of a rectangle that stands for a beam's section"),
+    Notation("rigidities", "", "", "2 x beams", "N m^2", "E I of a beam for bending along y and along z"),
     Notation("bounded", "", "", "expressions", "SI", "expressions of the scene that must keep their sign"),
 )
 

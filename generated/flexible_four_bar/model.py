@@ -3067,14 +3067,17 @@ def geometry() -> ca.Function:
     gives turns (3 x modes = 3 x 76) [1/m]: rotation at a drawn point by each mode of its body
     gives H (1 x entries = 1 x 136) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2 x 2) [m]: height and width of a rectangle that stands for a beam's section
-    1472 operations.
+    gives rigidities (2 x beams = 2 x 2) [N m^2]: E I of a beam for bending along y and along z
+    1480 operations.
     """
     p = ca.SX.sym("p", 169)
     coupler_length = p[3]
     coupler_area = p[5]
+    coupler_youngs_modulus = p[6]
     coupler_second_moment = p[7]
     rocker_length = p[25]
     rocker_area = p[27]
+    rocker_youngs_modulus = p[28]
     rocker_second_moment = p[29]
     crank_tip_x = p[30]
     beam_pinned_pinned2_0_0_slope_0_0 = p[31]
@@ -3593,8 +3596,11 @@ def geometry() -> ca.Function:
         ca.horzcat(w12, w13),
         ca.horzcat(coupler_area / w12, rocker_area / w13),
     )
-    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
-    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+    rigidities = ca.SX(2, 2)
+    rigidities[0, 0] = coupler_youngs_modulus * coupler_second_moment
+    rigidities[0, 1] = rocker_youngs_modulus * rocker_second_moment
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections), ca.densify(rigidities)]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections", "rigidities"])
 
 
 FUNCTIONS = {

@@ -1301,11 +1301,13 @@ def geometry() -> ca.Function:
     gives turns (3 x modes = 3 x 57) [1/m]: rotation at a drawn point by each mode of its body
     gives H (1 x entries = 1 x 153) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
-    1221 operations.
+    gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
+    1225 operations.
     """
     p = ca.SX.sym("p", 295)
     beam_length = p[3]
     beam_area = p[5]
+    beam_youngs_modulus = p[6]
     beam_second_moment = p[7]
     beam_clamped_free3_1_0_shape_1_0 = p[40]
     beam_clamped_free3_1_0_shape_1_1 = p[41]
@@ -1835,8 +1837,9 @@ def geometry() -> ca.Function:
         w8, w9, w10, w11,
     )
     sections = ca.vertcat(w12, beam_area / w12)
-    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
-    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+    rigidities = ca.vertcat(beam_youngs_modulus * beam_second_moment, 0.0)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections), ca.densify(rigidities)]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections", "rigidities"])
 
 
 FUNCTIONS = {

@@ -1761,11 +1761,13 @@ def geometry() -> ca.Function:
     gives turns (3 x modes = 3 x 38) [1/m]: rotation at a drawn point by each mode of its body
     gives H (1 x entries = 1 x 68) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
-    830 operations.
+    gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
+    834 operations.
     """
     p = ca.SX.sym("p", 164)
     rod_length = p[2]
     rod_area = p[4]
+    rod_youngs_modulus = p[5]
     rod_second_moment = p[6]
     crank_tip_x = p[26]
     beam_pinned_pinned2_0_0_slope_0_0 = p[27]
@@ -2103,8 +2105,9 @@ def geometry() -> ca.Function:
         0.0, w5, w4, 0.0, 0.0, w5,
     )
     sections = ca.vertcat(w6, rod_area / w6)
-    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
-    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+    rigidities = ca.vertcat(rod_youngs_modulus * rod_second_moment, 0.0)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections), ca.densify(rigidities)]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections", "rigidities"])
 
 
 FUNCTIONS = {

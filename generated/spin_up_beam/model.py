@@ -1465,11 +1465,13 @@ def geometry() -> ca.Function:
     gives turns (3 x modes = 3 x 95) [1/m]: rotation at a drawn point by each mode of its body
     gives H (1 x entries = 1 x 425) [1/m]: foreshortening of the drawn points that have it, nf x nf each
     gives sections (2 x beams = 2) [m]: height and width of a rectangle that stands for a beam's section
-    2317 operations.
+    gives rigidities (2 x beams = 2) [N m^2]: E I of a beam for bending along y and along z
+    2321 operations.
     """
     p = ca.SX.sym("p", 654)
     beam_length = p[2]
     beam_area = p[4]
+    beam_youngs_modulus = p[5]
     beam_second_moment = p[6]
     beam_clamped_free5_1_0_shape_1_0 = p[79]
     beam_clamped_free5_1_0_shape_1_1 = p[80]
@@ -2523,8 +2525,9 @@ def geometry() -> ca.Function:
         w14, w15, w16, w17, w18, w19, w20, w21, w22, w23, w24, w25, w26, w27, w28, w29,
     )
     sections = ca.vertcat(w30, beam_area / w30)
-    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections)]
-    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections"])
+    rigidities = ca.vertcat(beam_youngs_modulus * beam_second_moment, 0.0)
+    inputs, outputs = [p], [ca.densify(positions), ca.densify(axes), ca.densify(shapes), ca.densify(turns), ca.densify(H), ca.densify(sections), ca.densify(rigidities)]
+    return ca.Function("geometry", inputs, outputs, ["p"], ["positions", "axes", "shapes", "turns", "H", "sections", "rigidities"])
 
 
 FUNCTIONS = {

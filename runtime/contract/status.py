@@ -34,6 +34,7 @@ EventKind = Literal[
     "load_missed",
     "shapes_missing",
     "velocity_jump",
+    "beyond_buckling",
 ]
 
 

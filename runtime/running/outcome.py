@@ -14,6 +14,7 @@ from runtime.results.export import run_header
 from runtime.results.missing_shapes import missing_shapes
 from runtime.results.solution import Solution
 from runtime.results.stream import StreamFile
+from runtime.running.buckling import ADVICE, buckling
 from runtime.running.limits import limits
 from runtime.running.run import Run
 from runtime.running.segment import Segment
@@ -41,9 +42,13 @@ def _ended(run: Run, setup: float) -> Solution:
     stats = {**_statistics(run.segment, run.z, setup, wall), **solution.stats, **circumstances}
     solution = replace(solution, status=status, stats=stats, events=run.events, parameters=run.segment.p)
     shares, missing = missing_shapes(solution)
-    events = [*run.events, *missing]
+    pushed, beyond = buckling(solution)
+    events = [*run.events, *missing, *beyond]
     counted = {"events": len(events)} if events else {}
-    solution = replace(solution, stats={**stats, **limits(solution), **shares, **counted}, events=events)
+    told = {**stats, **limits(solution), **pushed, **shares, **counted}
+    if beyond and status.ok:
+        status = replace(status, cause=beyond[0].text, advice=ADVICE)
+    solution = replace(solution, status=status, stats=told, events=events)
     table = run.record.table
     if isinstance(table, StreamFile):
         outputs = list(run.segment.plan.outputs)

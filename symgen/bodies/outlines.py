@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
@@ -36,12 +36,14 @@ class DrawnPoint:
 class Picture:
     """All drawn points, the pose (origin and rotation matrix) of each body that moves, and the sections of beams.
 
-    sections[beam]: height along y and width along z [m] of a rectangle with the beam's area and second moments.
+    sections[beam]: height along y and width along z [m] of a rectangle with the beam's area and second moments;
+    rigidities[beam]: E I of bending along y and along z [N m^2].
     """
 
     points: list[DrawnPoint]
     poses: dict[str, tuple[Vector, Matrix]]
     sections: dict[str, tuple[ca.SX, ca.SX]]
+    rigidities: dict[str, list[ca.SX]] = field(default_factory=dict)
 
 
 def drawn_references(scene: Scene) -> Iterator[str]:

@@ -21,7 +21,7 @@ def geometry(equations: Equations, p: ca.SX) -> Kernel:
 
     positions (3 x points) [m]; axes (9 x points): columns of the marker's rotation; shapes, turns (3 x modes of each
     point's body): displacement and rotation by each mode; H: nf x nf of each point that has it [1/m]; sections
-    (2 x beams): height and width [m].
+    (2 x beams): height and width [m]; rigidities (2 x beams): E I [N m^2].
     """
     points, sections = equations.picture.points, equations.picture.sections.values()
 
@@ -35,5 +35,6 @@ def geometry(equations: Equations, p: ca.SX) -> Kernel:
         "turns": columns(3, [turn for point in points for turn in point.turns]),
         "H": columns(1, [[value] for point in points for row in point.H for value in row]),
         "sections": columns(2, [list(section) for section in sections]),
+        "rigidities": columns(2, list(equations.picture.rigidities.values())),
     }
     return Kernel({"p": p}, {name: value for name, value in outputs.items() if value.numel()})

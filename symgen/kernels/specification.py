@@ -214,7 +214,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "Points of the bodies as functions of the parameters, for pictures",
             "constants",
             "p",
-            "positions axes shapes turns H sections",
+            "positions axes shapes turns H sections rigidities",
         ),
     )
 }

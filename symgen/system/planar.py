@@ -109,13 +109,15 @@ class PlanarSpace:
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""
         points: list[DrawnPoint] = []
-        sections = {}
+        sections, rigidities = {}, {}
         for body in self.scene.bodies:
             if isinstance(body, BeamBody):
                 data = beam_integrals_of(body)
                 shapes = [beam_point(body, data, at, self.table) for at in BEAM_FRACTIONS]
                 points += [_drawn(body.name, "", shape) for shape in shapes]
-                sections[body.name] = rectangle(*beam_section(body, self.table))
+                area, *seconds = beam_section(body, self.table)
+                sections[body.name] = rectangle(area, *seconds)
+                rigidities[body.name] = [self.table.of(body, "youngs_modulus") * second for second in seconds]
         for reference in drawn_references(self.scene):
             name, shape = marker_shape(self.scene, reference, self.table)
             points.append(_drawn(name, reference.partition(".")[2], shape))
@@ -124,7 +126,7 @@ class PlanarSpace:
             if placed.coordinates.columns:
                 c, s = placed.cosine, placed.sine
                 poses[name] = ([*placed.coordinates.R_o, ZERO], [[c, -s, ZERO], [s, c, ZERO], [ZERO, ZERO, ONE]])
-        return Picture(points, poses, sections)
+        return Picture(points, poses, sections, rigidities)
 
 
 def _drawn(body: str, name: str, shape: PointShape) -> DrawnPoint:

@@ -196,17 +196,20 @@ class SpatialSpace:
     def picture(self) -> Picture:
         """Stations of beams, markers, poses."""
         points: list[DrawnPoint] = []
-        sections = {}
+        sections, rigidities = {}, {}
         for body in self.scene.bodies:
             if isinstance(body, BeamBody):
                 stations = [beam_spatial_point(body, at, self.table) for at in BEAM_FRACTIONS]
                 points += [_drawn(body.name, "", station) for station in stations]
-                sections[body.name] = rectangle(*beam_section(body, self.table))
+                area, *seconds = beam_section(body, self.table)
+                sections[body.name] = rectangle(area, *seconds)
+                rigidities[body.name] = [self.table.of(body, "youngs_modulus") * second for second in seconds]
         for reference in drawn_references(self.scene):
             name, point = spatial_point(self.scene, reference, self.table)
             points.append(_drawn(name, reference.partition(".")[2], point))
         placed = [body for body in self.bodies.values() if body.coordinates.columns]
-        return Picture(points, {body.name: (body.coordinates.R_o, body.orientation.A) for body in placed}, sections)
+        poses = {body.name: (body.coordinates.R_o, body.orientation.A) for body in placed}
+        return Picture(points, poses, sections, rigidities)
 
 
 def _drawn(body: str, name: str, point: SpatialPoint) -> DrawnPoint:
