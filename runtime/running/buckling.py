@@ -24,8 +24,8 @@ ADVICE = "Make it stiffer or shorter; stiffening = true follows what happens nea
 BENDING = (1, 2)  # axes of deflections
 
 
-class Column(NamedTuple):
-    """A beam: its markers at the start and the end, and its Euler load [N]."""
+class Strut(NamedTuple):
+    """A beam as a strut: its markers at the start and the end, and its Euler load [N]."""
 
     start: set[str]
     end: set[str]
@@ -51,8 +51,8 @@ def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     for body, axes in bending.items():
         if not axes or "rigidities" not in geometry:  # a model that was generated before there were any
             continue
-        column = column_of(model.description, body, axes, geometry)
-        share = np.maximum(0.0, -mean_normal_force(solution, body, column, acting)) / column.critical
+        strut = strut_of(model.description, body, axes, geometry)
+        share = np.maximum(0.0, -mean_normal_force(solution, body, strut, acting)) / strut.critical
         largest = int(share.argmax())
         shares[f"buckling.{body}"] = float(share[largest])
         if share[largest] > MOST_SHARE:
@@ -64,8 +64,8 @@ def buckling(solution: Solution) -> tuple[dict[str, float], list[Event]]:
     return shares, events
 
 
-def column_of(described: Description, body: str, axes: list[int], geometry: Mapping[str, np.ndarray]) -> Column:
-    """The beam as a column that bends along these axes; geometry: what the function of that name gives."""
+def strut_of(described: Description, body: str, axes: list[int], geometry: Mapping[str, np.ndarray]) -> Strut:
+    """The beam as a strut that bends along these axes; geometry: what the function of that name gives."""
     places = {
         f"{body}.{point.name}": float(x)
         for point, x in zip(described.drawing.points, geometry["positions"][0], strict=True)
@@ -78,7 +78,7 @@ def column_of(described: Description, body: str, axes: list[int], geometry: Mapp
     stiffness = geometry["rigidities"].reshape(2, -1)[:, described.drawing.sections.index(body)]
     weakest = min(float(stiffness[axis - 1]) for axis in axes)
     effective = length * (2.0 if sum(held) == 1 else 1.0)
-    return Column(start, end, math.pi**2 * weakest / effective**2)
+    return Strut(start, end, math.pi**2 * weakest / effective**2)
 
 
 def is_held(described: Description, body: str, markers: set[str]) -> bool:
@@ -110,7 +110,7 @@ def acting_forces(solution: Solution) -> list[Acting]:
     ]
 
 
-def mean_normal_force(solution: Solution, body: str, column: Column, acting: list[Acting]) -> np.ndarray:
+def mean_normal_force(solution: Solution, body: str, strut: Strut, acting: list[Acting]) -> np.ndarray:
     """(N,) mean of the normal forces at the two ends [N], tension positive, by what joints and loads do there."""
     described, dimension = solution.model.description, 2 if solution.joint_forces.shape[2] == 3 else 3
     frame = [k for k, one in enumerate(described.coordinates) if one.owner == body and not one.elastic]
@@ -120,7 +120,7 @@ def mean_normal_force(solution: Solution, body: str, column: Column, acting: lis
     total = np.zeros(len(solution.t))
     for signs, force in acting:
         for marker, sign in signs.items():
-            pull = float(marker in column.end) - float(marker in column.start)
+            pull = float(marker in strut.end) - float(marker in strut.start)
             if pull:
                 total += 0.5 * pull * sign * np.einsum("si,si->s", force, along)
     return total
