@@ -178,7 +178,7 @@ def _least_dear_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray, chea
     if rank_deficient:  # a placed body whose own rows do not give all of it: treat all alike
         return _least_change(C_q, side, free)
     step = _least_change(C_q - Q @ (Q.T @ C_q), side - Q @ (Q.T @ side), free & ~cheap)
-    return step + _least_change(C_q, side - C_q @ step, free & cheap)
+    return np.asarray(step + _least_change(C_q, side - C_q @ step, free & cheap))
 
 
 def _least_change(C_q: np.ndarray, side: np.ndarray, free: np.ndarray) -> np.ndarray:

@@ -119,7 +119,7 @@ class _Search:
     def weighted(self, at: OutputJacobian) -> np.ndarray:
         """(residuals, n)."""
         rows = at.derivatives * self._seen.weights[:, :, None]
-        return rows.reshape(-1, len(self.scale)) * self.scale
+        return np.asarray(rows.reshape(-1, len(self.scale)) * self.scale)
 
     def _evaluated(self, x: np.ndarray) -> OutputJacobian | None:
         """None for a run that fails, unless it is the first one."""

@@ -112,7 +112,7 @@ class Linearisation:
     @cached_property
     def B_state(self) -> np.ndarray:
         """(2 n, n_u)."""
-        return np.vstack([np.zeros_like(self.B), np.linalg.solve(self.M, self.B)])[self._kept]
+        return np.asarray(np.vstack([np.zeros_like(self.B), np.linalg.solve(self.M, self.B)])[self._kept])
 
     @property
     def C_state(self) -> np.ndarray:

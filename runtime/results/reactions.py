@@ -34,4 +34,4 @@ def joint_reactions(
 def least_norm(lam: np.ndarray, C_q: np.ndarray, rank: int) -> np.ndarray:
     """lam (N, n_c) without what C_q^T (C_q: N, n_c, n) maps to zero; rank: number of independent rows."""
     kept = np.linalg.svd(C_q, full_matrices=False)[0][:, :, :rank]
-    return np.einsum("sik,sjk,sj->si", kept, kept, lam)
+    return np.asarray(np.einsum("sik,sjk,sj->si", kept, kept, lam))

@@ -158,7 +158,7 @@ class Samples:
     @property
     def total_energy(self) -> np.ndarray:
         """(N,) kinetic + elastic + potential energy [J]."""
-        return np.sum([self.energy[key] for key in STORED], axis=0)
+        return np.asarray(np.sum([self.energy[key] for key in STORED], axis=0))
 
     def work(self) -> np.ndarray:
         """(N,) work done on the system since the first sample [J].
@@ -181,7 +181,7 @@ class Samples:
     def energy_balance(self) -> np.ndarray:
         """(N,) total energy - initial energy - work [J]: zero for an exact solution sampled finely enough."""
         total = self.total_energy
-        return total - total[:1] - self.work()
+        return np.asarray(total - total[:1] - self.work())
 
     def interpolate(self, t: float | np.ndarray, what: str = "q") -> np.ndarray:
         """Values between the saved samples at time(s) t [s].
@@ -220,7 +220,7 @@ def _linear(t: np.ndarray, values: np.ndarray, times: np.ndarray) -> np.ndarray:
         return np.repeat(values[:1], len(times), axis=0)
     k = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
     s = ((times - t[k]) / (t[k + 1] - t[k])).reshape(-1, *([1] * (values.ndim - 1)))
-    return (1.0 - s) * values[k] + s * values[k + 1]
+    return np.asarray((1.0 - s) * values[k] + s * values[k + 1])
 
 
 def _hermite(t: np.ndarray, values: np.ndarray, slopes: np.ndarray, times: np.ndarray) -> np.ndarray:
@@ -231,4 +231,4 @@ def _hermite(t: np.ndarray, values: np.ndarray, slopes: np.ndarray, times: np.nd
     s = (times - t[k]).reshape(shape) / h
     left = (1.0 + 2.0 * s) * (1.0 - s) ** 2 * values[k] + s * (1.0 - s) ** 2 * h * slopes[k]
     right = s**2 * (3.0 - 2.0 * s) * values[k + 1] - s**2 * (1.0 - s) * h * slopes[k + 1]
-    return left + right
+    return np.asarray(left + right)

@@ -122,7 +122,7 @@ def _solved(
 
     def real_or_imaginary(part: str) -> ca.SX:
         first, second, third, mass = (getattr(value, part) for value in (w1, w2, w3, rw))
-        return h * h * (first * (force - Jv_u) + h * (second * slope + h * third * bend)) + h * mass * Mu
+        return ca.SX(h * h * (first * (force - Jv_u) + h * (second * slope + h * third * bend)) + h * mass * Mu)
 
     X, Y = solve_shifted(factors, r, real_or_imaginary("real"), real_or_imaginary("imag") if r.imag else None)
     turned = r.real * X - r.imag * Y if r.imag else r.real * X

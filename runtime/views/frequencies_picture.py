@@ -62,4 +62,4 @@ def frequencies(
 
 def _step_limit(w: np.ndarray) -> np.ndarray:
     """h = 2 / w, which is its own inverse."""
-    return 2.0 / np.maximum(np.asarray(w, dtype=float), 1e-300)
+    return np.asarray(2.0 / np.maximum(np.asarray(w, dtype=float), 1e-300))

@@ -38,7 +38,7 @@ def quaternion_of(rotation: np.ndarray) -> np.ndarray:
     )
     quaternion = numerators[largest] / (4 * np.sqrt(squares[largest]))
     quaternion[np.abs(quaternion) < 1e-15] = 0.0
-    return quaternion if quaternion[0] >= 0 else -quaternion
+    return np.asarray(quaternion if quaternion[0] >= 0 else -quaternion)
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

@@ -166,7 +166,7 @@ def _free_columns(equations: Equations, structural: list[tuple[int, int]]) -> li
 
 def row_scales(jacobian: np.ndarray) -> np.ndarray:
     """Largest entry of each row of C_q in all coordinates, where a row has entries however redundant it is."""
-    return np.abs(jacobian).max(axis=1, initial=0.0)
+    return np.asarray(np.abs(jacobian).max(axis=1, initial=0.0))
 
 
 def _reduce(jacobian: np.ndarray, structural: list[tuple[int, int]], rows: list[int], free: list[int]) -> np.ndarray:

@@ -42,7 +42,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         outcome = parsed.run(parsed)
         if as_json or not parsed.quiet:
             report(detailed(outcome) if parsed.verbose else outcome, command, as_json)
-        return outcome.code
+        return int(outcome.code)
     except KeyboardInterrupt:
         report_error(command, "interrupted", as_json, INTERRUPTED)
         return INTERRUPTED

@@ -65,4 +65,4 @@ def effective_masses(body: FEStructure, shapes: Array) -> Array:
     moved = body.rigid(np.zeros(AXES))[:, :AXES]
     massed = body.M @ moved
     total = float(np.sum(moved * massed)) / AXES
-    return (shapes.T @ massed) ** 2 / total
+    return np.asarray((shapes.T @ massed) ** 2 / total)

@@ -54,7 +54,8 @@ def nastran_nodes(path: str | Path) -> Array:
             "a GRID card has a coordinate system of its own",
             "give the node table in basic coordinates, as rows of id x y z",
         )
-    return grids[:, [0, *range(2, 2 + AXES)]]
+    found: Array = grids[:, [0, *range(2, 2 + AXES)]]
+    return found
 
 
 def _pyyeti() -> Any:

@@ -94,7 +94,7 @@ def _lowest_shifted(body: FEStructure) -> tuple[Array, Array]:
 def _share(K: sp.csr_matrix, vectors: Array) -> Array:
     """phi^T K phi as a share of the sizes of its terms, per column."""
     energy = np.sum(vectors * (K @ vectors), axis=0)
-    return np.abs(energy) / np.sum(np.abs(vectors) * (abs(K) @ np.abs(vectors)), axis=0)
+    return np.asarray(np.abs(energy) / np.sum(np.abs(vectors) * (abs(K) @ np.abs(vectors)), axis=0))
 
 
 def _left_by(K: sp.csr_matrix, rigid: Array) -> tuple[float, float]:

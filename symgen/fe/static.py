@@ -67,6 +67,6 @@ def inertia_relief(K: sp.csr_matrix, M: sp.csr_matrix, rigid: Array) -> Solve:
     def displacements(force: Array) -> Array:
         balanced = force - massed @ la.cho_solve(inertia, rigid.T @ force)
         moved = solve(balanced)
-        return moved - rigid @ la.cho_solve(inertia, massed.T @ moved)
+        return np.asarray(moved - rigid @ la.cho_solve(inertia, massed.T @ moved))
 
     return displacements

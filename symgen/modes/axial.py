@@ -54,7 +54,7 @@ class LumpedBarModes(BarModes):
         """
         element, local = locate(at, self.elements)
         if local in (0.0, 1.0):
-            return self.u[element + int(local)]
+            return np.asarray(self.u[element + int(local)])
         return clean((1.0 - local) * self.u[element] + local * self.u[element + 1], 1.0)
 
     def shortening(self, at: float) -> Array:

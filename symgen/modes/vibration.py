@@ -59,7 +59,7 @@ def normalised(shapes: Array) -> Array:
     """Shapes (k, modes) with largest nodal value 1; the first value above 1e-6 in magnitude is positive."""
     scaled = shapes / np.max(np.abs(shapes), axis=0)
     first = np.argmax(np.abs(scaled) > SIGN_THRESHOLD, axis=0)
-    return scaled * np.sign(scaled[first, np.arange(scaled.shape[1])])
+    return np.asarray(scaled * np.sign(scaled[first, np.arange(scaled.shape[1])]))
 
 
 def check_rigid_modes(stiffness: Array, masses: Array, count: int) -> None:

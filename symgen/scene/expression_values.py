@@ -119,11 +119,11 @@ def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
         case Constant(value):
             return ca.SX(value)
         case NamedValue(name):
-            return env[name]
+            return ca.SX(env[name])
         case Negative(operand):
             return -casadi_value(operand, env)
         case Binary(sign, left, right):
-            return ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env))
+            return ca.SX(ARITHMETIC[sign](casadi_value(left, env), casadi_value(right, env)))
         case FunctionCall(function, arguments):
             return CASADI_FUNCTIONS[function](*(casadi_value(part, env) for part in arguments))
         case TableValue(table, argument):
@@ -136,4 +136,4 @@ def casadi_value(node: Node, env: Mapping[str, Any]) -> ca.SX:
 def _casadi_condition(condition: Condition, env: Mapping[str, Any]) -> ca.SX:
     values = [casadi_value(part, env) for part in condition.operands]
     pairs = zip(condition.operators, values[:-1], values[1:], strict=True)
-    return reduce(ca.logic_and, (COMPARISONS[sign](left, right) for sign, left, right in pairs))
+    return ca.SX(reduce(ca.logic_and, (COMPARISONS[sign](left, right) for sign, left, right in pairs)))

@@ -26,7 +26,7 @@ class ShapeFunctions:
     @property
     def count(self) -> int:
         """Number of shapes."""
-        return self.cubic.shape[1]
+        return int(self.cubic.shape[1])
 
     def at(self, xi: Array, order: int = 0) -> Array:
         """d^order phi / d xi^order at the points xi (k,), shape (k, n)."""

@@ -221,7 +221,7 @@ class Passage:
         at = {**motion, "t": np.concatenate([seen.t, times])[:, None]}
         energy = evaluate(self.segment.model.kernel("energy"), at, self.segment.c)
         total = np.asarray((energy["kinetic"] + energy["elastic"] + energy["potential"])[:, 0])
-        return self.segment.account(z)[0] + total[1:] - total[0]
+        return np.asarray(self.segment.account(z)[0] + total[1:] - total[0])
 
     def _state(self, z: np.ndarray, q: np.ndarray, q_dot: np.ndarray, step: int, work: float) -> np.ndarray:
         result = self.segment.start(q, q_dot, step, work)

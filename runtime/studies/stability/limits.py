@@ -90,7 +90,7 @@ class StabilityStudy:
                 low = middle
             else:
                 high = middle
-        return (low * high) ** 0.5
+        return float((low * high) ** 0.5)
 
 
 def usual_steps(

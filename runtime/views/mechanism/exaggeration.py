@@ -38,14 +38,14 @@ class Following:
         squares = ((position[:, None, :] - self.at[None]) ** 2).sum(axis=2)
         near = (SAME * max(float(np.ptp(self.at, axis=0).max()), 1e-6)) ** 2
         inverse = 1.0 / np.maximum(squares, near)
-        return inverse / inverse.sum(axis=1, keepdims=True)
+        return np.asarray(inverse / inverse.sum(axis=1, keepdims=True))
 
     def displacement(self, position: np.ndarray, q_f: np.ndarray) -> np.ndarray:
         """(frames, n, 3) follow at the positions (n, 3) for q_f (frames, nf)."""
         a, b = self.rigid[:3] @ q_f.T, self.rigid[3:] @ q_f.T  # (3, frames)
         moved = a.T[:, None, :] + np.cross(b.T[:, None, :], position[None])
         left = np.einsum("kia,fa->fki", self.rest, q_f)
-        return moved + np.einsum("nk,fki->fni", self.weights(position), left)
+        return np.asarray(moved + np.einsum("nk,fki->fni", self.weights(position), left))
 
 
 def following(markers: Points, joints: list[int]) -> Following:
@@ -72,7 +72,7 @@ def exaggerated(points: Points, follow: Following, q_f: np.ndarray, factor: floa
     if factor == 0.0:
         return np.repeat(points.position[None], len(q_f), axis=0)
     followed = follow.displacement(points.position, q_f)
-    return points.position + followed + factor * (points.linear(q_f) - followed) + points.shortening(q_f)
+    return np.asarray(points.position + followed + factor * (points.linear(q_f) - followed) + points.shortening(q_f))
 
 
 def _tilde(x: np.ndarray) -> np.ndarray:

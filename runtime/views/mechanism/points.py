@@ -29,7 +29,7 @@ class Points:
 
     def linear(self, q_f: np.ndarray) -> np.ndarray:
         """(frames, n, 3) displacement shapes q_f [m] for q_f (frames, nf)."""
-        return np.einsum("kia,fa->fki", self.shapes, q_f)
+        return np.asarray(np.einsum("kia,fa->fki", self.shapes, q_f))
 
     def shortening(self, q_f: np.ndarray) -> np.ndarray:
         """(frames, n, 3) displacement -1/2 q_f^T H q_f along x [m]."""

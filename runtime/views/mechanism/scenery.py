@@ -56,7 +56,9 @@ class Scenery:
         """(frames, n, 3) places in the world of points (frames, n, 3) in a body's axes [m]."""
         if body.pose is None:
             return local
-        return self.origin[:, body.pose, None, :] + np.einsum("fij,fnj->fni", self.turn[:, body.pose], local)
+        return np.asarray(
+            self.origin[:, body.pose, None, :] + np.einsum("fij,fnj->fni", self.turn[:, body.pose], local)
+        )
 
     def marker(self, reference: str) -> tuple[Body, int]:
         """The body and the place among its markers of "body.marker"."""
@@ -78,7 +80,7 @@ class Scenery:
         local = body.markers.axes[k]
         if body.pose is None:
             return np.repeat(local[None], len(self.t), axis=0)
-        return self.turn[:, body.pose] @ local
+        return np.asarray(self.turn[:, body.pose] @ local)
 
     def everything(self, factor: float) -> np.ndarray:
         """(frames, n, 3) all stations and markers [m]."""
