@@ -1,0 +1,117 @@
+"""Thresholds of the room `operating` from both sides: a figure that a threshold a thousand times looser gets wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from runtime.operating.modal import modal_analysis
+from runtime.operating.newton import Balance, balanced
+from runtime.operating.tracking import ModeState, tracked
+
+UNIT = np.eye(2)
+
+
+def linear(H: np.ndarray, exact: np.ndarray, claimed: np.ndarray | None = None, left: float = 0.0) -> Balance:
+    """A spring's force -H (x - exact), and `left` in the last direction; its stiffness is said to be `claimed`."""
+
+    def balance(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        r = -H @ (x - exact)
+        r[-1] += left
+        return r, -H if claimed is None else -claimed, np.eye(len(x))
+
+    return balance  # type: ignore[return-value]
+
+
+def test_a_weak_spring_is_a_spring() -> None:
+    """k = 1e-11 beside 1: sqrt(1e-11) rad/s, no rigid-body mode."""
+    modal = modal_analysis(UNIT, np.zeros((2, 2)), np.diag([1.0, 1e-11]))
+    assert not modal.rigid.any() and modal.frequencies[0] == pytest.approx(np.sqrt(1e-11))
+
+
+def test_a_slow_decay_of_a_free_body_is_no_rounding() -> None:
+    """x'' + 1e-3 x' = 0 beside a frequency of 1: eigenvalues 0 and -1e-3."""
+    modal = modal_analysis(UNIT, np.diag([1e-3, 0.1]), np.diag([0.0, 1.0]))
+    decays = np.sort(modal.every_eigenvalue[np.abs(modal.every_eigenvalue) < 0.5].real)
+    assert decays == pytest.approx([-1e-3, 0.0], abs=1e-12)
+
+
+def test_a_weak_circulatory_force_drives_and_damps() -> None:
+    """K = [[1, e], [-e, 1]], e = 1e-9: lambda^2 = -(1 +- i e), real parts +- e / 2."""
+    found = modal_analysis(UNIT, np.zeros((2, 2)), np.array([[1.0, 1e-9], [-1e-9, 1.0]])).every_eigenvalue
+    assert found.real.max() == pytest.approx(5e-10, rel=1e-3) and found.real.min() == pytest.approx(-5e-10, rel=1e-3)
+
+
+def test_weak_damping_is_damping() -> None:
+    """x'' + 1e-11 x' + x = 0 decays at 5e-12 1/s."""
+    modal = modal_analysis(UNIT, 1e-11 * UNIT, UNIT)
+    assert modal.damping_ratios == pytest.approx([5e-12, 5e-12], rel=1e-3)
+
+
+def test_slow_growth_is_unstable() -> None:
+    """Real part +1e-8 of |lambda| = 1: unstable; +1e-10 is rounding."""
+    assert not modal_analysis(UNIT, -2e-8 * UNIT, UNIT).stable
+    assert modal_analysis(UNIT, -2e-10 * UNIT, UNIT).stable
+
+
+def test_nothing_to_move_has_no_modes() -> None:
+    none = np.zeros((0, 0))
+    modal = modal_analysis(none, none, none)
+    shapes = (modal.frequencies, modal.damping_ratios, modal.shapes, modal.rigid, modal.every_eigenvalue)
+    assert [part.shape for part in shapes] == [(0,), (0,), (0, 0), (0,), (0,)] and modal.stable
+
+
+def test_iterations_go_on_until_the_correction_is_small() -> None:
+    """Stiffness 1 that is said to be 2: each step halves the error, and the last one is 1e-12."""
+    one = np.ones(1)
+    found = balanced(linear(np.eye(1), one, 1.999 * np.eye(1)), np.zeros(1))
+    assert found.converged and abs(found.x[0] - 1.0) < 1e-11
+
+
+def test_iterations_that_shrink_slowly_stop_at_rounding_only() -> None:
+    """Stiffness 1 that is said to be 4: steps shrink by a quarter; such are taken for rounding below 1e-9, where the error is 3e-9."""
+    found = balanced(linear(np.eye(1), np.ones(1), 4.0 * np.eye(1)), np.zeros(1))
+    assert found.converged and abs(found.x[0] - 1.0) < 1e-8
+
+
+def test_a_force_that_nothing_balances_is_told() -> None:
+    """1e-7 N in a direction without stiffness beside 1 N that is balanced: no equilibrium; and the force is returned."""
+    found = balanced(linear(np.diag([1.0, 0.0]), UNIT[0], left=1e-7), np.zeros(2))
+    assert not found.converged
+    assert found.residual.shape == (2,) and found.residual[1] == pytest.approx(1e-7)
+
+
+def test_a_weak_spring_is_balanced_too() -> None:
+    """Stiffness 1e-10 beside 1: both coordinates reach their place."""
+    found = balanced(linear(np.diag([1.0, 1e-10]), np.ones(2)), np.zeros(2))
+    assert found.converged and found.x == pytest.approx([1.0, 1.0])
+
+
+def modes(frequencies: list[float], shapes: np.ndarray) -> ModeState:
+    values = np.array(frequencies)
+    return ModeState(1j * values, values, np.zeros(2), shapes.astype(complex), UNIT, ["first", "second"])
+
+
+def test_shapes_that_are_alike_need_nothing_in_between() -> None:
+    """cos^2 of 20 degrees is 0.88: the same mode, without a look at the middle."""
+    turn = np.radians(20)
+    shapes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+
+    def at(value: float) -> ModeState:
+        raise AssertionError("asked for what is in between")
+
+    assert tracked(modes([1.0, 2.0], UNIT), modes([1.1, 2.1], shapes), 0.0, 1.0, at).names == ["first", "second"]
+
+
+def test_modes_that_cross_keep_their_shapes() -> None:
+    """Frequencies 1 + v and 2 - v/2 of fixed shapes: at v = 1 the first mode is the faster one."""
+
+    def at(value: float) -> ModeState:
+        frequencies = np.array([1.0 + value, 2.0 - 0.5 * value])
+        order = np.argsort(frequencies)
+        found = modes(frequencies[order].tolist(), UNIT[:, order])
+        return ModeState(found.eigenvalues, found.frequencies, found.damping_ratios, found.shapes, found.M, found.names)
+
+    for halvings in (6, 0):
+        found = tracked(at(0.0), at(1.0), 0.0, 1.0, at, halvings)
+        assert found.frequencies == pytest.approx([2.0, 1.5])

@@ -1,0 +1,148 @@
+"""What a step over a singular position may leave open, on a point that passes it: each limit from both sides.
+
+The point moves as x = t (or as asked), and the determinant is a given function of time with its zero at t = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime.running.singular.crossing import Crossing, cross
+from runtime.running.singular.guard import Guard
+from runtime.running.singular.tight_integrator import BranchLost
+
+Course = Callable[[float], tuple[float, float]]
+
+
+def straight(t: float) -> tuple[float, float]:
+    """1 - t and its rate."""
+    return 1.0 - t, -1.0
+
+
+def cubic(t: float) -> tuple[float, float]:
+    """A cubic with its zero at 1."""
+    s = 1.0 - t
+    return s + 4.0 * s * s * s, -1.0 - 12.0 * s * s
+
+
+class Point:
+    """Stands for a TightIntegrator: y = (x, x'), x'' = force(t); errors are put into what is seen behind the step."""
+
+    def __init__(
+        self, course: Course = straight, force: Callable[[float], float] = lambda t: 0.0, **errors: float
+    ) -> None:
+        self.course, self.force, self.errors = course, force, errors
+        self.loops = SimpleNamespace(determinants=lambda t, q, q_dot: self.determinants(t, q))
+
+    def determinants(self, t: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        value, rate = self.course(t)
+        return np.array([value]), np.array([rate])
+
+    def time_left(self, t: float, y: np.ndarray, block: int) -> float:
+        value, rate = self.course(t)
+        return -value / rate if value * rate < 0 else np.inf
+
+    def run(self, t: float, y: np.ndarray, t_end: float) -> tuple[float, np.ndarray]:
+        return t_end, np.array([y[0] + (t_end - t) * y[1], y[1]])
+
+    def descend(self, t: float, y: np.ndarray, t_end: float, block: int, height: float) -> tuple[float, np.ndarray]:
+        low, high = t, 1.0
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if self.course(middle)[0] > height else (low, middle)
+        return self.run(t, y, low)
+
+    def slope(self, t: float, y: np.ndarray) -> np.ndarray:
+        return np.array([y[1], self.force(t)])
+
+    def seen(self, t: np.ndarray, y: np.ndarray) -> Any:
+        q, v, off = y[:, :1].copy(), y[:, 1:], self.errors
+        q[1] += off.get("gap", 0.0)
+        still, power = np.zeros(2), np.array([0.0, off.get("power", 0.0)])
+        energy = {"kinetic": np.ones(2), "elastic": still, "power_applied": power}
+        energy |= {"power_driven": still, "power_dissipated": still}
+        return SimpleNamespace(
+            t=t,
+            q=q,
+            q_dot=v,
+            q_ddot=np.array([[self.force(one)] for one in t]),
+            constraint_error=np.array([0.0, off.get("open", 0.0)]),
+            energy=energy,
+            energy_balance=lambda: np.array([0.0, off.get("energy", 0.0)]),
+        )
+
+
+def crossed(point: Point) -> Crossing:
+    return cross(point, 0.0, np.array([0.0, 1.0]), 0, 1.0)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("course", [straight, cubic])
+def test_the_singular_time_lies_in_the_gap_between_the_nodes(course: Course) -> None:
+    """In the middle between the nodes 1/3 and 0.6 of the step, however the determinant bends."""
+    found = crossed(Point(course))
+    assert found.t_s == pytest.approx(1.0, abs=1e-12)
+    assert (found.t_s - found.t_near) / (found.t - found.t_near) == pytest.approx(7 / 15, rel=1e-6)
+    assert course(found.t_near)[0] == pytest.approx(
+        0.1, rel=1e-6
+    )  # of the largest determinant: the first that is tried
+
+
+def test_a_determinant_that_misleads_is_not_followed() -> None:
+    """A root of order six: at its present rate the zero is a sixth of the way ahead, and no step finds it in its gap."""
+    with pytest.raises(BranchLost, match="not where the determinant leads"):
+        crossed(Point(lambda t: ((1.0 - t) ** 6, -6.0 * (1.0 - t) ** 5)))
+
+
+# (what is off, refused, accepted): 1 J and 1 m/s; the step takes 3/14 s
+LIMITS = [
+    ("open", 1e-7, 1e-10),  # m: constraint error behind the step
+    ("gap", 2e-5, 1e-7),  # m: q against the integral of q_dot
+    ("energy", 1e-6, 1e-9),  # J, without power
+]
+
+
+@pytest.mark.parametrize("what, refused, accepted", LIMITS)
+def test_what_a_step_may_leave_open(what: str, refused: float, accepted: float) -> None:
+    assert crossed(Point(**{what: accepted})).t_s == pytest.approx(1.0)
+    with pytest.raises(BranchLost):
+        crossed(Point(**{what: refused}))
+
+
+def test_a_change_of_power_excuses_a_little_energy() -> None:
+    """A hundredth of the change of power over the step: of 1 W, some mJ for the longest step, 20 uJ for the shortest."""
+    assert crossed(Point(power=1.0, energy=1e-5)).t_s == pytest.approx(1.0)
+    with pytest.raises(BranchLost, match="energy changes"):
+        crossed(Point(power=1.0, energy=1e-2))
+
+
+def test_a_step_over_it_is_accurate() -> None:
+    """A force with a ripple between the nodes: its error estimate is 1e-7 at 1e-4 N, and 1e-10 at 1e-7 N."""
+    for size, fine in ((1e-7, True), (1e-4, False)):
+        point = Point(force=lambda t, size=size: size * np.sin(4e4 * t))  # type: ignore[misc]
+        if fine:
+            assert crossed(point).t_s == pytest.approx(1.0)
+        else:
+            with pytest.raises(BranchLost, match="not accurate"):
+                crossed(point)
+
+
+def test_the_alarm_of_a_small_determinant() -> None:
+    """At 0.15 of the largest so far; then at 0.3 of that; given up, only at 3e-5; and where the sign changes."""
+    guard = Guard.of(1)
+    guard.accept(np.ones(1), np.ones(1))
+
+    def alarm(share: float) -> bool:
+        return guard.alarm(np.array([share]), np.ones(1))
+
+    assert alarm(0.14) and not alarm(0.16) and guard.alarm(np.array([-0.5]), np.array([-0.5]))
+    guard.lower()
+    assert alarm(0.04) and not alarm(0.05)
+    guard.give_up()
+    assert alarm(2e-5) and not alarm(4e-5)
+    guard.passed()
+    assert alarm(0.14) and not alarm(0.16) and not guard.alarm(-np.ones(1), -np.ones(1))
