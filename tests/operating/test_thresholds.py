@@ -69,13 +69,13 @@ def test_iterations_go_on_until_the_correction_is_small() -> None:
 
 
 def test_iterations_that_shrink_slowly_stop_at_rounding_only() -> None:
-    """Stiffness 1 that is said to be 4: steps shrink by a quarter; such are taken for rounding below 1e-9, where the error is 3e-9."""
+    """Stiffness 1 that is said to be 4: steps shrink by a quarter, which is rounding below 1e-9 (error 3e-9)."""
     found = balanced(linear(np.eye(1), np.ones(1), 4.0 * np.eye(1)), np.zeros(1))
     assert found.converged and abs(found.x[0] - 1.0) < 1e-8
 
 
 def test_a_force_that_nothing_balances_is_told() -> None:
-    """1e-7 N in a direction without stiffness beside 1 N that is balanced: no equilibrium; and the force is returned."""
+    """1e-7 N in a direction without stiffness beside 1 N that is balanced: no equilibrium; the force is returned."""
     found = balanced(linear(np.diag([1.0, 0.0]), UNIT[0], left=1e-7), np.zeros(2))
     assert not found.converged
     assert found.residual.shape == (2,) and found.residual[1] == pytest.approx(1e-7)

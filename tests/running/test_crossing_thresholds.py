@@ -93,7 +93,7 @@ def test_the_singular_time_lies_in_the_gap_between_the_nodes(course: Course) -> 
 
 
 def test_a_determinant_that_misleads_is_not_followed() -> None:
-    """A root of order six: at its present rate the zero is a sixth of the way ahead, and no step finds it in its gap."""
+    """A root of order six: at its present rate the zero is a sixth of its way ahead, outside the gap of a step."""
     with pytest.raises(BranchLost, match="not where the determinant leads"):
         crossed(Point(lambda t: ((1.0 - t) ** 6, -6.0 * (1.0 - t) ** 5)))
 
@@ -114,7 +114,7 @@ def test_what_a_step_may_leave_open(what: str, refused: float, accepted: float) 
 
 
 def test_a_change_of_power_excuses_a_little_energy() -> None:
-    """A hundredth of the change of power over the step: of 1 W, some mJ for the longest step, 20 uJ for the shortest."""
+    """A hundredth of the change of power over the step: of 1 W, 2 mJ for the longest step, 20 uJ for the shortest."""
     assert crossed(Point(power=1.0, energy=1e-5)).t_s == pytest.approx(1.0)
     with pytest.raises(BranchLost, match="energy changes"):
         crossed(Point(power=1.0, energy=1e-2))

@@ -280,3 +280,4 @@ def test_a_straight_cardan_shaft_finds_a_way_to_bend() -> None:
     shaft = derived.initial.q[[names.index(f"far.{axis}") for axis in "xyz"]]
     travel = derived.initial.q[names.index("outlet.travel")]
     assert np.allclose(shaft, np.array(aside) + [0, 0, travel], atol=1e-12)
+    assert np.abs(derived.initial.q).max() < math.pi  # turned a little, not round and round

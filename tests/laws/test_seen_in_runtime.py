@@ -1,0 +1,145 @@
+"""Faults put into the runtime at random that nothing else saw: one law or hand figure each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import Model, ModelError, simulate
+from runtime.contract.files import write_text
+from runtime.operating.given_state import given_state
+from runtime.operating.linearise import linearise
+from runtime.running.singular.tight_integrator import MOST_EVALUATIONS, BranchLost, TightIntegrator
+from runtime.schemes.baselines.radau import lagrange
+from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.advice.advise import candidates
+from runtime.studies.stability.chart import USUAL_RATIOS, stability_chart
+from runtime.studies.work_precision import comparison
+from runtime.studies.work_precision.comparison_files import comparison_data
+from runtime.studies.work_precision.comparison_page import comparison_page
+from runtime.studies.work_precision.energy_drift import energy_drift
+from runtime.studies.work_precision.methods import Method
+from runtime.studies.work_precision.prepared_method import PreparedMethod, Spec, Trial
+from runtime.studies.work_precision.problem import Problem, make_setting
+from symgen.scene import Scene, SceneBuilder
+
+Build = Callable[[Scene], Model]
+Load = Callable[[str], Model]
+
+
+def test_a_rate_of_what_depends_takes_the_place_of_the_rates_of_the_scene(model_of: Build) -> None:
+    """Bars of 1 m at 0.3 and 0.8 rad: x' = -sin(0.3) w of the hinge gives w; the other rate is left open: none."""
+    builder = SceneBuilder("two")
+    for name in ("upper", "lower"):
+        builder.rigid(name, mass=1.0, inertia=0.1, markers={"tip": {"position": (1.0, 0.0)}})
+    builder.revolute("a", "ground.origin", "upper.origin").revolute("b", "upper.tip", "lower.origin")
+    builder.initial({"upper.theta": 0.3, "lower.theta": 0.8}).rates({"upper.theta": 1.0, "lower.theta": 2.0})
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01).build())
+    p = model.parameter_vector()
+    found = given_state(model, p, model.constants(p), 0.0, {"lower.x_dot": -0.5})
+    rate = dict(zip(model.coordinates, found.q_dot, strict=True))
+    assert rate["lower.x"] == pytest.approx(-0.5, abs=1e-14)
+    assert rate["upper.theta"] == pytest.approx(0.5 / math.sin(0.3)) and abs(rate["lower.theta"]) < 1e-14
+
+
+def test_what_is_not_as_the_scene_has_it_stands_on_the_page_of_a_comparison(built_in: Load) -> None:
+    setting = make_setting(built_in("two_oscillators"), t_end=1.0, parameters={"M[0,0]": 2.5, "w": 30.0})
+    problem = Problem(setting, 1.0, lambda t: np.ones((len(t), 2)), 1e-12)
+    curve = comparison.WorkCurve(Method("rk4", Spec("rk4")), [], 4.0, None)
+    found = comparison.Comparison(problem, 1e-3, [curve])
+    page = comparison_page(found, comparison_data(found))
+    assert "w = 30 rad/s" in page and "M[0,0] = 2.5 kg" in page and "M[1,1] =" not in page
+
+
+def test_the_order_of_a_method_takes_a_decade_of_errors(built_in: Load, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Errors 2 dt^2 down to a twelfth of the first: order 2. Down to a ninth: none."""
+    setting = make_setting(built_in("two_oscillators"), t_end=1.0)
+    for steps, order in (((0.1, 0.05, 0.1 / math.sqrt(12)), 2.0), ((0.1, 0.05, 0.1 / 3), np.nan)):
+        errors = [(dt, 2 * dt * dt) for dt in steps] + [(1e-5, 1e-8)]
+        trials = [Trial("x", dt, 10, 1.0, 10, error, error, np.array([error])) for dt, error in errors]
+        monkeypatch.setattr(comparison, "run_method", lambda *_, trials=trials: (trials, None))
+        problem = Problem(setting, 1.0, lambda t: np.ones((len(t), 2)), 1e-12)
+        monkeypatch.setattr(type(setting), "judged", lambda self, problem=problem: problem)
+        found = comparison.work_precision(setting, [Method("x", Spec("rk4"))]).curves[0].order
+        assert found == pytest.approx(order, nan_ok=True)
+
+
+def test_what_rests_has_no_drift_of_energy(model_of: Build) -> None:
+    builder = SceneBuilder("rest").rigid("m", mass=1.0, inertia=1.0, free=True).simulation(t_end=1.0, dt=0.1)
+    problem = Problem(make_setting(model_of(builder.build()), t_end=1.0), 1.0, lambda t: np.ones((len(t), 3)), 1e-12)
+    assert energy_drift(PreparedMethod(Spec("rk4"), problem, engine="interpreted"), 4) is None
+
+
+@pytest.mark.parametrize("n, dense", [(20, True), (22, False)])
+def test_methods_with_dense_systems_are_tried_up_to_their_price(n: int, dense: bool) -> None:
+    """40 n^3 operations: 320,000 for 20 coordinates, 425,920 for 22, where 400,000 are too many."""
+    model: Any = SimpleNamespace(q_i=["x"] * n, has=lambda name: True, operations={}, groups=["all"])
+    assert any(spec.scheme == "exponential" for spec in candidates(model)) == dense
+
+
+def test_a_question_may_take_so_many_evaluations_and_no_more(built_in: Load) -> None:
+    model = built_in("slider_crank")
+    p = model.parameter_vector()
+    integrator = TightIntegrator(model, p, model.constants(p))
+    y = integrator.pack(model.initial_q, model.initial_q_dot)
+    for _ in range(MOST_EVALUATIONS):
+        integrator.slope(0.0, y)
+    with pytest.raises(BranchLost, match="without end"):
+        integrator.slope(0.0, y)
+
+
+def test_stages_are_continued_by_their_polynomial() -> None:
+    """Four nodes take cubics over exactly, at nodes and beyond."""
+    nodes, at = np.array([0.0, 0.2, 0.7, 1.0]), np.array([0.2, 1.3, 1.9])
+    assert lagrange(nodes, at) @ (1 - nodes**2 + 2 * nodes**3) == pytest.approx(1 - at**2 + 2 * at**3)
+
+
+def test_sub_steps_by_central_difference_feel_dampers(built_in: Load) -> None:
+    """4 = h^2 w^2 + 4 h d with predicted velocities: w = 3, d = 5 give h = (sqrt(d^2 + w^2) - d) 2 / w^2."""
+    options = {"propagation": "central_difference"}
+    scheme = scheme_kind("linearised").build("linearised", built_in("two_oscillators"), 0.1, [2], options)
+    limit = scheme.step_limit(np.array([[-9.0]]), np.array([[-5.0]]))
+    assert limit is not None and limit.h == pytest.approx(2 * (math.sqrt(34) - 5) / 9, rel=1e-9)
+
+
+def test_files_are_read_by_all_and_written_by_their_owner(tmp_path: Path) -> None:
+    write_text(tmp_path / "a.txt", "a")
+    assert (tmp_path / "a.txt").stat().st_mode & 0o777 == 0o644
+
+
+def test_usual_ratios_of_three_groups_sub_cycle_the_last(model_of: Build) -> None:
+    builder = SceneBuilder("three").structure(
+        coordinates=["a", "b", "c"], mass=np.eye(3), stiffness=np.diag([1.0, 9.0, 100.0])
+    )
+    builder.groups(A=["a"], B=["b"], C=["c"]).initial({"a": 1.0}).simulation(t_end=0.2, dt=0.1, m=[1, 2])
+    chart = stability_chart(model_of(builder.build()), "coupled", points=2, states=1, dt_range=(1e-3, 2e-3))
+    assert [curve.m for curve in chart.curves] == [[1, ratio] for ratio in USUAL_RATIOS]
+
+
+@pytest.mark.parametrize("steps, balanced", [(1, False), (2, True)])
+def test_the_card_of_a_solution_has_a_balance_from_three_samples_on(built_in: Load, steps: int, balanced: bool) -> None:
+    run = simulate(built_in("pendulum"), scheme="rk4", dt=1e-3, t_end=steps * 1e-3, save_every=1, engine="interpreted")
+    assert ("energy balance" in run._repr_html_()) == balanced
+
+
+def test_a_small_jump_of_a_slow_motion_is_a_jump(model_of: Build) -> None:
+    """Of 1e-5 rad/s, where no velocity is larger."""
+    builder = SceneBuilder("slow").rigid("a", mass=1.0, inertia=0.1).rigid("b", mass=1.0, inertia=0.1)
+    builder.revolute("h", "ground.origin", "a.origin").revolute("k", "a.origin", "b.origin")
+    builder.prescribed_angle("drive", "ground.origin", "a.origin", motion="where(t < 0.5, 0, 1e-5 * (t - 0.5))")
+    model = model_of(builder.simulation(t_end=1.0, dt=0.05).build())
+    with pytest.raises(ModelError, match="velocity jumps by 1e-05"):
+        simulate(model, scheme="rk4", engine="interpreted")
+
+
+def test_rates_have_units_of_rates(built_in: Load) -> None:
+    model = built_in("pendulum")
+    name = model.q_i[0]
+    units = linearise(model, outputs=[name, f"{name}_dot"]).units
+    assert units[name] == "rad" and units[f"{name}_dot"] == "rad/s"
