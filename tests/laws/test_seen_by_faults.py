@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from runtime import Model, reference_solution, simulate
+from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.step_limit import central_difference_limit
+from runtime.schemes.stepper import Stepper
 from runtime.studies.stability.limits import usual_steps
 from symgen.scene import Scene, SceneBuilder
 
@@ -27,29 +29,26 @@ def test_closure_is_predicted(built_in: Load, scheme: str, order: int) -> None:
     assert np.log2(found[0] / found[1]) > order - 0.4, found
 
 
-def test_a_held_slow_coordinate_starts_with_second_order(model_of: Build) -> None:
-    """One major step of `coupled` where the slow mass is damped: rates of the held state ahead begin with v + a t."""
-    builder = SceneBuilder("damped")
-    builder.structure(
-        coordinates=["x", "y"],
-        mass=[[1.0, 0.0], [0.0, 1.0]],
-        stiffness=[[4.0, -1.0], [-1.0, 9.0]],
-        damping=[[3.0, -1.0], [-1.0, 1.0]],
-    )
-    builder.groups(L=["x"], S=["y"]).initial({"x": 1.0, "y": 0.5})
-    model = model_of(builder.simulation(t_end=0.1, dt=0.01, m=[4]).build())
-    off = []
-    for dt in (0.04, 0.02, 0.01):
-        run = simulate(model, scheme="coupled", m=[4], dt=dt, t_end=dt)
-        exact = reference_solution(model, t_end=dt)
-        off.append(np.abs(run.q_dot[-1] - exact.q_dot[-1]).max())
-    assert (np.log2(np.array(off[:-1]) / off[1:]) > 2.6).all(), off
+def test_a_held_slow_coordinate_starts_where_the_motion_came_from(built_in: Load) -> None:
+    """One slow step H before the start, as the motion without dampers played backwards: to third and second order."""
+    model, off = built_in("two_oscillators"), []
+    undamped, k, v = {"zeta": 0.0}, built_in("two_oscillators").q_i.index("x_L"), np.array([0.7, -0.4])
+    for H in (2e-3, 1e-3):
+        stepper = Stepper(scheme_kind("coupled").build("coupled", model, H, [4], {}))
+        z = stepper.start(0.0, model.initial_q, v, model.constants(model.parameter_vector(undamped)), H)
+        back = {f"{name}_dot": -rate for name, rate in zip(model.coordinates, v, strict=True)}
+        exact = reference_solution(model, t_end=H, parameters=undamped, initial=back)
+        past = [float(z[stepper.scheme.layout.slice(name)][k]) for name in ("x_last", "v_last")]
+        off.append(np.abs(np.array(past) - [exact.q[-1, k], -exact.q_dot[-1, k]]))
+    assert np.all(np.log2(off[0] / off[1]) > [2.8, 1.8]), off
 
 
 def test_the_limit_of_a_slow_mechanism() -> None:
-    """Frequency 0.1 rad/s: 20 s."""
-    limit = central_difference_limit(np.array([[-0.01]]), np.zeros((1, 1)), predicted=False)
-    assert limit is not None and limit.h == pytest.approx(20.0, rel=1e-12)
+    """Frequency 0.1 rad/s without dampers: 20 s, and it is the frequency that sets it."""
+    for predicted in (False, True):
+        limit = central_difference_limit(np.array([[-0.01]]), np.zeros((1, 1)), predicted=predicted)
+        assert limit is not None and limit.h == pytest.approx(20.0, rel=1e-12)
+        assert limit.rate == pytest.approx(0.1) and not limit.by_decay
 
 
 def test_stability_is_looked_at_about_the_fastest_mode(built_in: Load) -> None:

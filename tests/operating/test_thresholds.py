@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from runtime import Model
+from runtime.operating.equilibrium import NoEquilibrium, equilibrium, is_steady
+from runtime.operating.functions import PointValues
+from runtime.operating.linearise import linearise
 from runtime.operating.modal import modal_analysis
 from runtime.operating.newton import Balance, balanced
 from runtime.operating.tracking import ModeState, tracked
+from symgen.scene import Scene, SceneBuilder
 
 UNIT = np.eye(2)
+NONE = np.zeros(2)
+PLACE = PointValues(UNIT, NONE, UNIT, UNIT, NONE, NONE, UNIT, NONE, 0.0, NONE)
 
 
 def linear(H: np.ndarray, exact: np.ndarray, claimed: np.ndarray | None = None, left: float = 0.0) -> Balance:
@@ -115,3 +126,48 @@ def test_modes_that_cross_keep_their_shapes() -> None:
     for halvings in (6, 0):
         found = tracked(at(0.0), at(1.0), 0.0, 1.0, at, halvings)
         assert found.frequencies == pytest.approx([2.0, 1.5])
+
+
+@pytest.mark.parametrize("row", [0, 1])
+def test_forces_that_change_a_little_as_the_motion_goes_on_are_not_steady(row: int) -> None:
+    """1e-8 of a row's stiffness is a change, 1e-10 is none; in a row that is next to nothing beside the others, 1e-12
+    and 1e-14 of those."""
+    for part, steady in (((1e-8, 1e-12)[row], False), ((1e-10, 1e-14)[row], True)):
+        J_q = np.array([[1.0, 0.0], [1.0 - row, 0.0]])
+        J_q[row, 1] = part
+        at = replace(PLACE, J_q=J_q)
+        assert is_steady(at, np.array([0.0, 1.0])) == steady
+
+
+def test_loops_that_are_open_are_of_no_use() -> None:
+    assert replace(PLACE, open_by=1e-10).usable and not replace(PLACE, open_by=1e-7).usable
+
+
+def test_a_mode_that_changes_a_little_without_an_assumed_mode_is_coupled_to_it(
+    built_in: Callable[[str], Model],
+) -> None:
+    """K = diag(1, 4, 9, 16), and e between first and last, e^2 = 3e-4: 1 falls by e^2 / (2 (16 - 1)) = 1e-5."""
+    system = linearise(built_in("hub_beam"))
+    elastic = [name in system.model.elastic for name in system.names]
+    assert elastic == [False, True, True, True]
+    K = np.diag([1.0, 4.0, 9.0, 16.0])
+    K[0, 3] = K[3, 0] = math.sqrt(3e-4)
+    change = replace(system, M=np.eye(4), K=K).basis_change
+    assert change[0] == pytest.approx(1e-5, rel=1e-2) and change[2] == 0
+
+
+def test_what_inputs_cannot_balance_is_told(model_of: Callable[[Scene], Model]) -> None:
+    """Two inputs for two held coordinates, one of which has 1e-7 N that neither moves; 1 N at the start."""
+    builder = SceneBuilder("held").parameter("u", 0.0, "N").parameter("w", 1.0, "N")
+    builder.structure(coordinates=["x", "y"], mass=np.eye(2), stiffness=np.eye(2), force=["u - 1", "1e-7 + 0 * w"])
+    model = model_of(builder.simulation(t_end=0.1, dt=0.01).build())
+    with pytest.raises(NoEquilibrium):
+        equilibrium(model, {"x": 0.0, "y": 0.0}, inputs={"u": None, "w": None})
+
+
+def test_dependent_coordinates_are_held_where_they_are_asked_for(built_in: Callable[[str], Model]) -> None:
+    """Ten places of a slider, each to 1e-12 m."""
+    model = built_in("slider_crank")
+    name = next(name for name in model.q_d if name.startswith("slider") and name.endswith(".x"))
+    for place in np.linspace(0.33, 0.4, 10):
+        assert abs(equilibrium(model, {name: place}, initial={"crank.theta": 1.0})[name] - place) < 1e-12
