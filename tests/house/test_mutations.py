@@ -5,7 +5,11 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-from tests.mutations.__main__ import chosen
+import pytest
+
+from tests.mutations import record
+from tests.mutations.__main__ import all_sites
+from tests.mutations.record import OPEN, Record, drawn
 from tests.mutations.selection import CoverageMap, looking_at
 from tests.mutations.sites import ROOT, sites
 
@@ -43,7 +47,7 @@ def test_sites_are_what_runs(tmp_path: Path) -> None:
 
 
 def test_every_file_has_tests_that_are_there() -> None:
-    for site in chosen(50, 2, ""):
+    for site in list(drawn(all_sites(), 2).values())[:50]:
         for tests in looking_at(str(site.path.relative_to(ROOT))):
             assert (ROOT / tests).exists(), tests
 
@@ -60,3 +64,23 @@ def test_tests_of_a_fault_are_those_that_execute_it() -> None:
     for site in (constant, line):
         assert found.of(site, 10.0) == (["tests/running/c", "tests/running/a", "tests/laws/b"], 6.0)
     assert found.of(next(iter(sites(ROOT / other))), 10.0) == (["tests/laws/b"], 1.0)
+
+
+def test_sites_stay_the_same_when_lines_move(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(record, "ROOT", tmp_path)
+    here, moved = tmp_path / "a" / "file.py", tmp_path / "b" / "file.py"
+    for path, text in ((here, SOURCE), (moved, "# a line more\n" + SOURCE)):
+        path.parent.mkdir()
+        path.write_text(text)
+    orders = [[one[1:] for one in drawn(sites(path), 1)] for path in (here, moved)]
+    assert sorted(orders[0]) == sorted(orders[1]) and len(set(orders[0])) == len(sites(here))
+    assert list(drawn(sites(here), 1)) != list(drawn(sites(here), 2))
+
+
+def test_the_record_has_a_reason_for_each_fault_that_is_let_go(tmp_path: Path) -> None:
+    kept = Record.read(Path(record.__file__).with_name("record.json"))
+    assert len(kept.rows) >= 200
+    assert all(by for verdict, by in kept.rows.values() if verdict not in ("timeout", *OPEN))
+    copy = Record(tmp_path / "record.json", dict(kept.rows))
+    copy.write()
+    assert copy.path.read_text() == kept.path.read_text()

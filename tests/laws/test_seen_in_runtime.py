@@ -13,6 +13,7 @@ import pytest
 
 from runtime import Model, ModelError, simulate
 from runtime.contract.files import write_text
+from runtime.contract.units import mechanism_length
 from runtime.operating.given_state import given_state
 from runtime.operating.linearise import linearise
 from runtime.running.singular.tight_integrator import MOST_EVALUATIONS, BranchLost, TightIntegrator
@@ -143,3 +144,11 @@ def test_rates_have_units_of_rates(built_in: Load) -> None:
     name = model.q_i[0]
     units = linearise(model, outputs=[name, f"{name}_dot"]).units
     assert units[name] == "rad" and units[f"{name}_dot"] == "rad/s"
+
+
+def test_a_mechanism_of_micrometres_has_a_length() -> None:
+    """Arms of 1e-7 m are its length; 1e-10 m is what rounding leaves of arms that are zero."""
+    coordinate, row = SimpleNamespace(turns=True), SimpleNamespace(unit="m")
+    model: Any = SimpleNamespace(description=SimpleNamespace(coordinates=[coordinate], constraints=[row]))
+    assert mechanism_length(model, np.array([[-1e-7]])) == 1e-7
+    assert mechanism_length(model, np.array([[1e-10]])) == 1.0

@@ -5,16 +5,15 @@ all tests), in the order of selection.py, until one fails. Models of built-in sc
 (--fresh-models), and the comparison with the code in the repository is left out: it notices any change, and says
 nothing of what is right.
 
-The table is written after each fault; a run that was stopped goes on with what is missing.
+The record (record.py) is written after each fault; a run goes on with as many sites as are missing.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import os
-import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -22,6 +21,7 @@ import time
 from importlib.util import cache_from_source
 from pathlib import Path
 
+from tests.mutations.record import OPEN, Record, drawn
 from tests.mutations.selection import LEFT_OUT, CoverageMap
 from tests.mutations.sites import ROOT, Site, sites
 
@@ -30,12 +30,11 @@ PYTEST = ["-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--fr
 NOT_ALL = ["tests/emission/test_drift.py", "tests/views", "tests/house/test_docs.py", "tests/house/test_examples.py"]
 
 
-def chosen(count: int, seed: int, only: str) -> list[Site]:
-    """So many sites, drawn from all files alike by the number of their sites."""
+def all_sites(only: str = "") -> list[Site]:
+    """Of all files whose path has this in it."""
     files = sorted(path for package in ("symgen", "runtime") for path in (ROOT / package).rglob("*.py"))
     kept = [path for path in files if not str(path.relative_to(ROOT)).startswith(LEFT_OUT)]
-    all_sites = [site for path in kept if only in str(path) for site in sites(path)]
-    return random.Random(seed).sample(all_sites, min(count, len(all_sites)))
+    return [site for path in kept if only in str(path) for site in sites(path)]
 
 
 def make_map(path: Path) -> None:
@@ -62,6 +61,7 @@ def verdict(site: Site, copy: Path, found: CoverageMap, budget: float) -> tuple[
             text=True,
             timeout=AT_LEAST + SLOWER * seconds,
             check=False,
+            preexec_fn=_hear_interrupts,
         )
     except subprocess.TimeoutExpired:
         return "timeout", ""
@@ -71,6 +71,11 @@ def verdict(site: Site, copy: Path, found: CoverageMap, budget: float) -> tuple[
         return "survived", ""
     failed = [line for line in result.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
     return "killed", failed[0] if failed else "collection"
+
+
+def _hear_interrupts() -> None:
+    """What runs in the background ignores Ctrl-C, and with it tests that press it would fail without a fault."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _put(target: Path, text: str) -> None:
@@ -87,27 +92,30 @@ def main() -> None:
     parser.add_argument("--only", default="", help="part of a path")
     parser.add_argument("--budget", type=float, default=90.0, help="seconds of tests a fault")
     parser.add_argument("--map", type=Path, default=Path("mutations-map.json"), help="made where it is not there")
-    parser.add_argument("--out", type=Path, default=Path("mutations.json"))
+    parser.add_argument("--record", type=Path, default=Path(__file__).with_name("record.json"))
+    parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no other fault after so long")
+    parser.add_argument("--again", action="store_true", help="judge again what survived")
     arguments = parser.parse_args()
     if not arguments.map.exists():
         make_map(arguments.map)
-    found = CoverageMap.read(arguments.map)
-    rows = json.loads(arguments.out.read_text(encoding="utf-8")) if arguments.out.exists() else []
-    done = {(row["place"], row["fault"]) for row in rows}
+    found, record = CoverageMap.read(arguments.map), Record.read(arguments.record)
+    every = drawn(all_sites(arguments.only), arguments.seed)
+    judged = [one for one in every if one in record.rows]
+    left = [one for one in judged if arguments.again and record.rows[one][0] in OPEN]
+    left += [one for one in every if one not in record.rows][: max(0, arguments.sites - len(judged))]
+    print(f"{len(judged)} of {len(record.rows)} sites of the record are in the code; {len(left)} to judge")
     with tempfile.TemporaryDirectory() as work:
         copy = Path(shutil.copytree(ROOT, Path(work) / "copy", ignore=shutil.ignore_patterns(".git", "__pycache__")))
-        for site in chosen(arguments.sites, arguments.seed, arguments.only):
-            place = f"{site.path.relative_to(ROOT)}:{site.line}"
-            fault = site.shown(site.path.read_text(encoding="utf-8"))
-            if (place, fault) in done:
-                continue
-            began = time.monotonic()
+        started = time.monotonic()
+        for one in left:
+            site, began = every[one], time.monotonic()
+            if began - started > arguments.seconds:
+                break
             ended, test = verdict(site, copy, found, arguments.budget)
-            rows.append({"place": place, "fault": fault, "verdict": ended, "test": test})
-            arguments.out.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
-            print(f"{ended:9} {time.monotonic() - began:6.0f} s  {place}  {fault}  {test[:100]}", flush=True)
-    seen = sum(row["verdict"] in ("killed", "timeout") for row in rows)
-    print(f"{seen} of {len(rows)} faults seen")
+            record.add(one, ended, test)
+            took = time.monotonic() - began
+            print(f"{ended:9} {took:6.0f} s  {one[0]}:{site.line}  {one[2]}  {test[:100]}", flush=True)
+    print(record.score())
 
 
 if __name__ == "__main__":
