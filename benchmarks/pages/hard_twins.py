@@ -3,6 +3,9 @@
 Reference values of the hard suite come from the condensed equations. Here every case is integrated once more in all
 coordinates and multipliers (Eq. 28), from the start to the end: other emitted functions, another linear system, no
 elimination and no loop closure; constraints hold at the level of accelerations only.
+
+--points: planar cases by equations that the generator has no part in: Lagrange's of the first kind, from the kinetic
+energy of material points (benchmarks/contenders/material_points.py).
 """
 
 from __future__ import annotations
@@ -11,10 +14,12 @@ import argparse
 import sys
 import tempfile
 import time
+from typing import Any
 
 import numpy as np
 
-from runtime import SymgenError, load_model, reference_solution
+from benchmarks.cases.hard_by_points import BY_POINTS
+from runtime import Model, Solution, SymgenError, load_model, reference_solution
 from runtime.baselines.augmented import augmented_solution
 from symgen.generate import generate
 from symgen.scenes.hard_suite import HARD_SUITE, HardCase
@@ -23,7 +28,7 @@ SAMPLES = 41
 RTOL, ATOL = 1e-9, 1e-12
 
 
-def compared(case: HardCase) -> tuple[float, str, float]:
+def compared(case: HardCase, by_points: bool) -> tuple[float, str, float]:
     """(largest difference of a graded coordinate over its amplitude, end value of the first, seconds of CPU)."""
     with tempfile.TemporaryDirectory() as folder:
         model = load_model(generate(case.make(), folder))
@@ -31,27 +36,43 @@ def compared(case: HardCase) -> tuple[float, str, float]:
     motion = {"t_end": case.t_end, "times": times, "parameters": case.parameters, "initial": case.initial}
     condensed = reference_solution(model, **motion, start=case.start)
     began = time.process_time()
-    twin = augmented_solution(model, **motion, start=case.start, rtol=RTOL, atol=ATOL)
+    found = (points if by_points else augmented)(case, model, condensed, motion)
     seconds = time.process_time() - began
     off = []
     for name in case.graded:
         amplitude = float(np.ptp(condensed[name])) / 2
-        off.append(float(np.abs(twin[name] - condensed[name]).max()) / amplitude)
+        off.append(float(np.abs(found[name] - condensed[name]).max()) / amplitude)
     first = case.graded[0]
-    return max(off), f"`{first}` = {twin[first][-1]:.9g}", seconds
+    return max(off), f"`{first}` = {found[first][-1]:.9g}", seconds
+
+
+def augmented(case: HardCase, model: Model, condensed: Solution, motion: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Graded coordinates over time by the emitted functions in all coordinates."""
+    twin = augmented_solution(model, **motion, start=case.start, rtol=RTOL, atol=ATOL)
+    return {name: twin[name] for name in case.graded}
+
+
+def points(case: HardCase, model: Model, condensed: Solution, motion: dict[str, Any]) -> dict[str, np.ndarray]:
+    """The same by material points, from the same start."""
+    twin = BY_POINTS[case.name]
+    mechanism = twin.make()
+    columns = [model.coordinates.index(name) for name in mechanism.names]
+    q = mechanism.motion(condensed.q[0, columns], condensed.q_dot[0, columns], motion["times"], twin.breaks, RTOL, ATOL)
+    return {name: q[:, mechanism.names.index(name)] for name in case.graded}
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Print a row for each case."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.pages.hard_twins", description=__doc__)
     parser.add_argument("--only", action="append", choices=list(HARD_SUITE), help="these cases")
+    parser.add_argument("--points", action="store_true", help="by material points, planar cases")
     parser.add_argument("--publish", action="store_true", help="nothing more: figures go into silence.md by hand")
     options = parser.parse_args(arguments)
     print("| case | largest difference to the condensed reference | end value in all coordinates | CPU [s] |")
     print("|---|---:|---|---:|")
-    for name in options.only or HARD_SUITE:
+    for name in options.only or (BY_POINTS if options.points else HARD_SUITE):
         try:
-            off, end, seconds = compared(HARD_SUITE[name])
+            off, end, seconds = compared(HARD_SUITE[name], options.points)
         except (SymgenError, RuntimeError) as error:  # CasADi's: bodies without mass make M singular
             print(f"| {name} | - | {str(error).strip().splitlines()[-1]} | |", flush=True)
             continue

@@ -174,3 +174,8 @@ def test_samples_far_apart_stay_on_the_branch(model_of: Build) -> None:
     model = model_of(four_bar())
     fine, coarse = (simulate(model, dt=dt, t_end=8.0, save_every=1) for dt in (0.01, 1.0))
     assert coarse.status.ok and np.abs(coarse.q - fine.q[::100]).max() < 1e-12
+
+
+def test_samples_lie_save_every_steps_apart(model_of: Build) -> None:
+    run = simulate(model_of(four_bar()), dt=0.01, t_end=0.2, save_every=4)
+    assert run.t == pytest.approx(np.arange(6) * 0.04)

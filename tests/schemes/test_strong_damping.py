@@ -69,6 +69,8 @@ def test_strong_damping_is_right_or_named(model_of: Build, scheme: str, damping:
         assert abs(run.q_dot[-1, run.model.independent_columns[0]]) < 1e-2
     else:
         assert run.status.name in ("diverged", "step_too_long", "iteration_failed")
+        advice, decays = run.status.advice, damping * 3  # D / (m l^2 / 3)
+        assert f"decay at {decays:.3g} 1/s" in advice and "radau" in advice and "propagation = decaying" in advice
         assert rate or scheme == "generalized_alpha"  # without a transient there is nothing to fail on
 
 
