@@ -45,7 +45,7 @@ class BodyMotion:
 def spin_field(omega: np.ndarray, alpha: np.ndarray) -> np.ndarray:
     """(N, 3, 3) alpha~ + omega~ omega~."""
     turning = cross_matrix(omega)
-    return cross_matrix(alpha) + turning @ turning
+    return np.asarray(cross_matrix(alpha) + turning @ turning)
 
 
 def cross_matrix(v: np.ndarray) -> np.ndarray:

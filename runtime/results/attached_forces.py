@@ -73,4 +73,4 @@ def vectors(values: np.ndarray) -> np.ndarray:
 
 def into_body(frame: FrameMotion, world: np.ndarray) -> np.ndarray:
     """(N, 3) components in body axes."""
-    return np.einsum("sji,sj->si", frame.A, world)
+    return np.asarray(np.einsum("sji,sj->si", frame.A, world))

@@ -124,7 +124,7 @@ class SectionField:
             psi = np.stack([angle, -turns.get(ALONG_Z, none), turns.get(ALONG_Y, none)], axis=-1)
         tilde = cross_matrix(psi.reshape(-1, 3)).reshape(*none.shape, 3, 3)
         k = 1 + 0.25 * np.square(psi).sum(axis=-1)[:, :, None, None]
-        return np.eye(3) + (tilde + 0.5 * tilde @ tilde) / k
+        return np.asarray(np.eye(3) + (tilde + 0.5 * tilde @ tilde) / k)
 
     def of_shapes(self, q: np.ndarray) -> np.ndarray:
         """(6, N, n): N, Q_y, Q_z, T, M_y, M_z by the strains of the shapes; NaN where there are none."""
