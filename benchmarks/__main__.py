@@ -19,6 +19,7 @@ from benchmarks.cases import (
     operations,
     rhs_chain,
     rhs_pinocchio,
+    sizes,
     step_slider_crank,
 )
 from benchmarks.harness.machine import describe_machine
@@ -32,6 +33,7 @@ BENCHMARKS: dict[str, Benchmark] = {
     "ensemble": ensemble.run,
     "rhs_chain": rhs_chain.run,
     "generation": generation.run,
+    "sizes": sizes.run,
     "gradients": gradients.run,
     "rhs_pinocchio": rhs_pinocchio.run,
     "operations": operations.run,
