@@ -48,6 +48,9 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("q_d_ddot", "q_d''", "35", "n_d", "mixed", "accelerations of the dependent coordinates"),
     Notation("t", "t", "21", "1", "s", "time"),
     Notation("u", "", "", "n_u", "SI", "inputs: what comes from outside during a run, with rates where they have them"),
+    Notation(
+        "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in q_i are rotation vectors"
+    ),
     Notation("p", "", "", "n_p", "SI", "parameters: every physical number of a scene that is not zero"),
     Notation("c", "", "", "n_const", "SI", "what depends on p only, computed once a run: c = constants(p)"),
     # bodies
@@ -214,6 +217,9 @@ FIELDS: tuple[Notation, ...] = (
     Notation("change", "", "", "groups", "mixed", "largest change of q_ddot of each group by the last sweep"),
     Notation("loop_old", "", "", "loops", "mixed", "loop unknowns one finest step ago"),
     Notation("loop_dot", "q_d'", "36", "loops", "mixed", "rates of the loop unknowns"),
+    Notation(
+        "chart", "", "", "4 x orientations", "1", "unit quaternions from which the turns in x are rotation vectors"
+    ),
     # one-step schemes
     Notation("v", "q_i'", "36", "n_i", "mixed", "q_i_dot reached"),
     # coupled, decoupled

@@ -120,7 +120,7 @@ class _Condensation:
             return build()
         except NoInertia as error:
             raise DerivationError(
-                self.system.equations.names[error.args[0]],
+                self.system.reduced.names[error.args[0]],
                 "has no inertia, so its acceleration is not determined",
                 "give the body an inertia, or join it so that it cannot move that way",
             ) from error
@@ -193,7 +193,7 @@ def _condensation(scene: Scene, at: Configuration | None) -> _Condensation:
     numbers = ConstraintNumbers(equations, system.parameters)
     initial = assembled(system, numbers) if at is None else _state_at(at, equations)
     choice = _choice(system, numbers, initial.q, at)
-    deflections = deflections_of(equations, choice, system.requested.stiff)
+    deflections = deflections_of(system.reduced, choice, system.requested.stiff)
     condensed = condense(equations, system.reduced, choice, deflections)
     return _Condensation(scene, system, condensed, choose_groups(system, choice.independent), initial)
 

@@ -1,5 +1,8 @@
 """The condensed equations as a first-order system for general-purpose integrators: y = [q_i, q_i_dot, loop unknowns].
 
+Turns in q_i stay zero: behind the loop unknowns come the Euler parameters of their bodies, e' = e o (0, omega) / 2, and
+each evaluation takes e, made of unit length, for the chart.
+
 The loop unknowns ride along as states, so that the right-hand side is a pure function: they only serve as the
 guess from which the closure is solved.
 """
@@ -12,11 +15,13 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import charts_in, independent
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution, join
 from runtime.results.sampling import evaluate
 from runtime.results.solution import Solution
+from runtime.schemes.charts import Charts
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 from runtime.start.start_state import start_state
 
@@ -33,15 +38,22 @@ class CondensedOde:
     def __init__(self, model: Model, closure_iterations: int) -> None:
         n, loops = len(model.q_i), len(model.loop_unknowns)
         self.model, self.n = model, n
-        self.t, self.y, self.c = ca.SX.sym("t"), ca.SX.sym("y", 2 * n + loops), ca.SX.sym("c", model.c_size)
-        self.q_i, self.v = self.y[:n], self.y[n : 2 * n]
-        self.equations = StageEquations(model, self.c)
-        self.motion: ClosedConfiguration = self.equations.close(self.q_i, self.y[2 * n :], self.t, closure_iterations)
+        self.charts, ends = Charts(model), 2 * n + loops
+        self.t, self.c = ca.SX.sym("t"), ca.SX.sym("c", model.c_size)
+        self.y = ca.SX.sym("y", ends + self.charts.size)
+        self.q_i, self.v, self.e = self.charts.zeroed(self.y[:n]), self.y[n : 2 * n], self.y[ends:]
+        at = charts_in(model) if self.charts.size else slice(0, 0)
+        c = ca.vertcat(self.c[: at.start], self.charts.unit(self.e), self.c[at.stop :])
+        self.equations = StageEquations(model, c)
+        self.motion: ClosedConfiguration = self.equations.close(
+            self.q_i, self.y[2 * n : ends], self.t, closure_iterations
+        )
         self.v_d = self.equations.rates(self.motion, self.v)
 
     def slope(self, a: ca.SX) -> ca.SX:
         """y_dot for q_i_ddot = a."""
-        return ca.densify(ca.vertcat(self.v, a, self.equations.loop_part(self.v_d)))
+        turning = self.charts.parameter_rates(self.e, self.v)
+        return ca.densify(ca.vertcat(self.charts.zeroed(self.v), a, self.equations.loop_part(self.v_d), turning))
 
     def accelerations(self) -> ca.SX:
         """q_i_ddot by the cheapest route."""
@@ -89,9 +101,12 @@ def start_of(
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     state = start_state(model, p, c, 0.0, initial, start)
-    columns = model.independent_columns
-    loop = state.q[model.loop_columns]
-    return Start(p, c, np.concatenate([state.q[columns], state.q_dot[columns], loop]))
+    return Start(p, c, integrated(model, state.q, state.q_dot))
+
+
+def integrated(model: Model, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
+    """y of a consistent state of all coordinates."""
+    return np.concatenate([*independent(model, q, q_dot), q[model.loop_columns], q[model.places.parameters.ravel()]])
 
 
 def observed_solution(

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from runtime.baselines.condensed_ode import TO_ROUNDING, CondensedOde
+from runtime.contract.coordinates import independent_rates, whole
 from runtime.contract.model import Model, ModelError
 from runtime.schemes.switching.impulse import impulse_at, moves_in_time
 from runtime.schemes.switching.times import SwitchTime, switching_times
@@ -52,14 +53,13 @@ class Impulses:
         if self._observe is None:
             return y
         model, seen = self.model, self._observe(t=before, y=y, c=self.c)
-        q, q_dot = np.zeros(len(model.coordinates)), np.zeros(len(model.coordinates))
-        for columns, end in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-            q[columns], q_dot[columns] = (np.asarray(seen[f"q_{end}{rate}"]).ravel() for rate in ("", "_dot"))
+        parts = {name: np.asarray(value).ravel() for name, value in seen.items()}
+        q, q_dot = (whole(model, parts[f"q_i{rate}"], parts[f"q_d{rate}"]) for rate in ("", "_dot"))
         found = impulse_at(model, self.c, q, q_dot, before, after)
         if found is None:
             return y
         n = len(model.q_i)
-        return np.concatenate([y[:n], found.q_dot[model.independent_columns], y[2 * n :]])
+        return np.concatenate([y[:n], independent_rates(model, q, found.q_dot), y[2 * n :]])
 
 
 def refuse_impulses(model: Model, c: np.ndarray, t_end: float, y: np.ndarray, who: str) -> None:

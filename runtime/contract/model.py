@@ -10,12 +10,14 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.called import as_called, of_parameters
 from runtime.contract.doors import OPENS
 from runtime.contract.errors import ModelError as ModelError
 from runtime.contract.model_card import model_card
+from runtime.contract.orientations import Places, places_of
 from runtime.contract.parameter_values import changed_vector, checked_inputs, require_bounds
 from runtime.contract.records import Coordinate, Description, Group, Parameter
-from runtime.contract.signals import Signals, with_signals
+from runtime.contract.signals import Signals
 
 
 @dataclass(frozen=True, repr=False)
@@ -189,10 +191,8 @@ class Model:
                     f"model {self.name} has no function {name!r}; it has {', '.join(self.builders)}. "
                     + ("Regenerate the scene with that function" if self.q_i else driven)
                 )
-            kernel = self.builders[name]()
-            if self.inputs:
-                kernel = with_signals(kernel, self.signals, self._emitted_c_size)
-            self._kernels[name] = kernel
+            count = len(self.description.orientations)
+            self._kernels[name] = as_called(self.builders[name](), count, self.signals, self.emitted_c_size)
         return self._kernels[name]
 
     def derived(self, name: str, build: Callable[[], ca.Function]) -> ca.Function:
@@ -207,17 +207,7 @@ class Model:
 
     def function(self, name: str) -> ca.Function:
         """The Function `name` of the parameters p instead of c, for use in other CasADi expressions."""
-        kernel, constants = self.kernel(name), self.kernel("constants")
-        names = [argument for argument in kernel.name_in() if argument != "c"]
-        inputs = {argument: ca.SX.sym(argument, *kernel.size_in(argument)) for argument in names}
-        p = ca.SX.sym("p", len(self.parameters))
-        call: dict[str, Any] = dict(inputs)
-        if "c" in kernel.name_in():
-            call["c"] = constants(p)
-        outputs = kernel(**call)
-        return ca.Function(
-            name, [*inputs.values(), p], [outputs[key] for key in kernel.name_out()], [*names, "p"], kernel.name_out()
-        )
+        return of_parameters(self.kernel(name), self.kernel("constants"))
 
     def evaluate(self, name: str, **values: Any) -> dict[str, Any]:
         """Outputs of the kernel `name` by name, at numbers or at CasADi expressions.
@@ -252,7 +242,8 @@ class Model:
         return OPENS["stepper"](self, **settings)
 
     @cached_property
-    def _emitted_c_size(self) -> int:
+    def emitted_c_size(self) -> int:
+        """Length of the c of the emitted code."""
         return int(self.builders["constants"]().size1_out(0))
 
     @cached_property
@@ -261,8 +252,13 @@ class Model:
         return int(self.kernel("constants").size1_out(0))
 
     @cached_property
+    def places(self) -> Places:
+        """Where q_i and q_d stand in q; see runtime.contract.coordinates."""
+        return places_of(self.coordinates, self.q_i, self.q_d, self.description.orientations)
+
+    @cached_property
     def independent_columns(self) -> np.ndarray:
-        """Columns of q_i in q, (n_i,)."""
+        """Columns of q_i in q, (n_i,). Raises ValueError for turns, which have none: see `places`."""
         return np.array([self.coordinates.index(name) for name in self.q_i], dtype=int)
 
     @cached_property

@@ -15,6 +15,7 @@ from runtime.contract.drawing_records import Drawing as Drawing
 from runtime.contract.drawing_records import PointRecord as PointRecord
 from runtime.contract.drawing_records import ShapeRecord as ShapeRecord
 from runtime.contract.drawing_records import SurfaceRecord as SurfaceRecord
+from runtime.contract.orientations import OrientationRecord
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
 ConstraintKind = Literal["distance", "angle", "direction", "quaternion", "norm"]
@@ -23,7 +24,7 @@ Bound = Literal["any", "positive", "not negative"]
 # A ladder: what a function takes is known at its stage. Stage -> the arguments that are known from there on.
 STAGES: dict[str, tuple[str, ...]] = {
     "constants": ("p",),
-    "closure": ("c", "t", "u", "q_i", "q_d"),
+    "closure": ("c", "t", "u", "chart", "q_i", "q_d"),
     "velocities": ("q_i_dot",),
     "condensed": ("q_d_dot", "q", "q_dot"),
     "accelerations": ("q_i_ddot", "q_L_ddot", "crossing", "interface", "shift", "push"),
@@ -32,13 +33,7 @@ STAGES: dict[str, tuple[str, ...]] = {
 }
 RATES = ("", "/s", "/s^2")
 UNITS: dict[CoordinateKind, str] = {"position": "m", "angle": "rad", "euler_parameter": "1", "modal": "m", "state": "s"}
-ROW_UNITS: dict[ConstraintKind, str] = {
-    "distance": "m",
-    "angle": "rad",
-    "direction": "1",
-    "quaternion": "1",
-    "norm": "1",
-}
+ROW_UNITS: dict[ConstraintKind, str] = dict(distance="m", angle="rad", direction="1", quaternion="1", norm="1")
 
 
 @dataclass(frozen=True)
@@ -236,6 +231,7 @@ class Description:
     beams: list[BeamRecord] = field(default_factory=list)
     flexible: list[LoadedBody] = field(default_factory=list)
     switching: list[str] = field(default_factory=list)
+    orientations: list[OrientationRecord] = field(default_factory=list)
 
     @property
     def load_columns(self) -> list[tuple[str, str]]:
@@ -256,8 +252,10 @@ _TABLES: dict[str, type] = {
     "bounded": BoundedQuantity,
     "inputs": InputRecord,
     "flexible": LoadedBody,
+    "orientations": OrientationRecord,
 }
-_MAY_LACK = ("inputs", "beams", "flexible", "switching")  # tables that are not written where they are empty
+# tables that are not written where they are empty
+_MAY_LACK = ("inputs", "beams", "flexible", "switching", "orientations")
 
 
 def as_plain(description: Description) -> dict[str, Any]:

@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
+from runtime.contract.coordinates import independent_slopes
 from runtime.contract.model import Model
 from runtime.gradients.variables import Variables
 
@@ -41,8 +42,7 @@ def start_slopes(
     dependent = set(map(int, model.dependent_columns))
     if model.constraints and (set(free_q) != dependent or set(free_v) != dependent):
         _assembled(model, p, t0, state, dp, dq, dv, free_q, free_v)
-    i, loop = model.independent_columns, model.loop_columns
-    return np.concatenate([dp, dq[i], dv[i], dq[loop]])
+    return np.concatenate([dp, *independent_slopes(model, state.q, state.q_dot, dq, dv), dq[model.loop_columns]])
 
 
 def _open(model: Model, given: Mapping[str, float], rates: bool) -> list[int]:

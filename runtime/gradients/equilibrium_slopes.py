@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import independent, joined
 from runtime.contract.model import Model
 from runtime.schemes.stage_equations import StageEquations
 from runtime.start.quasi_static import CLOSURE_ITERATIONS, PASSES, ElasticEquilibrium, small_motion
@@ -21,11 +22,11 @@ def settled_slopes(
     """d(p, q_i, q_i_dot, loop unknowns) (n_x, n) of the quasi-static start, from those of the state that was given."""
     elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
     rigid = [k for k in range(len(model.q_i)) if k not in elastic]
-    solver, columns = ElasticEquilibrium(model, elastic, c, unstable), model.independent_columns
-    n_p, n = len(p), len(columns)
+    solver = ElasticEquilibrium(model, elastic, c, unstable)
+    n_p, n = len(p), len(model.q_i)
     found = slopes.copy()
     dp, dq, dv = found[:n_p], found[n_p : n_p + n], found[n_p + n : n_p + 2 * n]
-    q, v, loop = given.q[columns].copy(), given.q_dot[columns].copy(), given.q[model.loop_columns]
+    (q, v), loop = independent(model, given.q, given.q_dot), given.q[model.loop_columns]
     step, coordinate = small_motion(model, given.q_dot)
     rates = model.derived("rate_slopes", lambda: _rate_slopes(model))(t, q, v, loop, p)
     moving = np.asarray(rates)[coordinate] @ np.concatenate([dq, dv, dp])  # of the speed that sets the step
@@ -74,8 +75,5 @@ def _rate_slopes(model: Model) -> ca.Function:
     loop, p = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("p", len(model.parameters))
     equations = StageEquations(model, model.kernel("constants")(p))
     rates = equations.rates(equations.close(q, loop, t, CLOSURE_ITERATIONS), v)
-    whole = ca.SX(len(model.coordinates), 1)
-    whole[list(map(int, model.independent_columns))] = v
-    whole[list(map(int, model.dependent_columns))] = rates
-    slopes = ca.jacobian(whole, ca.vertcat(q, v, p))
+    slopes = ca.jacobian(joined(model, v, rates), ca.vertcat(q, v, p))
     return ca.Function("rate_slopes", [t, q, v, loop, p], [ca.densify(slopes)])

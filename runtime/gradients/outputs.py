@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 import casadi as ca
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model, ModelError
 from runtime.results.samples import FORCE_PARTS
 from runtime.schemes.scheme import Scheme
@@ -59,11 +60,7 @@ def output_values(scheme: Scheme, names: Sequence[str], z: ca.SX, c: ca.SX) -> c
     seen = scheme.observer(z=z, c=c)
     at: dict[str, ca.SX] = {"t": seen["t"]}
     for name, end in (("q", ""), ("q_dot", "_dot"), ("q_ddot", "_ddot")):
-        full = ca.SX(len(model.coordinates), 1)
-        for columns, kind in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-            for position, column in enumerate(columns):
-                full[int(column)] = seen[f"q_{kind}{end}"][position]
-        at[name] = full
+        at[name] = joined(model, seen[f"q_i{end}"], seen[f"q_d{end}"])
     wanted = [places[name] for name in names]
     values = dict(at)
     for function, provided in (

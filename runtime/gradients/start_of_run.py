@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.coordinates import independent
 from runtime.gradients.assembly import start_slopes
 from runtime.gradients.beginning import Begun
 from runtime.gradients.driving import parameters_at
@@ -64,11 +65,10 @@ class StartOfRun:
         c = model.constants(p)
         state = start_state(model, p, c, plan.t0, given, self._kind)
         z = self._program.prepared.widened(start_vector(scheme, plan.t0, state.q, state.q_dot, c))
-        i, loop = model.independent_columns, model.loop_columns
         moved = self._slopes(p, c, given) if slopes else np.zeros((0, 0))
         watch = Watch(plan, c, p)
         watch.begin(z)
-        where = np.concatenate([p, state.q[i], state.q_dot[i], state.q[loop]])
+        where = np.concatenate([p, *independent(model, state.q, state.q_dot), state.q[model.loop_columns]])
         return Begun(z, self._program.prepared.ready(scheme.constants(c)), where, moved, x, watch)
 
     def _slopes(self, p: np.ndarray, c: np.ndarray, given: Given) -> np.ndarray:

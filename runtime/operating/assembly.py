@@ -18,6 +18,7 @@ from runtime.contract.consistent_state import (
     VELOCITY_TOLERANCE,
     ConsistentState,
 )
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 
 FINITE = 1e300  # less than this are all numbers that are no NaN
@@ -48,7 +49,7 @@ def fitting(model: Model) -> ca.Function:
     def build() -> ca.Function:
         q_i, q_i_dot, q_d, t, c = _symbols(model, "q_i", "q_i_dot", "q_d", "t", "c")
         q_d_dot = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t, c=c)["q_d_dot"]
-        q, q_dot = _joined(model, q_i, q_d), _joined(model, q_i_dot, q_d_dot)
+        q, q_dot = joined(model, q_i, q_d), joined(model, q_i_dot, q_d_dot)
         found = model.evaluate("constraints", q=q, q_dot=q_dot, t=t, c=c)
         C, C_dot = found["C"], ca.mtimes(found["C_q"], q_dot) + found["C_t"]
         fits = ca.logic_and(
@@ -88,14 +89,6 @@ def _symbols(model: Model, *names: str) -> list[ca.SX]:
     n_i, n_d = len(model.q_i), len(model.q_d)
     sizes = {"q_i": n_i, "q_i_dot": n_i, "q_d": n_d, "t": 1, "c": model.c_size}
     return [ca.SX.sym(name, sizes[name]) for name in names]
-
-
-def _joined(model: Model, independent: ca.SX, dependent: ca.SX) -> ca.SX:
-    full = ca.SX(len(model.coordinates), 1)
-    for columns, values in ((model.independent_columns, independent), (model.dependent_columns, dependent)):
-        for position, column in enumerate(columns):
-            full[int(column)] = values[position]
-    return full
 
 
 def _scale(values: ca.SX) -> ca.SX:

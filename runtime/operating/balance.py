@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.coordinates import turned_by
 from runtime.contract.model import Model
 from runtime.operating.functions import PointFunctions, PointValues
 from runtime.operating.mode_solver import State
@@ -112,7 +113,7 @@ class Clamped:
     def advance(self, q_i: np.ndarray, step: np.ndarray) -> np.ndarray | None:
         """q_i after a step in the free directions, with clamped coordinates back on their values."""
         at = self.values(q_i)
-        return None if at is None else self.placed(q_i + self.free(at) @ step)
+        return None if at is None else self.placed(turned_by(self.model, q_i, self.free(at) @ step))
 
     def placed(self, q_i: np.ndarray) -> np.ndarray | None:
         """The nearest q_i at which the clamped coordinates have their values; None if there is none in reach."""
@@ -126,7 +127,8 @@ class Clamped:
             if np.abs(off).max() <= PLACED * max(1.0, float(np.abs(self.goal).max())):
                 return q_i
             step = np.linalg.lstsq(at.S[self.rows], off, rcond=1e-12)[0]
-            q_i = q_i - step * min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
+            share = min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
+            q_i = turned_by(self.model, q_i, -share * step)
         return None
 
     def solve(self, q_i: np.ndarray) -> Found:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError
 from runtime.contract.files import write_text
 from runtime.contract.model import Model
@@ -140,7 +141,9 @@ class Sweep:
         rates, parameters = dict(self.rates), dict(self.parameters)
         (parameters if self.is_parameter else rates)[self.over] = value
         last = self._last
-        initial = {} if last is None else {name: last[name] for name in self.model.q_i if name not in self.held}
+        initial = (
+            {} if last is None else {name: last[name] for name in followed(self.model)[0] if name not in self.held}
+        )
         self._last = equilibrium(self.model, self.held, rates, parameters=parameters, initial=initial, t=self.t)
         return linearise(self.model, self._last, inputs=self.inputs, outputs=self.outputs, locked=self.locked)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.coordinates import followed, independent_part, independent_rates
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model, ModelError
 from runtime.operating.all_coordinates import AllCoordinates
@@ -73,7 +74,7 @@ class Equilibrium:
 
     def __repr__(self) -> str:
         words = [self.kind, "stable" if self.stable else "unstable"] + ([] if self.steady else ["not steady"])
-        values = ", ".join(f"{name} = {self[name]:.6g}" for name in self.model.q_i[:6])
+        values = ", ".join(f"{name} = {self[name]:.6g}" for name in followed(self.model)[0][:6])
         return f"<{', '.join(words)} of {self.model.name}: {values}{', ...' if len(self.model.q_i) > 6 else ''}>"
 
 
@@ -133,7 +134,7 @@ def named(model: Model, name: str) -> str:
 
 def force_unit(model: Model, name: str) -> str:
     """SI unit of the generalised force on a coordinate."""
-    return "N m" if model.coordinate(name).turns else "N"
+    return "N m" if name not in model.coordinates or model.coordinate(name).turns else "N"
 
 
 def _listed(model: Model) -> str:
@@ -163,7 +164,7 @@ def _clamped(
     own = {name: value for name, value in held.items() if name in model.q_i}
     rows = [model.coordinates.index(name) for name in fixed]
     q_i, loop = given_position(model, p, functions.c, t, {**initial, **own})
-    q_i[model.states] = model.initial_q_dot[model.independent_columns][model.states]
+    q_i[model.states] = independent_rates(model, model.initial_q, model.initial_q_dot)[model.states]
     task = Clamped(model, functions, t, np.zeros(len(q_i)), rows, np.zeros(0), loop)
     at = task.values(q_i)
     if at is not None:
@@ -191,7 +192,7 @@ def _led_around(
     if q is None:
         return None
     clamped.loop = q[model.loop_columns]
-    return clamped.solve(q[model.independent_columns])
+    return clamped.solve(independent_part(model, q))
 
 
 def _told(
@@ -209,7 +210,9 @@ def _told(
     Z = clamped_directions(at.S[[model.coordinates.index(name) for name in held]], states)
     K = -clamped.slope(q_i, at)
     K[:, states] = 0.0
-    modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ at.J_v @ Z, Z.T @ K @ Z, len(states))
+    moving = clamped.functions.in_moving_axes(at, v, np.zeros(len(v)))
+    K -= moving.J_q - at.J_q
+    modal = modal_analysis(Z.T @ at.M @ Z, -Z.T @ moving.J_v @ Z, Z.T @ K @ Z, len(states))
     forces = clamped.holding(at)
     names = [model.coordinates[row] for row in clamped.rows]
     return Equilibrium(

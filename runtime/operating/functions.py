@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model, ModelError
-from runtime.operating.mode_solver import State
+from runtime.operating.mode_solver import State, in_moving_axes
+from runtime.schemes.charts import along_rotations
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 
 CLOSURE_ITERATIONS = 4
@@ -63,6 +65,14 @@ class PointFunctions:
             M, vectors[0], J_q, J_v, vectors[1], vectors[2], S, vectors[3], float(open_by.max()), vectors[4]
         )
 
+    def in_moving_axes(self, at: PointValues, v: np.ndarray, a: np.ndarray) -> PointValues:
+        """Values with J_q and J_v for turns dtheta in axes that move with the state: d omega = dtheta' + v x dtheta.
+
+        v, a: q_i_dot and q_i_ddot (n_i) of the state.
+        """
+        J_q, J_v = in_moving_axes(self.model.places.turns, at.M, at.J_q, at.J_v, v, a)
+        return replace(at, J_q=J_q, J_v=J_v)
+
     def pull_slope(self, state: State, force: np.ndarray) -> np.ndarray:
         """d(S^T force)/dq_i (n_i x n_i) for constant generalised forces on all coordinates (n)."""
         if self._pull is None:
@@ -72,19 +82,16 @@ class PointFunctions:
 
 def all_coordinates(model: Model, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
     """q in the order of model.coordinates."""
-    where = {name: q_i[k] for k, name in enumerate(model.q_i)} | {name: q_d[k] for k, name in enumerate(model.q_d)}
-    return ca.vertcat(*(where[name] for name in model.coordinates))
+    return ca.densify(joined(model, q_i, q_d))
 
 
 def tangents(model: Model, equations: StageEquations, motion: ClosedConfiguration) -> ca.SX:
-    """S = dq/dq_i (n x n_i): the rates are affine in q_i_dot."""
+    """S = dq/dq_i (n x n_i), along rotations for turns: the rates are affine in q_i_dot."""
     v = ca.SX.sym("v", len(model.q_i))
     rates = equations.rates(motion, v)
     B = ca.jacobian(rates, v) if model.q_d else ca.SX(0, len(model.q_i))
-    rows = {name: B[k, :] for k, name in enumerate(model.q_d)}
     unit = ca.SX.eye(len(model.q_i))
-    rows |= {name: unit[k, :] for k, name in enumerate(model.q_i)}
-    return ca.densify(ca.vertcat(*(rows[name] for name in model.coordinates)))
+    return ca.densify(ca.horzcat(*(joined(model, unit[:, k], B[:, k]) for k in range(len(model.q_i)))))
 
 
 def _built(model: Model) -> ca.Function:
@@ -118,4 +125,5 @@ def _pull(model: Model) -> ca.Function:
     force = ca.SX.sym("force", len(model.coordinates))
     equations = StageEquations(model, c)
     pull = ca.mtimes(tangents(model, equations, equations.close(q, loop, t, ALREADY_CLOSED)).T, force)
-    return ca.Function("pull", [t, q, loop, force, c], [ca.densify(ca.jacobian(pull, q))])
+    slope = along_rotations(model, q, ca.jacobian(pull, q))
+    return ca.Function("pull", [t, q, loop, force, c], [ca.densify(slope)])

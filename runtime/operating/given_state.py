@@ -6,7 +6,16 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from runtime.contract.angular import parameter_rates
 from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
+from runtime.contract.coordinates import (
+    OMEGA,
+    angular_velocities,
+    followed,
+    independent,
+    independent_part,
+    parameter_columns,
+)
 from runtime.contract.model import Model
 from runtime.operating.assembly import closable, closed_state
 
@@ -16,15 +25,17 @@ def given_position(
 ) -> tuple[np.ndarray, np.ndarray]:
     """(q_i, guess of the loop unknowns) with some coordinates changed; assembled only where it has to be.
 
+    Turns count from charts that are 1.
+
     changes: coordinate names. Where q_d is a closed form of the q_i, and only those are changed, nothing has to be
     assembled. Raises InitialStateError.
     """
     if not model.loop_unknowns and set(changes) <= set(model.q_i):
         _split(model, changes)
-        q = model.initial_q
-        return np.array([changes.get(name, q[model.coordinates.index(name)]) for name in model.q_i]), np.zeros(0)
+        q_i = independent_part(model, model.initial_q)
+        return np.array([changes.get(name, q_i[k]) for k, name in enumerate(model.q_i)]), np.zeros(0)
     state = given_state(model, p, c, t, changes)
-    return state.q[model.independent_columns], state.q[model.loop_columns]
+    return independent_part(model, state.q), state.q[model.loop_columns]
 
 
 def given_state(
@@ -32,8 +43,14 @@ def given_state(
 ) -> ConsistentState:
     """Consistent q and q_dot for parameters p at t0 [s], keeping the model's q_i except for the changes.
 
-    changes: coordinate names and `<coordinate>_dot` rates; they are kept exactly. Raises InitialStateError.
+    changes: coordinate names, `<coordinate>_dot` rates and angular velocities `<body>.omega_x`; they are kept exactly.
+    Raises InitialStateError.
     """
+    spins = {name: value for name, value in (changes or {}).items() if name in spin_names(model)}
+    if spins:
+        others = {name: value for name, value in (changes or {}).items() if name not in spins}
+        still = given_state(model, p, c, t0, others)
+        return _assembled(model, c, t0, *_with_spins(model, still, others, _split(model, spins, spin_names(model))[0]))
     coordinates, rates = _split(model, changes or {})
     defaults = np.array([parameter.default for parameter in model.parameters])
     if not changes and t0 == 0 and np.array_equal(p, defaults) and not model.sources:
@@ -47,8 +64,7 @@ def given_state(
         q, q_dot = model.initial_q.copy(), model.initial_q_dot.copy()
         for k, name in enumerate(model.coordinates):
             q[k], q_dot[k] = coordinates.get(name, q[k]), rates.get(name, q_dot[k])
-        i, d = model.independent_columns, model.dependent_columns
-        found = closed_state(model, c, t0, q[i], q_dot[i], q[d])
+        found = closed_state(model, c, t0, *independent(model, q, q_dot), q[model.dependent_columns])
         if found is not None:
             return found
     return _assembled(model, c, t0, coordinates, rates)
@@ -59,7 +75,31 @@ def keeps_independent(model: Model, coordinates: Iterable[str], rates: Iterable[
     return {*coordinates, *rates} <= set(model.q_i)
 
 
-def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
+def spin_names(model: Model) -> list[str]:
+    """Names of the angular velocities in body axes."""
+    return [f"{body}.{axis}" for body in parameter_columns(model) for axis in OMEGA]
+
+
+def _with_spins(
+    model: Model, state: ConsistentState, others: Mapping[str, float], spins: Mapping[str, float]
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Coordinates and rates given by name, with rates of Euler parameters for angular velocities at a state."""
+    coordinates, rates = _split(model, others)
+    omega = {name: float(value) for name, value in angular_velocities(model, state.q, state.q_dot).items()}
+    omega |= dict(spins)
+    for body, columns in parameter_columns(model).items():
+        names = [f"{body}.{axis}" for axis in OMEGA]
+        if not spins.keys().isdisjoint(names):
+            e = state.q[columns]
+            coordinates |= {model.coordinates[k]: float(state.q[k]) for k in columns}
+            turning = parameter_rates(e, np.array([omega[name] for name in names]))
+            rates |= {model.coordinates[k]: float(rate) for k, rate in zip(columns, turning, strict=True)}
+    return coordinates, rates
+
+
+def _split(
+    model: Model, changes: Mapping[str, float], known: Iterable[str] = ()
+) -> tuple[dict[str, float], dict[str, float]]:
     coordinates: dict[str, float] = {}
     rates: dict[str, float] = {}
     coordinate_of = {f"{name}_dot": name for name in model.coordinates}
@@ -67,7 +107,7 @@ def _split(model: Model, changes: Mapping[str, float]) -> tuple[dict[str, float]
     for name, value in changes.items():
         if isinstance(value, bool) or not isinstance(value, int | float | np.number) or not np.isfinite(value):
             raise InitialStateError(f"initial value of {name} must be a finite number, not {value!r}")
-        if name in model.coordinates:
+        if name in model.coordinates or name in known:
             coordinates[name] = float(value)
         elif name in coordinate_of:
             rates[coordinate_of[name]] = float(value)
@@ -93,18 +133,19 @@ def _assembled(
         _, C_q, C_t = evaluate(q)
         return C_q, -C_t
 
-    independent = {name: model.initial_q[model.coordinates.index(name)] for name in model.q_i}
-    independent_rates = {name: model.initial_q_dot[model.coordinates.index(name)] for name in model.q_i}
+    own, columns = followed(model)
+    independent = dict(zip(own, model.initial_q[columns], strict=True))
+    independent_rates = dict(zip(own, model.initial_q_dot[columns], strict=True))
     elastic = frozenset(model.coordinates.index(name) for name in model.elastic)
     keep = {
         name: value
         for name, value in independent.items()
-        if not coordinates or set(coordinates) <= set(model.q_i) or name in model.elastic
+        if not coordinates or set(coordinates) <= set(own) or name in model.elastic
     }
     keep_rates = {
         name: value
         for name, value in independent_rates.items()
-        if not rates or set(rates) <= set(model.q_i) or name in model.elastic
+        if not rates or set(rates) <= set(own) or name in model.elastic
     }
     return consistent_state(
         model.coordinates,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from runtime.contract.coordinates import followed, independent
 from runtime.contract.model import Model, ModelError
 from runtime.operating.balance import clamped_directions
 from runtime.operating.equilibrium import Equilibrium, equilibrium, force_unit, is_steady, named
@@ -50,6 +51,7 @@ def linearise(
     resting = point.at_rest
     a = np.zeros(len(model.q_i)) if resting else np.linalg.solve(here.M, here.Q)
     values = here if resting else functions(point.state, a)
+    values = functions.in_moving_axes(values, point.state.q_i_dot, a)
     rows = [model.coordinates.index(name) for name in locked]
     Z = clamped_directions(values.S[rows], model.states)
     K = -(values.J_q + _held_slope(model, functions, point, values.S, here.Q) if resting else values.J_q)
@@ -107,14 +109,14 @@ def _point(model: Model, at: Place, parameters: Mapping[str, float] | None, t: f
     if isinstance(at, tuple):
         return _Point(state_at(*at), parameters_at(*at))
     found = given_state(model, p, model.constants(p), t, at)
-    columns = model.independent_columns
-    return _Point(State(t, found.q[columns], found.q_dot[columns], found.q[model.loop_columns]), p)
+    return _Point(State(t, *independent(model, found.q, found.q_dot), found.q[model.loop_columns]), p)
 
 
 def starting_rates(model: Model) -> dict[str, float]:
     """The rates of rigid independent coordinates at the scene's start that are not zero."""
     left_out = {*model.elastic, *(model.q_i[k] for k in model.states)}
-    rates = {name: float(model.initial_q_dot[model.coordinates.index(name)]) for name in model.q_i}
+    names, columns = followed(model)
+    rates = dict(zip(names, model.initial_q_dot[columns].tolist(), strict=True))
     return {name: rate for name, rate in rates.items() if rate != 0 and name not in left_out}
 
 
@@ -149,7 +151,7 @@ def _input(model: Model, name: str) -> str:
 def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S: np.ndarray) -> np.ndarray:
     """(n_i, n_u) generalised forces on q_i of unit inputs."""
     B = np.zeros((len(model.q_i), len(names)))
-    of_loads = [name for name in names if name not in model.coordinates]
+    of_loads = [name for name in names if name not in model.coordinates and name not in model.q_i]
     if of_loads:
         state = point.state
         slope = model.derived(f"forces by {', '.join(of_loads)}", lambda: force_by_parameters(model, of_loads))
@@ -158,6 +160,8 @@ def _inputs(model: Model, point: _Point, a: np.ndarray, names: Sequence[str], S:
     for k, name in enumerate(names):
         if name in model.coordinates:
             B[:, k] = S[model.coordinates.index(name)]
+        elif name in model.q_i:  # a moment in the axes of the body
+            B[model.q_i.index(name), k] = 1.0
     return B
 
 
@@ -167,7 +171,7 @@ def _outputs(model: Model, point: _Point, inputs: Sequence[str], names: Sequence
     through = np.zeros((len(names), len(inputs)))
     if not names:
         return np.zeros((0, 2 * n)), through
-    loads = [k for k, name in enumerate(inputs) if name not in model.coordinates]
+    loads = [k for k, name in enumerate(inputs) if name not in model.coordinates and name not in model.q_i]
     key = f"outputs {', '.join(names)} by {', '.join(inputs[k] for k in loads)}"
     function = model.derived(key, lambda: output_slopes(model, names, [inputs[k] for k in loads]))
     by_state, by_parameters = function(state.t, state.q_i, state.q_i_dot, state.loop, point.p)
@@ -181,5 +185,8 @@ def _units(model: Model, names: Sequence[str], inputs: Sequence[str]) -> dict[st
     known |= {parameter.name: parameter.unit for parameter in model.parameters}
     for entry in model.description.coordinates:
         known |= {entry.name: entry.unit, f"{entry.name}_dot": entry.unit_of(1)}
+    turns = {name for record in model.description.orientations for name in record.turns}
+    known |= {name: "rad" for name in turns} | {f"{name}_dot": "rad/s" for name in turns}
     found = {name: known[name] for name in names if name in known}
-    return found | {f"force on {name}": force_unit(model, name) for name in inputs if name in model.coordinates}
+    forces = {f"force on {name}": force_unit(model, name) for name in inputs if name in model.coordinates}
+    return found | forces | {f"force on {name}": "N m" for name in inputs if name in turns}

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.angular import chart_rates, tilde
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes.stage_equations import StageEquations, is_long_tree
@@ -53,7 +55,7 @@ class ModeSolver:
     """Modes of a model with constants c. Raises ModelError if the model was generated without its Jacobians."""
 
     def __init__(self, model: Model, c: np.ndarray) -> None:
-        self.model, self.n, self.c = model, len(model.q_i), c
+        self.model, self.n, self.c, self._turns = model, len(model.q_i), c, model.places.turns
 
     @staticmethod
     def possible(model: Model) -> bool:
@@ -62,43 +64,50 @@ class ModeSolver:
 
     @staticmethod
     def _built(model: Model) -> ca.Function:
-        """(t, q_i, q_i_dot, loop unknowns, c) -> M_hat, J_q, J_v."""
+        """(t, q_i, q_i_dot, loop unknowns, c) -> M_hat, J_q, J_v, q_i_ddot."""
         n = len(model.q_i)
         t, q, v = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
         equations = StageEquations(model, constants)
         motion = equations.close(q, loop, t, CLOSURE_ITERATIONS)
-        found = equations.linearised(motion, v)
-        matrices = [ca.densify(matrix) for matrix in (found.M_hat, found.J_q, found.J_v)]
+        found = equations.along_rotations(motion, v)
+        matrices = [ca.densify(matrix) for matrix in (found.M_hat, found.J_q, found.J_v, found.a)]
         return ca.Function("modes", [t, q, v, loop, constants], matrices)
 
-    def matrices(self, state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """M_hat, J_q, J_v."""
+    def matrices(self, state: State, moving: bool = True) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """M_hat, J_q, J_v; moving: for turns in axes that move with their bodies, else for held ones."""
         function = self.model.derived("modes", lambda: self._built(self.model))
-        M, J_q, J_v = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
-        return np.asarray(M), np.asarray(J_q), np.asarray(J_v)
+        found = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c)
+        M, J_q, J_v, a = (np.asarray(value) for value in found)
+        return M, *(in_moving_axes(self._turns, M, J_q, J_v, state.q_i_dot, a.ravel()) if moving else (J_q, J_v))
 
-    def slopes(self, state: State) -> tuple[np.ndarray, np.ndarray]:
+    def slopes(self, state: State, moving: bool = False) -> tuple[np.ndarray, np.ndarray]:
         """A_q and A_v of w'' = A_q w + A_v w'; of a long tree without M_hat, then not finite where that is singular.
 
-        Raises LinAlgError if M_hat is singular.
+        What limits a step is in held axes, see `matrices`. Raises LinAlgError if M_hat is singular.
         """
         if is_long_tree(self.model):
             function = self.model.derived("slopes", lambda: self._along(self.model))
-            A_q, A_v = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c, np.eye(self.n))
-            return np.asarray(A_q), np.asarray(A_v)
-        M, J_q, J_v = self.matrices(state)
+            found = function(state.t, state.q_i, state.q_i_dot, state.loop, self.c, np.eye(self.n))
+            A_q, A_v, a = (np.asarray(value) for value in found)
+            for own in self._turns:  # along rotations
+                A_q[:, own] = A_q[:, own] @ chart_rates(state.q_i[own])
+            unit = np.eye(self.n)
+            return in_moving_axes(self._turns, unit, A_q, A_v, state.q_i_dot, a[:, 0]) if moving else (A_q, A_v)
+        M, J_q, J_v = self.matrices(state, moving)
         return np.linalg.solve(M, J_q), np.linalg.solve(M, J_v)
 
     @staticmethod
     def _along(model: Model) -> ca.Function:
-        """(t, q_i, q_i_dot, loop unknowns, c, direction) -> derivatives of q_i_ddot by q_i and by q_i_dot along it."""
+        """(t, q_i, q_i_dot, loop unknowns, c, direction) -> derivatives of q_i_ddot by q_i and by q_i_dot along it,
+        and q_i_ddot.
+        """
         n = len(model.q_i)
         t, q, v, along = ca.SX.sym("t"), ca.SX.sym("q", n), ca.SX.sym("v", n), ca.SX.sym("along", n)
         loop, constants = ca.SX.sym("loop", len(model.loop_unknowns)), ca.SX.sym("c", model.c_size)
         equations = StageEquations(model, constants)
         a = equations.accelerations(equations.close(q, loop, t, CLOSURE_ITERATIONS), v)
-        slopes = [ca.densify(ca.jtimes(a, by, along)) for by in (q, v)]
+        slopes = [*(ca.densify(ca.jtimes(a, by, along)) for by in (q, v)), ca.densify(a)]
         return ca.Function("slopes", [t, q, v, loop, constants, along], slopes)
 
     def __call__(self, state: State) -> Modes:
@@ -106,7 +115,7 @@ class ModeSolver:
         M, n = self.matrices(state)[0], self.n
         A = np.zeros((2 * n, 2 * n))
         A[:n, n:] = np.eye(n)
-        A[n:, :n], A[n:, n:] = self.slopes(state)
+        A[n:, :n], A[n:, n:] = self.slopes(state, moving=True)
         undamped = np.sort(np.sqrt(np.maximum(np.linalg.eigvals(-A[n:, :n]).real, 0.0)))
         values, vectors = np.linalg.eig(A)
         chosen = _one_of_each(values, n)
@@ -119,13 +128,26 @@ class ModeSolver:
         return Modes(values, size, damping, weight / np.where(total > 0, total, 1.0), undamped)
 
 
+def in_moving_axes(
+    turns: np.ndarray, M: np.ndarray, J_q: np.ndarray, J_v: np.ndarray, v: np.ndarray, a: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """J_q and J_v (n_i x n_i) for turns dtheta in axes that move with the state: d omega = dtheta' + omega x dtheta.
+
+    turns (k, 3): their positions in q_i; v, a: q_i_dot and q_i_ddot (n_i) of the state.
+    """
+    J_q, J_v = J_q.copy(), J_v.copy()
+    for own in turns:
+        J_q[:, own] += J_v[:, own] @ tilde(v[own]) - M[:, own] @ tilde(a[own])
+        J_v[:, own] -= M[:, own] @ tilde(v[own])
+    return J_q, J_v
+
+
 def state_at(solution: Solution, k: int) -> State:
     """Sample k of a solution."""
     model = solution.model
     loops = [model.coordinates.index(name) for name in model.loop_unknowns]
-    return State(
-        float(solution.t[k]), solution.q_i[k], solution.q_dot[k, model.independent_columns], solution.q[k, loops]
-    )
+    q, q_dot = solution.q[k], solution.q_dot[k]
+    return State(float(solution.t[k]), *independent(model, q, q_dot), q[loops])
 
 
 def parameters_at(solution: Solution, k: int) -> np.ndarray:

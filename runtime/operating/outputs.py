@@ -8,6 +8,7 @@ import casadi as ca
 
 from runtime.contract.model import Model, ModelError
 from runtime.operating.functions import ALREADY_CLOSED, all_coordinates
+from runtime.schemes.charts import along_rotations
 from runtime.schemes.stage_equations import StageEquations
 
 SHOWN = 30  # names that an error lists
@@ -28,6 +29,7 @@ def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str]) -> 
     rates = all_coordinates(model, v, equations.rates(motion, v))
     known = {name: places[k] for k, name in enumerate(model.coordinates)}
     known |= {f"{name}_dot": rates[k] for k, name in enumerate(model.coordinates)}
+    known |= {name: q[k] for k, name in enumerate(model.q_i) if name not in known}
     if model.measures:
         found = equations.call("measures", q=places, q_dot=rates, t=t)["measures"]
         known |= {name: found[k] for k, name in enumerate(model.measures)}
@@ -37,5 +39,13 @@ def output_slopes(model: Model, names: Sequence[str], inputs: Sequence[str]) -> 
             raise ModelError(f"model {model.name} has no output {name!r}; it has {listed} (rates end in _dot)")
     y = ca.vertcat(*(known[name] for name in names))
     index = [parameter.name for parameter in model.parameters]
-    slopes = [ca.jacobian(y, ca.vertcat(q, v)), ca.jacobian(y, p)[:, [index.index(name) for name in inputs]]]
+    by_q, by_v = along_rotations(model, q, ca.jacobian(y, q)), ca.jacobian(y, v)
+    for turns in model.places.turns:  # in axes that move with the state, d omega = dtheta' + omega x dtheta
+        for position, k in enumerate(turns):
+            own = [int(one) for one in turns]
+            by_q[:, int(k)] = by_q[:, int(k)] + ca.mtimes(by_v[:, own], ca.skew(v[own]))[:, position]
+            for row, name in enumerate(names):
+                if name == model.q_i[int(k)]:  # the turn itself
+                    by_q[row, :] = ca.SX.eye(n)[int(k), :]
+    slopes = [ca.horzcat(by_q, by_v), ca.jacobian(y, p)[:, [index.index(name) for name in inputs]]]
     return ca.Function("outputs", [t, q, v, loop, p], [ca.densify(slope) for slope in slopes])

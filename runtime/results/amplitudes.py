@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 
 SHARE = 1e-6  # of the largest amplitude of the same kind and unit: below this a coordinate does not move
 
 
 def floored(model: Model, amplitudes: np.ndarray) -> np.ndarray:
-    """Amplitudes (n_i,) of q_i, none below SHARE of the largest of its kind and unit; 1 where none of them moves.
+    """Amplitudes (N,) of what tells the motion (`followed`), none below SHARE of the largest of its kind and unit.
+
+    1 where none of them moves.
 
     A mode that symmetry leaves at rounding is then measured by the modes that do move.
     """
     entries = {entry.name: (entry.kind, entry.unit) for entry in model.description.coordinates}
-    kinds = [entries[name] for name in model.q_i]
+    kinds = [entries[name] for name in followed(model)[0]]
     least = np.array([SHARE * max(a for a, k in zip(amplitudes, kinds, strict=True) if k == kind) for kind in kinds])
     found = np.maximum(amplitudes, least)
     return np.where(found > 0, found, 1.0)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from runtime.contract.coordinates import OMEGA, angular_velocities, parameter_columns
 from runtime.contract.files import replacing
 from runtime.contract.model import Model, ModelError
 from runtime.contract.records import as_plain, description
@@ -144,6 +145,7 @@ def table(solution: Samples) -> dict[str, np.ndarray]:
     columns = {"t": solution.t}
     for suffix, values in (("", solution.q), ("_dot", solution.q_dot), ("_ddot", solution.q_ddot)):
         columns |= {f"{name}{suffix}": values[:, k] for k, name in enumerate(model.coordinates)}
+    columns |= angular_velocities(model, solution.q, solution.q_dot)
     columns |= {f"lam.{row}": solution.lam[:, k] for k, row in enumerate(model.constraints)}
     columns |= {
         f"{joint}.{part}": solution.joint_forces[:, k, axis]
@@ -167,6 +169,7 @@ def column_units(model: Model) -> dict[str, str]:
     units = {"t": "s", "constraint_error": "m or rad", "constraint_rate_error": "m/s or rad/s"}
     for order, suffix in enumerate(("", "_dot", "_ddot")):
         units |= {f"{entry.name}{suffix}": entry.unit_of(order) for entry in described.coordinates}
+    units |= {f"{body}.{axis}": "rad/s" for body in parameter_columns(model) for axis in OMEGA}
     units |= {f"lam.{row.label}": "N" if row.unit == "m" else "N m" for row in described.constraints}
     for name in (*model.joints, *(f"load.{load.name}" for load in model.description.loads)):
         units |= {f"{name}.{part}": "N" if part.startswith("force") else "N m" for part in FORCE_PARTS[6]}

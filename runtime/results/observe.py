@@ -9,6 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import independent_part, whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.reactions import joint_reactions
@@ -111,7 +112,7 @@ def assemble_solution(
         m=list(m),
         parameters=p,
         t=t,
-        q_i=q[:, model.independent_columns],
+        q_i=independent_part(model, q),
         q=q,
         q_dot=q_dot,
         q_ddot=q_ddot,
@@ -135,7 +136,7 @@ def concatenated(parts: Sequence[Solution], model: Model) -> Solution:
         if isinstance(getattr(parts[-1], entry.name), np.ndarray) and entry.name not in ("parameters", "q_i")
     }
     energy = {key: np.concatenate([part.energy[key] for part in parts]) for key in parts[-1].energy}
-    return replace(parts[-1], **arrays, energy=energy, model=model, q_i=arrays["q"][:, model.independent_columns])
+    return replace(parts[-1], **arrays, energy=energy, model=model, q_i=independent_part(model, arrays["q"]))
 
 
 def _constraint_errors(model: Model) -> ca.Function:
@@ -160,7 +161,4 @@ def _constraint_errors(model: Model) -> ca.Function:
 
 def join(model: Model, independent: np.ndarray, dependent: np.ndarray) -> np.ndarray:
     """(N, n) in coordinate order from (N, n_i) and (N, n_d)."""
-    full = np.zeros((independent.shape[0], len(model.coordinates)))
-    full[:, model.independent_columns] = independent
-    full[:, model.dependent_columns] = dependent
-    return full
+    return whole(model, independent, dependent)

@@ -8,6 +8,7 @@ from difflib import get_close_matches
 
 import numpy as np
 
+from runtime.contract.coordinates import OMEGA, angular_velocities, independent_rates
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event, Status
@@ -97,6 +98,8 @@ class Samples:
         if name in ("t", "constraint_error", "constraint_rate_error"):
             return np.asarray(getattr(self, name))
         first, _, last = name.partition(".")
+        if last in OMEGA and f"{first}.e0" in self.model.coordinates:
+            return angular_velocities(self.model, self.q, self.q_dot)[name]
         if first == "energy" and last in self.energy:
             return self.energy[last]
         if first == "lam" and last in self.model.constraints:
@@ -210,8 +213,8 @@ class Samples:
             return self.energy[what], None
         if what not in SERIES:
             return self[what], None
-        columns = self.model.independent_columns
-        slopes = {"q": self.q_dot, "q_dot": self.q_ddot, "q_i": self.q_dot[:, columns]}
+        rates = independent_rates(self.model, self.q, self.q_dot)
+        slopes = {"q": self.q_dot, "q_dot": self.q_ddot, "q_i": rates}
         return getattr(self, what), slopes.get(what)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from runtime.contract.cards import badge, card, line, sparkline, table
+from runtime.contract.coordinates import followed
 from runtime.results.samples import Samples
 
 MOST = 10
@@ -19,7 +20,7 @@ def solution_card(solution: Samples) -> str:
     balance = f", energy balance {float(np.abs(solution.energy_balance()).max()):.2g} J" if len(solution.t) > 2 else ""
     about = f"{solution.scheme}, dt = {solution.dt:g} s, m = {m}"
     rates = {f"{name}_dot" for name in model.measures}
-    names = [*model.q_i, *(name for name in model.measures if name not in rates)][:MOST]
+    names = [*followed(model)[0], *(name for name in model.measures if name not in rates)][:MOST]
     rows = [
         (
             name,

@@ -16,6 +16,7 @@ from dataclasses import astuple, dataclass
 
 import numpy as np
 
+from runtime.contract.coordinates import followed, whole
 from runtime.contract.model import Model
 from runtime.results.amplitudes import floored
 from runtime.running.segment import Segment
@@ -86,7 +87,7 @@ class Accuracy:
         time, windows = plan.time(segment.step_of(z)), self.apart * plan.grid.dt_L / window.seconds
         late = found[-1] * windows * (plan.t_end - time)
         self.late, self.lates = self.late + late, self.lates + abs(late)
-        for name, error, values, rates in zip(segment.model.q_i, *found[:-1], strict=True):
+        for name, error, values, rates in zip(followed(segment.model)[0], *found[:-1], strict=True):
             one = self.errors.setdefault(name, CoordinateError())
             one.error += float(error) * windows
             one.widen(values, rates)
@@ -99,13 +100,14 @@ class Accuracy:
         """Errors (n_i,), positions and rates at both ends (n_i, 2), dE / 2 T; None if the window tells nothing."""
         if guard.alarm(*segment.determinants(window.own)):
             return None
-        ends, energies = [], []
+        ends, energies, model = [], [], segment.model
+        columns = followed(model)[1]
         for z, constants in ((window.own, window.own_constants), (window.finer, window.finer_constants)):
             at = segment.stepper.state(z), constants
             seen = segment.plan.scheme.observer(z=at[0], c=at[1])
-            ends.append(np.array([np.asarray(seen[key]).ravel() for key in ("q_i", "q_i_dot")]))
+            parts = {key: np.asarray(value).ravel() for key, value in seen.items()}
+            ends.append(np.array([whole(model, parts[f"q_i{k}"], parts[f"q_d{k}"])[columns] for k in ("", "_dot")]))
             energies.append(segment.energies(*at))
-        columns = segment.model.independent_columns
         off, kinetic = np.abs(ends[0][0] - ends[1][0]) * window.more, energies[1][0]
         slower = (sum(energies[0]) - sum(energies[1])) * window.more / (2 * kinetic) if kinetic > 0 else 0.0
         if not np.isfinite([*off, slower]).all():
@@ -132,12 +134,13 @@ class Accuracy:
 
     def relative(self, model: Model) -> tuple[dict[str, float], dict[str, float]]:
         """Errors of q_i relative to the amplitudes, and if all windows were as the worst; a still one says nothing."""
-        seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in model.q_i]
+        names = followed(model)[0]
+        seen = [self.errors.get(name, CoordinateError(low=0.0, high=0.0)) for name in names]
         amplitudes = floored(model, np.array([one.amplitude for one in seen]))
-        errors = np.array([self.error(model, name) for name in model.q_i])
+        errors = np.array([self.error(model, name) for name in names])
         at_worst = np.array([one.worst for one in seen]) * self.count
         likely, most = errors / amplitudes, np.maximum(errors, at_worst) / amplitudes
-        return dict(zip(model.q_i, likely.tolist(), strict=True)), dict(zip(model.q_i, most.tolist(), strict=True))
+        return dict(zip(names, likely.tolist(), strict=True)), dict(zip(names, most.tolist(), strict=True))
 
     def stats(self, model: Model) -> dict[str, float | int | str]:
         """For Solution.stats: of each coordinate its estimated error and the worst time [s]; the worst of all."""

@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model, ModelError
 from runtime.contract.status import Event
 from runtime.running.plan import Plan
@@ -75,13 +76,14 @@ def _of_time(model: Model, c: np.ndarray, state: ConsistentState, name: str, out
     """t -> an output of a kernel at the state; None if it does not depend on t."""
     if not model.has(name) or "t" not in model.kernel(name).name_in():
         return None
-    i, d, t = model.independent_columns, model.dependent_columns, ca.SX.sym("t")
+    d, t = model.dependent_columns, ca.SX.sym("t")
+    q_i, q_i_dot = independent(model, state.q, state.q_dot)
     values = {
         "q": state.q,
         "q_dot": state.q_dot,
-        "q_i": state.q[i],
+        "q_i": q_i,
         "q_d": state.q[d],
-        "q_i_dot": state.q_dot[i],
+        "q_i_dot": q_i_dot,
         "q_d_dot": state.q_dot[d],
         "c": c,
     }

@@ -115,9 +115,11 @@ class CentralDifference(Scheme):
     ) -> dict[str, ca.SX]:
         """x, d and a after `members` have made their own steps with the accelerations a, (40) and (42)."""
         d = next_increment(z["d"], a, self.steps(equations))
+        begun = self.rebased(z, z["x"], members)  # in the new chart the last turn d is what it was
         out = {
+            **begun,
             "d": replaced(z["d"], members, d[members]),
-            "x": replaced(z["x"], members, (z["x"] + d)[members]),
+            "x": replaced(begun["x"], members, (begun["x"] + d)[members]),
             "a": replaced(z["a"], members, a[members]),
         }
         if equations.loops:

@@ -116,7 +116,8 @@ class Decoupled(HeldSlow):
             return super()._sub_step(z, equations)
         S, h, s = self.fast, equations.h[-1], z["s"] + equations.h[-1]
         half = z["v"][S] + h / 2 * z["a"][S]
-        x, v = z["x"][S] + h * half, half + h / 2 * z["a"][S]
+        whole = replaced(z["v"], S, half)
+        x, v = z["x"][S] + h * self.turning(z["x"], whole, h)[S], half + h / 2 * z["a"][S]
         a, motion = self._fast_accelerations(z, equations, x, v, s)
         out = {"x": x, "v": half + h / 2 * a, "a": a}
         out = {name: replaced(z[name], S, value) for name, value in out.items()} | {"s": s}
@@ -165,4 +166,4 @@ class Decoupled(HeldSlow):
         x = z["x"][L] + H * z["v"][L] + H * H / 2 * y_ddot - ca.mtimes(N, rise)
         v = z["v"][L] + H * y_ddot - ca.mtimes(N, z["v"][S] - z["v_last"][S])
         moved = {"x": replaced(z["x"], L, x), "v": replaced(z["v"], L, v)}
-        return {**super()._finish(z, equations), **moved}
+        return {**moved, **super()._finish({**z, **moved}, equations)}

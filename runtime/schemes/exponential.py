@@ -81,7 +81,7 @@ class Exponential(LinearSubSteps):
             self.now(z, equations) + tau,
             self.options.closure_iterations,
         )
-        a = equations.accelerations(motion, z["u"])
+        a = equations.chart_accelerations(motion, z["u"])
         linear = z["G0"] + tau * z["G1"] + ca.mtimes(system.J_q, z["w"]) + ca.mtimes(system.J_v, z["u"])
         bend = equations.loop_part(motion.q_d) - z["loop"] - tau * z["loop_dot"]
         out = {
@@ -97,4 +97,5 @@ class Exponential(LinearSubSteps):
         return out
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1}
+        x = z["x"] + z["w"]
+        return {**self.rebased(z, x), "v": self.charts.velocities(x, z["u"]), "n": z["n"] + 1}

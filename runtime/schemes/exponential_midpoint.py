@@ -141,7 +141,7 @@ class ExponentialMidpoint(OneStep):
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h = equations.h[0]
         return {
-            "x": z["x_end"],
+            **self.rebased(z, z["x_end"]),
             "v": z["v_end"],
             "loop": z["loop"] + h * z["loop_dot"],
             "n": z["n"] + 1,

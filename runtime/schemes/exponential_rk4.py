@@ -145,9 +145,10 @@ class ExponentialRungeKutta(OneStep):
         def d(stage: MotionStage) -> ca.SX:
             guess = loop + stage.tau * loop_dot
             seen.append(equations.close(stage.q, guess, t + stage.tau, self.options.closure_iterations))
-            return motion.remainder(equations.accelerations(seen[-1], stage.v), stage)
+            return motion.remainder(equations.chart_accelerations(seen[-1], stage.v), stage)
 
         end = krogstad(motion, d).end
         work = self.worked(z, equations, start, v, motion.a)
         ahead = {"loop": equations.loop_part(seen[-1].q_d)} if equations.loops else {}
-        return {"x": end.q, "v": end.v, "n": z["n"] + 1, **ahead, **work, **self.closed(z, *seen)}
+        ends = {**self.rebased(z, end.q), "v": self.charts.velocities(end.q, end.v), "n": z["n"] + 1}
+        return {**ends, **ahead, **work, **self.closed(z, *seen)}

@@ -36,6 +36,7 @@ class HeldSlow(OneStep):
 
     options: ClosureOptions
     counts_powers = True
+    positions = ("x", "x_last")
 
     @property
     def power_at(self) -> float:  # type: ignore[override]
@@ -165,7 +166,7 @@ class HeldSlow(OneStep):
     def _sub_step(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h = equations.h[-1]
         half = z["v"] + h / 2 * z["a"]
-        x, v, s = z["x"] + h * half, half + h / 2 * z["a"], z["s"] + h
+        x, v, s = z["x"] + h * self.turning(z["x"], half, h), half + h / 2 * z["a"], z["s"] + h
         seen = ca.SX(x)
         for k in self.slow:
             seen[k] = z["hold_q"][k]
@@ -176,9 +177,14 @@ class HeldSlow(OneStep):
             out |= {"loop": equations.loop_part(motion.q_d), **self.closed(z, motion)}
         return out
 
+    def turning(self, x: ca.SX, half: ca.SX, h: ca.SX) -> ca.SX:
+        """Rates of x in the middle of a sub-step with the velocities half there."""
+        return self.charts.rates(x + h / 2 * half, half)
+
     @abstractmethod
     def accelerations(self, z: Fields, equations: StageEquations, motion: ClosedConfiguration, v: ca.SX) -> ca.SX:
         """q_i_ddot at the seen motion and the rates of the sub-step."""
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return {"n": z["n"] + 1, "s": ca.SX(0)}
+        since = ("x_last",) if "x_last" in z else ()
+        return {**self.rebased(z, z["x"], since=since), "n": z["n"] + 1, "s": ca.SX(0)}

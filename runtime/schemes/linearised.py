@@ -38,6 +38,7 @@ class Linearised(LinearSubSteps):
     options: LinearisedOptions
     counts_powers = True
     power_at = 0.5
+    positions = ("x", "x_mid")
 
     def __init__(self, model: Model, grid: Grid, options: LinearisedOptions) -> None:
         if grid.m[0] % 2:
@@ -111,4 +112,5 @@ class Linearised(LinearSubSteps):
         return {"x": z["x"] + z["w"], "v": z["u"], "n": z["n"] + 1, "x_start": z["x"], **work}
 
     def _predict(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        return {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"], "loop": z["loop"] + equations.h[0] * z["loop_dot"]}
+        ahead = {"x_mid": z["x_start"] + z["w"], "v_mid": z["u"], "loop": z["loop"] + equations.h[0] * z["loop_dot"]}
+        return {**ahead, **self.rebased({**z, **ahead}, z["x"], since=("x_mid",))}

@@ -203,7 +203,7 @@ class Printed(CentralDifference):
         slow = [k for group in self.grid.groups[level:-1] for k in group]
         out = {
             **self.moved(z, equations, motion, v, a, members),
-            "q_L": replaced(z["q_L"], slow, z["x"][slow]),
+            "q_L": replaced(z["q_L"], slow, self.charts.zeroed(z["x"])[slow]),
             "q_L_dot": replaced(z["q_L_dot"], slow, v[slow]),
             "q_L_ddot": replaced(z["q_L_ddot"], slow, a[slow]),
             "t_L": replaced(

@@ -13,9 +13,11 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import charts_in
 from runtime.contract.model import Model
 from runtime.engine.choose import arithmetic
 from runtime.engine.program import Call, Fields, Layout, Program, make_stage
+from runtime.schemes.charts import Charts
 from runtime.schemes.grid import Grid
 from runtime.schemes.options import ClosureOptions, Options, SchemeError
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
@@ -33,13 +35,14 @@ class Scheme(ABC):
     Common fields: t0, n (major steps done), x (q_i reached), loop (guess of the loop unknowns), closure_error (largest
     C before the last Newton step), iterations and failures of iterative updates; det_low and det_high, the smallest
     and the largest determinant of each loop block since whoever runs the scheme reset them; inputs, the numbers that
-    they are made of, where there are any.
+    they are made of, where there are any; chart, the unit quaternions from which turns in x count.
     """
 
     order: int = 2
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
+    positions: tuple[str, ...] = ("x",)  # fields that act on the next step and count turns from the charts
     counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
     integrates_work: bool = False  # over its own steps, so that z has the work itself
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step
@@ -63,6 +66,9 @@ class Scheme(ABC):
         }
         if model.inputs:
             common["inputs"] = given(model.signals.size)
+        self.charts = Charts(model)
+        if self.charts.size and self.closes:
+            common["chart"] = state(self.charts.size)
         self._fields = {**common, **self.fields()}
         self.layout = Layout({name: one.size for name, one in self._fields.items()})
         self.c_size = model.c_size + len(grid.h)
@@ -183,11 +189,26 @@ class Scheme(ABC):
         return {"power_sum": z["power_sum"] + P, "power": P, "power_change": change, "power_bends": bends}
 
     def constants_at(self, z: Fields, c: ca.SX) -> ca.SX:
-        """c (of the model or of the stages) with the inputs as z holds them."""
-        if "inputs" not in z:
+        """c (of the model or of the stages) with the charts and the inputs as z holds them."""
+        if "inputs" not in z and "chart" not in z:
             return c
-        end = self.model.c_size
-        return ca.vertcat(c[: end - z["inputs"].numel()], z["inputs"], c[end:])
+        charts, end = charts_in(self.model), self.model.c_size
+        chart, inputs = z.get("chart", c[charts]), z.get("inputs", c[charts.stop : end])
+        return ca.vertcat(c[: charts.start], chart, inputs, c[end:])
+
+    def rebased(
+        self, z: Fields, x: ca.SX, members: list[int] | None = None, since: tuple[str, ...] = ()
+    ) -> dict[str, ca.SX]:
+        """The fields that put the turns x (of the members) into their charts, from where they count on; x is theirs.
+
+        since: fields of earlier positions, which move with them.
+        """
+        if not self.charts.size:
+            return {"x": x}
+        zeroed = self.charts.zeroed(x, members)
+        return {"x": zeroed, "chart": self.charts.turned(z["chart"], x, members)} | {
+            name: z[name] + zeroed - x for name in since
+        }
 
     def equations(self, c: ca.SX, z: Fields | None = None) -> StageEquations:
         """The model's equations on a symbolic vector of constants, with the inputs that z holds."""
@@ -219,10 +240,18 @@ class Scheme(ABC):
         q_i, q_i_dot = ca.SX.sym("q_i", len(self.model.q_i)), ca.SX.sym("q_i_dot", len(self.model.q_i))
         loop = ca.SX.sym("loop", len(self.model.loop_unknowns))
         equations = self.equations(c)
-        fields = body(t0, q_i, q_i_dot, loop, equations)
+        if self.charts.size:  # begin at theta = 0 of charts where the bodies are
+            chart = self.charts.turned(c[charts_in(self.model)], q_i)
+            c_there = ca.vertcat(c[: charts_in(self.model).start], chart, c[charts_in(self.model).stop :])
+            q_i_there, equations = self.charts.zeroed(q_i), self.equations(c_there)
+        else:
+            q_i_there = q_i
+        fields = body(t0, q_i_there, q_i_dot, loop, equations)
         if self.model.inputs:
             fields = {**fields, "inputs": equations.c[self.model.c_size - self.model.signals.size :]}
-        z = self.layout.pack({**self.zeros(), "t0": t0, "x": q_i, **fields})
+        if "chart" in self.layout.sizes:
+            fields = {**fields, "chart": equations.c[charts_in(self.model)]}
+        z = self.layout.pack({**self.zeros(), "t0": t0, "x": q_i_there, **fields})
         return ca.Function("start", [t0, q_i, q_i_dot, loop, c], [z])
 
     def observe_function(self, body: Callable[..., tuple[ClosedConfiguration, ca.SX, ca.SX]]) -> ca.Function:
@@ -237,7 +266,7 @@ class Scheme(ABC):
             a_d = equations.call(
                 "accelerations", q_i=motion.q_i, q_d=motion.q_d, q_i_dot=v, q_d_dot=v_d, q_i_ddot=a, t=motion.t
             )["q_d_ddot"]
-        outputs = ca.cse([motion.t, motion.q_i, motion.q_d, v, v_d, a, a_d])
+        outputs = ca.cse([motion.t, self.charts.zeroed(motion.q_i), motion.q_d, v, v_d, a, a_d])
         return ca.Function("observe", [z, c], [ca.densify(output) for output in outputs], ["z", "c"], list(OBSERVED))
 
 

@@ -2,41 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import casadi as ca
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
+from runtime.schemes.charts import Charts
 from runtime.schemes.linear_solve import solve_symmetric
 from runtime.schemes.sparse_lu import Number, factor, solve
+from runtime.schemes.stage_records import ClosedConfiguration as ClosedConfiguration
+from runtime.schemes.stage_records import LinearisedEquations as LinearisedEquations
 from runtime.schemes.stiff_deflections import StiffDeflections, StiffResponse
 
 START_CLOSURE_ITERATIONS = 4  # Newton steps on the loop unknowns where a scheme starts or is observed
 LONG_TREE = 12  # independent coordinates beyond which M_hat and the Jacobians of a tree are left alone
-
-
-@dataclass(frozen=True)
-class ClosedConfiguration:
-    """A configuration with consistent q_d; C_loop is the largest error before the last Newton step, det_loop the
-    determinants of the loop blocks there.
-    """
-
-    q_i: ca.SX
-    q_d: ca.SX
-    t: ca.SX
-    C_loop: ca.SX
-    det_loop: ca.SX
-
-
-@dataclass(frozen=True)
-class LinearisedEquations:
-    """M_hat dv' = Q_hat - M_hat a + J_q dq + J_v dv about a state with q_i_ddot = a; J_q is d(Q_hat - M_hat a)/dq_i."""
-
-    M_hat: ca.SX
-    Q_hat: ca.SX
-    a: ca.SX
-    J_q: ca.SX
-    J_v: ca.SX
 
 
 class StageEquations:
@@ -45,6 +25,7 @@ class StageEquations:
     def __init__(self, model: Model, c: ca.SX) -> None:
         self.model, self.c, self.h = model, c[: model.c_size], c[model.c_size :]
         self.loops = [model.q_d.index(name) for name in model.loop_unknowns]
+        self.charts = Charts(model)
 
     def call(self, name: str, **arguments: ca.SX) -> dict[str, ca.SX]:
         """Kernel outputs by name; arguments that the kernel does not take are ignored."""
@@ -104,6 +85,13 @@ class StageEquations:
         """q_i_ddot of a tree by topology-ordered elimination: O(N) operations, M_hat is not formed."""
         return self.call("forward_dynamics", **self._arguments(motion, q_i_dot))["q_i_ddot"]
 
+    def chart_accelerations(self, motion: ClosedConfiguration, rate: ca.SX) -> ca.SX:
+        """Second rates of q_i at rates of q_i: with rotation vectors and not angular velocities for the turns."""
+        if not self.charts.turns:
+            return self.accelerations(motion, rate)
+        v = self.charts.velocities(motion.q_i, rate)
+        return self.charts.accelerations(motion.q_i, rate, v, self.accelerations(motion, v))
+
     def slow_response(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> dict[str, ca.SX]:
         """y_ddot, N and crossing of a large tree in two groups: q_L'' = y'' - N q_S'' by one elimination."""
         return self.call("slow_response", **self._arguments(motion, q_i_dot))
@@ -155,7 +143,7 @@ class StageEquations:
     def directional_derivatives(self, motion: ClosedConfiguration, q_i_dot: ca.SX, along: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Derivatives of q_i_ddot by q_i (q_d following) and by q_i_dot along columns, n_i x any."""
         q, v = ca.SX.sym("q", len(self.model.q_i)), ca.SX.sym("v", len(self.model.q_i))
-        a = self.accelerations(self.close(q, self.loop_part(motion.q_d), motion.t, 1), v)
+        a = self.chart_accelerations(self.close(q, self.loop_part(motion.q_d), motion.t, 1), v)
 
         def derivative(by: ca.SX) -> ca.SX:
             columns = [ca.jtimes(a, by, column) for column in ca.horzsplit(ca.densify(along))]
@@ -193,14 +181,16 @@ class StageEquations:
 
     def joined(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
         """A vector in the order of the model's coordinates, from its parts."""
-        full = ca.SX(len(self.model.coordinates), 1)
-        for columns, part in ((self.model.independent_columns, independent), (self.model.dependent_columns, dependent)):
-            for position, column in enumerate(columns):
-                full[int(column)] = part[position]
-        return full
+        return joined(self.model, independent, dependent)
 
     def linearised(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
         """The equations to first order about a state: M_hat a + (Q_hat, and its total derivatives less M_hat's)."""
+        found = self.along_rotations(motion, q_i_dot)
+        J_q = self.charts.tangents(found.J_q, found.J_v, found.M_hat, q_i_dot, found.a)
+        return replace(found, J_q=J_q)
+
+    def along_rotations(self, motion: ClosedConfiguration, q_i_dot: ca.SX) -> LinearisedEquations:
+        """The same with derivatives along rotations and by angular velocities for turns, at any theta."""
         M_hat, Q_hat = self.condensed(motion, q_i_dot)
         a = solve_symmetric(M_hat, Q_hat)
         arguments = {**self._arguments(motion, q_i_dot), "q_i_ddot": a}

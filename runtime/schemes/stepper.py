@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from runtime.contract.coordinates import independent
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
@@ -15,8 +16,8 @@ def start_vector(
     scheme: Scheme, t: float, q: np.ndarray, q_dot: np.ndarray, c: np.ndarray, dt: float | None = None
 ) -> np.ndarray:
     """The scheme's own z at a consistent state of all coordinates (Eqs. 68-71); dt: another step than its grid's."""
-    model, columns = scheme.model, scheme.model.independent_columns
-    z = scheme.starter(t, q[columns], q_dot[columns], q[model.loop_columns], scheme.constants(c, dt))
+    model = scheme.model
+    z = scheme.starter(t, *independent(model, q, q_dot), q[model.loop_columns], scheme.constants(c, dt))
     return np.asarray(z, dtype=float).ravel().copy()
 
 

@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState, InitialStateError
+from runtime.contract.coordinates import independent, whole
 from runtime.contract.model import Model
 from runtime.operating.newton import Balance, balanced
 from runtime.schemes.linear_solve import solve_symmetric
@@ -35,9 +36,8 @@ def quasi_static_state(
     elastic = [k for k, name in enumerate(model.q_i) if name in model.elastic]
     if not elastic:
         return state
+    q_i, v = independent(model, state.q, state.q_dot)
     solver = ElasticEquilibrium(model, elastic, c, unstable)
-    columns = model.independent_columns
-    q_i, v = state.q[columns].copy(), state.q_dot[columns].copy()
     loop = state.q[model.loop_columns]
     rigid = [k for k in range(len(q_i)) if k not in elastic]
     step, _ = small_motion(model, state.q_dot)
@@ -125,11 +125,7 @@ class ElasticEquilibrium:
     def closed(self, t: float, q_i: np.ndarray, v: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates."""
         q_d, q_d_dot = self._residual(t, q_i, v, loop, self.c)[3:]
-        q, q_dot = np.zeros(len(self.model.coordinates)), np.zeros(len(self.model.coordinates))
-        q[self.model.independent_columns], q_dot[self.model.independent_columns] = q_i, v
-        q[self.model.dependent_columns] = np.asarray(q_d).ravel()
-        q_dot[self.model.dependent_columns] = np.asarray(q_d_dot).ravel()
-        return q, q_dot
+        return whole(self.model, q_i, np.asarray(q_d).ravel()), whole(self.model, v, np.asarray(q_d_dot).ravel())
 
 
 def _curvatures(at: Balance) -> np.ndarray:

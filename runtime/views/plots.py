@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from runtime.contract.coordinates import followed
 from runtime.contract.errors import ArgumentError
 from runtime.results.samples import Samples
 from runtime.views import curves
@@ -127,7 +128,7 @@ def phase(
 
     Raises ModelError for an unknown name, ArgumentError where `ax` is given for more than one name.
     """
-    chosen = list(names) if names is not None else solution.model.q_i
+    chosen = list(names) if names is not None else followed(solution.model)[0]
     if ax is not None and len(chosen) != 1:
         raise ArgumentError("ax takes one phase plane; give one name")
     figure: Figure
@@ -163,7 +164,7 @@ def difference(
     no name or no time.
     """
     others = [second] if isinstance(second, Samples) else list(second)
-    shared = [name for name in first.model.q_i if all(name in run.model.coordinates for run in others)]
+    shared = [name for name in followed(first.model)[0] if all(name in run.model.coordinates for run in others)]
     chosen = list(names) if names is not None else shared
     t = first.t[[all(run.t[0] <= at <= run.t[-1] for run in others) for at in first.t]]
     if not others or not chosen or not len(t):

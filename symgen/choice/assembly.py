@@ -7,7 +7,8 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
-from runtime.contract.consistent_state import ConsistentState, InitialStateError, consistent_state
+from runtime.contract.angular import parameter_rates
+from runtime.contract.consistent_state import ConsistentState, GivenValues, InitialStateError, consistent_state
 from symgen.algebra.parameters import ParameterTable
 from symgen.choice.elimination import constraint_jacobian
 from symgen.system.build import System
@@ -28,7 +29,14 @@ class ConstraintNumbers:
             ca.densify(ca.vertcat(*(row.C_t for row in rows))),
         ]
         known = ca.vertcat(table.vector(), *equations.u.values())
-        self._function = ca.Function("constraints", [ca.vertcat(*equations.q), equations.t, known], outputs)
+        # every chart where the Euler parameters are, every rotation vector from there zero
+        charts = ca.vertcat(*(entry for turning in equations.turnings for entry in turning.chart))
+        turns = ca.vertcat(*(equations.q[column] for column in sorted(equations.turn_columns)))
+        e = ca.vertcat(*(entry for turning in equations.turnings for entry in turning.e))
+        if charts.numel():
+            outputs = ca.substitute(outputs, [ca.vertcat(charts, turns)], [ca.vertcat(e, ca.SX.zeros(turns.numel()))])
+        own = ca.vertcat(*(x for column, x in enumerate(equations.q) if column not in equations.turn_columns))
+        self._function = ca.Function("constraints", [own, equations.t, known], outputs)
         defaults = [entry.default for entry in table.entries]
         self._defaults = np.array([*defaults, *equations.input_defaults])
         self._shape = (len(rows), len(equations.names))
@@ -52,25 +60,52 @@ def assembled(system: System, numbers: ConstraintNumbers) -> ConsistentState:
         for k, coordinate in enumerate(equations.coordinates)
         if coordinate.owner in topology.placed and not coordinate.elastic
     )
-    try:
-        state = consistent_state(
+    spins = {name for name in requested.rates.values if name not in equations.names}
+    rates = GivenValues(
+        {name: value for name, value in requested.rates.values.items() if name not in spins},
+        requested.rates.fixed - spins,
+    )
+
+    def state_with(rates: GivenValues) -> ConsistentState:
+        return consistent_state(
             equations.names,
             equations.elastic_columns,
             [row.joint or row.label for row in equations.constraints],
             numbers.position,
             numbers.velocity,
             requested.coordinates,
-            requested.rates,
+            rates,
             np.array([coordinate.at_rest for coordinate in equations.coordinates]),
             equations.joint_columns,
             [k for k, row in enumerate(equations.constraints) if row.joint in topology.placements],
             following,
         )
+
+    try:
+        state = state_with(rates)
+        if spins:
+            state = state_with(_with_spins(equations, state.q, requested.rates, rates))
     except InitialStateError as error:
         problem, _, remedy = str(error).rpartition("; ")
         raise DerivationError("initial", problem or remedy, remedy if problem else "check parameters") from error
     _require_regular_angles(requested.euler_angles, equations, state.q)
     return state
+
+
+def _with_spins(equations: Equations, q: np.ndarray, given: GivenValues, rates: GivenValues) -> GivenValues:
+    """Rates with those of Euler parameters at q for the angular velocities among the given; what is left out is zero.
+
+    Those of a body are fixed if one of its angular velocities is.
+    """
+    values, fixed = dict(rates.values), set(rates.fixed)
+    for body in {name.partition(".")[0] for name in given.values.keys() - rates.values.keys()}:
+        names = [f"{body}.omega_{axis}" for axis in "xyz"]
+        columns = [equations.names.index(f"{body}.e{k}") for k in range(4)]
+        turning = parameter_rates(q[columns], np.array([given.values.get(name, 0.0) for name in names]))
+        own = [equations.names[column] for column in columns]
+        values |= dict(zip(own, turning.tolist(), strict=True))
+        fixed |= set(own) if given.fixed & set(names) else set()
+    return GivenValues(values, frozenset(fixed))
 
 
 def _require_regular_angles(sequences: Mapping[str, str], equations: Equations, q: np.ndarray) -> None:

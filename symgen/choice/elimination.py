@@ -45,21 +45,27 @@ def structural_pivots(
     The rows and columns of U in (30) that are triangular by structure.
     """
     equations, topology, placed = system.equations, system.topology, system.reduced.placed_columns
+    orientations = system.reduced.turnings
+    constraints = [*equations.constraints, *system.reduced.constraints[len(equations.constraints) :]]
+    left_out = left_out | {
+        k for k, row in enumerate(constraints) if row.label in {f"{t.body}.norm" for t in orientations}
+    }
     column_distance = {c: topology.distance_of(b) for b, columns in equations.body_columns.items() for c in columns}
     keep = _requested_independent(system)
     joint_depth = topology.depth()
     rows = sorted(
-        (r for r in range(len(equations.constraints)) if r not in left_out),
-        key=lambda r: (joint_depth.get(equations.constraints[r].joint, 0), r),
+        (r for r in range(len(constraints)) if r not in left_out),
+        key=lambda r: (joint_depth.get(constraints[r].joint, 0), r),
     )
     placing = {joint: placement.child for joint, placement in topology.placements.items()} if placed else {}
-    rows.sort(key=lambda r: equations.constraints[r].joint not in placing)
+    placing |= system.orientations.children
+    rows.sort(key=lambda r: constraints[r].joint not in placing)
     depends_on: dict[int, set[int]] = {}
     pairs: list[tuple[int, int]] = []
     loops: list[int] = []
     for row in rows:
-        entries = equations.constraints[row].C_q
-        child = placing.get(equations.constraints[row].joint)
+        entries = constraints[row].C_q
+        child = placing.get(constraints[row].joint)
         own = placed & set(equations.body_columns[child]) if child is not None else None
         candidates = [
             c
@@ -105,7 +111,7 @@ def _reaches(depends_on: dict[int, set[int]], start: set[int], target: int) -> b
 
 
 def _requested_independent(system: System) -> set[int]:
-    return {system.equations.names.index(name) for name in system.requested.independent}
+    return {system.reduced.names.index(name) for name in system.requested.independent}
 
 
 def dependent_rows(
@@ -140,7 +146,7 @@ def choose_loops(
     loop_rows: independent rows, without the `redundant` ones. scales: as in `dependent_rows`. Raises
     DerivationError when the user's q_i cannot be independent.
     """
-    equations, requested = system.equations, system.requested.independent
+    equations, requested = system.reduced, system.requested.independent
     free = _free_columns(equations, structural)
     reduced = _reduce(jacobian, structural, loop_rows, free)
     keep = _requested_independent(system)

@@ -17,7 +17,7 @@ def choose_groups(system: System, independent: list[int]) -> list[Group]:
 
     Raises DerivationError if they do not fit q_i or the step ratios m.
     """
-    equations, requested = system.equations, system.requested
+    equations, requested = system.reduced, system.requested
     names = [equations.names[column] for column in independent]
     groups = _as_requested(requested.groups, names, equations) if requested.groups else _by_kind(equations, independent)
     ratios = requested.ratios
@@ -59,6 +59,17 @@ def _as_requested(requested: Sequence[RequestedGroup], names: list[str], equatio
         raise DerivationError(
             "partition.groups", f"independent coordinates in no group: {', '.join(missing)}", "add them to a group"
         )
+    for turning in equations.turnings:
+        own = {
+            next(g for g, group in enumerate(groups) if names.index(equations.names[c]) in group.positions)
+            for c in turning.columns
+        }
+        if len(own) > 1:
+            raise DerivationError(
+                "partition.groups",
+                f"the turns of {turning.body} are in different groups",
+                f"put {turning.body}.turn_x, _y and _z into one: an orientation moves as a whole",
+            )
     empty = [group.name for group in groups if not group.positions]
     if empty:
         raise DerivationError(

@@ -54,7 +54,7 @@ def _contents(scene: Scene) -> dict[str, Any]:
 
 def _derived(derived: Derived) -> dict[str, Any]:
     names, choice = derived.system.equations.names, derived.system.choice
-    independent = [names[column] for column in choice.independent]
+    independent = [derived.system.reduced.names[column] for column in choice.independent]
     return {
         "coordinates": names,
         "independent": independent,

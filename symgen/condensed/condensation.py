@@ -82,13 +82,18 @@ class Condensed:
         constants = [s.c_acceleration for s in self.inner]
         return self.project(dict(enumerate(self.reduced.force(_sweep(accelerations, self.inner, constants)))))
 
-    def project(self, force: Row) -> ca.SX:
-        """S^T force: a generalised force on q as one on q_i."""
+    def projected(self, force: Row) -> Row:
+        """S^T force by column."""
         work = dict(force)
         for substitution in reversed(self.inner):
             value = work.pop(substitution.column, ZERO)
             if not value.is_zero():
                 add_scaled(work, value, substitution.e)
+        return work
+
+    def project(self, force: Row) -> ca.SX:
+        """S^T force: a generalised force on q as one on q_i."""
+        work = self.projected(force)
         return ca.densify(ca.vertcat(*(work.get(column, ZERO) for column in self.choice.independent)))
 
 

@@ -53,7 +53,7 @@ def is_tree(system: Condensed, topology: Topology) -> bool:
 
     Only then do the bodies have an order from the tips to the root. Joints may need loop unknowns of their own.
     """
-    body_of = {column: body for body, columns in system.equations.body_columns.items() for column in columns}
+    body_of = {column: body for body, columns in system.reduced.body_columns.items() for column in columns}
 
     def follows(column: int, other: int) -> bool:
         body, source = body_of[column], body_of[other]
@@ -88,10 +88,12 @@ def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX
     Elimination of M, which has no fill, or the recursion of articulated bodies where joints place all bodies.
     """
     solve, columns = system.reduced.free_joints, system.choice.independent
-    if solve is None or any(s.e for s in system.inner):
+    parameters = {column for turning in system.reduced.turnings for column in turning.parameters}
+    if solve is None or any(s.e for s in system.inner if s.column not in parameters):
         return tree_solutions(system, topology, [forces_side(system)])[0]
     imposed = {s.column: s.c_acceleration for s in system.inner}
-    other = solve(dict(enumerate(system.reduced.force(imposed))), frozenset(columns))
+    force = system.projected(dict(enumerate(system.reduced.force(imposed))))
+    other = solve(force, frozenset(columns))
     if len(columns) > LONGEST_ELIMINATION:
         return other
     found = tree_solutions(system, topology, [forces_side(system)])[0]

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.beams.records import BeamRecord
+from runtime.contract.orientations import OrientationRecord
 from runtime.contract.records import (
     BodyRecord,
     Description,
@@ -38,7 +39,7 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         name=scene.name,
         title=scene.title or scene.name,
         coordinates=eq.coordinates,
-        q_i=[eq.names[c] for c in choice.independent],
+        q_i=[derived.system.reduced.names[c] for c in choice.independent],
         q_d=[eq.names[c] for c in derived.dependent],
         loop_unknowns=[eq.names[c] for c in choice.loop_columns],
         groups=derived.groups,
@@ -57,6 +58,14 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         switching=[item for item, _ in eq.switching],
         flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),
+        orientations=[
+            OrientationRecord(
+                turning.body,
+                [derived.system.reduced.names[c] for c in turning.columns],
+                [eq.names[c] for c in turning.parameters],
+            )
+            for turning in derived.system.reduced.turnings
+        ],
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )
 

@@ -38,14 +38,19 @@ class Labels:
 
     def __init__(self, derived: Derived) -> None:
         eq, choice = derived.system.equations, derived.system.choice
-        self.plain = local_names(eq.names)
-        names = self.plain
+        reduced = derived.system.reduced
+        names = local_names(reduced.names)
+        self.plain = names[: len(eq.names)]
         q_i, q_d = [names[c] for c in choice.independent], [names[c] for c in derived.dependent]
         slow = [k for group in derived.groups[:-1] for k in group.positions]
-        self.arguments = {"q": names, "q_i": q_i, "q_d": q_d, "t": ["t"]}
+        self.arguments = {"q": self.plain, "q_i": q_i, "q_d": q_d, "t": ["t"]}
         for source in ("q", "q_i", "q_d"):
             self.arguments[f"{source}_dot"] = [f"{name}_dot" for name in self.arguments[source]]
             self.arguments[f"{source}_ddot"] = [f"{name}_ddot" for name in self.arguments[source]]
+        omega = {f"{name}_dot": name.replace("turn_", "omega_") for name in names[len(eq.names) :]}
+        self.arguments["q_i_dot"] = [omega.get(name, name) for name in self.arguments["q_i_dot"]]
+        charts = [f"{turning.body}.chart_{k}" for turning in reduced.turnings for k in range(4)]
+        self.arguments["chart"] = local_names(charts, names)
         self.arguments["lam_R"] = [f"lam_R{k}" for k in range(len(derived.redundant))]
         self.arguments["q_L_ddot"] = [f"{q_i[k]}_ddot" for k in slow]
         if "slow_response" in derived.tapes:
@@ -58,10 +63,11 @@ class Labels:
             sizes = {signal.name: signal.size[0] for signal in derived.functions["shifted_solution"].inputs}
             self.arguments |= {name: [f"{name}{k}" for k in range(sizes[name])] for name in ("shift", "push")}
         moving = [f"{name}{end}" for name in names for end in ("", "_dot", "_ddot")]
+        moving += [*omega.values(), *self.arguments["chart"]]
         self.arguments["p"] = local_names((entry.name for entry in derived.parameters), moving)
         self.arguments["u"] = local_names(eq.u, [*moving, *self.arguments["p"]])
         self.arguments["c"] = self._constants(derived.tapes["constants"])
-        independent = [eq.names[c] for c in choice.independent]
+        independent = [reduced.names[c] for c in choice.independent]
         self.rows: dict[str, list[str]] = {
             "n": eq.names,
             "n_i": independent,

@@ -49,6 +49,11 @@ def _coordinates(derived: Derived) -> str:
         else:
             role = "dependent, closed form"
         lines.append(f"| `{name}` | {role} |")
+    for turning in derived.system.reduced.turnings:
+        role = (
+            f"independent, group {independent[turning.columns[0]]}; their velocities are `{turning.body}.omega_x`, ..."
+        )
+        lines.append(f"| `{turning.body}.turn_x`, `_y`, `_z` | {role} |")
     return "\n".join(lines)
 
 

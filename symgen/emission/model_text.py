@@ -24,7 +24,7 @@ def model_text(derived: Derived) -> str:
 
 
 def _header(derived: Derived) -> str:
-    scene, eq = derived.scene, derived.system.equations
+    scene, eq = derived.scene, derived.system.reduced
     lines = [
         f'"""{scene.title or scene.name}: equations of motion, emitted by symgen from the scene `{scene.name}`.',
         "",

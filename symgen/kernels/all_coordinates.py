@@ -71,12 +71,24 @@ def reactions(system: Condensed) -> Kernel:
         for column, factor in eq.constraints[row].C_q.items():
             force[column] = force[column] - factor * value
     lam = _loop_reactions(system, force) if choice.loop_rows else {}
+    norms = {row.label: k for k, row in enumerate(eq.constraints)}
+    norm_rows = {turning.body: norms[f"{turning.body}.norm"] for turning in system.reduced.turnings}
+    turned = {row for row in range(len(eq.constraints), len(system.reduced.constraints))}
     for row, column in reversed(choice.structural):
+        if row in turned:
+            continue
         rest = force[column]
         for other, value in lam.items():
             if column in eq.constraints[other].C_q:
                 rest = rest - eq.constraints[other].C_q[column] * value
         lam[row] = rest / eq.constraints[row].C_q[column]
+    for turning in system.reduced.turnings:  # what is left of the force on e is along e, the row of its unit length
+        left = [
+            force[c]
+            - sum((row.C_q[c] * lam[k] for k, row in enumerate(eq.constraints) if k in lam and c in row.C_q), ca.SX(0))
+            for c in turning.parameters
+        ]
+        lam[norm_rows[turning.body]] = ca.dot(ca.vertcat(*left), ca.vertcat(*turning.e))
     inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), "q_ddot": q_ddot}
     inputs |= {"lam_R": lam_R, **eq.signals} if given else eq.signals
     lam |= given
@@ -100,7 +112,7 @@ def _loop_reactions(system: Condensed, force: Row) -> dict[int, ca.SX]:
     for substitution in reversed(structural):
         value = work.pop(substitution.column)
         for column, factor in substitution.e.items():
-            work[column] = work[column] + factor * value
+            work[column] = work.get(column, ca.SX(0)) + factor * value
     return solve_transposed(system.loops.blocks, system.loops.entries(), work)
 
 

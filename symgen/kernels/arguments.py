@@ -29,7 +29,7 @@ class Arguments:
 
 def arguments_of(system: Condensed) -> Arguments:
     """Arguments of a condensed system; q_d sorted by scene order."""
-    eq, independent = system.equations, system.choice.independent
+    eq, independent = system.reduced, system.choice.independent
     dependent = sorted(system.choice.dependent)
 
     def stack(source: list[ca.SX], columns: list[int]) -> ca.SX:

@@ -156,7 +156,7 @@ def branch_kernels(
 ) -> dict[str, Callable[[], Kernel]]:
     """Builders by name for two groups of a large tree, positions in q_i; none where they are not apart."""
     columns = system.choice.independent
-    if len(columns) <= LARGE_TREE:
+    if len(columns) <= LARGE_TREE or system.reduced.turnings:  # forces across a ball are not of this form
         return {}
     branches = Branches(system, topology, [columns[k] for k in slow], [columns[k] for k in fast])
     if not branches.apart():

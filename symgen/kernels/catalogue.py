@@ -219,11 +219,11 @@ def _replacement(system: Condensed, values: dict[int, ca.SX]) -> tuple[ca.SX, ca
     columns = [column for _, column in system.choice.structural]
     if not columns:
         return ca.SX.sym("none", 0), ca.SX(0, 1)
-    return (ca.vertcat(*(system.equations.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
+    return (ca.vertcat(*(system.reduced.q[c] for c in columns)), ca.vertcat(*(values[c] for c in columns)))
 
 
 def _closed_form(system: Condensed, a: Arguments) -> ca.SX:
-    known = {c: system.equations.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
+    known = {c: system.reduced.q[c] for c in (*system.choice.independent, *system.choice.loop_columns)}
     return _column(a, _structural_positions(system, known))
 
 

@@ -66,7 +66,7 @@ def _fast_rows(system: Condensed, a: Arguments, fast: list[int]) -> Kernel:
 
 def _columns_seen(system: Condensed, fast: list[int]) -> list[int]:
     """Coordinates whose accelerations stand in the rows of q_S of S^T M q''."""
-    columns = range(len(system.equations.names))
+    columns = range(len(system.reduced.names))
     accelerations = ca.SX.sym("q_ddot", len(columns))
     inertia = matrix_times(system.reduced.M, {column: accelerations[column] for column in columns})
     pattern = ca.jacobian_sparsity(system.project(inertia)[fast], accelerations)

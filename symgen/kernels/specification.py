@@ -45,7 +45,7 @@ FUNCTIONS: dict[str, FunctionSpec] = {
             "31",
             "One Newton step on the loop unknowns, then q_d; C_loop before the step",
             "closure",
-            "q_i q_d t u c",
+            "q_i q_d t u chart c",
             "q_d_next C_loop det_loop",
         ),
         _spec(

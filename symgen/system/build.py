@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symgen.algebra.parameters import ParameterTable
 from symgen.bodies.beam_sets import set_records
@@ -10,6 +10,7 @@ from symgen.bodies.static_residual import static_residuals
 from symgen.scene import BeamBody, Scene, SpatialModalBody, with_ends
 from symgen.system.equations import Equations, blank_equations
 from symgen.system.mechanism import Mechanism
+from symgen.system.orientations import Orientations, orientations_of
 from symgen.system.planar import PlanarSpace
 from symgen.system.reduced import reduced_equations
 from symgen.system.requested import Requested, requested_by
@@ -24,7 +25,8 @@ class System:
     """A scene as the later stages see it.
 
     equations: in all coordinates. reduced: in those of the tree of bodies, with the same columns; in the plane, where
-    all coordinates are the bodies' own, the same.
+    all coordinates are the bodies' own, the same. orientations: those with velocities of their own; their columns
+    follow the others in `reduced`.
     """
 
     equations: Equations
@@ -32,6 +34,7 @@ class System:
     parameters: ParameterTable
     topology: Topology
     requested: Requested
+    orientations: Orientations = field(default_factory=Orientations)
 
 
 def build_system(scene: Scene) -> System:
@@ -42,8 +45,9 @@ def build_system(scene: Scene) -> System:
     equations.measures |= equations.u
     equations.measure_units |= input_units(scene)
     spatial = scene.structure is None and scene.space == "spatial"
-    reduced = reduced_equations(scene, table, equations, topology) if spatial else equations
-    return System(equations, reduced, table, topology, requested_by(scene))
+    orientations = orientations_of(scene, topology) if spatial else Orientations()
+    reduced = reduced_equations(scene, table, equations, topology, orientations) if spatial else equations
+    return System(equations, reduced, table, topology, requested_by(scene), orientations)
 
 
 def _equations(scene: Scene, table: ParameterTable, topology: Topology) -> Equations:

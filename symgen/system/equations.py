@@ -21,6 +21,7 @@ from symgen.bodies.static_residual import StaticResidual
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LinearSpring
 from symgen.scene import Scene
+from symgen.system.orientations import Turning
 from symgen.system.signals import input_records, input_symbols
 
 
@@ -56,6 +57,7 @@ class Equations:
     own; static_residuals: beams whose shapes do not carry what is attached to them.
     load_actions: what each load does at its marker or marker b, see LoadEffect.
     switching: (load, joint or state, value) of what changes sign where an expression jumps or kinks in time.
+    turnings: orientations with velocities of their own, whose columns follow those of all coordinates.
     """
 
     coordinates: list[Coordinate]
@@ -90,6 +92,7 @@ class Equations:
     inertia_forces: InertiaForces | None = None
     free_joints: FreeJointAccelerations | None = None
     placed_columns: frozenset[int] = frozenset()
+    turnings: list[Turning] = field(default_factory=list)
 
     @cached_property
     def names(self) -> list[str]:
@@ -138,8 +141,15 @@ class Equations:
 
     @property
     def signals(self) -> dict[str, ca.SX]:
-        """Arguments that come from outside: t, and u where there are inputs."""
-        return {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
+        """Arguments that come from outside: t, u where there are inputs, the charts of orientations."""
+        given = {"t": self.t, "u": ca.vertcat(*self.u.values())} if self.u else {"t": self.t}
+        charts = [entry for turning in self.turnings for entry in turning.chart]
+        return {**given, "chart": ca.vertcat(*charts)} if charts else given
+
+    @cached_property
+    def turn_columns(self) -> frozenset[int]:
+        """Columns of the rotation vectors of `turnings`."""
+        return frozenset(column for turning in self.turnings for column in turning.columns)
 
     @property
     def input_defaults(self) -> list[float]:

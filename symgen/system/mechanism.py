@@ -132,7 +132,7 @@ class Mechanism(Generic[Marker]):
             self._add_inertia(body)
         for placement in self.topology.placements.values():
             eq.body_columns[placement.child] += [eq.names.index(name) for name in placement.coordinates]
-        eq.joint_columns = frozenset(range(first, len(eq.names))) - set(eq.states.values())
+        eq.joint_columns = frozenset(range(first, len(eq.names))) - set(eq.states.values()) - eq.turn_columns
 
     def _add_inertia(self, body: MovingBody) -> None:
         eq = self.equations

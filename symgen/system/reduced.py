@@ -8,6 +8,7 @@ coordinates.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
@@ -27,14 +28,17 @@ from symgen.scene import Scene
 from symgen.scene.joints import Joint
 from symgen.scene.placing import PLACING
 from symgen.system.equations import Equations
+from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Bend
 from symgen.system.frames.free_joints import floats, free_joint_accelerations
 from symgen.system.frames.inverse_dynamics import floating_forces, inverse_dynamics, mass_rows
 from symgen.system.frames.linkage import links_of
+from symgen.system.frames.motion import Matrix
 from symgen.system.frames.paths import Path
 from symgen.system.frames.skeleton import Skeleton
 from symgen.system.frames.tree import GROUND, FrameTree
 from symgen.system.mechanism import Mechanism
+from symgen.system.orientations import Orientations, Turning, turn_coordinates
 from symgen.system.spatial import SpatialSpace
 from symgen.system.topology import Topology
 
@@ -67,10 +71,17 @@ class TreeSpace(SpatialSpace):
     """Markers by the coordinates of the tree. whole: the same mechanism in all coordinates."""
 
     def __init__(
-        self, scene: Scene, table: ParameterTable, equations: Equations, topology: Topology, whole: Equations
+        self,
+        scene: Scene,
+        table: ParameterTable,
+        equations: Equations,
+        topology: Topology,
+        whole: Equations,
+        orientations: Orientations,
     ) -> None:
         super().__init__(scene, table, equations, topology)
-        self.whole = whole
+        self.whole, self.orientations = whole, orientations
+        self._turnings = {turning.body: turning for turning in equations.turnings}
         self._paths: dict[tuple[int, int], Path] = {}
 
     def add_body(self, name: str, columns: list[int], q: list[ca.SX], q_dot: list[ca.SX]) -> tuple[Any, int]:
@@ -83,16 +94,23 @@ class TreeSpace(SpatialSpace):
         """The frames, once all bodies are known."""
         skeleton = Skeleton(self._number)
         by_child = {placement.child: placement for placement in self.topology.placements.values()}
+        balls = {self.orientations.balls[name].child: name for name in self.orientations.balls}
+        parents = {name: self.orientations.balls[joint].parent for name, joint in balls.items()}
+        parents |= {name: placement.parent for name, placement in by_child.items()}
         waiting = [name for name in self.bodies if name != "ground"]
         placed = {"ground"}
         joints = {joint.name: joint for joint in self.scene.joints}
         while waiting:
-            name = next(name for name in waiting if name not in by_child or by_child[name].parent in placed)
+            name = next(name for name in waiting if parents.get(name, "ground") in placed)
             waiting.remove(name)
             placed.add(name)
             body = self.bodies[name]
+            if name in balls:
+                skeleton.hold(body, *self._hold(balls[name]))
+                continue
             if name not in by_child:
-                skeleton.float(body, getattr(self.scene.body(name), "orientation", "euler_parameters"))
+                kind = getattr(self.scene.body(name), "orientation", "euler_parameters")
+                skeleton.float(body, kind, self._turnings.get(name))
                 continue
             placement = by_child[name]
             joint = joints[placement.joint]
@@ -102,6 +120,21 @@ class TreeSpace(SpatialSpace):
             links = partial(links_of, joint.type, own, forward=placement.forward, lead=self._lead(joint))
             skeleton.place(body, placement.parent, links, near, far)
         return skeleton.tree()
+
+    def _hold(self, name: str) -> tuple[str, Turning, Deformation, Deformation, Callable[[], Matrix]]:
+        """Parent, turning, near and far marker of a spherical joint of the tree, and the parent's axes in the world."""
+        ball = self.orientations.balls[name]
+        joint = next(joint for joint in self.scene.joints if joint.name == name)
+        ends = [self._deformation(joint.marker_a), self._deformation(joint.marker_b)]
+        near, far = ends if ball.forward else ends[::-1]
+        return ball.parent, self._turnings[ball.child], near, far, partial(self._axes, ball.parent)
+
+    def _axes(self, body: str) -> Matrix:
+        """Of a body in the world, by rows."""
+        seat = self.tree.seats[body]
+        path = self._path(GROUND, seat.frame).branch()
+        path.turn_by(seat.place.R)
+        return [[axis[i] for axis in path.axes] for i in range(3)]
 
     def _number(self, value: ca.SX) -> float:
         """At the default parameters."""
@@ -122,7 +155,13 @@ class TreeSpace(SpatialSpace):
     def pair(self, a: str, b: str) -> tuple[SpatialMarker, SpatialMarker]:
         """Two markers seen from the last frame that their ways have in common: what is between them needs no more."""
         base = self.tree.common(a.partition(".")[0], b.partition(".")[0])
+        ways = (self.tree.way(self.tree.seats[one.partition(".")[0]].frame) for one in (a, b))
+        if base != GROUND and any(self._has_ball(way[way.index(base) + 1 :]) for way in ways):
+            base = GROUND
         return self._seen_from(base, a), self._seen_from(base, b)
+
+    def _has_ball(self, frames: list[int]) -> bool:
+        return any(isinstance(move, Ball) for frame in frames for move in self.tree.frames[frame].moves)
 
     def _seen_from(self, base: int, reference: str) -> SpatialMarker:
         marker = self._deformation(reference)
@@ -150,7 +189,7 @@ class TreeSpace(SpatialSpace):
 
     def joint_rows(self, joint: Joint, motion: list[ca.SX]) -> list[ConstraintRow]:
         """Rows of a placing joint as in all coordinates, all others by the tree's coordinates."""
-        if joint.name in self.topology.placements:
+        if joint.name in self.topology.placements or joint.name in self.orientations.balls:
             return [row for row in self.whole.constraints if row.joint == joint.name]
         return super().joint_rows(joint, motion)
 
@@ -159,14 +198,29 @@ class TreeSpace(SpatialSpace):
         return self.whole.picture
 
 
-def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, topology: Topology) -> Equations:
-    """The equations of a spatial scene in the coordinates of its tree; whole: in all coordinates."""
+def reduced_equations(
+    scene: Scene, table: ParameterTable, whole: Equations, topology: Topology, orientations: Orientations
+) -> Equations:
+    """The equations of a spatial scene in the coordinates of its tree; whole: in all coordinates.
+
+    Columns of rotation vectors, whose velocities are angular velocities, follow those of all coordinates.
+    """
+    turns = [entry for body in orientations.bodies for entry in turn_coordinates(body)]
+    n = len(whole.q)
+    size = n + len(turns)
+    q = [*whole.q, *(ca.SX.sym(entry.name) for entry in turns)]
+    q_dot = [*whole.q_dot, *(ca.SX.sym(entry.name.replace("turn_", "omega_")) for entry in turns)]
+    held = {ball.child for ball in orientations.balls.values()}
     blank = replace(
         whole,
-        M=[{} for _ in whole.q],
-        K=[{} for _ in whole.q],
-        Q_v=[ZERO] * len(whole.q),
-        Q_F=[ZERO] * len(whole.q),
+        coordinates=[*whole.coordinates, *turns],
+        q=q,
+        q_dot=q_dot,
+        turnings=[_turning(whole, body, n + 3 * k, q_dot) for k, body in enumerate(orientations.bodies)],
+        M=[{} for _ in range(size)],
+        K=[{} for _ in range(size)],
+        Q_v=[ZERO] * size,
+        Q_F=[ZERO] * size,
         constraints=[],
         elastic=ca.SX(0),
         potential=ca.SX(0),
@@ -179,11 +233,18 @@ def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, top
         placed_columns=frozenset(
             column
             for column, coordinate in enumerate(whole.coordinates)
-            if coordinate.owner in topology.placed and not coordinate.elastic and column not in whole.joint_columns
+            if (
+                (coordinate.owner in topology.placed and not coordinate.elastic)
+                or (coordinate.owner in held and coordinate.kind == "position")
+            )
+            and column not in whole.joint_columns
         ),
     )
-    space = TreeSpace(scene, table, blank, topology, whole)
+    space = TreeSpace(scene, table, blank, topology, whole, orientations)
     equations = Mechanism(scene, table, space, blank, topology).equations
+    for turning in equations.turnings:
+        equations.body_columns[turning.body] += turning.columns
+        equations.constraints += turning.rows([q[column] for column in turning.columns])
     equations.M = mass_rows(space.tree, len(equations.q))
     for column in equations.states.values():  # of controllers, which no body knows of
         equations.M[column] = {column: ONE}
@@ -193,6 +254,14 @@ def reduced_equations(scene: Scene, table: ParameterTable, whole: Equations, top
     for column, value in equations.inertia_forces({}).items():
         equations.Q_v[column] = neg(value)
     return equations
+
+
+def _turning(whole: Equations, body: str, first: int, q_dot: list[ca.SX]) -> Turning:
+    """The columns and symbols of a body whose first turn has the column `first`."""
+    columns = list(range(first, first + 3))
+    parameters = [whole.names.index(f"{body}.e{k}") for k in range(4)]
+    chart = [ca.SX.sym(f"{body}.chart_{k}") for k in range(4)]
+    return Turning(body, columns, parameters, [whole.q[k] for k in parameters], [q_dot[k] for k in columns], chart)
 
 
 def _inertia_forces(tree: FrameTree, equations: Equations, accelerations: Row) -> Row:

@@ -174,7 +174,7 @@ def test_small_models_cost_no_more_than_code_written_by_hand(name: str, hand: ca
 @pytest.mark.parametrize("name", SCENES)
 def test_stamped_counts_are_the_counts_of_the_loaded_functions(name: str) -> None:
     model = load_model(generated_folder(name))
-    assert model.operations == {key: model.kernel(key).n_instructions() for key in model.builders}
+    assert model.operations == {key: build().n_instructions() for key, build in model.builders.items()}
 
 
 def test_planar_scenes_pay_only_for_what_they_have(tmp_path: Path) -> None:

@@ -11,8 +11,10 @@ from runtime import DifferentiableRun, InitialStateError, Model, ModelError, Sam
 from runtime.contract.errors import ArgumentError, NoResult
 from runtime.gradients.objectives import End, SquaredError
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes.heavy_top import heavy_top
 from tests.gradients.test_gradients import sliding
 from tests.running.test_inputs import cart, crane
+from tests.support.own_parameters import with_parameters
 
 Build = Callable[[Scene], Model]
 Load = Callable[[str], Model]
@@ -104,10 +106,11 @@ def test_inputs_that_are_not_differentiated(model_of: Build) -> None:
         gradient(model, End("cart.x"), ["force[7]"], inputs={"force": ([0.0, 0.5], [0.0, 0.1])})
 
 
-def test_a_change_of_coordinates_on_the_way_is_refused(built_in: Load) -> None:
-    """The top's Euler parameters: a simulation goes on with another one of them."""
+def test_a_change_of_coordinates_on_the_way_is_refused(model_of: Build) -> None:
+    """The top's Euler parameters as q_i: a simulation goes on with another one of them."""
+    model = model_of(with_parameters(heavy_top(), "top"))
     with pytest.raises(NoResult, match="a simulation would change coordinates there"):
-        gradient(built_in("heavy_top"), End("top.e1"), ["top.mass"], t_end=1.0, dt=1e-3)
+        gradient(model, End("top.e1"), ["top.mass"], t_end=1.0, dt=1e-3)
 
 
 def test_a_prescribed_velocity_that_jumps_is_refused(model_of: Build) -> None:

@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 
 from runtime import load_model
 from runtime.baselines.augmented import augmented_accelerations
+from runtime.contract.coordinates import independent_part, turned_by
 from runtime.contract.model import Model
 from symgen.generate import generate
 from symgen.scene import Scene
@@ -75,7 +76,7 @@ def well_posed(model: Model) -> bool:
 def random_state(model: Model) -> State:
     rng, n = np.random.default_rng(len(model.coordinates)), len(model.q_i)
     reach = np.where([name in model.elastic for name in model.q_i], 1e-4, 0.01)
-    start = model.initial_q[model.independent_columns]
+    start = independent_part(model, model.initial_q)
     return make_state(model, start + reach * rng.uniform(-1, 1, n), rng.uniform(-1, 1, n), 0.2)
 
 
@@ -86,7 +87,9 @@ def check_jacobians(model: Model, state: State) -> None:
     for name in ("dQ_hat_dq_i", "dQ_hat_dq_i_dot"):
         turned = (along, 0 * along) if name == "dQ_hat_dq_i" else (0 * along, along)
         moved = [
-            make_state(model, state.q_i + s * turned[0], state.q_i_dot + s * turned[1], state.t, guess=state.q)
+            make_state(
+                model, turned_by(model, state.q_i, s * turned[0]), state.q_i_dot + s * turned[1], state.t, guess=state.q
+            )
             for s in (-h, h)
         ]
         behind, ahead = (evaluate(model, "condensed", **at.values())["Q_hat"] for at in moved)

@@ -167,14 +167,18 @@ def test_a_loop_unknown_takes_the_place_that_it_nearly_deserves() -> None:
     for gain, chosen in ((8.0, "loop"), (4.0, "closed")):
         entry = SimpleNamespace(turns=False)
         model: Any = SimpleNamespace(
+            coordinates=["lead", "closed", "loop"],
+            constraints=["first", "second"],
             q_i=["lead"],
             q_d=["closed", "loop"],
             loop_unknowns=["loop"],
             elastic=[],
             kept_rows=np.arange(2),
-            independent_columns=np.array([0]),
+            places=SimpleNamespace(columns=np.array([0]), parameters=np.zeros((0, 4), dtype=int)),
             dependent_columns=np.array([1, 2]),
-            description=SimpleNamespace(coordinates=[entry] * 3, constraints=[SimpleNamespace(unit="m")] * 2),
+            description=SimpleNamespace(
+                coordinates=[entry] * 3, constraints=[SimpleNamespace(unit="m")] * 2, orientations=[]
+            ),
         )
         found = best_exchange(model, np.array([[-10.0, 1.0, 0.0], [-gain, 0.0, 1.0]]))
         assert found is not None and (found.into, found.gain) == (chosen, 10.0 if chosen == "closed" else gain)

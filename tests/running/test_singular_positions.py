@@ -18,7 +18,9 @@ from runtime.running.singular.crossing import BranchLost
 from runtime.running.singular.variants import use_generator
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder
+from symgen.scenes.tumbling_body import tumbling_body
 from symgen.variants import generate_variant
+from tests.support.own_parameters import with_parameters
 
 Load = Callable[[str], Model]
 Build = Callable[[Scene], Model]
@@ -229,9 +231,9 @@ def test_resuming_after_an_exchange_of_coordinates(model_of: Build, tmp_path: Pa
     assert_same(resume(model, tmp_path / "run.npz"), whole)
 
 
-def test_tumbling_body_changes_its_euler_parameters_and_resumes(built_in: Load, tmp_path: Path) -> None:
+def test_tumbling_body_changes_its_euler_parameters_and_resumes(model_of: Build, tmp_path: Path) -> None:
     """There and back many times; samples of the same q_i lie apart, in memory and in a stream."""
-    model = built_in("tumbling_body")
+    model = model_of(with_parameters(tumbling_body(), "body"))
     settings: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 16.0, "save_every": 10}
     whole = simulate(model, **settings)
     assert whole.status.ok and len(whole.events) >= 4

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from symgen.scene import Scene, SceneBuilder
 from tests.hand_derived.spatial.spatial_scenes import flexible, inertia
@@ -128,4 +129,4 @@ def exchanged_coordinates(model: Model, q: dict[str, float], q_dot: dict[str, fl
         new, rate = back @ travel, back @ speed + spin * slope @ travel
         values |= {f"j_planar.{axis}": new[k] for k, axis in enumerate("xy")}
         rates |= {f"j_planar.{axis}": rate[k] for k, axis in enumerate("xy")}
-    return (np.array([values[name] for name in model.q_i]), np.array([rates[name] for name in model.q_i]))
+    return independent(model, *(np.array([of[name] for name in model.coordinates]) for of in (values, rates)))

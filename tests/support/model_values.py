@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from runtime.contract.coordinates import independent_part, whole
 from runtime.contract.model import Model
 from runtime.results.reactions import joint_reactions
 
@@ -67,9 +68,7 @@ def make_state(model: Model, q_i: Array, q_i_dot: Array, t: float = 0.0, guess: 
 
 def join(model: Model, independent: Array, dependent: Array) -> Array:
     """A vector in the order of model.coordinates."""
-    full = np.zeros(len(model.coordinates))
-    full[model.independent_columns], full[model.dependent_columns] = independent, dependent
-    return full
+    return whole(model, independent, dependent)
 
 
 def random_states(
@@ -85,7 +84,7 @@ def random_states(
     rng = np.random.default_rng(seed)
     soft = np.array([name in model.elastic for name in model.q_i])
     reach, speed = np.where(soft, elastic, rigid), np.where(soft, 0.1 * rate, rate)
-    n, start = len(model.q_i), model.initial_q[model.independent_columns]
+    n, start = len(model.q_i), independent_part(model, model.initial_q)
     return [
         make_state(model, start + rng.uniform(-1, 1, n) * reach, rng.uniform(-1, 1, n) * speed, t) for _ in range(count)
     ]

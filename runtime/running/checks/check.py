@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.contract.status import Status, StatusName
 from runtime.contract.units import mechanism_length
@@ -96,11 +97,7 @@ def observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) ->
 def _observed(model: Model, scheme: Scheme, name: str, outputs: Sequence[str]) -> ca.Function:
     z, c = ca.SX.sym("z", scheme.layout.size), ca.SX.sym("c", scheme.c_size)
     seen = scheme.observer(z=z, c=c)
-    q, q_dot = ca.SX(len(model.coordinates), 1), ca.SX(len(model.coordinates), 1)
-    for columns, suffix in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-        for position, column in enumerate(columns):
-            q[int(column)] = seen[f"q_{suffix}"][position]
-            q_dot[int(column)] = seen[f"q_{suffix}_dot"][position]
+    q, q_dot = joined(model, seen["q_i"], seen["q_d"]), joined(model, seen["q_i_dot"], seen["q_d_dot"])
     found = model.evaluate(name, q=q, q_dot=q_dot, t=seen["t"], c=observed_constants(scheme, z, c))
     return ca.Function(f"observed_{name}", [z, c], [found[output] for output in outputs])
 

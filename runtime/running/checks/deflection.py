@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from runtime.contract.coordinates import whole
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.running.checks.check import Check, Subject
@@ -26,10 +27,8 @@ class Deflection(Check):
         """Compare deflections with the body's length, and turns with a radian."""
         if not self._bodies:
             return None
-        model, q = self.subject.model, np.zeros(len(self.subject.model.coordinates))
         seen = self.subject.scheme.observer(z=z, c=self.subject.c)
-        q[model.independent_columns] = np.asarray(seen["q_i"]).ravel()
-        q[model.dependent_columns] = np.asarray(seen["q_d"]).ravel()
+        q = whole(self.subject.model, *(np.asarray(seen[name]).ravel() for name in ("q_i", "q_d")))
         for name, columns, length, shapes, turns in self._bodies:
             moved = float(np.linalg.norm(shapes @ q[columns], axis=1).max()) / length
             turned = float(np.linalg.norm(turns @ q[columns], axis=1).max())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from runtime.contract.coordinates import independent_part, whole
 from runtime.contract.status import Status
 from runtime.operating.mode_solver import ModeSolver, State
 from runtime.running.checks.check import Check, Subject
@@ -49,6 +50,7 @@ def _slopes(subject: Subject) -> tuple[np.ndarray, np.ndarray] | None:
     seen = subject.scheme.observer(z=subject.good, c=subject.c)
     loop = [model.q_d.index(name) for name in model.loop_unknowns]
     q_i, rates, q_d = (np.asarray(seen[name]).ravel() for name in ("q_i", "q_i_dot", "q_d"))
+    q_i = independent_part(model, whole(model, q_i, q_d))
     try:
         found = ModeSolver(model, subject.c[: model.c_size]).slopes(State(float(seen["t"]), q_i, rates, q_d[loop]))
     except np.linalg.LinAlgError:  # M_hat is singular

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.coordinates import charts_in, independent, independent_rates
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.running.segment import Segment
@@ -46,16 +47,24 @@ def _increment(old: Segment, z: np.ndarray, seen: Solution, name: str, h: float)
     Coordinates with another step than h are not remembered at t - h; they are taken along their acceleration.
     """
     model, layout, scheme = old.model, old.plan.scheme.layout, old.plan.scheme
-    i, column = model.independent_columns, model.coordinates.index(name)
+    column = model.coordinates.index(name)
     d, a = z[layout.slice("d")], z[layout.slice("a")]
     same = np.isclose(scheme.step_sizes, h, rtol=1e-12)
-    q_i, v, now = seen.q[0][i], seen.q_dot[0], seen.q_ddot[0]
-    earlier = np.where(same, z[layout.slice("x")] - d, q_i - h * v[i] + h**2 / 2 * now[i])
-    earlier_v = np.where(same, d / h - h / 2 * a, v[i] - h * now[i])
-    guess = seen.q[0] - h * v + h**2 / 2 * now
+    now = seen.q_ddot[0]
+    q_i, v_i = independent(model, seen.q[0], seen.q_dot[0])
+    a_i = independent_rates(model, seen.q[0], now)
+    x, c = z[layout.slice("x")], old.c
+    turns = model.places.turns.ravel()
+    q_i[turns] = x[turns]  # from the charts of z
+    if len(turns):
+        c = c.copy()
+        c[charts_in(model)] = z[layout.slice("chart")]
+    earlier = np.where(same, x - d, q_i - h * v_i + h**2 / 2 * a_i)
+    earlier_v = np.where(same, d / h - h / 2 * a, v_i - h * a_i)
+    guess = seen.q[0] - h * seen.q_dot[0] + h**2 / 2 * now
     t = float(seen.t[0]) - h
-    q_d = closed(model, old.c, t, earlier, guess[model.dependent_columns])
-    values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": old.c, "q_i_ddot": a}
+    q_d = closed(model, c, t, earlier, guess[model.dependent_columns])
+    values: dict[str, Any] = {"q_i": earlier, "q_d": q_d, "q_i_dot": earlier_v, "t": t, "c": c, "q_i_ddot": a}
     values["q_d_dot"] = model.evaluate("velocities", **values)["q_d_dot"]
     q_d_ddot = np.asarray(model.evaluate("accelerations", **values)["q_d_ddot"]).ravel()
     position = model.q_d.index(name)

@@ -36,21 +36,25 @@ def best_exchange(model: Model, C_q: np.ndarray, length: float = 0.0) -> Exchang
     length [m] of the mechanism elsewhere: the lever arms of C_q alone shrink to nothing where a single rod and the arm
     that it turns lie in one line, just where an angle is about to determine nothing.
     """
-    rows = model.kept_rows
-    C_qd, C_qi = C_q[np.ix_(rows, model.dependent_columns)], C_q[np.ix_(rows, model.independent_columns)]
+    turning = {f"{record.body}.norm" for record in model.description.orientations}
+    rows = [row for row in model.kept_rows if model.constraints[row] not in turning]
+    own = set(model.places.parameters.ravel().tolist())  # orientations with velocities of their own stay as they are
+    kept = [column for column in model.dependent_columns if column not in own]
+    q_d, q_i = ([model.coordinates[c] for c in columns] for columns in (kept, model.places.columns))
+    C_qd, C_qi = C_q[np.ix_(rows, kept)], C_q[np.ix_(rows, model.places.columns)]
     try:
         W = -np.linalg.solve(C_qd, C_qi)
     except np.linalg.LinAlgError:
         return None
     length = max(length, mechanism_length(model, C_q))
     scale = np.where(turning_columns(model), length, 1.0)
-    gains = np.abs(W) * scale[model.dependent_columns][:, None] / scale[model.independent_columns][None, :]
-    gains[[name in model.elastic for name in model.q_d]] = 0.0
-    gains[:, [name in model.elastic for name in model.q_i]] = 0.0
+    gains = np.abs(W) * scale[kept][:, None] / scale[model.places.columns][None, :]
+    gains[[name in model.elastic for name in q_d]] = 0.0
+    gains[:, [name in model.elastic for name in q_i]] = 0.0
     if not gains.size or not np.isfinite(gains).all():
         return None
-    in_loop = np.array([name in model.loop_unknowns for name in model.q_d])
+    in_loop = np.array([name in model.loop_unknowns for name in q_d])
     preferred = np.where(in_loop[:, None], gains, 0.0)
     chosen = preferred if preferred.max() >= LIKELY * gains.max() else gains
     j, k = np.unravel_index(int(chosen.argmax()), chosen.shape)
-    return Exchange(model.q_i[int(k)], model.q_d[int(j)], float(chosen[j, k]))
+    return Exchange(q_i[int(k)], q_d[int(j)], float(chosen[j, k]))

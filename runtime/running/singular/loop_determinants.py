@@ -5,6 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 
 
@@ -22,8 +23,8 @@ class LoopDeterminants:
 
     def determinants(self, t: float, q: np.ndarray, q_dot: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(determinant of each loop block, its rate [1/s])."""
-        i, d = self.model.independent_columns, self.model.dependent_columns
-        values, rates = self._determinants(t, q[i], q[d], q_dot[i], q_dot[d], self.c)
+        d, q_i, v = self.model.dependent_columns, *independent(self.model, q, q_dot)
+        values, rates = self._determinants(t, q_i, q[d], v, q_dot[d], self.c)
         return np.asarray(values).ravel(), np.asarray(rates).ravel()
 
 

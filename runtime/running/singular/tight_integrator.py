@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from runtime.baselines.condensed_ode import CondensedOde
+from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.contract.model import Model
 from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution, join
@@ -50,8 +50,7 @@ class TightIntegrator:
 
     def pack(self, q: np.ndarray, q_dot: np.ndarray) -> np.ndarray:
         """y of a consistent state."""
-        i = self.model.independent_columns
-        return np.concatenate([q[i], q_dot[i], q[self.model.loop_columns]])
+        return integrated(self.model, q, q_dot)
 
     def slope(self, t: float, y: np.ndarray) -> np.ndarray:
         """y_dot (size,). Raises BranchLost after MOST_EVALUATIONS of one question: steps shrink for ever."""

@@ -15,7 +15,7 @@ from runtime.schemes.grid import Grid
 from runtime.schemes.one_step import OneStep
 from runtime.schemes.options import Options
 from runtime.schemes.scheme import LARGEST
-from runtime.schemes.stage_equations import StageEquations, loop_blocks
+from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations, loop_blocks
 from runtime.schemes.state_fields import StateField, account, given, state
 from runtime.schemes.switching.times import SwitchTime
 
@@ -87,20 +87,29 @@ class AdaptiveState(OneStep):
     ) -> Mapping[str, ca.SX]:
         """Fields of z at the start: the end of no step."""
         fields = dict(super().started(t0, q_i, q_i_dot, loop, equations))
+        start = equations.close_well(q_i, loop, t0)
         for end in ("from", "to"):
             fields |= {f"q_{end}": q_i, f"v_{end}": q_i_dot, f"loop_{end}": fields["loop"], f"t_{end}": t0}
         return {
             **fields,
-            "q_low": q_i,
-            "q_high": q_i,
+            "q_low": self.ranged(q_i, start),
+            "q_high": self.ranged(q_i, start),
             "h_next": FIRST * equations.h[0],
             "error_last": ca.SX(1),
             "fresh": ca.SX(1),
             "cold": ca.SX(1),
-            "det_now": equations.close_well(q_i, loop, t0).det_loop,
+            "det_now": start.det_loop,
             "stops": ca.SX.ones(STOPS) * LARGEST,
             "h_least": ca.SX(LARGEST),
         }
+
+    def ranged(self, q: ca.SX, motion: ClosedConfiguration) -> ca.SX:
+        """q_i of which ranges are told: twice the vector of Euler parameters for turns, which a step counts anew."""
+        found = ca.SX(q)
+        for record, own in zip(self.model.description.orientations, self.charts.turns, strict=True):
+            for name, k in zip(record.parameters[1:], own, strict=True):
+                found[k] = 2 * motion.q_d[self.model.q_d.index(name)]
+        return found
 
     def evaluations(self) -> tuple[int, int]:
         """Not to be told from the number of states that are seen; see `taken`."""

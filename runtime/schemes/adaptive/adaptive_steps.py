@@ -97,8 +97,11 @@ class AdaptiveSteps(AdaptiveState):
         return ca.if_else(ca.logic_or(z["stuck"] > 0, blind), 0.0, way)
 
     def _move(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        """The end of a step becomes a start."""
+        """The end of a step becomes a start, that of turns their charts."""
         out = {f"{name}_from": z[f"{name}_to"] for name in ("q", "v", "loop", "t")}
+        if self.charts.size:
+            zeroed = self.charts.zeroed(z["q_to"])
+            out |= {"chart": self.charts.turned(z["chart"], z["q_to"]), "q_from": zeroed, "q_to": zeroed}
         if self.first_same_as_last and "work_from" in z:
             out |= self._worked(z, z["power_to"])
         cold = z["cold"] if self.first_same_as_last else ca.SX(1)
@@ -151,7 +154,8 @@ class AdaptiveSteps(AdaptiveState):
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         h, t, at_stop = self.step_end(z, equations)
         tried = self.attempted(z, equations, h)
-        low, high = ca.fmin(z["q_low"], tried.q), ca.fmax(z["q_high"], tried.q)
+        ranged = self.ranged(tried.q, tried.seen[-1])
+        low, high = ca.fmin(z["q_low"], ranged), ca.fmax(z["q_high"], ranged)
         error = error_size(self.model, low, high, tried.dq, h * tried.dv) / equations.h[-1]
         accepted = error <= 1  # not where the error is no number
         counted = ca.fmax(error, SMALLEST)

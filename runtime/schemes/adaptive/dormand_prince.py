@@ -77,7 +77,8 @@ class AdaptiveDormandPrince(AdaptiveSteps):
             y = start + h * combined(row[: len(slopes)], slopes)
             v = y[n : 2 * n]
             at = equations.close(y[:n], y[2 * n :], self.time_in_step(z, h, node), self.options.closure_iterations)
-            slopes.append(ca.vertcat(v, equations.accelerations(at, v), equations.loop_part(equations.rates(at, v))))
+            rate = self.charts.rates(y[:n], v)
+            slopes.append(ca.vertcat(rate, equations.accelerations(at, v), equations.loop_part(equations.rates(at, v))))
             seen.append(at)
         error, last = h * combined(ERROR, slopes), slopes[-1]
         kept = {"a_to": last[n : 2 * n], "loop_dot_to": last[2 * n :]}
@@ -91,7 +92,11 @@ class AdaptiveDormandPrince(AdaptiveSteps):
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The polynomial of degree 5 and its derivative."""
         h = z["t_to"] - z["t_from"] if h is None else h
-        return quintic(tau, h, *(z[f"{name}_{end}"] for end in ("from", "to") for name in "qva"))
+        q, v, a = (z[f"{name}_to"] for name in "qva")
+        rate = self.charts.rates(q, v)
+        end = self.charts.accelerations(q, rate, v, a)
+        place, rate = quintic(tau, h, z["q_from"], z["v_from"], z["a_from"], q, rate, end)
+        return place, self.charts.velocities(place, rate)
 
 
 def quintic(

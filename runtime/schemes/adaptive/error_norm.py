@@ -28,9 +28,13 @@ def error_size(model: Model, low: ca.SX, high: ca.SX, dq: ca.SX, h_dv: ca.SX) ->
 def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
     """(n_i) what errors are measured by."""
     entries = {entry.name: entry for entry in model.description.coordinates}
-    kinds = [(entries[name].kind, entries[name].unit) for name in model.q_i]
-    turns = [entries[name].unit == "rad" and not entries[name].elastic for name in model.q_i]
+    of_bodies = {name: ("angle", "rad") for record in model.description.orientations for name in record.turns}
+    kinds = [of_bodies.get(name) or (entries[name].kind, entries[name].unit) for name in model.q_i]
+    turns = [kind[1] == "rad" and kind[0] != "modal" for kind in kinds]
     seen = [ca.fmin(half_ranges[k], TURN) if turns[k] else half_ranges[k] for k in range(len(kinds))]
+    for own in model.places.turns:  # an orientation as a whole
+        widest = ca.fmax(ca.fmax(seen[own[0]], seen[own[1]]), seen[own[2]])
+        seen = [widest if k in own else one for k, one in enumerate(seen)]
     largest = {kind: ca.SX(TINY) for kind in kinds}
     for kind, one in zip(kinds, seen, strict=True):
         largest[kind] = ca.fmax(largest[kind], one)

@@ -66,20 +66,22 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
             guess = z["loop_from"] + stage.tau * z["loop_dot"]
             at = equations.close(stage.q, guess, self.time_in_step(z, h, share), self.options.closure_iterations)
             seen.append(at)
-            a = equations.accelerations(at, stage.v)
+            v = self.charts.velocities(stage.q, stage.v)
+            a = equations.accelerations(at, v)
             if len(seen) == 2 and "work_from" in z:
-                powers["power_mid"] = equations.power_of(at, stage.v, a)
-            return motion.remainder(a, stage)
+                powers["power_mid"] = equations.power_of(at, v, a)
+            return motion.remainder(self.charts.accelerations(stage.q, stage.v, v, a), stage)
 
         found = krogstad(motion, d, rough=True)
         kept = {"b1": found.b1, "b2": found.b2}
         end, loop = found.end, equations.loop_part(seen[-1].q_d)
-        return Attempt(end.q, end.v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen), powers)
+        v = self.charts.velocities(end.q, end.v)
+        return Attempt(end.q, v, loop, end.q - found.before.q, end.v - found.before.v, kept, tuple(seen), powers)
 
     def between(self, z: Fields, equations: StageEquations, tau: ca.SX, h: ca.SX | None = None) -> tuple[ca.SX, ca.SX]:
         """The same motion, ended sooner."""
         stage = self._motion(z, equations, tau).to(2, z["b1"], z["b2"])
-        return stage.q, stage.v
+        return stage.q, self.charts.velocities(stage.q, stage.v)
 
     def _motion(self, z: Fields, equations: StageEquations, h: ca.SX) -> StiffMotion | StiffTreeMotion:
         if along_tree(self.model, self.options):

@@ -20,6 +20,7 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import independent_rates
 from runtime.contract.model import Model
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.baselines.alpha_options import (
@@ -50,7 +51,6 @@ class AlphaMethod(Scheme):
     counts_powers = True
 
     def __init__(self, model: Model, grid: Grid, options: AlphaMethodOptions) -> None:
-        self.order_of_all = [*model.independent_columns, *model.dependent_columns]
         self.penalised = _singular_mass(model)
         self.rows = [int(row) for row in model.kept_rows]
         super().__init__(model, grid, options)
@@ -97,7 +97,8 @@ class AlphaMethod(Scheme):
 
     def rates(self, z: np.ndarray) -> np.ndarray:
         """The velocities of q_i."""
-        return np.asarray(z[self.layout.slice("q_dot")][self.model.independent_columns])
+        q, q_dot = (z[self.layout.slice(name)] for name in ("q", "q_dot"))
+        return independent_rates(self.model, q, q_dot)
 
     # ---- a step ---------------------------------------------------------------------------------------------
 
@@ -142,14 +143,10 @@ class AlphaMethod(Scheme):
             "q": q,
             "q_dot": v,
             "a_alpha": a,
-            "x": q[self._independent],
+            "x": self.charts.seen_in(self.model, q),
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),
         }
-
-    @property
-    def _independent(self) -> list[int]:
-        return [int(column) for column in self.model.independent_columns]
 
     # ---- the equations --------------------------------------------------------------------------------------
 
@@ -185,8 +182,8 @@ class AlphaMethod(Scheme):
         self, t0: ca.SX, q_i: ca.SX, q_i_dot: ca.SX, loop: ca.SX, equations: StageEquations
     ) -> dict[str, ca.SX]:
         motion = equations.close_well(q_i, loop, t0)
-        q = self._all(q_i, motion.q_d)
-        v = self._all(q_i_dot, equations.rates(motion, q_i_dot))
+        q = equations.joined(q_i, motion.q_d)
+        v = equations.joined(q_i_dot, equations.rates(motion, q_i_dot))
         found = equations.call("augmented", q=q, q_dot=v, t=t0)
         C_q, gamma = ca.SX(0, q.numel()), ca.SX(0, 1)
         if self.model.constraints:
@@ -195,23 +192,16 @@ class AlphaMethod(Scheme):
         w, lam = self._saddle(M=found["M"], C_q=C_q, force=found["Q_star"], gamma=gamma)
         return {"q": q, "q_dot": v, "q_ddot": w, "a_alpha": w, "lam": lam}
 
-    def _all(self, independent: ca.SX, dependent: ca.SX) -> ca.SX:
-        """A vector in the order of the model's coordinates."""
-        full = ca.SX.zeros(len(self.model.coordinates))
-        for position, column in enumerate(self.order_of_all):
-            n = independent.numel()
-            full[int(column)] = independent[position] if position < n else dependent[position - n]
-        return full
-
     def observe(self) -> ca.Function:
         """(z, c) -> OBSERVED between two major steps, as the state holds it: q' satisfies C_q q' + C_t = 0 to h^2."""
         z, c = ca.SX.sym("z", self.layout.size), ca.SX.sym("c", self.c_size)
         fields = self.layout.unpack(z)
         equations = self.equations(c, fields)
         dependent = [int(column) for column in self.model.dependent_columns]
-        parts = [
-            fields[name][columns] for name in ("q", "q_dot", "q_ddot") for columns in (self._independent, dependent)
-        ]
+        q, parts = fields["q"], []
+        for name in ("q", "q_dot", "q_ddot"):
+            own = self.charts.seen_in(self.model, q, None if name == "q" else fields[name])
+            parts += [own, fields[name][dependent]]
         return ca.Function("observe", [z, c], [self.now(fields, equations), *parts], ["z", "c"], list(OBSERVED))
 
 

@@ -171,7 +171,7 @@ class Radau(OneStep):
         residuals, motions = [], []
         for k, (q, v) in enumerate(zip(self._positions(z, K, h), self._velocities(z, K, h), strict=True)):
             motion = equations.close(q, loops[k], t + float(NODES[k]) * h, self.options.closure_iterations)
-            residuals.append(ca.mtimes(M, equations.accelerations(motion, v) - K[k]))
+            residuals.append(ca.mtimes(M, equations.chart_accelerations(motion, v) - K[k]))
             motions.append(motion)
         change = self._solved(self.stored.unpack_factors(z), residuals)
         new = [old + delta for old, delta in zip(K, change, strict=True)]
@@ -217,9 +217,10 @@ class Radau(OneStep):
 
     def _finish(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         K, h = self._columns(z["K"]), equations.h[0]
+        x = self._positions(z, K, h)[-1]
         return {
-            "x": self._positions(z, K, h)[-1],
-            "v": self._velocities(z, K, h)[-1],
+            **self.rebased(z, x),
+            "v": self.charts.velocities(x, self._velocities(z, K, h)[-1]),
             "loop": self._columns(z["loop_stages"])[-1],
             "n": z["n"] + 1,
             "failures": z["failures"] + (z["unconverged"] > 0),

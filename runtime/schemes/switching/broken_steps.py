@@ -14,6 +14,7 @@ from math import floor, prod
 
 import numpy as np
 
+from runtime.contract.coordinates import independent_rates, whole
 from runtime.contract.model import Model
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
@@ -134,16 +135,15 @@ class BrokenSteps:
         else:
             z = leg.z.copy()
             if leg.seen is not None:
-                z[scheme.layout.slice("v")] = leg.seen[1][self.model.independent_columns]
+                z[scheme.layout.slice("v")] = independent_rates(self.model, *leg.seen)
         z[0], z[1] = t, 0.0
         return z
 
     def _seen(self, z: np.ndarray, constants: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """All coordinates and rates (n,) of a state."""
         model, seen = self.model, self.stepper.scheme.observer(z=self.stepper.state(z), c=constants)
-        q, q_dot = np.zeros(len(model.coordinates)), np.zeros(len(model.coordinates))
-        for columns, end in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-            q[columns], q_dot[columns] = (np.asarray(seen[f"q_{end}{rate}"]).ravel() for rate in ("", "_dot"))
+        parts = {name: np.asarray(value).ravel() for name, value in seen.items()}
+        q, q_dot = (whole(model, parts[f"q_i{rate}"], parts[f"q_d{rate}"]) for rate in ("", "_dot"))
         return q, q_dot
 
     def _jumped(self, c: np.ndarray, leg: Leg, before: float, after: float) -> Leg:

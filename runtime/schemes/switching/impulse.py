@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import independent, whole
 from runtime.contract.model import Model, ModelError
 
 DUST = 1e-12  # of the largest rate: less is rounding of a rate that does not jump
@@ -37,13 +38,12 @@ def impulse_at(
 
     q, q_dot (n,): all coordinates and rates before. Raises ModelError for a model without the function `energy`.
     """
-    i, d = model.independent_columns, model.dependent_columns
+    d, (q_i, q_i_dot) = model.dependent_columns, independent(model, q, q_dot)
     if not len(d):
         return None
-    at = {"q_i": q[i], "q_d": q[d], "c": c}
+    at = {"q_i": q_i, "q_d": q[d], "c": c}
     rates = [
-        np.asarray(model.evaluate("velocities", **at, q_i_dot=q_dot[i], t=t)["q_d_dot"]).ravel()
-        for t in (before, after)
+        np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=t)["q_d_dot"]).ravel() for t in (before, after)
     ]
     jump = np.zeros(len(q))
     jump[d] = rates[1] - rates[0]
@@ -56,11 +56,11 @@ def impulse_at(
             "regenerate the scene with that function",
         )
     momentum = model.derived("momentum", lambda: _momentum(model))
-    projected = np.asarray(momentum(q, jump, q[i], q[d], after, c)).ravel()
-    M_hat = np.asarray(model.evaluate("condensed", **at, q_i_dot=q_dot[i], q_d_dot=rates[0], t=before)["M_hat"])
-    found = np.zeros(len(q))
-    found[i] = q_dot[i] - np.linalg.solve(M_hat, projected)
-    found[d] = np.asarray(model.evaluate("velocities", **at, q_i_dot=found[i], t=after)["q_d_dot"]).ravel()
+    projected = np.asarray(momentum(q, jump, q_i, q[d], after, c)).ravel()
+    M_hat = np.asarray(model.evaluate("condensed", **at, q_i_dot=q_i_dot, q_d_dot=rates[0], t=before)["M_hat"])
+    q_i_dot = q_i_dot - np.linalg.solve(M_hat, projected)
+    q_d_dot = np.asarray(model.evaluate("velocities", **at, q_i_dot=q_i_dot, t=after)["q_d_dot"]).ravel()
+    found = whole(model, q_i_dot, q_d_dot)
     kinetic = [float(model.evaluate("energy", q=q, q_dot=v, t=after, c=c)["kinetic"]) for v in (q_dot, found)]
     return Impulse(found, kinetic[1] - kinetic[0], found - q_dot)
 
@@ -73,6 +73,7 @@ def _momentum(model: Model) -> ca.Function:
     momentum = ca.gradient(model.evaluate("energy", q=q, q_dot=v, t=t, c=c)["kinetic"], v)
     q_d_dot = model.evaluate("velocities", q_i=q_i, q_d=q_d, q_i_dot=q_i_dot, t=t, c=c)["q_d_dot"]
     B = ca.jacobian(q_d_dot, q_i_dot)
-    i, d = model.independent_columns.tolist(), model.dependent_columns.tolist()
-    projected = momentum[i] + ca.mtimes(B.T, momentum[d])
+    projected = ca.mtimes(B.T, momentum[model.dependent_columns.tolist()])
+    for k, column in zip(model.places.plain, model.places.columns, strict=True):
+        projected[int(k)] = projected[int(k)] + momentum[int(column)]
     return ca.Function("momentum", [q, v, q_i, q_d, t, c], [ca.densify(projected)])

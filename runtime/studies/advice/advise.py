@@ -13,6 +13,7 @@ from html import escape
 import numpy as np
 
 from runtime.contract.cards import card, line, table
+from runtime.contract.coordinates import followed
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
@@ -204,7 +205,7 @@ def _advice(
     return Advice(
         model,
         tolerance,
-        [model.q_i[k] for k in setting.graded],
+        [followed(model)[0][k] for k in setting.graded],
         problem.t_end,
         setting.t_end,
         mode_ranges(model, solver, states) if solver else [],

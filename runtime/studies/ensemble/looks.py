@@ -14,6 +14,7 @@ from collections.abc import Mapping
 import casadi as ca
 import numpy as np
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model
 from runtime.contract.status import StatusName
 from runtime.contract.units import length_rows
@@ -92,10 +93,7 @@ def _bent(model: Model, p: ca.SX, q_i: ca.SX, q_d: ca.SX) -> ca.SX:
     """The largest deflection or turn of a drawn point of a flexible body, of its limit."""
     if not model.elastic or not model.has("geometry"):
         return ca.SX(0)
-    q = ca.SX(len(model.coordinates), 1)
-    for columns, values in ((model.independent_columns, q_i), (model.dependent_columns, q_d)):
-        for position, place in enumerate(columns):
-            q[int(place)] = values[position]
+    q = joined(model, q_i, q_d)
     drawn = model.kernel("geometry")(p=p)
     points: dict[str, list[tuple[int, int, int]]] = {}
     first = 0

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from runtime.contract.coordinates import joined
 from runtime.contract.model import Model, ModelError
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
@@ -167,9 +168,6 @@ class Observation:
     def _whole(self, z: Fields, suffix: str) -> ca.SX:
         """A vector in the order of the coordinates, as far as it is known."""
         model = self.model
-        full = ca.SX.zeros(len(model.coordinates))
-        for columns, kind in ((model.independent_columns, "i"), (model.dependent_columns, "d")):
-            if f"seen_{kind}{suffix}" in z:
-                for position, place in enumerate(columns):
-                    full[int(place)] = z[f"seen_{kind}{suffix}"][position]
-        return full
+        sizes = {"i": len(model.q_i), "d": len(model.q_d)}
+        parts = (z.get(f"seen_{kind}{suffix}", ca.SX.zeros(size)) for kind, size in sizes.items())
+        return ca.densify(joined(model, *parts))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model, ModelError
 from runtime.operating.assembly import closable
 from runtime.operating.given_state import keeps_independent
@@ -64,8 +65,8 @@ class CaseStarts:
             close = changed & self._closable
         else:
             self._one_by_one(table, q, q_dot, impossible)
-        i, d = model.independent_columns, model.dependent_columns
-        return Starts(self._own, varied, q[:, i], q_dot[:, i], q[:, d], close, impossible)
+        q_i, q_i_dot = independent(model, q, q_dot)
+        return Starts(self._own, varied, q_i, q_i_dot, q[:, model.dependent_columns], close, impossible)
 
     def _one_by_one(self, table: np.ndarray, q: np.ndarray, q_dot: np.ndarray, impossible: np.ndarray) -> None:
         """As for a run by itself, into q and q_dot."""

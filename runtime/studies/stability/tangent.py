@@ -14,6 +14,7 @@ from collections.abc import Callable
 import casadi as ca
 import numpy as np
 
+from runtime.contract.angular import angular_velocity, chart_rates
 from runtime.engine.program import Repeat, Until
 from runtime.schemes.scheme import Scheme
 
@@ -26,7 +27,7 @@ class TangentStep:
 
     def __init__(self, scheme: Scheme) -> None:
         self.scheme, self.program = scheme, scheme.program()
-        slices = [scheme.layout.slice(name) for name in scheme.memory]
+        slices = [scheme.layout.slice(name) for name in scheme.memory if name != "chart"]
         self.columns = np.concatenate([np.arange(part.start, part.stop) for part in slices]).astype(int)
         kept = [scheme.layout.slice(name) for name in scheme.bookkeeping]
         self._bookkeeping = np.concatenate([np.arange(part.start, part.stop) for part in kept]).astype(int)
@@ -37,7 +38,21 @@ class TangentStep:
         tangent = np.zeros((len(z), len(self.columns)))
         tangent[self.columns, np.arange(len(self.columns))] = 1.0
         z, tangent = self._step(z, tangent, c)
+        self._turn(z, tangent)
         return z, tangent[self.columns]
+
+    def _turn(self, z: np.ndarray, tangent: np.ndarray) -> None:
+        """Changes of charts as changes of the turns that count from them, in place."""
+        layout, places = self.scheme.layout, self.scheme.model.places
+        if "chart" not in layout.sizes:
+            return
+        fields = [layout.slice(name).start for name in self.scheme.positions if name in layout.sizes]
+        first = layout.slice("chart").start
+        for k, turns in enumerate(places.turns):
+            own = slice(first + 4 * k, first + 4 * k + 4)
+            turned = angular_velocity(z[own], tangent[own].T).T
+            for start in fields:
+                tangent[start + turns] += chart_rates(-z[start + turns]) @ turned
 
     def _again(self, body: Advance, node: Repeat | Until) -> Advance:
         if isinstance(node, Repeat):

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.coordinates import followed
 from runtime.contract.files import write_text
 from runtime.results.as_json import as_json
 from runtime.studies.work_precision.comparison import Comparison, WorkCurve
@@ -44,7 +45,8 @@ def comparison_data(comparison: Comparison) -> dict[str, Any]:
         "tolerance": comparison.tolerance,
         "reference_error": problem.reference_error,
         "graded": {
-            problem.model.q_i[k]: float(size) for k, size in zip(problem.graded, problem.amplitudes, strict=True)
+            followed(problem.model)[0][k]: float(size)
+            for k, size in zip(problem.graded, problem.amplitudes, strict=True)
         },
         "recommendation": comparison.recommendation(),
         "gain": _finite(comparison.gain()),
@@ -111,7 +113,8 @@ def write_comparison(comparison: Comparison, folder: str | Path, scene: str = ""
 
 
 def _csv(comparison: Comparison) -> str:
-    text, names = io.StringIO(), [comparison.problem.model.q_i[k] for k in comparison.problem.graded]
+    known = followed(comparison.problem.model)[0]
+    text, names = io.StringIO(), [known[k] for k in comparison.problem.graded]
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(
         ["method", "dt_or_rtol", "steps", "cpu_seconds", "evaluations", "error", "end_error", "failure", *names]

@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.baselines.scipy_methods import scipy_solution
 from runtime.baselines.sundials import sundials_solution
+from runtime.contract.coordinates import followed
 from runtime.contract.model import Model
 from runtime.results.solution import Solution
 from runtime.schemes.catalogue import SCHEMES
@@ -128,7 +129,7 @@ def _adaptive(label: str, problem: Problem, seconds: float) -> list[Trial]:
             nothing = np.full(len(problem.graded), np.nan)
             trials.append(Trial(label, tolerance, evaluations, spent, evaluations, np.inf, np.inf, nothing, failed))
             continue
-        rms, end = problem.errors(times, solution.q_i)
+        rms, end = problem.errors(times, solution.q[:, followed(problem.model)[1]])
         trials.append(Trial(label, tolerance, evaluations, spent, evaluations, float(rms.max()), float(end.max()), rms))
         if spent > 10 * seconds or rms.max() < FINEST:
             break

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from runtime.contract.coordinates import followed, whole
 from runtime.results.sampling import evaluate
 from runtime.schemes.catalogue import scheme_kind
 from runtime.schemes.stepper import Stepper
@@ -97,7 +98,8 @@ class PreparedMethod:
         if ended == "not_finite":
             return self._failed(dt, steps, seconds, evaluations, "not finite")
         seen = self._seen(states, dt)
-        rms, end = problem.errors(seen["t"][:, 0], seen["q_i"])
+        told = whole(problem.model, seen["q_i"], seen["q_d"])[:, followed(problem.model)[1]]
+        rms, end = problem.errors(seen["t"][:, 0], told)
         if not rms.max() < HOPELESS:
             return self._failed(dt, steps, seconds, evaluations, "error above the motion itself")
         if ended == "iteration_failed":

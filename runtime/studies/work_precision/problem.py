@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import followed
 from runtime.contract.model import Model, ModelError
 from runtime.results.amplitudes import floored
 from runtime.start.start_state import start_state
@@ -27,9 +28,10 @@ Path = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Setting:
-    """A model with parameters p and constants c from a state, for t_end [s]; graded: positions in q_i.
+    """A model with parameters p and constants c from a state, for t_end [s].
 
-    arguments are parameters, initial and start as `simulate` takes them.
+    graded: positions in what tells the motion (`followed`); arguments are parameters, initial and start as `simulate`
+    takes them.
     """
 
     model: Model
@@ -73,7 +75,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Problem:
-    """A setting, or its first t_end seconds, with a reference: path gives q_i (N, n_i) at times (N,).
+    """A setting, or its first t_end seconds, with a reference: path gives what tells the motion (N, n) at times (N,).
 
     reference_error says how far the path may be off, relative like any error here.
     """
@@ -100,7 +102,7 @@ class Problem:
 
     @property
     def graded(self) -> list[int]:
-        """Positions in q_i of what is judged."""
+        """Positions of what is judged in what tells the motion."""
         return self.setting.graded
 
     def solved(self, solver: Callable[..., Any], times: np.ndarray, tolerance: float) -> Any:
@@ -113,16 +115,16 @@ class Problem:
         """RMS (n_graded,) of each graded coordinate about its mean, over the motion [m or rad]."""
         return _amplitudes(self.model, self.path(np.linspace(0.0, self.t_end, 401)))[self.graded]
 
-    def errors(self, times: np.ndarray, q_i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(RMS over the motion, at the end), both (n_graded,), over the amplitude; times (N,) [s], q_i (N, n_i)."""
+    def errors(self, times: np.ndarray, told: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(RMS over the motion, at the end), both (n_graded,), over the amplitude; times (N,) [s], told (N, n)."""
         with np.errstate(over="ignore", invalid="ignore"):
-            off = (q_i - self.path(times))[:, self.graded] / self.amplitudes
+            off = (told - self.path(times))[:, self.graded] / self.amplitudes
             return np.sqrt(np.mean(off**2, axis=0)), np.abs(off[-1])
 
 
-def _amplitudes(model: Model, q_i: np.ndarray) -> np.ndarray:
-    """(n_i,) RMS of samples of q_i (N, n_i) about their means, floored."""
-    return floored(model, np.sqrt(np.mean((q_i - q_i.mean(axis=0)) ** 2, axis=0)))
+def _amplitudes(model: Model, told: np.ndarray) -> np.ndarray:
+    """(n,) RMS of samples (N, n) of what tells the motion about their means, floored."""
+    return floored(model, np.sqrt(np.mean((told - told.mean(axis=0)) ** 2, axis=0)))
 
 
 def make_setting(
@@ -134,18 +136,19 @@ def make_setting(
     start: str | None = None,
     graded: list[str] | None = None,
 ) -> Setting:
-    """A setting from the same arguments as `simulate`; graded: names (all of q_i by default).
+    """A setting from the same arguments as `simulate`; graded: names (by default all that tells the motion).
 
     Raises ModelError or InitialStateError.
     """
     p = model.parameter_vector(parameters)
     c = model.constants(p)
-    names = list(model.q_i) if not graded else list(graded)
+    known = followed(model)[0]
+    names = known if not graded else list(graded)
     for name in names:
-        if name not in model.q_i:
+        if name not in known:
             raise ModelError(
                 f"{name!r} cannot be graded: it is not an independent coordinate of {model.name}; those "
-                f"are {', '.join(model.q_i)}"
+                f"are {', '.join(known)}"
             )
     end = float(model.simulation["t_end"]) if t_end is None else float(t_end)
     return Setting(
@@ -154,6 +157,6 @@ def make_setting(
         c,
         start_state(model, p, c, 0.0, initial, start),
         end,
-        [model.q_i.index(name) for name in names],
+        [known.index(name) for name in names],
         {"parameters": parameters, "initial": initial, "start": start},
     )

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from runtime.baselines.condensed_ode import CondensedOde
+from runtime.baselines.condensed_ode import CondensedOde, integrated
 from runtime.baselines.scipy_methods import counted, in_pieces
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.errors import NoResult
@@ -21,10 +21,12 @@ class NoReference(NoResult):
 def reference_path(
     model: Model, c: np.ndarray, state: ConsistentState, t_end: float, rtol: float, atol: float
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """times (N,) -> q_i (N, n): DOP853 with its dense output. Raises NoReference, or NoResult for steps that shrink."""
-    columns, n = model.independent_columns, len(model.q_i)
-    loop = state.q[model.loop_columns]
-    y0 = np.concatenate([state.q[columns], state.q_dot[columns], loop])
+    """times (N,) -> what tells the motion (N, n; `followed`): DOP853 with its dense output.
+
+    Raises NoReference, or NoResult for steps that shrink.
+    """
+    y0 = integrated(model, state.q, state.q_dot)
+    at = [*model.places.plain, *range(len(y0) - model.places.parameters.size, len(y0))]
     slope = counted(evaluator(CondensedOde(model, 1).right_hand_side(), c), "the reference")
     with np.errstate(all="ignore"):  # a motion that leaves the range of numbers is told by the result
         settings = {"method": "DOP853", "dense_output": True, "rtol": rtol, "atol": atol}
@@ -36,9 +38,9 @@ def reference_path(
 
     def path(times: np.ndarray) -> np.ndarray:
         asked = np.clip(times, 0.0, t_end)
-        pieces, found = np.searchsorted(starts, asked, side="right"), np.zeros((len(asked), n))
+        pieces, found = np.searchsorted(starts, asked, side="right"), np.zeros((len(asked), len(at)))
         for k in np.unique(pieces):
-            found[pieces == k] = results[k].sol(asked[pieces == k]).T[:, :n]
+            found[pieces == k] = results[k].sol(asked[pieces == k]).T[:, at]
         return found
 
     return path

@@ -31,7 +31,7 @@ class TooLong(NoReference):
 
 
 class OneStepPath:
-    """q_i at any times, by steps of at most `step` that end there."""
+    """What tells the motion at any times, by steps of at most `step` that end there."""
 
     def __init__(self, model: Model, c: np.ndarray, state: ConsistentState, method: str, m: list[int] | None) -> None:
         self._model, self.c, self.state = model, c, state
@@ -42,7 +42,11 @@ class OneStepPath:
         """(N, n) at ascending times from 0 on."""
         layout, known = self._stepper.scheme.layout, switching_times(self._model, self.c, 0.0, float(times[-1]))
         z = self._stepper.start(0.0, self.state.q, self.state.q_dot, self.c, 1.0)
-        t0, n, x = (layout.slice(name) for name in ("t0", "n", "x"))
+        t0, n = (layout.slice(name) for name in ("t0", "n"))
+        told = layout.slice("x").start + self._stepper.scheme.model.places.plain
+        if "chart" in layout.sizes:  # after a step bodies are where their charts are
+            charts = layout.slice("chart")
+            told = np.concatenate([told, np.arange(charts.start, charts.stop)])
         rows, reached, ready, last = [], 0.0, None, 0.0
         for t in times:
             if t > reached:
@@ -55,7 +59,7 @@ class OneStepPath:
                 z[t0], z[n] = parts.clock(0), 0.0  # the clock of a scheme counts steps of one size
                 parts.run(z, ready, self.c, steps)
                 reached = float(t)
-            rows.append(z[x].copy())
+            rows.append(z[told].copy())
         return np.array(rows)
 
 
@@ -68,9 +72,9 @@ def self_reference(
     seconds: float,
     graded: list[int],
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """A path, times (N,) [s] -> q_i (N, n_i), that halving its step changes by tolerance / MARGIN at most.
+    """A path, times (N,) [s] -> what tells the motion (N, n).
 
-    c: the model's constants (c_size,).
+    Halving its step changes it by tolerance / MARGIN at most. c: the model's constants (c_size,).
 
     Raises TooLong if that takes longer than `seconds`, NoReference if no method gets there.
     """
@@ -97,7 +101,7 @@ def self_reference(
 
 
 def _distance(model: Model, values: np.ndarray, previous: np.ndarray, graded: list[int]) -> float:
-    """The largest RMS difference of a graded coordinate of two paths (N, n_i), over its amplitude."""
+    """The largest RMS difference of a graded coordinate of two paths (N, n), over its amplitude."""
     spread = floored(model, np.sqrt(np.mean((values - values.mean(axis=0)) ** 2, axis=0)))
     off = np.sqrt(np.mean((values - previous) ** 2, axis=0)) / spread
     return float(off[graded].max())

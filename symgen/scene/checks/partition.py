@@ -20,13 +20,16 @@ def matching(pattern: str, names: Sequence[str]) -> list[str]:
 def partition_errors(scene: SceneParts) -> Iterator[SceneError]:
     """Unknown coordinates, coordinates in two groups, step ratios and steps that do not fit."""
     names = scene.coordinates()
-    for section in ("coordinates", "rates"):
+    turning = [body.name for body in scene.moving_bodies if scene.space == "spatial" and not scene.has_angles(body)]
+    spins = [f"{body}.omega_{axis}" for body in turning for axis in "xyz"]
+    for section, known in (("coordinates", names), ("rates", [*names, *spins])):
         for name in getattr(scene.initial, section):
-            if name not in names:
-                yield _unknown(f"initial.{section}['{name}']", name, names)
+            if name not in known:
+                yield _unknown(f"initial.{section}['{name}']", name, known)
     for index, measure in enumerate(scene.measures):
         if measure.type == "coordinate" and measure.coordinate not in names:
             yield _unknown(f"{item_path('measures', index, measure.name)}.coordinate", measure.coordinate, names)
+    names = [*names, *(f"{body}.turn_{axis}" for body in turning for axis in "xyz")]
     independent = scene.partition.independent
     for index, name in enumerate(independent or ()):
         path = f"partition.independent[{index}]"

@@ -50,6 +50,12 @@ class Articulated:
         A, H, J = (product(product(R, block), back) for block in self._blocks)
         return Articulated(symmetric_of(A), H, symmetric_of(J))
 
+    def turned_mass(self, R: Callable[[], Matrix]) -> Articulated:
+        """What a freed ball leaves: no moment, whatever the motion. In axes as in `turned`."""
+        axes = R()
+        A = symmetric_of(product(product(axes, self.A), _transposed(axes)))
+        return Articulated(A, [zeros() for _ in range(3)], [zeros() for _ in range(3)])
+
     def about(self, axis: int, cosine: ca.SX, sine: ca.SX) -> Articulated:
         """In axes from which the frame's are turned about one of them."""
         A, J = (both_turned_back(block, axis, cosine, sine) for block in (self.A, self.J))

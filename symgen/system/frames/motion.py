@@ -6,6 +6,7 @@ linear velocity occurs. A point fixed at rho has the acceleration a + G rho with
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -27,10 +28,11 @@ class Twist:
 
 @dataclass(frozen=True)
 class Wrench:
-    """Force f and moment n about the frame's origin."""
+    """Force f and moment n about the frame's origin; world: f in world axes where it is known."""
 
     f: Vector
     n: Vector
+    world: Vector | None = None
 
     def along(self, twist: Twist) -> ca.SX:
         """Power on a twist."""
@@ -38,7 +40,9 @@ class Wrench:
 
     def plus(self, other: Wrench) -> Wrench:
         """Sum about the same origin."""
-        return Wrench(plus(self.f, other.f), plus(self.n, other.n))
+        known = self.world is not None and other.world is not None
+        world = plus(self.world, other.world) if known else None  # type: ignore[arg-type]
+        return Wrench(plus(self.f, other.f), plus(self.n, other.n), world)
 
 
 NOTHING = Wrench(zeros(), zeros())
@@ -108,6 +112,10 @@ class Composite:
             for i in range(3)
         ]
         return Composite(self.m, h, symmetric_of(upper))
+
+    def turned_mass(self, R: Callable[[], Matrix]) -> Composite:
+        """The mass alone, in axes in which those of the frame are the columns of R."""
+        return Composite(self.m, zeros(), [zeros() for _ in range(3)])
 
     def momentum(self, twist: Twist) -> Wrench:
         """Linear momentum and angular momentum about the origin of a twist: int v dm, int rho x v dm."""

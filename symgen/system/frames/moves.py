@@ -100,7 +100,7 @@ class Turn(Plain):
 
     def wrench(self, after: Wrench) -> Wrench:
         """Seen before the move."""
-        return Wrench(self._rotated(after.f, self.sine), self._rotated(after.n, self.sine))
+        return Wrench(self._rotated(after.f, self.sine), self._rotated(after.n, self.sine), after.world)
 
     def composite(self, after: Composite) -> Composite:
         """Seen before the move."""
@@ -139,7 +139,7 @@ class Slide(Plain):
 
     def wrench(self, after: Wrench) -> Wrench:
         """Seen before the move."""
-        return Wrench(after.f, plus(after.n, cross(unit(self.axis, self.amount), after.f)))
+        return Wrench(after.f, plus(after.n, cross(unit(self.axis, self.amount), after.f)), after.world)
 
     def composite(self, after: Composite) -> Composite:
         """Seen before the move."""
@@ -172,7 +172,7 @@ class Fixed(Plain):
     def wrench(self, after: Wrench) -> Wrench:
         """Seen before the move."""
         f = times(self.R, after.f)
-        return Wrench(f, plus(times(self.R, after.n), cross(self.r, f)))
+        return Wrench(f, plus(times(self.R, after.n), cross(self.r, f)), after.world)
 
     def composite(self, after: Composite) -> Composite:
         """Seen before the move."""

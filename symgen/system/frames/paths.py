@@ -6,7 +6,7 @@ A path begins at a frame that is taken to be at rest: the ground, or the last fr
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
@@ -26,6 +26,7 @@ class Cause:
     """What a unit rate of a coordinate does to all that follows: it turns about an axis, or it slides.
 
     before: how many arms of the path come before it. axis: the axis itself, where `turns` is that or its opposite.
+    until: how many arms come before the ball beyond which it turns nothing; None: there is none.
     """
 
     column: int
@@ -33,6 +34,7 @@ class Cause:
     slides: Vector | None
     before: int
     axis: Vector | None = None
+    until: int | None = None
 
 
 @dataclass(frozen=True)
@@ -123,6 +125,16 @@ class Path:
             self.causes.append(Cause(column, turns, None, len(self._arms), axis))
         self.omega, self.alpha = turning.omega, turning.bias
 
+    def ball(self, columns: list[int], A: Matrix, omega: Vector) -> None:
+        """What follows has the absolute orientation A (rows) and the angular velocity omega in body axes."""
+        self._reach()
+        end = len(self._arms)
+        self.causes = [one if one.until is not None else replace(one, until=end) for one in self.causes]
+        self.axes = [[row[j] for row in A] for j in range(3)]
+        for column, axis in zip(columns, self.axes, strict=True):
+            self.causes.append(Cause(column, axis, None, end, axis))
+        self.omega, self.alpha = self.along(omega), zeros()
+
     def bend(self, columns: list[int], bent: Bent) -> None:
         """To a marker of a flexible body."""
         self.shift(bent.rho)
@@ -182,7 +194,7 @@ class Path:
             parts += [] if cause.slides is None else [cause.slides]
             for i, value in enumerate(plus(*parts)):
                 add_to(moved[i], cause.column, value)
-            for i, value in enumerate(cause.turns or ()):
+            for i, value in enumerate(cause.turns or () if cause.until is None else ()):
                 add_to(turned[i], cause.column, value)
         none = fixed_quaternion([ONE, ZERO, ZERO, ZERO])
         return SpatialMarker(
@@ -190,7 +202,10 @@ class Path:
         )
 
     def _across(self, cause: Cause, to_end: list[Vector]) -> Vector:
-        """From the cause's axis to the end, without the arms along that axis."""
+        """From the cause's axis to the end of what it turns, without the arms along that axis."""
+        if cause.until is not None:
+            turned = self._arms[cause.before : cause.until]
+            return plus(zeros(), *(arm.vector for arm in turned if not arm.axis is cause.axis is not None))
         along = [k for k in range(cause.before, len(self._arms)) if self._arms[k].axis is cause.axis is not None]
         if not along:
             return to_end[cause.before]

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import zeros
+from symgen.system.frames.ball import Ball
 from symgen.system.frames.body_moves import Orient
 from symgen.system.frames.flexible import RigidInertia
 from symgen.system.frames.motion import Composite
@@ -48,9 +49,9 @@ def give_to_parent(frame: Frame, frames: list[Frame]) -> None:
 def _split(inertia: Composite, moves: list[Move]) -> Parts | None:
     """By what the moves leave free; None where nothing can be given."""
     free = [move for move in moves if move.twists]
-    if not all(isinstance(move, Turn | Slide | Fixed | Orient) for move in free):
+    if not all(isinstance(move, Turn | Slide | Fixed | Orient | Ball) for move in free):
         return None
-    if any(isinstance(move, Orient) for move in free):  # a mass at the origin does not care how the frame turns
+    if any(isinstance(move, Orient | Ball) for move in free):  # a mass at the origin does not care how the frame turns
         return Parts(
             Composite(inertia.m, zeros(), [zeros() for _ in range(3)]), Composite(ZERO, inertia.h, inertia.Sigma)
         )

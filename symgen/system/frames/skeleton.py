@@ -17,14 +17,16 @@ from symgen.algebra.scalar import ZERO
 from symgen.algebra.vectors import zeros
 from symgen.bodies.deformation import Deformation
 from symgen.bodies.spatial_body import SpatialBody
+from symgen.system.frames.ball import Ball, ToWorld
 from symgen.system.frames.body_moves import Bend, Float, Orient, Unbend
 from symgen.system.frames.flexible import FlexibleInertia, RigidInertia
 from symgen.system.frames.linkage import JointLink
-from symgen.system.frames.motion import Composite, no_masses
+from symgen.system.frames.motion import Composite, Matrix, no_masses
 from symgen.system.frames.moves import Fixed, Move
-from symgen.system.frames.screws import STRAIGHT, Displacement, Screw, between_hinges
+from symgen.system.frames.screws import STRAIGHT, Displacement, Screw, between_hinges, identity
 from symgen.system.frames.sharing import give_to_parent
 from symgen.system.frames.tree import GROUND, Frame, FrameTree, Seat
+from symgen.system.orientations import Turning
 
 Numbers = Callable[[ca.SX], float]
 
@@ -55,14 +57,14 @@ class Skeleton:
         self._seats: dict[str, Seat] = {"ground": Seat()}
         self._numbers = numbers
 
-    def float(self, body: SpatialBody, kind: str) -> None:
+    def float(self, body: SpatialBody, kind: str, turning: Turning | None) -> None:
         """A body that no joint places. Its mass stands at its origin, which moves without turning."""
         q, data = body.coordinates, body.integrals
         assert data is not None
         point = Composite(data.mass, zeros(), no_masses().Sigma)
         floats = Float(q.columns[:3], q.R_o, q.R_o_dot)
         self._add(_Rough(GROUND, moves=[floats], inertia=RigidInertia(point)))
-        turns = Orient(kind, q.turning, q.theta, q.theta_dot)
+        turns: Move = Orient(kind, q.turning, q.theta, q.theta_dot) if turning is None else _ball(turning)
         self._add(_Rough(len(self._rough) - 1, moves=[turns], inertia=_inertia(body, ZERO)))
         self._seats[body.name] = Seat(len(self._rough) - 1)
 
@@ -103,6 +105,33 @@ class Skeleton:
         known = self._rough[frame].inertia
         self._rough[frame].inertia = RigidInertia(own if known is None else known.rigid.plus(own))
         self._seats[body.name] = Seat(frame, place)
+
+    def hold(
+        self,
+        body: SpatialBody,
+        parent: str,
+        turning: Turning,
+        near: Deformation,
+        far: Deformation,
+        axes: Callable[[], Matrix],
+    ) -> None:
+        """A body on a spherical joint, turning by itself: its frame is at the joint. axes: the parent's, by rows.
+
+        near, far: the joint's markers, of which only the place counts.
+        """
+        frame, before = self._at(parent, _place_of(near))
+        self._add(_Rough(frame, JointLink(before), inertia=RigidInertia(no_masses())))
+        moves: list[Move] = [ToWorld(axes), _ball(turning)]
+        data, at = body.integrals, _place_of(far)
+        assert data is not None
+        if data.nf:
+            moves = [*moves, Unbend(at)]
+            place, inertia = Displacement.none(), _inertia(body, data.mass)
+        else:
+            place = _marker(at).back()
+            inertia = RigidInertia(moved(Composite(data.mass, data.S1, data.J0), place))
+        self._add(_Rough(len(self._rough) - 1, moves=moves, inertia=inertia))
+        self._seats[body.name] = Seat(len(self._rough) - 1, place)
 
     def _add(self, rough: _Rough) -> None:
         self._rough.append(rough)
@@ -160,6 +189,16 @@ class Skeleton:
         if seat.frame == GROUND:
             return seat
         return Seat(seat.frame, self._rough[seat.frame].screw.displacement.back().then(seat.place))
+
+
+def _ball(turning: Turning) -> Ball:
+    return Ball(turning.columns, turning.A, turning.omega)
+
+
+def _place_of(marker: Deformation) -> Deformation:
+    """A marker whose axes are those of its body, however it is bent."""
+    point = replace(marker.point, axes=identity(), turns=[zeros() for _ in marker.point.turns])
+    return replace(marker, point=point)
 
 
 def _marker(marker: Deformation) -> Displacement:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from runtime.contract.coordinates import independent, independent_part, whole
 from runtime.contract.model import Model
 from symgen.scene import Scene
 from tests.hand_derived.spatial import spatial_scenes as scenes
@@ -62,7 +63,7 @@ def order(model: Model, twin: ModuleType, params: Any) -> list[int]:
 
 def states(model: Model, scale: float, count: int = 4) -> list[State]:
     rng = np.random.default_rng(5)
-    start = model.initial_q[model.independent_columns]
+    start = independent_part(model, model.initial_q)
     n = len(model.q_i)
     return [make_state(model, start + scale * rng.uniform(-1, 1, n), rng.uniform(-3, 3, n)) for _ in range(count)]
 
@@ -108,13 +109,16 @@ def test_any_orientation_gives_the_same_accelerations(model_of: Build) -> None:
         omega, q_f, q_f_dot = rng.normal(size=3), rng.normal(size=3), rng.normal(size=3)
         q = np.concatenate([rng.normal(size=3), e, q_f])
         q_dot = np.concatenate([rng.normal(size=3), parameters_dot(e, omega), q_f_dot])
-        columns = model.independent_columns
-        state = make_state(model, q[columns], q_dot[columns], guess=q)
+        q_i, q_i_dot = independent(model, q, q_dot)
+        assert relative_error(q_i_dot[model.places.turns[0]], omega) < 1e-14
+        state = make_state(model, q_i, q_i_dot, guess=q)
         out = evaluate(model, "condensed", **state.values())
-        a = np.linalg.solve(out["M_hat"].reshape(len(columns), -1), out["Q_hat"])
+        a = np.linalg.solve(out["M_hat"].reshape(len(q_i), -1), out["Q_hat"])
+        a_d = evaluate(model, "accelerations", **state.values(), q_i_ddot=a)["q_d_ddot"]
         R_ddot, omega_dot, q_f_ddot = twin_free_flexible.accelerations(params, parameters_A(e), omega, q_f, q_f_dot)
-        expected = np.concatenate([R_ddot, parameters_ddot(e, omega, omega_dot), q_f_ddot])[columns]
-        assert relative_error(a, expected) < 1e-11
+        expected = np.concatenate([R_ddot, parameters_ddot(e, omega, omega_dot), q_f_ddot])
+        assert relative_error(whole(model, a, a_d), expected) < 1e-11
+        assert relative_error(a[model.places.turns[0]], omega_dot) < 1e-11
 
 
 def test_reactions(model_of: Build) -> None:
@@ -136,6 +140,5 @@ def joint_forces(model: Model, state: State) -> Any:
     n = len(state.q_i)
     a = np.linalg.solve(out["M_hat"].reshape(n, n), out["Q_hat"])
     a_d = evaluate(model, "accelerations", **state.values(), q_i_ddot=a)["q_d_ddot"]
-    q_ddot = np.zeros(len(model.coordinates))
-    q_ddot[model.independent_columns], q_ddot[model.dependent_columns] = a, a_d
+    q_ddot = whole(model, a, a_d)
     return evaluate(model, "reactions", **state.values(), q_ddot=q_ddot)["joint_forces"].T.reshape(-1, 6)

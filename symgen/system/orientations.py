@@ -1,0 +1,184 @@
+"""Bodies whose orientation has velocities of its own: the absolute angular velocity in body axes, not rates of q.
+
+All three turns of such a body are independent: it floats, or a spherical joint of the tree holds it. Its independent
+coordinates are a rotation vector theta from a chart, a unit quaternion that is data of a run, with q_i' = omega,
+
+    e = chart o exp(theta),    e' = e o (0, omega) / 2,    e'' = e o (0, omega') / 2 - (omega.omega / 4) e,
+
+so that its Euler parameters e depend on them. A body whose turning a closed loop, a motion or the scene's own choice
+of q_i reaches keeps Euler parameters that are coordinates like others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+
+import casadi as ca
+
+from runtime.contract.records import Coordinate
+from symgen.algebra.rows import nonzero
+from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg
+from symgen.algebra.vectors import Vector, quaternion_product, scaled, zeros
+from symgen.joints.instance import ConstraintRow
+from symgen.scene import Scene
+from symgen.system.topology import Topology
+
+AXES = "xyz"
+SMALLEST = 1e-300  # of a squared angle: keeps its root from zero, where exp has no derivative
+
+
+@dataclass(frozen=True)
+class BallPlacement:
+    """A spherical joint of the tree; forward: the child is the body of marker b."""
+
+    parent: str
+    child: str
+    forward: bool
+
+
+@dataclass(frozen=True)
+class Orientations:
+    """bodies: names, in scene order. balls: the spherical joints that hold some of them, by name."""
+
+    bodies: tuple[str, ...] = ()
+    balls: Mapping[str, BallPlacement] = field(default_factory=dict)
+
+    @property
+    def children(self) -> dict[str, str]:
+        """The body that each of these joints holds."""
+        return {name: ball.child for name, ball in self.balls.items()}
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Columns of q of one such body: theta (3) and e (4) with its symbols, omega, and the chart's symbols (4)."""
+
+    body: str
+    columns: list[int]
+    parameters: list[int]
+    e: Vector
+    omega: Vector
+    chart: Vector
+
+    @property
+    def A(self) -> list[Vector]:
+        """Rotation matrix of the body by rows, from e of unit length."""
+        e0, e1, e2, e3 = self.e
+        two = ca.SX(2)
+
+        def off(i: int, j: int, third: ca.SX) -> ca.SX:
+            return mul(two, add(mul(self.e[i], self.e[j]), third))
+
+        xx, yy, zz = (mul(self.e[k], self.e[k]) for k in (1, 2, 3))
+        x, y, z = mul(e0, e1), mul(e0, e2), mul(e0, e3)
+        return [
+            [1 - 2 * (yy + zz), off(1, 2, neg(z)), off(1, 3, y)],
+            [off(1, 2, z), 1 - 2 * (xx + zz), off(2, 3, neg(x))],
+            [off(1, 3, neg(y)), off(2, 3, x), 1 - 2 * (xx + yy)],
+        ]
+
+    def rows(self, theta: Vector) -> list[ConstraintRow]:
+        """e - chart o exp(theta) = 0, with C_q along the angular velocity."""
+        square = div(dot(theta, theta), ca.SX(4)) + SMALLEST
+        half = ca.sqrt(square)
+        turn = [ca.cos(half), *scaled(ca.sin(half) / half / 2, theta)]
+        reached = quaternion_product(self.chart, turn)
+        slopes = [quaternion_product(self.e, [ZERO, *(div(one, ca.SX(2)) for one in unit)]) for unit in _units()]
+        fading = div(dot(self.omega, self.omega), ca.SX(4))
+        return [
+            ConstraintRow(
+                f"{self.body}.turn{k}",
+                "",
+                self.e[k] - reached[k],
+                nonzero({self.parameters[k]: ONE, **{c: neg(s[k]) for c, s in zip(self.columns, slopes, strict=True)}}),
+                ZERO,
+                neg(mul(fading, self.e[k])),
+                tuple(zeros(6)),
+                "quaternion",
+            )
+            for k in range(4)
+        ]
+
+
+def _units() -> list[Vector]:
+    return [[ONE if i == j else ZERO for i in range(3)] for j in range(3)]
+
+
+def turn_coordinates(body: str) -> list[Coordinate]:
+    """theta of a body as independent coordinates; their velocities are omega [rad/s]."""
+    return [Coordinate(f"{body}.turn_{axis}", body, "angle", "rad") for axis in AXES]
+
+
+def orientations_of(scene: Scene, topology: Topology) -> Orientations:
+    """Those of a spatial scene."""
+    described = {body.name: body for body in scene.moving_bodies}
+    spherical = {joint.name for joint in scene.joints if joint.type == "spherical"}
+    balls, parents = _tree(topology, list(described), spherical)
+    held = set(_held(topology, balls, parents)) | set(_chosen(scene))
+    free = [
+        name
+        for name in described
+        if not scene.has_angles(described[name]) and name not in topology.placed and name not in held
+    ]
+    return Orientations(tuple(free), {joint: ball for joint, ball in balls.items() if ball.child in free})
+
+
+def _tree(
+    topology: Topology, bodies: list[str], spherical: set[str]
+) -> tuple[dict[str, BallPlacement], dict[str, str]]:
+    """(spherical joints of a spanning tree, parent of each body but of those that float).
+
+    Placing joints come first: a ball may hold only a body that none of them places.
+    """
+    parents = {placement.child: placement.parent for placement in topology.placements.values()}
+    roots = ["ground", *(name for name in bodies if name not in parents)]
+    balls: dict[str, BallPlacement] = {}
+    reached: set[str] = set()
+    while len(reached) < len(bodies) + 1:
+        reached.add(next(root for root in roots if root not in reached))
+        growing = True
+        while growing:
+            before = len(reached)
+            reached |= {child for child, parent in parents.items() if parent in reached}
+            for link in topology.links:
+                for near, far in ((link.a, link.b), (link.b, link.a)):
+                    new = near in reached and far in roots and far not in reached
+                    if new and link.joint in spherical:
+                        balls[link.joint], parents[far] = BallPlacement(near, far, far == link.b), near
+                        reached.add(far)
+            growing = len(reached) > before
+    return balls, parents
+
+
+def _held(topology: Topology, balls: Mapping[str, BallPlacement], parents: Mapping[str, str]) -> Iterator[str]:
+    """Bodies whose turning a joint reaches that is not of the tree."""
+    for link in topology.links:
+        if link.joint in topology.placements or link.joint in balls:
+            continue
+        ways = [_way_to_root(body, parents) for body in (link.a, link.b)]
+        common = [body for body in ways[0] if body in ways[1]]
+        apart = [body for way in ways for body in way if body not in common]
+        if common and all(body in topology.placed for body in apart):
+            continue
+        yield from (body for way in ways for body in way)
+
+
+def _way_to_root(body: str, parents: Mapping[str, str]) -> list[str]:
+    way = [body]
+    while way[-1] in parents:
+        way.append(parents[way[-1]])
+    return way
+
+
+def _chosen(scene: Scene) -> Iterator[str]:
+    """Bodies whose Euler parameters the scene names in its partition."""
+    named: Sequence[str] = scene.partition.independent or ()
+    patterns = [pattern for group in scene.partition.groups or () for pattern in group.coordinates]
+    for body in scene.moving_bodies:
+        own = [f"{body.name}.e{k}" for k in range(4)]
+        wanted = any(fnmatchcase(name, pattern) for pattern in patterns for name in own)
+        turned = any(fnmatchcase(f"{body.name}.turn_x", pattern) for pattern in patterns)
+        if any(name in own for name in named) or (wanted and not turned):
+            yield body.name
