@@ -26,13 +26,15 @@ def main(picture: Path | None = None, out: Path | None = None) -> None:
     if out:
         write(rod, out)
     if picture:
-        surface, figure = rod.surface(max_triangles=2000), Figure(figsize=(10, 4.5), layout="constrained", dpi=120)
-        for k, ax in enumerate(figure.subplots(2, 2, subplot_kw={"projection": "3d"}).flat):
+        surface, figure = rod.surface(max_triangles=2000), Figure(figsize=(10, 5), dpi=120)
+        for k in range(4):
+            left, low = 0.5 * (k % 2), 0.5 - 0.5 * (k // 2)
+            ax = figure.add_axes((left, low - 0.27, 0.5, 1.0), projection="3d", facecolor="none")  # they overlap
             shape = surface["shapes"][:, :, k]
             moved = surface["vertices"] + 0.03 * shape / np.abs(shape).max()
             ax.plot_trisurf(*moved.T, triangles=surface["triangles"], color="#6baed6", lw=0.1, edgecolor="0.4")
-            ax.set_title(f"mode {k + 1}: {rod.frequencies[k]:.0f} Hz", y=0.9)
-            ax.set_box_aspect(np.ptp(moved, axis=0), zoom=1.6)
+            figure.text(left + 0.25, low + 0.42, f"mode {k + 1}: {rod.frequencies[k]:.0f} Hz", ha="center")
+            ax.set_box_aspect(np.ptp(moved, axis=0), zoom=1.05)
             ax.set_axis_off()
             ax.view_init(35, -75)
         figure.savefig(picture)

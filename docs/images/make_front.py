@@ -16,13 +16,13 @@ from symgen.scenes import SCENES, generated_folder
 
 HERE = Path(__file__).resolve().parent
 EXAMPLES = HERE.parents[1] / "examples"
-TILE, COLOURS = (600, 350), 128
+TILE = (600, 350)
 # what, until when [s], what is shown, the part of a window of 1366 x 768 that is kept (left, top, width)
 SHOWN = [
-    ("spatial_slider_crank", 0.05, "t=0.03&hide=names", (120, 120, 800)),
+    ("spatial_slider_crank", 0.05, "t=0.03&hide=names&with=colour%3A%20stress", (120, 120, 800)),
     ("double_wishbone", 1.8, "t=1.6&hide=names", (245, 150, 620)),
-    ("spinning_satellite", 4.0, "t=0.6&hide=names&x=20", (165, 160, 720)),
-    ("build_slider_crank", 0.1, "t=0.06&hide=names&trace=rod.start", (110, 60, 760)),
+    ("spinning_satellite", 4.0, "t=0.6&hide=names&x=20&with=colour%3A%20stress", (165, 160, 720)),
+    ("build_slider_crank", 0.1, "t=0.06&hide=names&trace=rod.start&with=colour%3A%20stress", (110, 60, 760)),
 ]
 BROWSER = (
     "chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars".split()
@@ -40,7 +40,7 @@ def photographed(name: str, t_end: float, state: str, kept: tuple[int, int, int]
     )
     simulate(model, t_end=t_end).view(page)
     text = page.read_text(encoding="utf-8")
-    bare = text.replace("</head>", "<style>.box, #hint { display: none }</style></head>")
+    bare = text.replace("</head>", "<style>.box, #hint, #scale { display: none }</style></head>")
     page.write_text(bare, encoding="utf-8")
     more = ["--virtual-time-budget=5000", "--window-size=1366,768", f"--screenshot={picture}"]
     subprocess.run(
@@ -61,7 +61,7 @@ def main() -> None:
         for k, shown in enumerate(SHOWN):
             tile = photographed(*shown, Path(folder))
             sheet.paste(tile, ((TILE[0] + 6) * (k % 2), (TILE[1] + 6) * (k // 2)))
-    sheet.quantize(COLOURS).save(HERE / "front.png", optimize=True)
+    sheet.save(HERE / "front.png", optimize=True)
 
 
 if __name__ == "__main__":

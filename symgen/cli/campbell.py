@@ -97,12 +97,16 @@ def run(arguments: argparse.Namespace) -> Outcome:
     }
     lines = [f"{model.name} along {name}", f"{'mode':>4}  {f'at {first:g}':>12}  {f'at {last:g}':>12}  [rad/s]"]
     lines += [
-        f"{k + 1:>4}  {found.frequencies[0, k]:>12.6g}  {found.frequencies[-1, k]:>12.6g}  {mode}"
+        f"{k + 1:>4}  {_shown(found.frequencies[0, k])}  {_shown(found.frequencies[-1, k])}  {mode}"
         for k, mode in enumerate(found.names)
     ]
     if found.is_speed:
         lines += [f"critical speed {value:.6g} rad/s of mode {mode + 1}" for mode, value in found.crossings()]
     return Outcome(data, [*lines, *found.remarks[-3:], *(f"left {path}" for path in files)])
+
+
+def _shown(frequency: float) -> str:
+    return f"{'-':>12}" if isnan(frequency) else f"{frequency:>12.6g}"
 
 
 def _where_there(values: Iterable[float]) -> list[float | None]:
