@@ -61,7 +61,7 @@ def main() -> None:
         for k, shown in enumerate(SHOWN):
             tile = photographed(*shown, Path(folder))
             sheet.paste(tile, ((TILE[0] + 6) * (k % 2), (TILE[1] + 6) * (k // 2)))
-    sheet.save(HERE / "front.png", optimize=True)
+    sheet.quantize(256).save(HERE / "front.png", optimize=True)
 
 
 if __name__ == "__main__":
