@@ -49,7 +49,8 @@ class Solution(Samples):
     ) -> Any:
         """The moving mechanism as one page: written to `path` (.html), else shown in the notebook or opened.
 
-        surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface.
+        surfaces: {body: {vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf)}}, in place of a body's own surface;
+        von_mises (samples, n) [Pa] in it colours the body.
         beside: a second run, shown pale in the same page.
         Raises ModelError if there is nothing to draw or a surface does not fit, and OutputError.
         """

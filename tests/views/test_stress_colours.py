@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from runtime import load_model, simulate
-from runtime.contract.model import Model
+from runtime.contract.model import Model, ModelError
 from runtime.views.viewer import view
 from runtime.views.viewer.record import view_record
 from symgen.scene import Scene, SceneBuilder, SceneError
@@ -56,6 +56,23 @@ def test_the_page_computes_von_mises(tmp_path: Path) -> None:
     expected = np.sqrt(((one - two) ** 2 + (two - three) ** 2 + (three - one) ** 2) / 2)
     np.testing.assert_allclose(found["probe"], expected, rtol=1e-4, atol=1e-6 * expected.max())
     assert expected.max() <= record["stress"] * (1 + 1e-6)
+
+
+def test_stresses_from_elsewhere_colour_a_surface() -> None:
+    """von_mises of every sample and vertex, as `equilibrium_stresses(at=vertices)` gives them, linear in between."""
+    run = simulate(load_model(generated_folder("spatial_slider_crank")), t_end=2e-4)
+    corners = np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]])
+    surface = {"vertices": corners, "triangles": [[0, 1, 2], [0, 1, 3]], "shapes": np.zeros((4, 3, 6))}
+    mises = 1e6 * np.outer(run.t / run.t[-1], np.arange(4))
+    record = view_record(run, {"rod": {**surface, "von_mises": mises}})
+    rod = next(body for body in record["bodies"] if body["name"] == "rod")
+    found = np.frombuffer(base64.b64decode(rod["stress"]["corners"]), "<f4").reshape(-1, 4)
+    t = np.frombuffer(base64.b64decode(record["t"]))
+    np.testing.assert_allclose(found, 1e6 * np.outer(t / run.t[-1], np.arange(4)), rtol=1e-5)
+    assert record["stress"] == pytest.approx(3e6)
+    for wrong, problem in ((mises[1:], "the run has"), (mises[:, 1:], r"\(samples, 4\)")):
+        with pytest.raises(ModelError, match=problem):
+            view_record(run, {"rod": {**surface, "von_mises": wrong}})
 
 
 def test_a_surface_that_does_not_fit_is_refused_with_the_scene() -> None:

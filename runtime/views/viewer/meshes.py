@@ -28,6 +28,7 @@ class SurfaceMesh:
     triangles: np.ndarray
     per: int = 1
     stresses: np.ndarray | None = None
+    von_mises: np.ndarray | None = None
 
 
 def beam_mesh(body: Body) -> SurfaceMesh:
@@ -61,6 +62,7 @@ def solid_mesh(solid: Solid) -> SurfaceMesh:
 def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
     """Given triangles: vertices (n, 3) [m] in the axes of the body, triangles (m, 3), shapes and stresses per mode.
 
+    von_mises, if given: (samples, n) [Pa] of the motion, which goes before the stresses of the modes.
     Raises ModelError for other sizes, for numbers that are not finite, and for vertices that are not there.
     """
     missing = [key for key in KEYS if key not in surface]
@@ -85,7 +87,10 @@ def surface_mesh(body: Body, surface: Mapping[str, Any]) -> SurfaceMesh:
     stresses = np.asarray(surface["stresses"], dtype=float) if "stresses" in surface else None
     if stresses is not None and (stresses.shape != (n, 6, nf) or not np.all(np.isfinite(stresses))):
         raise ModelError(f"the stresses of {body.name} must be finite and (n, 6, nf) = {(n, 6, nf)}")
-    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles, stresses=stresses)
+    mises = np.asarray(surface["von_mises"], dtype=float) if "von_mises" in surface else None
+    if mises is not None and (mises.shape[1:] != (n,) or not np.all(np.isfinite(mises))):
+        raise ModelError(f"von_mises of {body.name} must be finite and (samples, {n}), not {mises.shape}")
+    return SurfaceMesh(_points(position, shapes, np.zeros((0, nf, nf))), triangles, stresses=stresses, von_mises=mises)
 
 
 def _points(position: np.ndarray, shapes: np.ndarray, H: np.ndarray) -> Points:

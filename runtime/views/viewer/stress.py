@@ -31,7 +31,8 @@ def stress_records(
 ) -> tuple[dict[str, dict[str, str]], float]:
     """({body: what the page needs of its stress}, the largest stress [Pa]); bodies of unknown stress are left out.
 
-    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `corners` (frames, stations, 4).
+    `modes` (n, 6, nf): xx yy zz yz xz xy of each vertex per unit of q_f; or `corners` (frames, vertices), those of a
+    beam four a station.
     """
     found: dict[str, dict[str, str]] = {}
     largest = 0.0
@@ -39,7 +40,11 @@ def stress_records(
         mesh = meshes[body.name]
         if mesh is None or not body.elastic:
             continue
-        if mesh.stresses is not None:
+        if mesh.von_mises is not None:
+            values = _between(solution, body, mesh.von_mises, shown.t)
+            found[body.name] = {"corners": packed(values)}
+            largest = max(largest, float(values.max(initial=0.0)))
+        elif mesh.stresses is not None:
             found[body.name] = {"modes": packed(mesh.stresses)}
             largest = max(largest, _von_mises(mesh.stresses, shown.q_f(body)))
         elif body.section is not None and (corners := _corners(solution, body, shown.t)) is not None:
@@ -56,6 +61,13 @@ def _von_mises(stresses: np.ndarray, q_f: np.ndarray) -> float:
         square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
         most = max(most, float(square.max()))
     return float(np.sqrt(most))
+
+
+def _between(solution: Solution, body: Body, values: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """(frames, n) of values (samples, n). Raises ModelError for other samples than those of the run."""
+    if len(values) != len(solution.t):
+        raise ModelError(f"von_mises of {body.name} has {len(values)} samples; the run has {len(solution.t)}")
+    return np.stack([np.interp(t, solution.t, column) for column in values.T], axis=1)
 
 
 def _corners(solution: Solution, body: Body, t: np.ndarray) -> np.ndarray | None:
