@@ -8,6 +8,7 @@ from functools import partial
 from typing import Literal
 
 from symgen.scene import Scene
+from symgen.scenes.arm import arm
 from symgen.scenes.bricard import bricard
 from symgen.scenes.chain import chain
 from symgen.scenes.flexible_four_bar import flexible_four_bar
@@ -23,9 +24,12 @@ from symgen.scenes.flyball_governor import flyball_governor
 from symgen.scenes.hub_beam import hub_beam
 from symgen.scenes.near_singular_slider_crank import near_singular_slider_crank
 from symgen.scenes.overdamped_joint import overdamped_joint
+from symgen.scenes.spatial_arm import spatial_arm
 from symgen.scenes.spatial_chain import spatial_chain
+from symgen.scenes.spatial_slider_crank import spatial_slider_crank
 from symgen.scenes.spin_up_beam import spin_up_beam
 from symgen.scenes.two_oscillators import two_oscillators
+from symgen.scenes.vehicle import vehicle
 
 LINKS = 10
 
@@ -36,6 +40,7 @@ class HardCase:
 
     graded: the rigid and lateral coordinates of q_i; axial ones are left out, so that a scheme may give up what is
     fast and small. start, parameters and initial are arguments of `runtime.running.simulate` and `reference_solution`.
+    large: what factorises M_hat takes minutes to be made ready; benchmarks run it, and tests take a few steps only.
     """
 
     name: str
@@ -46,6 +51,7 @@ class HardCase:
     start: Literal["given", "quasi_static"] = "given"
     parameters: Mapping[str, float] = field(default_factory=dict)
     initial: Mapping[str, float] = field(default_factory=dict)
+    large: bool = False
 
 
 ROD = ("rod.q1", "rod.q2")
@@ -69,7 +75,18 @@ def _oscillators(ratio: int) -> HardCase:
     )
 
 
-CASES = (
+def _arm(links: int) -> HardCase:
+    return HardCase(
+        f"arm_{links}",
+        partial(arm, links, 3, 100.0, 0.5),
+        tuple(f"link{k}.theta" for k in range(1, links + 1)),
+        0.5,
+        f"{links} links with a lively start and one stiff flexible link at the end: stiffness in one place",
+        large=True,
+    )
+
+
+CASES: tuple[HardCase, ...] = (
     HardCase(
         "f1_smooth",
         flexible_slider_crank,
@@ -197,6 +214,34 @@ CASES = (
         ("hinge0.angle",),
         1.0,
         "a spatial loop of six hinges with one constraint too many: one coordinate, four loop unknowns",
+    ),
+)
+CASES += (
+    *(_arm(links) for links in (10, 20, 40)),
+    HardCase(
+        "spatial_arm",
+        partial(spatial_arm, 10, 2, 100.0),
+        tuple(f"hinge{k}.angle" for k in range(1, LINKS + 1)),
+        0.3,
+        "ten links on hinges about two axes by turns, the last one flexible and stiff in both planes",
+        large=True,
+    ),
+    HardCase(
+        "spatial_loop",
+        spatial_slider_crank,
+        ("axle.angle", "rod.q1", "rod.q2"),
+        0.2,
+        "a loop in space with a flexible rod from finite elements, six modes from 1,800 to 27,000 rad/s",
+        "quasi_static",
+        large=True,
+    ),
+    HardCase(
+        "vehicle",
+        vehicle,
+        tuple(f"{body}.{name}" for body in ("chassis", "cab") for name in ("z", "theta1", "theta2")),
+        0.5,
+        "32 coordinates: soft suspensions and tyres, and a cab on two bushings of 5e7 N/m",
+        large=True,
     ),
 )
 HARD_SUITE: dict[str, HardCase] = {case.name: case for case in CASES}
