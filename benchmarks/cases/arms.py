@@ -29,7 +29,7 @@ def run() -> Result:
     with workplace() as folder:
         for links, stiffening in CASES:
             fastest = FASTEST * stiffening**0.5
-            problem = _problem(model_of(arm(links, stiffening=stiffening), folder), fastest)
+            problem = arm_problem(model_of(arm(links, stiffening=stiffening), folder), fastest)
             for spec in _contenders(links, fastest):
                 method = PreparedMethod(spec, problem)
                 best = search_steps(method, TOLERANCE, most=40_000).best
@@ -51,7 +51,8 @@ def _contenders(links: int, fastest: float) -> list[Spec]:
     return [Spec("exponential_rk4"), *dense, *decoupled, Spec("single_rate", None, {"common_velocity": "predictor"})]
 
 
-def _problem(model: Model, fastest: float) -> Problem:
+def arm_problem(model: Model, fastest: float) -> Problem:
+    """Link angles of an arm against a reference that resolves its fastest mode [rad/s]."""
     angles = [name for name in model.q_i if name.endswith("theta")]
     setting = make_setting(model, t_end=T_END, graded=angles)
     unknown = Problem(setting, T_END, lambda times: np.zeros((len(times), len(model.q_i))), 0.0)

@@ -16,14 +16,14 @@ from runtime.schemes.baselines.radau import Radau, RadauOptions
 from runtime.schemes.baselines.runge_kutta import ClassicalRungeKutta, DormandPrince8
 from runtime.schemes.central_difference import CentralDifferenceOptions
 from runtime.schemes.coupled import Coupled, CoupledOptions
-from runtime.schemes.decoupled import Decoupled
+from runtime.schemes.decoupled import Decoupled, DecoupledOptions
 from runtime.schemes.exponential import Exponential
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
 from runtime.schemes.linear_sub_steps import LinearSubStepOptions
 from runtime.schemes.linearised import Linearised, LinearisedOptions
-from runtime.schemes.options import AdaptiveOptions, ClosureOptions, Options, SchemeError, SingleClosureOptions
+from runtime.schemes.options import AdaptiveOptions, Options, SchemeError, SingleClosureOptions
 from runtime.schemes.printed import Printed, PrintedOptions
 from runtime.schemes.scheme import Scheme
 from runtime.schemes.single_rate import SingleRate
@@ -97,7 +97,7 @@ SCHEMES: dict[str, SchemeKind] = {
     "printed": SchemeKind(Printed, "the paper's sub-cycling", "groups", PrintedOptions),
     "coupled": SchemeKind(Coupled, "sub-steps that solve the coupled system", "groups", CoupledOptions),
     "decoupled": SchemeKind(
-        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", ClosureOptions
+        Decoupled, "sub-steps on an inertially decoupled slow coordinate", "groups", DecoupledOptions
     ),
     "linearised": SchemeKind(
         Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps", LinearisedOptions, default_m=4

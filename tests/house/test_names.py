@@ -53,6 +53,8 @@ def fields_of_z(model: Model) -> set[str]:
         choices = [{}]
         if "propagation" in kind.options.names():
             choices.append({"propagation": "central_difference"})
+        if "slow_accelerations" in kind.options.names():
+            choices.append({"slow_accelerations": "parabola"})
         if kind.adaptive is not None:
             tangent = {"linearisation": "tangent"} if "linearisation" in kind.options.names() else {}
             choices += [{"tolerance": 1e-3}, {"tolerance": 1e-3, **tangent}]

@@ -125,6 +125,34 @@ def test_sub_steps_of_a_large_tree_are_second_order(model_of: Build, scheme: str
     assert errors[-1] < cap, errors
 
 
+def test_the_parabola_of_slow_accelerations_is_of_third_order(model_of: Build) -> None:
+    """Slope and cap on the arm of 8 links: 40 times less than with what is held."""
+    model = model_of(arm(8))
+    exact = PreparedRuns(model, "dop853").end(0.1, 2e-4)
+    runs, steps = PreparedRuns(model, "decoupled", [8], {"slow_accelerations": "parabola"}), [2e-3, 1e-3, 5e-4]
+    errors = [float(np.max(np.abs(runs.end(0.1, step) - exact)[:8])) for step in steps]
+    assert float(np.polyfit(np.log(steps), np.log(errors), 1)[0]) == pytest.approx(3.0, abs=0.15), errors
+    assert errors[-1] < 2e-9, errors
+
+
+@pytest.mark.parametrize("reach", [0.1, 0.5, 1.0])
+def test_the_parabola_damps_what_it_does_not_follow(model_of: Build, reach: float) -> None:
+    """Law: the slow mode of two oscillators, the fast one at rest beside it, decays by about (w H)^4 / 32 a step."""
+    model = model_of(SCENES["two_oscillators"]())
+    k_L = 1.0
+    runs = PreparedRuns(
+        model,
+        "decoupled",
+        [64],
+        {"slow_accelerations": "parabola"},
+        parameters={"c": 0.0, "w": 2.0, "k_L": k_L, "zeta": 0.0},
+    )
+    x = runs.samples(reach / np.sqrt(k_L), 40, 1)["x"][:, model.q_i.index("x_L")]
+    v = runs.samples(reach / np.sqrt(k_L), 40, 1)["v"][:, model.q_i.index("x_L")]
+    decay = np.log(np.hypot(x[10], v[10]) / np.hypot(x[40], v[40])) / 30
+    assert 0 < decay < reach**4 / 16, decay
+
+
 def test_held_slow_velocities_change_what_is_of_second_order(model_of: Build) -> None:
     """Both ways of `coupled` differ by a part of the error, which falls with it."""
     model, far = model_of(carrying_arm()), []
