@@ -61,7 +61,8 @@ def main() -> None:
         for k, shown in enumerate(SHOWN):
             tile = photographed(*shown, Path(folder))
             sheet.paste(tile, ((TILE[0] + 6) * (k % 2), (TILE[1] + 6) * (k // 2)))
-    sheet.quantize(256).save(HERE / "front.png", optimize=True)
+    few = sheet.quantize(256)
+    sheet.quantize(palette=few, dither=Image.Dither.FLOYDSTEINBERG).save(HERE / "front.png", optimize=True)
 
 
 if __name__ == "__main__":
