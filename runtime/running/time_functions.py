@@ -26,7 +26,7 @@ INSIDE = 8  # points a step, where there are not too many steps
 MOST_POINTS = 200_000
 MISSED = 0.02  # of the whole impulse of a load
 JUMP = 1e-6  # of the largest position or velocity of the prescribed motions
-SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad
+SEEN, DUST = 200, 1e-12  # looks at the range of a motion; m or rad, and their rates
 CANDIDATES, HALVINGS = 8, 60
 
 
@@ -99,7 +99,7 @@ def _refuse_jumps(
         return
     velocities = np.asarray(function(times[None, :])).reshape(-1, len(times))
     for row, values in enumerate(velocities):
-        allowed = JUMP * max(float(np.abs(values).max()), 1e-300)
+        allowed = JUMP * float(np.abs(values).max()) + DUST
         for k in np.argsort(-np.abs(np.diff(values, 2)))[:CANDIDATES]:  # steep is no jump
             if any(times[k] <= end <= times[k + 2] for end in ends):
                 continue

@@ -175,3 +175,9 @@ def test_cases_of_an_ensemble_have_their_own_jumps(model_of: Build) -> None:
         alone = simulate(model, parameters={"jump": jump})
         assert float(found["bob.theta"][k, -1]) == alone["bob.theta"][-1]
         assert float(found["bob.theta_dot"][k, -1]) == alone.rate("bob.theta")[-1]
+
+
+def test_the_first_moments_of_a_smooth_motion_are_no_jump(built_in: Callable[[str], Model]) -> None:
+    """A spin-up that begins as t^3: in a nanosecond its rate is rounding, which changes by jumps."""
+    run = simulate(built_in("spin_up_beam"), scheme="rk4", dt=1e-9, t_end=1e-9, engine="interpreted")
+    assert run.status.ok
