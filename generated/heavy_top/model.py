@@ -887,15 +887,17 @@ def forward_dynamics() -> ca.Function:
     c25 = c[25]
     c26 = c[26]
     c27 = c[27]
-    # intermediate terms (3)
-    w0 = top_omega_y * top_omega_z
-    w1 = top_omega_z * top_omega_x
-    w2 = top_omega_y * top_omega_x
+    # intermediate terms (5)
+    w0 = 2 * top_e1
+    w1 = 2 * top_e2
+    w2 = top_omega_y * top_omega_z
+    w3 = top_omega_z * top_omega_x
+    w4 = top_omega_y * top_omega_x
     # outputs
     q_i_ddot = ca.vertcat(
-        -(((1.0 - 2 * (top_e1**2 + top_e2**2)) * c0 + (w0 * c25 - w0 * c12)) / c26),  # top.turn_x
-        -((w1 * c12 - w1 * c13) / c14),  # top.turn_y
-        -((w2 * c13 - w2 * c25 - 2 * (top_e1 * top_e3 - top_e2 * top_e0) * c0) / c27),  # top.turn_z
+        -(((1.0 - (top_e1 * w0 + top_e2 * w1)) * c0 + (w2 * c25 - w2 * c12)) / c26),  # top.turn_x
+        -((w3 * c12 - w3 * c13) / c14),  # top.turn_y
+        -((w4 * c13 - w4 * c25 - (w0 * top_e3 - w1 * top_e0) * c0) / c27),  # top.turn_z
     )
     inputs, outputs = [q_d, q_i_dot, c], [ca.densify(q_i_ddot)]
     return ca.Function("forward_dynamics", inputs, outputs, ["q_d", "q_i_dot", "c"], ["q_i_ddot"])

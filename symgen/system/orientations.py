@@ -19,7 +19,7 @@ import casadi as ca
 
 from runtime.contract.records import Coordinate
 from symgen.algebra.rows import nonzero
-from symgen.algebra.scalar import ONE, ZERO, add, div, dot, mul, neg
+from symgen.algebra.scalar import ONE, ZERO, div, dot, mul, neg
 from symgen.algebra.vectors import Vector, quaternion_product, scaled, zeros
 from symgen.joints.instance import ConstraintRow
 from symgen.scene import Scene
@@ -66,17 +66,14 @@ class Turning:
     def A(self) -> list[Vector]:
         """Rotation matrix of the body by rows, from e of unit length."""
         e0, e1, e2, e3 = self.e
-        two = ca.SX(2)
-
-        def off(i: int, j: int, third: ca.SX) -> ca.SX:
-            return mul(two, add(mul(self.e[i], self.e[j]), third))
-
-        xx, yy, zz = (mul(self.e[k], self.e[k]) for k in (1, 2, 3))
-        x, y, z = mul(e0, e1), mul(e0, e2), mul(e0, e3)
+        twice = [mul(ca.SX(2), entry) for entry in (e1, e2, e3)]
+        x, y, z = (mul(entry, e0) for entry in twice)
+        xx, yy, zz = (mul(entry, own) for entry, own in zip(twice, (e1, e2, e3), strict=True))
+        xy, xz, yz = mul(twice[0], e2), mul(twice[0], e3), mul(twice[1], e3)
         return [
-            [1 - 2 * (yy + zz), off(1, 2, neg(z)), off(1, 3, y)],
-            [off(1, 2, z), 1 - 2 * (xx + zz), off(2, 3, neg(x))],
-            [off(1, 3, neg(y)), off(2, 3, x), 1 - 2 * (xx + yy)],
+            [1 - (yy + zz), xy - z, xz + y],
+            [xy + z, 1 - (xx + zz), yz - x],
+            [xz - y, yz + x, 1 - (xx + yy)],
         ]
 
     def rows(self, theta: Vector) -> list[ConstraintRow]:

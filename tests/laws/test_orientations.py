@@ -90,8 +90,8 @@ def test_prices() -> None:
     """M_hat and Q_hat: a free body's six products of Euler's equations; chains without what a joint cannot pass."""
     assert operations(tumbling_body()) == 6
     assert operations(heavy_top()) <= 19
-    assert operations(spatial_chain(3, orientation="euler_parameters")) <= 390
-    assert operations(spatial_chain(10, orientation="euler_parameters")) <= 2350
+    assert operations(spatial_chain(3, orientation="euler_parameters")) <= 370
+    assert operations(spatial_chain(10, orientation="euler_parameters")) <= 2280
 
 
 def test_heavy_top_by_hand(built_in: Build) -> None:
