@@ -21,6 +21,7 @@ from benchmarks.cases import (
     rhs_pinocchio,
     sizes,
     step_slider_crank,
+    tolerance,
 )
 from benchmarks.harness.machine import describe_machine
 from benchmarks.harness.page import as_json, as_markdown, with_sections
@@ -38,6 +39,7 @@ BENCHMARKS: dict[str, Benchmark] = {
     "rhs_pinocchio": rhs_pinocchio.run,
     "operations": operations.run,
     "arms": arms.run,
+    "tolerance": tolerance.run,
     "iftomm": iftomm.run,
     "exudyn_slider_crank": exudyn_slider_crank.run,
 }

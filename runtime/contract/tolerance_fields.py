@@ -22,7 +22,7 @@ FIELDS_OF_TOLERANCE = (
     ("q_low", "n_i", "mixed", "smallest q_i so far, at the ends of steps"),
     ("q_high", "n_i", "mixed", "largest q_i so far"),
     ("h_next", "1", "s", "step to try next"),
-    ("error_last", "1", "1", "estimated error of the last accepted step over the tolerance"),
+    ("log_error", "1", "1", "logarithm of the last accepted step's estimated error over the tolerance"),
     ("was_rejected", "1", "1", "positive after a rejected step"),
     ("fresh", "1", "1", "positive where the next step begins at the end of the last one"),
     ("cold", "1", "1", "positive where its start is not evaluated yet"),

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from runtime.contract.model import Model
 from runtime.schemes.adaptive.dormand_prince import AdaptiveDormandPrince, DormandPrince5
+from runtime.schemes.adaptive.exponential import HALVES, AdaptiveExponential, ExponentialOptions
 from runtime.schemes.adaptive.exponential_rk4 import AdaptiveExponentialRungeKutta
 from runtime.schemes.baselines.alpha_options import GeneralizedAlphaOptions, HilberHughesTaylorOptions
 from runtime.schemes.baselines.generalized_alpha import GeneralizedAlpha, HilberHughesTaylor
@@ -21,7 +22,6 @@ from runtime.schemes.exponential import Exponential
 from runtime.schemes.exponential_midpoint import ExponentialMidpoint, ExponentialMidpointOptions
 from runtime.schemes.exponential_rk4 import ExponentialRungeKutta, ExponentialRungeKuttaOptions
 from runtime.schemes.grid import make_grid
-from runtime.schemes.linear_sub_steps import LinearSubStepOptions
 from runtime.schemes.linearised import Linearised, LinearisedOptions
 from runtime.schemes.options import AdaptiveOptions, Options, SchemeError, SingleClosureOptions
 from runtime.schemes.printed import Printed, PrintedOptions
@@ -59,8 +59,9 @@ class SchemeKind:
             raise SchemeError(
                 f"{name} takes one step for all coordinates; leave m = {m!r} out, or choose another scheme"
             )
+        adaptive = self.adaptive if getattr(options, "tolerance", False) else None
         if m is None:
-            m = self._usual_m(model)
+            m = self._usual_m(model) if adaptive is None or self.ratios == "none" else [HALVES]
         groups = [list(group.positions) for group in model.groups]
         if self.ratios != "groups":
             groups = [list(range(len(model.q_i)))]
@@ -68,8 +69,7 @@ class SchemeKind:
         grid = make_grid(
             groups, dt, m, 0 if self.ratios == "none" else 1 if self.ratios == "sub_steps" else len(groups) - 1, names
         )
-        make = self.adaptive if self.adaptive is not None and getattr(options, "tolerance", False) else self.make
-        return make(model, grid, options)
+        return (adaptive or self.make)(model, grid, options)
 
     def chosen(self, name: str, changes: Mapping[str, Any]) -> Options:
         """The options with some changed by name, their values not checked yet. Raises SchemeError for other names."""
@@ -103,7 +103,12 @@ SCHEMES: dict[str, SchemeKind] = {
         Linearised, "sub-steps of the system linearised at the midpoint", "sub_steps", LinearisedOptions, default_m=4
     ),
     "exponential": SchemeKind(
-        Exponential, "exponential Rosenbrock, order 4", "sub_steps", LinearSubStepOptions, default_m=4
+        Exponential,
+        "exponential Rosenbrock, order 4",
+        "sub_steps",
+        ExponentialOptions,
+        default_m=4,
+        adaptive=AdaptiveExponential,
     ),
     "exponential_rk4": SchemeKind(
         ExponentialRungeKutta,

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of, propagate
+from runtime.schemes.linear_propagation import Factors, LinearSystem, factors_of, poles, propagate
 from runtime.schemes.sparse_lu import Number, factor, solve
 from runtime.schemes.stiff_deflections import StiffResponse
 
@@ -57,7 +57,8 @@ class StiffMotion:
     def to(self, halves: int, b1: ca.SX, b2: ca.SX, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with accelerations a_n + b1 tau + b2 tau^2 / 2 beside the stiff part.
 
-        at_once: both halves in one sub-step, with factors of its own: less exact where modes are not resolved.
+        at_once: both halves in one sub-step that lets what is fast die out, with factors of its own: less exact where
+        modes are not resolved.
         """
         a, tau = self.a, halves * self.h / 2
         I1 = tau * (a + tau / 2 * (b1 + tau / 3 * b2))
@@ -68,7 +69,9 @@ class StiffMotion:
         G = (ca.mtimes(B.T, a) - ca.mtimes(self.system.J_v, self.rate), ca.mtimes(B.T, b1), ca.mtimes(B.T, b2))
         w, u = ca.SX.zeros(self.n_s), self.rate
         if at_once and halves == 2:
-            w, u = propagate(self.system, factors_of(self.system, self.h), w, u, G, ca.SX(0), self.h)
+            shifts = tuple(pole.r for pole in poles(decaying=True))
+            factors = factors_of(self.system, self.h, shifts)
+            w, u = propagate(self.system, factors, w, u, G, ca.SX(0), self.h, decaying=True)
         else:
             for k in range(halves):
                 w, u = propagate(self.system, self.factors, w, u, G, k * self.h / 2, self.h / 2)

@@ -37,12 +37,12 @@ class StiffTreeMotion:
     def to(self, halves: int, b1: ca.SX, b2: ca.SX, at_once: bool = False) -> MotionStage:
         """The motion over so many half steps with accelerations a + b1 tau + b2 tau^2 / 2 beside the stiff part.
 
-        at_once: both halves in one sub-step: less exact where modes are not resolved.
+        at_once: both halves in one sub-step that lets what is fast die out: less exact where modes are not resolved.
         """
         E, rate = ca.SX.zeros(self.a.numel()), ca.SX.zeros(self.a.numel())
         h, count = (self.h, 1) if at_once and halves == 2 else (self.h / 2, halves)
         for k in range(count):
-            E, rate = self._sub_step(k * h, h, b1, b2, E, rate)
+            E, rate = self._sub_step(k * h, h, b1, b2, E, rate, count < halves)
         tau = halves * self.h / 2
         I1, I2 = self._integrals(tau, b1, b2)
         q, v = self.x + tau * self.v + I2 + E, self.v + I1 + rate
@@ -58,7 +58,9 @@ class StiffTreeMotion:
         I1 = tau * (self.a + tau / 2 * (b1 + tau / 3 * b2))
         return I1, tau * tau / 2 * (self.a + tau / 3 * (b1 + tau / 4 * b2))
 
-    def _sub_step(self, tau: ca.SX, h: ca.SX, b1: ca.SX, b2: ca.SX, E: ca.SX, rate: ca.SX) -> tuple[ca.SX, ca.SX]:
+    def _sub_step(
+        self, tau: ca.SX, h: ca.SX, b1: ca.SX, b2: ca.SX, E: ca.SX, rate: ca.SX, decaying: bool
+    ) -> tuple[ca.SX, ca.SX]:
         (K, D), BT = (self.stiff.K, self.stiff.D), self.stiff.B.T
         I1, I2 = self._integrals(tau, b1, b2)
         faster = I1 + rate
@@ -67,7 +69,7 @@ class StiffTreeMotion:
         g = ca.mtimes(BT, self.a + tau * (b1 + tau / 2 * b2))
         parts = (g, h * ca.mtimes(BT, b1 + tau * b2), h * h * ca.mtimes(BT, b2))
         new, new_rate = E + h * rate, rate
-        for pole in poles():
+        for pole in poles(decaying=decaying):
             e = self._of_pole(pole.r, pole.weights, h, parts, K_v, f, (K, D))
             new = new + pole.share * e.re
             turned = pole.r.real * e.re - (pole.r.imag * e.im if e.im is not None else 0)

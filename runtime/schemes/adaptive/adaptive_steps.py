@@ -22,8 +22,8 @@ import casadi as ca
 
 from runtime.engine.program import Fields, Program, Sequence, Until
 from runtime.schemes.adaptive.adaptive_state import STOPS, AdaptiveState
-from runtime.schemes.adaptive.controller import SMALLEST, after_acceptance, after_rejection, not_across
-from runtime.schemes.adaptive.error_norm import error_size
+from runtime.schemes.adaptive.controller import SMALLEST, not_across, step_factor
+from runtime.schemes.adaptive.error_norm import mean_square
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 
@@ -53,6 +53,7 @@ class AdaptiveSteps(AdaptiveState):
     """The loop. Subclasses give what is evaluated at the start of a step, an attempt, and an interpolant."""
 
     error_order: int  # the estimate is of h to this power
+    strictness: float = 1.0  # what the estimate is multiplied by, so that all methods deliver about the same
 
     # ---- what a method says ---------------------------------------------------------------------------------
 
@@ -132,7 +133,12 @@ class AdaptiveSteps(AdaptiveState):
         self, z: Fields, equations: StageEquations, tau: ca.SX, guess: ca.SX, h: ca.SX | None = None
     ) -> ca.SX:
         """P [W] at tau after the start of a step that ends at q_to; guess: of the loop unknowns."""
-        q, v = self.between(z, equations, tau, h)
+        return self.power_at_state(z, equations, tau, *self.between(z, equations, tau, h), guess)
+
+    def power_at_state(
+        self, z: Fields, equations: StageEquations, tau: ca.SX, q: ca.SX, v: ca.SX, guess: ca.SX
+    ) -> ca.SX:
+        """P [W] at q, v, tau after the start of a step."""
         motion = equations.close_well(q, guess, z["t_from"] + tau)
         a = equations.accelerations(motion, v) if equations.drives else ca.SX.zeros(q.numel())
         return equations.power_of(motion, v, a)
@@ -156,22 +162,22 @@ class AdaptiveSteps(AdaptiveState):
         tried = self.attempted(z, equations, h)
         ranged = self.ranged(tried.q, tried.seen[-1])
         low, high = ca.fmin(z["q_low"], ranged), ca.fmax(z["q_high"], ranged)
-        error = error_size(self.model, low, high, tried.dq, h * tried.dv) / equations.h[-1]
-        accepted = error <= 1  # not where the error is no number
-        counted = ca.fmax(error, SMALLEST)
-        grown = after_acceptance(h, counted, z["error_last"], self.error_order, z["was_rejected"])
-        longer = ca.fmax(grown, ca.if_else(h < z["h_next"], z["h_next"], 0.0))  # a stop shortened it, not the error
+        asked = equations.h[-1] / self.strictness
+        square = mean_square(self.model, low, high, tried.dq, h * tried.dv) / (asked * asked)
+        accepted = square <= 1  # not where the error is no number
+        log_error = ca.log(ca.fmax(square, SMALLEST**2)) / 2
+        factor = step_factor(accepted, log_error, z["log_error"], self.error_order, z["was_rejected"])
+        longer = ca.fmax(
+            h * factor, ca.if_else(h < z["h_next"], z["h_next"], 0.0)
+        )  # a stop shortened it, not the error
         t_reached = ca.if_else(accepted, t, z["t_from"])
-        h_next = ca.if_else(accepted, longer, after_rejection(h, counted, self.error_order))
+        h_next = ca.if_else(accepted, longer, h * factor)
         stuck = h_next < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t)
         taken = {
-            "q_to": tried.q,
-            "v_to": tried.v,
-            "loop_to": tried.loop,
             "t_to": t,
             "q_low": low,
             "q_high": high,
-            "error_last": ca.if_else(at_stop, 1.0, counted),
+            "log_error": ca.if_else(at_stop, 0.0, log_error),
             "fresh": ca.SX(1),
             "cold": at_stop,
             "accepted": z["accepted"] + 1,
@@ -184,6 +190,7 @@ class AdaptiveSteps(AdaptiveState):
         return {
             **tried.kept,
             **tried.powers,
+            **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop},  # until t_to is beyond t_from, nobody looks
             **{name: ca.if_else(accepted, new, z[name]) for name, new in taken.items()},
             "h_next": h_next,
             "was_rejected": ca.if_else(accepted, 0.0, 1.0),

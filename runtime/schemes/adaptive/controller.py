@@ -17,15 +17,12 @@ SHRINK, GROW = 0.2, 5.0  # at most, from one step to the next
 SMALLEST = 1e-4  # e is taken for at least this: an error of zero says nothing about longer steps
 
 
-def after_acceptance(h: ca.SX, error: ca.SX, last: ca.SX, order: int, was_rejected: ca.SX) -> ca.SX:
-    """h after a step h [s] of this error; it does not grow right after a rejection."""
-    factor = SAFETY * error ** (-PROPORTIONAL / order) * last ** (INTEGRAL / order)
-    return h * ca.fmin(ca.if_else(was_rejected > 0, 1.0, GROW), ca.fmax(SHRINK, factor))
-
-
-def after_rejection(h: ca.SX, error: ca.SX, order: int) -> ca.SX:
-    """h to try instead of a step h [s]; SHRINK h where the error is not finite."""
-    return h * ca.fmin(SAFETY, ca.fmax(SHRINK, SAFETY * error ** (-1 / order)))
+def step_factor(accepted: ca.SX, log_error: ca.SX, log_last: ca.SX, order: int, was_rejected: ca.SX) -> ca.SX:
+    """h_next / h, from log e and log e_last; SHRINK where e is not finite. No growth right after a rejection."""
+    after_acceptance = INTEGRAL / order * log_last - PROPORTIONAL / order * log_error
+    factor = SAFETY * ca.exp(ca.if_else(accepted, after_acceptance, -log_error / order))
+    most = ca.if_else(accepted, ca.if_else(was_rejected > 0, 1.0, GROW), SAFETY)
+    return ca.fmin(most, ca.fmax(SHRINK, factor))
 
 
 def not_across(h: ca.SX, left: ca.SX) -> ca.SX:

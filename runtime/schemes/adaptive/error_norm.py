@@ -2,8 +2,8 @@
 
 Velocities are weighted by h: without them what is delivered is many times what was asked. The amplitude of a
 coordinate is half the range that it has been seen in, the end of the step in question included, so that the first
-steps of a motion from rest are measured by how far they go; at least FLOOR of the largest of its kind and unit, and of
-an angle of a body at most TURN.
+steps of a motion from rest are measured by how far they go; at least FLOOR of the largest of its kind and unit, and
+LEAST; of an angle of a body at most TURN.
 """
 
 from __future__ import annotations
@@ -13,16 +13,15 @@ import numpy as np
 
 from runtime.contract.model import Model
 
-FLOOR = 1e-6  # as runtime/results/amplitudes.py
+FLOOR = 1e-3  # so that small vibrations, far below what moves, need not be resolved
 TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
-TINY = 1e-200
+LEAST = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
 
 
-def error_size(model: Model, low: ca.SX, high: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
-    """Of errors dq and h dv (n_i each) of coordinates seen between low and high."""
+def mean_square(model: Model, low: ca.SX, high: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
+    """The square of the size of errors dq and h dv (n_i each) of coordinates seen between low and high."""
     scale = amplitudes(model, (high - low) / 2)
-    squares = ca.sumsqr(dq / scale) + ca.sumsqr(h_dv / scale)
-    return ca.sqrt(squares / (2 * len(model.q_i)))
+    return ca.sum1((dq * dq + h_dv * h_dv) / (scale * scale)) / (2 * len(model.q_i))
 
 
 def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
@@ -35,7 +34,9 @@ def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
     for own in model.places.turns:  # an orientation as a whole
         widest = ca.fmax(ca.fmax(seen[own[0]], seen[own[1]]), seen[own[2]])
         seen = [widest if k in own else one for k, one in enumerate(seen)]
-    largest = {kind: ca.SX(TINY) for kind in kinds}
+    largest = {kind: ca.SX(LEAST) for kind in kinds}
     for kind, one in zip(kinds, seen, strict=True):
         largest[kind] = ca.fmax(largest[kind], one)
-    return ca.vertcat(*(ca.fmax(one, FLOOR * largest[kind]) for kind, one in zip(kinds, seen, strict=True)))
+    return ca.vertcat(
+        *(ca.fmax(ca.fmax(one, LEAST), FLOOR * largest[kind]) for kind, one in zip(kinds, seen, strict=True))
+    )

@@ -1,9 +1,9 @@
 """Exponential Runge-Kutta steps of order 4 on the stiff deflections, as long as a tolerance asks for.
 
 The stages are those of runtime/schemes/exponential_rk4.py. The error estimate is nearly free: the end less Y4,
-which follows the stiff part in one sub-step where the end takes two, so that it sees modes that are not resolved. A
-rejected step keeps a_n, X and the tangent. The polynomial a_n + b1 tau + b2 tau^2/2 that leads to the end leads to any
-time before it, with an error of h^4 in q_i_dot.
+which follows the stiff part in one sub-step that damps where the end takes two, so that it sees modes that are not
+resolved. A rejected step keeps a_n, X and the tangent. The polynomial a_n + b1 tau + b2 tau^2/2 that leads to the end
+leads to any time before it, with an error of h^4 in q_i_dot.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ class AdaptiveExponentialRungeKutta(AdaptiveSteps):
 
     options: ExponentialRungeKuttaOptions
     order, error_order, counted_evaluations = 4, 4, (1, 3)
+    strictness = 0.4
 
     def method_fields(self) -> dict[str, StateField]:
         """X = M_hat^-1 B, the polynomial of the accelerations, rates of the loop unknowns, and the tangent."""

@@ -1,8 +1,7 @@
 """scheme = "auto": a tolerance instead of a step, by the method that the stiffness of the motion asks for.
 
-Candidates are the explicit pair, and exponentials on the stiff deflections where the model has any. Where there is a
-choice both begin the motion; stiffness shows in the explicit pair's steps. The one that needs fewer operations for a
-piece of it makes the run.
+The explicit pair begins the motion. Stiffness is seen where its steps come near its stability limit; then the
+exponential methods begin it too, and the one that needs the fewest operations for a piece of it makes the run.
 """
 
 from __future__ import annotations
@@ -12,7 +11,10 @@ from typing import Unpack
 
 import numpy as np
 
+from runtime.contract.consistent_state import ConsistentState
+from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
+from runtime.operating.mode_solver import ModeSolver, State
 from runtime.results.meter import Meter
 from runtime.results.solution import Solution
 from runtime.running.arguments import RunArguments
@@ -20,15 +22,18 @@ from runtime.running.inputs import bound
 from runtime.running.simulate import simulate as run
 from runtime.running.tolerance import tolerance_of, whole_span
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.adaptive.dormand_prince import DormandPrince5
 from runtime.schemes.catalogue import scheme_kind
-from runtime.schemes.options import SchemeError
+from runtime.schemes.options import LARGE_SYSTEM, SchemeError
+from runtime.schemes.step_limit import limit_between_the_axes
 from runtime.schemes.stepper import Stepper
 from runtime.start.start_state import start_state
 
 AUTO = "auto"
 TOLERANCE = 1e-3
-EXPLICIT, EXPONENTIAL = "dopri5", "exponential_rk4"
+EXPLICIT = "dopri5"
 SETTLED, TRIED = 0.01, 0.03  # of the motion: until the steps have found their length, and until they are compared
+NEAR = 0.3  # of the stability limit of the explicit pair
 
 
 def simulate(model: Model, *, scheme: str | None = None, **settings: Unpack[RunArguments]) -> Solution:
@@ -74,41 +79,77 @@ class AutomaticChoice:
 
 def choose(model: Model, tolerance: float, settings: RunArguments) -> AutomaticChoice:
     """What to step with. settings: of the run. Raises what `simulate` raises."""
-    if not model.has("deflections"):
-        return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: no deflection of the mechanism is stiff")
-    p = model.parameter_vector(settings.get("parameters"))
-    c, t0 = model.constants(p), settings.get("t0", 0.0)
-    state = start_state(model, p, c, t0, settings.get("initial"), settings.get("start"))
-    span = whole_span(model, settings.get("t_end"), t0)
-    price = {
-        name: _operations(model, name, tolerance, c, (state.q, state.q_dot), t0, span)
-        for name in (EXPLICIT, EXPONENTIAL)
-    }
-    best, other = sorted(price, key=lambda name: price[name])
+    t0, p = settings.get("t0", 0.0), model.parameter_vector(settings.get("parameters"))
+    state = start_state(model, p, model.constants(p), t0, settings.get("initial"), settings.get("start"))
+    piece = _Piece(model, tolerance, model.constants(p), state, t0, whole_span(model, settings.get("t_end"), t0))
+    explicit = piece.tried(EXPLICIT)
+    if not explicit.stiff:
+        return AutomaticChoice(EXPLICIT, f"{EXPLICIT} to {tolerance:g}: the motion is not stiff")
+    price = {EXPLICIT: explicit.operations, **{name: piece.tried(name).operations for name in exponentials(model)}}
+    best, *others = sorted(price, key=lambda name: price[name])
     if not np.isfinite(price[best]):
-        return AutomaticChoice(EXPONENTIAL, f"{EXPONENTIAL} to {tolerance:g}: neither method came through the trial")
-    ratio = price[other] / price[best]
-    seen = f"{ratio:.3g} times the operations" if np.isfinite(ratio) else "more operations than were tried"
-    return AutomaticChoice(best, f"{best} to {tolerance:g}: {other} took {seen} on a piece of the motion")
+        best = next(iter(exponentials(model)), EXPLICIT)
+        return AutomaticChoice(best, f"{best} to {tolerance:g}: no method came through the piece that was tried")
+    seen = " and ".join(f"{name} takes {_times(price[name] / price[best])}" for name in others)
+    seen = seen or "there is no other method"
+    return AutomaticChoice(best, f"{best} to {tolerance:g}: the motion is stiff, and {seen}")
 
 
-def _operations(
-    model: Model,
-    name: str,
-    tolerance: float,
-    c: np.ndarray,
-    state: tuple[np.ndarray, np.ndarray],
-    t0: float,
-    span: float,
-) -> float:
-    """Operations that a method takes from SETTLED to TRIED of the motion, infinite where it does not get there."""
-    scheme = scheme_kind(name).build(name, model, SETTLED * span, None, {"tolerance": tolerance})
-    assert isinstance(scheme, AdaptiveSteps)
-    stepper = Stepper(scheme)
-    z = stepper.start(t0, *state, c, SETTLED * span)
-    ready = stepper.ready(c, SETTLED * span)
-    stepper.run(z, ready, 1)
-    before = scheme.operations_taken(z, stepper.program)
-    stepper.run(z, ready, round(TRIED / SETTLED) - 1)
-    arrived = int(z[1]) == round(TRIED / SETTLED) and np.isfinite(z).all()
-    return scheme.operations_taken(z, stepper.program) - before if arrived else np.inf
+def exponentials(model: Model) -> list[str]:
+    """Methods for stiff motion that the model can be stepped with, and that are not dear by its size."""
+    found = ["exponential_rk4"] if model.has("deflections") else []
+    small = model.has("residual_jacobian") and len(model.q_i) <= LARGE_SYSTEM
+    return [*found, "exponential"] if small else found
+
+
+def _times(ratio: float) -> str:
+    return f"{ratio:.3g} times the operations" if np.isfinite(ratio) else "more operations than were tried"
+
+
+@dataclass(frozen=True)
+class _Trial:
+    """operations from SETTLED to TRIED of the motion, infinite where the end was not reached; stiff: are steps near
+    the stability limit of an explicit method?
+    """
+
+    operations: float
+    stiff: bool
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """The beginning of a motion of `span` [s] from a state at t0, with constants c (c_size,)."""
+
+    model: Model
+    tolerance: float
+    c: np.ndarray
+    state: ConsistentState
+    t0: float
+    span: float
+
+    def tried(self, name: str) -> _Trial:
+        """By a method."""
+        h = SETTLED * self.span
+        scheme = scheme_kind(name).build(name, self.model, h, None, {"tolerance": self.tolerance})
+        assert isinstance(scheme, AdaptiveSteps)
+        stepper, count = Stepper(scheme), round(TRIED / SETTLED)
+        z, ready = stepper.start(self.t0, self.state.q, self.state.q_dot, self.c, h), stepper.ready(self.c, h)
+        stepper.run(z, ready, 1)
+        before = scheme.operations_taken(z, stepper.program)
+        stepper.run(z, ready, count - 1)
+        arrived = int(z[1]) == count and bool(np.isfinite(z).all())
+        operations = scheme.operations_taken(z, stepper.program) - before if arrived else np.inf
+        return _Trial(operations, self._stiff(float(z[scheme.layout.slice("h_largest")][0])))
+
+    def _stiff(self, h: float) -> bool:
+        """Is the longest step near what a vibration or a decay at the start allows? Yes where that is not known."""
+        if not ModeSolver.possible(self.model):
+            return True
+        at = independent(self.model, self.state.q, self.state.q_dot)
+        try:
+            state = State(self.t0, *at, self.state.q[self.model.loop_columns])
+            slopes = ModeSolver(self.model, self.c).slopes(state)
+            limit = limit_between_the_axes(*slopes, DormandPrince5.reach, DormandPrince5.decay_reach)
+        except np.linalg.LinAlgError:
+            return True
+        return limit is not None and not h < NEAR * limit.h

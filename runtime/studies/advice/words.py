@@ -27,6 +27,9 @@ def advice_data(advice: Advice) -> dict[str, Any]:
         "stability_limit": advice.limit,
         "gain": advice.gain if np.isfinite(advice.gain) else None,
         "reason": advice.reason,
+        "varied": None
+        if advice.varied is None
+        else {"scheme": advice.varied.scheme, "tolerance": advice.tolerance, "reason": advice.varied.reason},
         "modes": [
             {
                 "lowest": mode.lowest,
@@ -69,7 +72,11 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
                 f"  {one.label:34} dt = {one.best.setting:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
                 f"error {one.best.error:.2g}"
             )
-    return [*lines, advice.reason, f"run it with: {command(advice, scene)}"]
+    lines += [advice.reason, f"run it with: {command(advice, scene)}"]
+    if advice.varied is not None:
+        varied = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
+        lines.append(f"or let steps vary with {varied} ({advice.varied.reason})")
+    return lines
 
 
 def command(advice: Advice, scene: str = "") -> str:
