@@ -94,6 +94,7 @@ def tree_accelerations(system: Condensed, topology: Topology) -> dict[int, ca.SX
     imposed = {s.column: s.c_acceleration for s in system.inner}
     force = system.projected(dict(enumerate(system.reduced.force(imposed))))
     other = solve(force, frozenset(columns))
+    other |= {column: force[column] for column in system.reduced.states.values()}  # of controllers: unit inertia
     if len(columns) > LONGEST_ELIMINATION:
         return other
     found = tree_solutions(system, topology, [forces_side(system)])[0]
