@@ -14,7 +14,14 @@ DOCS = Path(__file__).resolve().parent
 EXAMPLES, PICTURES = DOCS.parent / "examples", DOCS / "images" / "gallery"
 COLOURS = 96  # of a picture in the repository
 SECTIONS = {
-    "Mechanisms in a plane": ["build_slider_crank", "from_toml", "crane", "hanging_chain", "four_bar_crossing"],
+    "Mechanisms in a plane": [
+        "build_slider_crank",
+        "from_toml",
+        "crane",
+        "hanging_chain",
+        "four_bar_crossing",
+        "end_stops",
+    ],
     "Driven mechanisms and robots": ["five_bar_robot", "quick_return"],
     "In space": ["double_wishbone", "build_spatial_arm", "gyroscope", "tumbling_body", "spinning_satellite"],
     "Flexible bodies": ["rotor_blades", "spin_up", "finite_element_bar", "mesh_connecting_rod"],

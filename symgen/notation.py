@@ -148,6 +148,8 @@ SYMBOLS: tuple[Notation, ...] = (
     Notation("power_dissipated", "", "", "1", "W", "power lost in dampers, at least zero"),
     Notation("power_applied", "", "", "1", "W", "power of the loads"),
     Notation("measures", "", "", "measures", "mixed", "measures of the scene and their rates"),
+    Notation("events", "", "", "events", "any", "values of the scene's events, which happen where they pass zero"),
+    Notation("actions", "", "", "actions", "SI", "values that inputs get by events, event by event"),
     Notation("switching", "", "", "conditions in t", "SI", "zero where a load or a prescribed motion jumps or kinks"),
     Notation(
         "poses", "", "", "12 x bodies", "m, 1", "origin, then columns of the rotation matrix, of each body that moves"
@@ -200,6 +202,8 @@ FIELDS: tuple[Notation, ...] = (
     Notation("power_to", "", "", "1", "W", "power at the end of the last step"),
     Notation("pending", "", "", "1", "s", "length of an accepted step whose work is not in work_from yet"),
     Notation("bends", "", "", "1", "J", "sum of the differences of Simpson's and the trapezoidal rule"),
+    Notation("event_values", "", "", "events", "any", "what passes zero at events, at the end of the last step"),
+    Notation("event_step", "", "", "1", "1", "the first step in which an event happened, since it was last looked"),
     Notation("turn", "", "", "1", "rad", "largest turn of Euler angles in a step near their singular orientation"),
     Notation("angles_before", "", "", "2 a body", "rad", "first and third Euler angle after the last step"),
     Notation("det_low", "", "", "loop blocks", "SI", "smallest det_loop since whoever runs the scheme reset it"),
@@ -291,7 +295,6 @@ def table(entries: tuple[Notation, ...]) -> str:
     """Names as a Markdown table (docs/theory/names.md holds both; a test compares)."""
     lines = ["| code | paper | Eq. | shape | unit | meaning |", "|---|---|---|---|---|---|"]
     for entry in entries:
-        paper = f"`{entry.paper}`" if entry.paper else ""
-        equation = f"({entry.equation})" if entry.equation else ""
+        paper, equation = entry.paper and f"`{entry.paper}`", entry.equation and f"({entry.equation})"
         lines.append(f"| `{entry.code}` | {paper} | {equation} | {entry.shape} | {entry.unit} | {entry.meaning} |")
     return "\n".join(lines)

@@ -17,6 +17,7 @@ import numpy as np
 
 from runtime.contract.coordinates import charts_in, independent
 from runtime.contract.model import Model
+from runtime.contract.refused_events import refuse_events
 from runtime.contract.status import Status
 from runtime.results.observe import assemble_solution, join
 from runtime.results.sampling import evaluate
@@ -98,6 +99,7 @@ def start_of(
     model: Model, parameters: Mapping[str, float] | None, initial: Mapping[str, float] | None, start: str | None
 ) -> Start:
     """Raises ModelError or InitialStateError for bad arguments."""
+    refuse_events(model, "integrators of other packages")
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     state = start_state(model, p, c, 0.0, initial, start)

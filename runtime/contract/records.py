@@ -15,6 +15,7 @@ from runtime.contract.drawing_records import Drawing as Drawing
 from runtime.contract.drawing_records import PointRecord as PointRecord
 from runtime.contract.drawing_records import ShapeRecord as ShapeRecord
 from runtime.contract.drawing_records import SurfaceRecord as SurfaceRecord
+from runtime.contract.event_records import EventRecord as EventRecord
 from runtime.contract.orientations import OrientationRecord
 
 CoordinateKind = Literal["position", "angle", "euler_parameter", "modal", "state"]
@@ -205,7 +206,7 @@ class Description:
     q_i, q_d, loop_unknowns: names of coordinates; redundant: labels of the rows that the others imply; gravity: its
     components [m/s^2] at default parameters; simulation: what runs use where nothing else is said; inputs: those of u;
     beams: those with exact shapes; flexible: other bodies with modes in space that loads act on;
-    switching: the load, joint or state of each output of the function `switching`.
+    switching: the load, joint or state of each output of the function `switching`; events: those of `events`.
     """
 
     name: str
@@ -230,6 +231,7 @@ class Description:
     inputs: list[InputRecord] = field(default_factory=list)
     beams: list[BeamRecord] = field(default_factory=list)
     flexible: list[LoadedBody] = field(default_factory=list)
+    events: list[EventRecord] = field(default_factory=list)
     switching: list[str] = field(default_factory=list)
     orientations: list[OrientationRecord] = field(default_factory=list)
 
@@ -251,11 +253,12 @@ _TABLES: dict[str, type] = {
     "parameters": Parameter,
     "bounded": BoundedQuantity,
     "inputs": InputRecord,
+    "events": EventRecord,
     "flexible": LoadedBody,
     "orientations": OrientationRecord,
 }
 # tables that are not written where they are empty
-_MAY_LACK = ("inputs", "beams", "flexible", "switching", "orientations")
+_MAY_LACK = ("inputs", "beams", "flexible", "switching", "events", "orientations")
 
 
 def as_plain(description: Description) -> dict[str, Any]:

@@ -25,6 +25,8 @@ StatusName = Literal[
     "integrator_refused",
     "output_failed",
     "not_assembled",
+    "event",
+    "chattering",
 ]
 EventKind = Literal[
     "repartition",
@@ -35,16 +37,21 @@ EventKind = Literal[
     "shapes_missing",
     "velocity_jump",
     "beyond_buckling",
+    "event",
 ]
 
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happened during a run, at a time [s], told in plain words."""
+    """Something that happened during a run, at a time [s], told in plain words; of events of the scene with their name
+    and direction (rising or falling).
+    """
 
     time: float
     kind: EventKind
     text: str
+    name: str = ""
+    direction: str = ""
 
     def __str__(self) -> str:
         return f"t = {self.time:.9g} s: {self.text}"
@@ -62,8 +69,8 @@ class Status:
 
     @property
     def ok(self) -> bool:
-        """Did the run reach its end?"""
-        return self.name == "completed"
+        """Did the run reach its end, or a terminal event?"""
+        return self.name in ("completed", "event")
 
     def _repr_html_(self) -> str:
         where = f", coordinate {escape(self.coordinate)}" if self.coordinate else ""

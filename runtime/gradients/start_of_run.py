@@ -8,6 +8,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import independent
+from runtime.contract.refused_events import refuse_events
 from runtime.gradients.assembly import start_slopes
 from runtime.gradients.beginning import Begun
 from runtime.gradients.driving import parameters_at
@@ -43,6 +44,7 @@ class StartOfRun:
 
     def values(self) -> np.ndarray:
         """(n,) x of the start: what was given, else what the model says. Raises ModelError for a motion that jumps."""
+        refuse_events(self._model, "derivatives of runs")
         p = parameters_at(self._model, self._parameters, self._plan.t0)
         c = self._model.constants(p)
         state = start_state(self._model, p, c, self._plan.t0, self._initial, self._kind)

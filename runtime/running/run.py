@@ -14,6 +14,7 @@ from runtime.contract.status import Event, Status
 from runtime.results.stream import StreamFile
 from runtime.running.accuracy import Accuracy
 from runtime.running.checkpoint import Checkpoint
+from runtime.running.happenings import Happenings, note_impulses
 from runtime.running.header import CheckpointHeader
 from runtime.running.interrupts import Interrupts, heard_interrupts
 from runtime.running.record import Record
@@ -25,7 +26,6 @@ from runtime.running.singular.passage import Passage, locate
 CALL_SECONDS = 0.25  # a native call lasts about this long, so that progress and Ctrl-C stay responsive
 CHECKPOINT_SECONDS = 60.0
 LONGEST_BATCH = 1 << 20
-MOST_TOLD = 100  # impulses of prescribed motions, each an event
 Progress = Callable[[float, float], None]
 
 
@@ -108,14 +108,14 @@ class Run:
         return self.segment.stepper.state(self.z)
 
     def _loop(self, interrupts: Interrupts) -> None:
-        per_call = 1
+        self._per_call = 1
         while self.status is None and self.step < self.segment.plan.steps and not interrupts.asked:
             self._take_inputs()
             self.accuracy.look(self.segment, self.z, self.guard)
-            n = self._batch(per_call)
+            n = self._batch(self._per_call)
             began = time.perf_counter()
             self._advance(n)
-            per_call = _next_batch(per_call, time.perf_counter() - began)
+            self._per_call = _next_batch(self._per_call, time.perf_counter() - began)
             self._keep()
             if self._checkpoint_is_due():
                 self._write_checkpoint()
@@ -140,21 +140,35 @@ class Run:
     def _advance(self, n: int) -> None:
         before = self.z.copy()
         self.segment.run(self.z, n)
+        at = self.segment.first_event(self.z)
+        if at is not None:
+            self._per_call = 1
+            self.z = before.copy()
+            if at == self.segment.step_of(before) + 1:
+                self._step_with_events()
+                return
+            n = at - 1 - self.segment.step_of(before)  # the step in which it happens comes next
+            self.segment.run(self.z, n)
         determinants = self.segment.determinants(self.z)
         if self.guard.alarm(*determinants):
             self._pass(before, n)
         else:
             self.guard.accept(*determinants)
             self.earlier = before
-        self._note_impulses()
+        note_impulses(self.segment, self.step, self.events)
         self.status = self.status or self._checked()
 
-    def _note_impulses(self) -> None:
-        """An event for each impulse of a prescribed motion until now."""
-        told = {event.time for event in self.events if event.kind == "velocity_jump"}
-        for event in self.segment.impulses_until(self.segment.plan.time(self.step)):
-            if event.time not in told and len(told) < MOST_TOLD:
-                self.events.append(event)
+    def _step_with_events(self) -> None:
+        """The next step, in which events happen."""
+        happened = Happenings(self.segment)
+        w = happened.step(self.z)
+        self.events += happened.told
+        if w is not None:
+            for segment in self.record.segments:
+                segment.take_inputs(w)
+        self.earlier = None
+        note_impulses(self.segment, self.step, self.events)
+        self.status = self._checked() or happened.status
 
     def _checked(self, closely: bool = False) -> Status | None:
         return self.segment.monitor.after(self._state, last=closely or self.step == self.segment.plan.steps)

@@ -8,17 +8,16 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.model import Model
-from runtime.contract.status import Event
 from runtime.running.checks.check import observed
 from runtime.running.monitor import Monitor
 from runtime.running.plan import Plan
 from runtime.running.singular.guard import Guard
 from runtime.running.stepped_model import SteppedModel
 from runtime.schemes.adaptive.adaptive_steps import AdaptiveSteps
+from runtime.schemes.switching.watched import NEVER, begin_events, watch_events, watches
 from runtime.schemes.turns import begin_turns, watch_turns
 from runtime.schemes.work import account_at, account_for_work, begin_account
 
-NEAR = 1e-6  # of a step: what happens at its end
 LOWEST, HIGHEST = 1e300, -1e300  # of no determinant at all; finite, as all of z
 
 
@@ -34,6 +33,7 @@ class Segment(SteppedModel):
         """Prepare and compile, for parameters p (n_p,). Raises ModelError or CompilerError."""
         account_for_work(plan.scheme)
         watch_turns(plan.scheme)
+        watch_events(plan.scheme)
         one = SteppedModel.prepared(model, plan, p, engine)
         monitor = Monitor(model, plan.scheme, one.c, force=plan.force, p=one.p)
         found = cls(model, plan, one.stepper, one.p, one.c, one.ready, monitor)
@@ -51,6 +51,7 @@ class Segment(SteppedModel):
         z[0], z[1] = self.plan.t0 + (start - grid), step  # the grid of times is the run's
         self.forget_determinants(z)
         begin_turns(self.plan.scheme, z)
+        begin_events(self.plan.scheme, z, self.plan.scheme.constants(self.c))
         self.count_anew(z, work)
         return z
 
@@ -65,6 +66,21 @@ class Segment(SteppedModel):
     def take_inputs(self, w: np.ndarray) -> None:
         """From now on p and c have these numbers (n_w,) of the inputs; z has its own."""
         self.p[-len(w) :] = self.c[-len(w) :] = w
+        if self.model.has("switching") and "u" in self._condition_arguments:
+            self.find_switches(self.plan.t0, self.plan.t_end)
+
+    @property
+    def _condition_arguments(self) -> list[str]:
+        """Of the emitted function `switching`."""
+        functions = {spec.name: spec for spec in self.model.description.functions}
+        return [signal.name for signal in functions["switching"].inputs]
+
+    def first_event(self, z: np.ndarray) -> int | None:
+        """The step in which an event happened first since it was last looked, if one did."""
+        if not watches(self.plan.scheme):
+            return None
+        found = float(z[self.plan.scheme.layout.slice("event_step")][0])
+        return int(found) if found < NEVER else None
 
     def account(self, z: np.ndarray) -> tuple[float, float]:
         """(work done until z, by how much it may be wrong) [J]."""
@@ -91,19 +107,6 @@ class Segment(SteppedModel):
         scheme = self.plan.scheme
         if isinstance(scheme, AdaptiveSteps):
             scheme.land(z)
-
-    def impulses_until(self, time: float) -> list[Event]:
-        """Those of prescribed motions whose velocity has jumped until a time [s]."""
-        names, found = self.model.coordinates, []
-        for at, impulse in sorted(self.broken.impulses.items()) if self.broken is not None else []:
-            if at <= time + NEAR * self.plan.grid.dt_L:
-                k = int(np.abs(impulse.jumps).argmax())
-                text = (
-                    f"the velocity of a prescribed motion jumps: its impulse changes the rate of {names[k]} by "
-                    f"{impulse.jumps[k]:.6g}, the energy by {impulse.energy:.6g} J"
-                )
-                found.append(Event(at, "velocity_jump", text))
-        return found
 
     def energies(self, z: np.ndarray, c: np.ndarray) -> list[float]:
         """Kinetic, elastic and potential energy [J] of the scheme's part of z; [0] if unknown. c as stages read it."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.model import Model
+from runtime.contract.refused_events import refuse_events
 from runtime.operating.given_state import given_state
 from runtime.results.solution import Solution
 from runtime.running.accuracy import Accuracy
@@ -65,10 +66,13 @@ def simulate(
     """
     more, model = Further(**further), bound(model, inputs)
     if not model.q_i:
+        refuse_events(model, "a motion in which every coordinate is driven")
         return _driven(model, t_end, dt, parameters, initial, t0, more, inputs)
     options, dt, every = with_tolerance(model, scheme, tolerance, options, t_end, dt, more.save_every, t0)
     plan = make_plan(model, t_end, dt, m, scheme, every, options, t0, more.bounded)
     plan = replace(plan, force=more.force, outputs=tuple(more.outputs or ()))
+    if plan.scheme.adaptive:
+        refuse_events(model, "steps that follow from a tolerance")
     rule = more.rule()
     schedule = scheduled(model, inputs, t0, plan.grid.dt_L)
     p = started(model, model.parameter_vector(parameters), schedule, t0)

@@ -16,6 +16,7 @@ from runtime.running.plan import Plan
 from runtime.schemes.stepper import Stepper
 from runtime.schemes.switching.broken_steps import BrokenSteps
 from runtime.schemes.switching.times import SwitchTime, switching_times
+from runtime.schemes.switching.watched import watches
 
 
 @dataclass(eq=False)
@@ -71,7 +72,9 @@ class SteppedModel:
         """Look where something jumps on the grid of steps from t0 on, for the inputs as they are. Raises ModelError."""
         self.switches = switching_times(self.model, self.c, t0, t_end)
         scheme, length = self.plan.scheme, self.plan.grid.dt_L
-        breaks = bool(self.switches) and not scheme.adaptive  # who chooses the ends of steps puts them there
+        breaks = (
+            bool(self.switches) or watches(scheme)
+        ) and not scheme.adaptive  # who chooses the ends of steps puts them there
         self.broken = BrokenSteps(self.stepper, t0, length, self.switches) if breaks else None
 
     def bound(self, z: np.ndarray) -> Callable[[int], None]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from runtime.contract.errors import ArgumentError
 from runtime.contract.model import Model, ModelError
+from runtime.contract.refused_events import refuse_events
 from runtime.contract.signals import SINCE
 from runtime.contract.status import Status
 from runtime.operating.equilibrium import Equilibrium
@@ -56,6 +57,7 @@ class ModelStepper:
             raise ModelError(
                 f"every coordinate of model {model.name} is driven: use simulate, there is nothing to step"
             )
+        refuse_events(model, "steppers")
         length = float(model.simulation["dt"]) if dt is None else dt
         end = HORIZON * length if isinstance(length, int | float) and length > 0 else None
         plan = make_plan(model, end, dt, m, scheme, None, options, 0.0, bounded=True)

@@ -8,6 +8,7 @@ from runtime.contract.coordinates import independent
 from runtime.engine.choose import choose_engine, operations_per_step
 from runtime.engine.prepare import prepare
 from runtime.schemes.scheme import Scheme
+from runtime.schemes.switching.watched import with_events
 from runtime.schemes.turns import with_turns
 from runtime.schemes.work import with_account
 
@@ -31,7 +32,9 @@ class Stepper:
     def __init__(self, scheme: Scheme, engine: str = "auto", wait: bool = False) -> None:
         self.scheme = scheme
         self._prepared = prepare(
-            with_turns(scheme, with_account(scheme, scheme.program())), scheme.layout.size, scheme.c_size
+            with_events(scheme, with_turns(scheme, with_account(scheme, scheme.program()))),
+            scheme.layout.size,
+            scheme.c_size,
         )
         self.program = self._prepared.program
         self.engine = choose_engine(

@@ -14,6 +14,7 @@ from runtime.contract.records import (
     BodyRecord,
     Description,
     Drawing,
+    EventRecord,
     FunctionSpec,
     JointRecord,
     LoadedBody,
@@ -55,6 +56,10 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
         bounded=derived.bounded,
         functions=list(derived.functions.values() if functions is None else functions),
         inputs=eq.inputs,
+        events=[
+            EventRecord(name, event.direction, event.terminal, list(event.action))
+            for name, event in scene.events.items()
+        ],
         switching=[item for item, _ in eq.switching],
         flexible=[LoadedBody(body, loads) for body in eq.flexible if (loads := eq.loads_on(body))],
         simulation=scene.simulation.model_dump(mode="json", exclude_none=True),

@@ -166,3 +166,12 @@ def switching(system: Condensed) -> Kernel:
     """What changes sign where a load, a state's rate or a prescribed motion jumps or kinks in time."""
     eq = system.equations
     return Kernel(dict(eq.signals), {"switching": ca.vertcat(*(value for _, value in eq.switching))})
+
+
+def events(system: Condensed) -> Kernel:
+    """What passes zero when an event happens, and the values that inputs get by the events' actions, event by event."""
+    eq = system.equations
+    inputs = {"q": ca.vertcat(*eq.q), "q_dot": ca.vertcat(*eq.q_dot), **eq.signals}
+    actions = [value for _, action in eq.events.values() for value in action.values()]
+    outputs = {"events": ca.vertcat(*(when for when, _ in eq.events.values()))}
+    return Kernel(inputs, {**outputs, "actions": ca.vertcat(*actions)} if actions else outputs)

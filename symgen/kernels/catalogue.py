@@ -20,6 +20,7 @@ from symgen.kernels.all_coordinates import (
     augmented,
     constraints,
     energy,
+    events,
     load_actions,
     load_forces,
     measures,
@@ -80,6 +81,8 @@ def kernel_builders(
         "poses": lambda: poses(system.equations),
         "load_forces": partial(load_forces, system, [*system.equations.beams, *system.equations.flexible]),
     }
+    if system.equations.events:
+        builders["events"] = partial(events, system)
     if system.equations.switching:
         builders["switching"] = partial(switching, system)
     builders |= jacobian_kernels(system, arguments)

@@ -200,6 +200,14 @@ FUNCTIONS: dict[str, FunctionSpec] = {
         ),
         _spec("load_actions", "", "What the loads do at their markers", "report", "q q_dot t u c", "load_actions"),
         _spec(
+            "events",
+            "",
+            "Events happen where these pass zero; what inputs become by their actions",
+            "report",
+            "q q_dot t u c",
+            "events actions",
+        ),
+        _spec(
             "switching",
             "",
             "Where in time loads and prescribed motions jump or kink: where one of these changes its sign",

@@ -21,6 +21,7 @@ from symgen.scene.bodies import (
 )
 from symgen.scene.builder import SceneBuilder
 from symgen.scene.errors import SceneError
+from symgen.scene.events import DeclaredEvent
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Quantity
 from symgen.scene.flexible import FlexibleMarker, FlexibleStiffening, SpatialModalBody
@@ -69,7 +70,7 @@ __all__ = [
     "Force", "Foreshortening", "CoordinateGroup", "GroundBody", "Initial",
     "InitialValue",
     "Joint", "LateralModes", "Load", "MarkerDirections", "Measure", "ModalBody", "ModalMarker",
-    "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement", "PlanarJoint",
+    "DeclaredEvent", "DeclaredInput", "DeclaredParameter", "DeclaredState", "Partition", "Placement", "PlanarJoint",
     "PointOnLineJoint", "PrescribedAngle", "PrescribedDisplacement", "PrismaticJoint", "Quantity",
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",

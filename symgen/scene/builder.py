@@ -49,6 +49,14 @@ class SceneBuilder:
         tables[name] = _plain(fields, "tables")
         return self
 
+    def event(self, name: str, when: float | str, **fields: Any) -> Self:
+        """Declare a `DeclaredEvent`: direction, terminal, action."""
+        events = self._data.setdefault("events", {})
+        if name in events:
+            raise SceneError(f"events.{name}", "is declared twice", "remove one of them")
+        events[name] = _plain({"when": when, **fields}, "events")
+        return self
+
     def state(self, name: str, rate: float | str, initial: float = 0.0, unit: str = "", description: str = "") -> Self:
         """Declare a state s' = rate of a controller, a filter or an actuator."""
         states = self._data.setdefault("states", {})

@@ -194,5 +194,8 @@ def _entries(value: object, path: str) -> Iterator[tuple[str, float | str]]:
     if isinstance(value, tuple):
         for index, entry in enumerate(value):
             yield from _entries(entry, f"{path}[{index}]")
+    elif isinstance(value, dict):
+        for name, entry in value.items():
+            yield from _entries(entry, f"{path}.{name}")
     elif isinstance(value, float | str):
         yield path, value

@@ -10,6 +10,7 @@ from pydantic import Field
 from runtime.contract.records import UNITS, Coordinate, CoordinateKind
 from symgen.scene.bodies import BeamBody, BeamMarker, GroundBody, RigidBody, RigidMarker
 from symgen.scene.errors import SceneError, did_you_mean
+from symgen.scene.events import DeclaredEvent
 from symgen.scene.expression_values import table_name
 from symgen.scene.expressions import Expression, parse_expression
 from symgen.scene.fields import Meaning, Name, Quantity, StrictModel, Text
@@ -52,6 +53,7 @@ class SceneParts(StrictModel):
     inputs: dict[Name, DeclaredInput] = Field(default_factory=dict)
     tables: dict[Name, CurveTable] = Field(default_factory=dict)
     states: dict[Name, DeclaredState] = Field(default_factory=dict)
+    events: dict[Name, DeclaredEvent] = Field(default_factory=dict)
     bodies: tuple[Body, ...] = ()
     joints: tuple[Joint, ...] = ()
     loads: tuple[Load, ...] = ()

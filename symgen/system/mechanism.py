@@ -111,6 +111,7 @@ class Mechanism(Generic[Marker]):
             effect = space.load(load, self._expression)
             self._add_effect(load.name, effect)
             equations.load_actions[load.name] = effect.action
+        self._add_events()
         equations.picture = space.picture()
         if scene.baumgarte is not None:
             equations.baumgarte = (
@@ -223,6 +224,18 @@ class Mechanism(Generic[Marker]):
             eq.measure_units |= {name: unit, f"{name}_dot": f"{unit or '1'}/s"}
         eq.body_columns["states"] = list(eq.states.values())
         self.environment = {**self.environment, **eq.measures}
+
+    def _add_events(self) -> None:
+        for name, event in self.scene.events.items():
+            action = {target: self._plain(value, f"events.{name}.action") for target, value in event.action.items()}
+            self.equations.events[name] = self._plain(event.when, f"events.{name}.when"), action
+
+    def _plain(self, text: float | str, item: str) -> ca.SX:
+        """An expression whose own jumps no step needs to end at."""
+        if not isinstance(text, str):
+            return ca.SX(text)
+        names = ("t", *self.equations.u, *self.equations.measures)
+        return self.scene.expression(text, item, names).to_casadi(self.environment)
 
     def _expression(self, text: float | str, item: str) -> ca.SX:
         if not isinstance(text, str):

@@ -55,8 +55,7 @@ def test_every_example_is_tested_and_in_the_gallery() -> None:
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.py")), ids=lambda path: path.stem)
 def test_examples_are_short_and_alike(path: Path) -> None:
     lines = path.read_text(encoding="utf-8").splitlines()
-    assert len(lines) <= LONGEST
-    assert lines[-2:] == LAST_LINES
+    assert len(lines) <= LONGEST and lines[-2:] == LAST_LINES
 
 
 def test_build_slider_crank(said) -> None:
@@ -86,8 +85,7 @@ def test_compare_schemes(said) -> None:
     single, *printed = (numbers(line.partition("m=")[2][1:] or line) for line in lines[1:5])
     assert single[-1] == pytest.approx(2.0, abs=0.05)
     for row in printed:
-        assert row[-1] == pytest.approx(1.0, abs=0.1)
-        assert row[0] > single[0]
+        assert row[-1] == pytest.approx(1.0, abs=0.1) and row[0] > single[0]
     coupled, decoupled, linearised, exponential = (numbers(line.partition("m=")[2][1:]) for line in lines[5:9])
     for row in (coupled, decoupled):
         assert row[-1] == pytest.approx(2.0, abs=0.05)
@@ -114,8 +112,7 @@ def test_linear_structure(said) -> None:
 
 def test_from_toml(said) -> None:
     text = said("from_toml")
-    assert text.count("height") == 5
-    assert "did you mean 'mass'?" in text
+    assert text.count("height") == 5 and "did you mean 'mass'?" in text
 
 
 def test_optimise_torque(said) -> None:
@@ -123,8 +120,7 @@ def test_optimise_torque(said) -> None:
     text = said("optimise_torque")
     assert "Solve_Succeeded" in text
     torques = [float(line.split()[-3]) for line in text.splitlines() if line.startswith("t = ")]
-    assert torques[0] > 0.1
-    assert torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
+    assert torques[0] > 0.1 and torques == pytest.approx([-torque for torque in reversed(torques)], abs=1e-4)
 
 
 def test_identify_hub_beam(said) -> None:
@@ -183,6 +179,11 @@ def test_quick_return(said) -> None:
     assert error < 1e-11 and largest > 5.0
     ratio, closed_form = line(text, "time ratio")
     assert ratio == pytest.approx(closed_form, abs=2 * 1.7 / 150)  # a sample more or less on the way back
+
+
+def test_end_stops(said) -> None:
+    assert line(text := said("end_stops"), "touches") == [8, 8] and text.startswith("event at")
+    assert np.diff(line(text, "time of a swing"))[0] == pytest.approx(0.0, abs=1e-5)
 
 
 def test_crane(said) -> None:

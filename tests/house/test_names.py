@@ -10,6 +10,7 @@ from pathlib import Path
 from runtime.contract.model import Model
 from runtime.schemes.catalogue import SCHEMES
 from runtime.schemes.stage_equations import LinearisedEquations
+from runtime.schemes.switching.watched import watch_events
 from runtime.schemes.turns import watch_turns
 from runtime.schemes.work import account_for_work
 from symgen.bodies import planar_template, spatial_template
@@ -62,6 +63,7 @@ def fields_of_z(model: Model) -> set[str]:
             scheme = kind.build(name, model, 1.0, None, options)
             account_for_work(scheme)
             watch_turns(scheme)
+            watch_events(scheme)
             found |= set(scheme.layout.sizes)
     return found
 
@@ -103,7 +105,7 @@ def test_blocks_of_the_mass_matrix_are_symbols() -> None:
 def test_fields_of_z_are_the_table(built_in: Load, model_of: Callable[[Scene], Model]) -> None:
     """Both ways: every field of every scheme is in the table, and every entry is a field of some scheme."""
     pushed = SceneBuilder("pushed").input("push").rigid("block", mass=1.0, inertia=1.0, free=True)
-    pushed.force("force", "block.origin", "push", 0.0)
+    pushed.force("force", "block.origin", "push", 0.0).event("late", "t - 1", action={"push": 1.0})
     models = [*(built_in(name) for name in MODELS), model_of(pushed.build()), model_of(arm(10))]
     found = set().union(*map(fields_of_z, models))
     assert not emitted_names(models[-1]) - codes(SYMBOLS)

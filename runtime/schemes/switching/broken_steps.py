@@ -8,8 +8,8 @@ it, one that begins there on clocks after it, so that no rounding of t decides w
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from math import floor, prod
 
 import numpy as np
@@ -18,8 +18,10 @@ from runtime.contract.coordinates import independent_rates, whole
 from runtime.contract.model import Model
 from runtime.schemes.state_fields import Lasting
 from runtime.schemes.stepper import Stepper
+from runtime.schemes.switching.event_search import first_passage
 from runtime.schemes.switching.impulse import Impulse, impulse_at, moves_in_time
 from runtime.schemes.switching.times import SwitchTime
+from runtime.schemes.switching.watched import NEVER, begin_events, event_values, passed, watches
 from runtime.schemes.work import account_at, accounted, begin_account, power_of
 
 ON_THE_GRID = 1e-9  # of a step: a jump that near to the end of a step is there
@@ -29,12 +31,20 @@ MOST_KEPT = 64  # lengths
 
 @dataclass(frozen=True)
 class Leg:
-    """Where a part of a step has led: z (whole), its dt [s], work [J]; seen: q and q_dot where rates have jumped."""
+    """Where a part of a step has led: z (whole), its dt [s], work [J]; seen: q and q_dot where rates have jumped.
+
+    reached: its clock [s]; ends: has an event ended the run there?
+    """
 
     z: np.ndarray
     dt: float
     work: float
     seen: tuple[np.ndarray, np.ndarray] | None = None
+    reached: float = 0.0
+    ends: bool = False
+
+
+Acts = Callable[[Leg, list[int]], Leg]  # what events (positions) do at a leg's end: inputs in its z, the end of the run
 
 
 class BrokenSteps:
@@ -94,35 +104,79 @@ class BrokenSteps:
             else:
                 self.stepper.run(z, ready, n)
 
-    def _break(self, z: np.ndarray, c: np.ndarray) -> None:
-        """One major step in parts."""
-        step, c = int(z[1]), self._with_inputs(z, c)
+    def _break(self, z: np.ndarray, c: np.ndarray, acts: Acts | None = None) -> None:
+        """One major step in parts; acts: what events do, where they are looked for."""
+        step, flagged, layout = int(z[1]), NEVER, self.stepper.scheme.layout
+        if watches(self.stepper.scheme):
+            flagged, z[layout.slice("event_step")] = float(z[layout.slice("event_step")][0]), NEVER
+        c = self._with_inputs(z, c)
         leg = Leg(z, self.dt, account_at(self.stepper.scheme, z, self._constants(c, self.dt))[0])
         clock = max(z[0] + step * self.dt, self.clock(step))
-        for one in self._inside.get(step, ()):
-            leg = self._jumped(c, self._part(leg, c, clock, one.before), one.before, one.after)
-            clock = one.after
-        if step + 1 in self._on:
-            on = self._on[step + 1]
-            leg = self._jumped(c, self._part(leg, c, clock, on[0]), *on)
-        else:
-            leg = self._part(leg, c, clock, self.time(step + 1))
-        start = self.clock(step + 1)
+        on = self._on.get(step + 1)
+        ends = [*((one.before, one.after) for one in self._inside.get(step, ())), on or (self.time(step + 1), None)]
+        for end, after in ends:
+            leg = self._reach(leg, c, clock, end, acts)
+            if leg.ends:
+                break
+            if after is not None:
+                leg, clock = self._jumped(c, leg, end, after), after
+        start, c = leg.reached if leg.ends else self.clock(step + 1), self._with_inputs(leg.z, c)
         z[:] = self._set_out(leg, c, start, self.dt)
         z[0], z[1] = self.t0 + (start - self.time(step + 1)), step + 1
+        if watches(self.stepper.scheme):
+            seen = acts is None and z[layout.slice("event_step")][0] < NEVER
+            begin_events(self.stepper.scheme, z, self._constants(c, self.dt))
+            z[layout.slice("event_step")] = min(flagged, step + 1) if seen else flagged
         self.count_anew(z, c, leg.work)
 
-    def _part(self, leg: Leg, c: np.ndarray, start: float, end: float) -> Leg:
-        """A step between two clocks."""
+    def step_with_events(self, z: np.ndarray, c: np.ndarray, acts: Acts) -> None:
+        """One major step in which events happen, in place; where one ends the run, z is the state there."""
+        z[self.stepper.scheme.layout.slice("event_step")] = NEVER
+        self._break(z, c, acts)
+
+    def _reach(self, leg: Leg, c: np.ndarray, start: float, end: float, acts: Acts | None) -> Leg:
+        """From one clock to another, through the events on the way."""
         scheme = self.stepper.scheme
-        length = (end - start) * (1 - 2 * np.finfo(float).eps * prod(scheme.grid.m))  # sub-steps add up by rounding
-        z, constants, work = self._set_out(leg, c, start, length), self._constants(c, length), leg.work
-        powers = [power_of(scheme, self.stepper.state(z), constants)] if accounted(scheme) else []
+        while True:
+            c = self._with_inputs(leg.z, c)
+            found = self._part(leg, c, start, end)
+            if acts is None:
+                return found
+            start_z, constants = self._set_out(leg, c, start, end - start), self._constants(c, end - start)
+            before = event_values(scheme, start_z, constants)
+            after = event_values(scheme, found.z, self._constants(c, found.dt))
+            if not passed(scheme, before, after):
+                return found
+
+            def at(s: float, leg: Leg = leg, start: float = start, c: np.ndarray = c) -> np.ndarray:
+                z, length = self._flown(leg, c, start, start + s)
+                return event_values(scheme, z, self._constants(c, length))
+
+            s = first_passage(scheme, at, before, after, end - start)
+            happened, there = passed(scheme, before, at(s)), self._part(leg, c, start, start + s)
+            seen = self._seen(there.z, self._constants(c, there.dt))  # rates as they are before inputs change
+            leg, start = acts(replace(there, seen=seen), happened), start + s
+            if leg.ends or end - start <= ON_THE_GRID * self.dt:
+                return leg
+
+    def _flown(self, leg: Leg, c: np.ndarray, start: float, end: float) -> tuple[np.ndarray, float]:
+        """(z, its step) after a step between two clocks, nothing counted."""
+        eps = np.finfo(float).eps
+        length = (end - start) * (1 - 2 * eps * prod(self.stepper.scheme.grid.m))  # sub-steps add up by rounding
+        z = self._set_out(leg, c, start, length)
         self.stepper.run(z, self._ready(c, length), 1)
-        if powers:
-            powers.append(power_of(scheme, self.stepper.state(z), constants))
-            work += length * sum(powers) / 2
-        return Leg(z, length, work)
+        return z, length
+
+    def _part(self, leg: Leg, c: np.ndarray, start: float, end: float) -> Leg:
+        """A step between two clocks, with the work that is done in it."""
+        scheme, work = self.stepper.scheme, leg.work
+        z, length = self._flown(leg, c, start, end)
+        if accounted(scheme):
+            half = self._flown(leg, c, start, start + length / 2)
+            seen = [(self._set_out(leg, c, start, length), length), half, (z, length)]
+            powers = [power_of(scheme, self.stepper.state(one), self._constants(c, dt)) for one, dt in seen]
+            work += length * (powers[0] + 4 * powers[1] + powers[2]) / 6
+        return Leg(z, length, work, reached=end)
 
     def _set_out(self, leg: Leg, c: np.ndarray, t: float, dt: float) -> np.ndarray:
         """z from which steps dt [s] go on at a clock, with the accounts and inputs of the leg before."""
@@ -155,7 +209,7 @@ class BrokenSteps:
         if found is None:
             return leg
         self.impulses[(before + after) / 2] = found
-        return Leg(leg.z, leg.dt, leg.work + found.energy, (q, found.q_dot))
+        return replace(leg, work=leg.work + found.energy, seen=(q, found.q_dot))
 
     def count_anew(self, z: np.ndarray, c: np.ndarray, work: float) -> None:
         """Begin the account of work at a state of the grid; what lies behind a jump is not looked at in advance."""

@@ -14,10 +14,10 @@ from runtime.studies.ensemble.starts import Starts
 
 
 def jumping(plan: Plan, starts: Starts) -> np.ndarray:
-    """(cases,) does something jump or kink from the start of the run to its end? Raises ModelError for too many."""
+    """(cases,) does something jump in time during the run, or are there events? Raises ModelError for too many."""
     model, cases = plan.scheme.model, len(starts.close)
-    found = np.zeros(cases, dtype=bool)
-    if not may_jump(model):
+    found = np.full(cases, bool(model.description.events))
+    if found.all() or not may_jump(model):
         return found
     used, known = _constants_of(model), dict[bytes, bool]()
     for case in range(cases):

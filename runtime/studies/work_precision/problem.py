@@ -12,6 +12,7 @@ import numpy as np
 from runtime.contract.consistent_state import ConsistentState
 from runtime.contract.coordinates import followed
 from runtime.contract.model import Model, ModelError
+from runtime.contract.refused_events import refuse_events
 from runtime.results.amplitudes import floored
 from runtime.start.start_state import start_state
 from runtime.studies.work_precision.reference_path import reference_path
@@ -140,6 +141,7 @@ def make_setting(
 
     Raises ModelError or InitialStateError.
     """
+    refuse_events(model, "comparisons of methods")
     p = model.parameter_vector(parameters)
     c = model.constants(p)
     known = followed(model)[0]

@@ -7,6 +7,7 @@ it relies on them.
 from __future__ import annotations
 
 from symgen.scene.checks.end_shapes import end_shape_errors
+from symgen.scene.checks.events import event_errors
 from symgen.scene.checks.matrices import matrix_errors
 from symgen.scene.checks.names import name_errors
 from symgen.scene.checks.partition import partition_errors
@@ -22,7 +23,7 @@ from symgen.scene.parts import SceneParts
 
 STAGES = (
     (size_errors, name_errors, shape_errors, space_errors),
-    (reference_errors, topology_errors, partition_errors, value_errors),
+    (reference_errors, topology_errors, partition_errors, event_errors, value_errors),
     (matrix_errors, screw_errors, end_shape_errors, section_measure_errors),
 )
 

@@ -1,0 +1,103 @@
+"""Events of the motion: located, told once each, with actions on inputs, ends of runs, and order across end stops."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from runtime import Model, ModelError, ensemble, resume, simulate
+from runtime.schemes.catalogue import SCHEMES
+from symgen.scene import Scene, SceneBuilder, SceneError
+
+Build = Callable[[Scene], Model]
+G = 9.81
+
+
+def falling(**events: dict[str, Any]) -> Scene:
+    """A mass on a rail along gravity from 1 m, pushed by an input; x = 1 - G t^2 / 2."""
+    builder = SceneBuilder("falling_mass").parameter("height", 0.6, "m").input("push", 0.0, "N").gravity(-G, 0)
+    builder.rigid("mass", mass=2.0, inertia=0.1).prismatic("rail", "ground.origin", "mass.origin")
+    builder.initial({"mass.x": 1.0}).measure("x", "x", "mass.origin").force("push", "mass.origin", "push", 0.0)
+    for name, fields in events.items():
+        builder.event(name, **fields)
+    return builder.simulation(t_end=0.5, dt=0.03, scheme="rk4").build()
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_an_event_is_located_acts_and_keeps_what_is_exact(model_of: Build, scheme: str) -> None:
+    """At x = height the push becomes 3 m g: from there the mass rises with 2 g, by hand; two events in one step too."""
+    passing = {"when": "x - height", "direction": "falling", "action": {"push": "push + 3 * 2 * 9.81"}}
+    model = model_of(falling(passing=passing, near={"when": "x - height + 1e-3"}, never={"when": "x - 9"}))
+    for height in (0.6, 0.95):
+        run = simulate(model, scheme=scheme, parameters={"height": height}, t_end=0.7, force=True)
+        t = np.sqrt(2 * (1 - height) / G)
+        v, left = -G * t, run.t[-1] - t
+        back = (-v - np.sqrt(v**2 - 4 * G * 1e-3)) / (2 * G), (-v + np.sqrt(v**2 - 4 * G * 1e-3)) / (2 * G)
+        assert run["mass.x"][-1] == pytest.approx(height + v * left + G * left**2, abs=1e-8)
+        assert run["push"][-1] == 6 * G
+        told = [(event.name, event.direction) for event in run.events]
+        assert told == [("passing", "falling"), ("near", "falling"), ("near", "rising")]
+        times = [event.time for event in run.events]
+        assert times == pytest.approx([t, t + back[0], t + back[1]], abs=3e-10 if scheme != "hht" else 1e-8)
+
+
+def test_a_terminal_event_ends_the_run_there(model_of: Build, tmp_path: Path) -> None:
+    model = model_of(falling(floor={"when": "x - height", "terminal": True}))
+    run = simulate(model, checkpoint=tmp_path / "run.npz", checkpoint_every=2)
+    t = np.sqrt(0.8 / G)
+    assert run.status.name == "event" and run.status.ok and run.status.time == pytest.approx(t, abs=2e-10)
+    assert run.t[-1] == pytest.approx(t, abs=2e-10) and run["mass.x"][-1] == pytest.approx(0.6, abs=1e-9)
+    again = resume(model, tmp_path / "run.npz")
+    assert again.t[-1] == run.t[-1] and again.events == run.events and np.array_equal(again.q, run.q)
+    cases = ensemble(model, {"height": [0.6, 0.9]}, outputs=["mass.x"], reduce={"mass.x": "min"})
+    assert cases["mass.x_min"].values == pytest.approx([0.6, 0.9], abs=1e-9)
+
+
+def test_an_action_that_undoes_itself_is_named(model_of: Build) -> None:
+    """A force against each way of moving, stronger than gravity: at rest it would change for ever."""
+    up = {"when": "x_dot", "direction": "rising", "action": {"push": "-40"}}
+    down = {"when": "x_dot", "direction": "falling", "action": {"push": "40"}}
+    run = simulate(model_of(falling(up=up, down=down)), initial={"mass.x_dot": 1.0})
+    assert run.status.name == "chattering" and run.status.time == pytest.approx(1 / G, abs=1e-6)
+    assert "event down happens 50 times within one step" in run.status.cause
+
+
+def end_stop(event: bool) -> Scene:
+    """A rod that falls onto a spring at -1 rad."""
+    builder = SceneBuilder("end_stop").gravity(0, -G).rigid("rod", mass=1.0, inertia=0.1, center_of_mass=(0.5, 0))
+    builder.revolute("pin", "ground.origin", "rod.origin").measure_coordinate("angle", "rod.theta")
+    builder.torque("stop", "rod.origin", "where(angle < -1, 400 * (-1 - angle), 0)")
+    if event:
+        builder.event("contact", "angle + 1")
+    return builder.simulation(t_end=1.0, dt=0.01, scheme="exponential").build()
+
+
+def test_an_event_at_an_end_stop_keeps_the_order(model_of: Build) -> None:
+    """The force kinks at contact: with steps that end there order 4 holds, without it is lost."""
+    with_event, without = model_of(end_stop(True)), model_of(end_stop(False))
+    exact = simulate(with_event, scheme="dop853", dt=1e-3)["rod.theta"][-1]
+
+    def errors(model: Model) -> list[float]:
+        return [abs(simulate(model, dt=dt)["rod.theta"][-1] - exact) for dt in (1 / 40, 1 / 80)]
+
+    coarse, fine = errors(with_event)
+    assert np.log2(coarse / fine) > 3.6 and fine < 1e-6 and errors(without)[1] > 1e-3
+    run = simulate(with_event, dt=0.0025)
+    assert [event.direction for event in run.events] == ["falling", "rising"]
+    energy = run.energy["kinetic"] + run.energy["potential"] - run.energy["work"]
+    assert np.ptp(energy) < 1e-3
+
+
+def test_wrong_events_and_those_who_do_not_look_are_named(model_of: Build) -> None:
+    for target, message in (("height", "move 'height' from parameters to inputs"), ("pushh", "did you mean 'push'")):
+        with pytest.raises(SceneError, match=message):
+            falling(wrong={"when": "x", "action": {target: 1.0}})
+    model = model_of(falling(floor={"when": "x - height"}))
+    with pytest.raises(ModelError, match="events floor of model falling_mass.*steps that follow from a tolerance"):
+        simulate(model, scheme="dopri5", tolerance=1e-4)
+    with pytest.raises(ModelError, match="are not looked for by steppers"):
+        model.stepper()
