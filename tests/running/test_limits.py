@@ -156,11 +156,11 @@ def remark(model: Model, error: CoordinateError, late: float = 0.0, lates: float
 
 
 def test_a_word_about_the_error(built_in: Load) -> None:
-    """3 % of an amplitude; a worst window counts as if all were like it: 50 steps of 1000 lie in windows."""
+    """3 % of an amplitude; a worst window counts as if all ten were like it."""
     model = built_in("pendulum")
     for factor, expected in ((INSIDE, False), (BEYOND, True)):
         assert remark(model, CoordinateError(error=0.03 * factor, low=-1.0, high=1.0)) is expected
-        assert remark(model, CoordinateError(worst=0.03 * factor * 50 / 1000 / 10, low=-1.0, high=1.0)) is expected
+        assert remark(model, CoordinateError(worst=0.03 * factor / 10, low=-1.0, high=1.0)) is expected
 
 
 def test_a_word_about_a_delay(built_in: Load) -> None:
