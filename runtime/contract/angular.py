@@ -49,3 +49,9 @@ def tilde(vector: np.ndarray) -> np.ndarray:
 def parameter_rates(e: np.ndarray, omega: np.ndarray) -> np.ndarray:
     """e' = e o (0, omega) / 2 (..., 4)."""
     return product(e, np.concatenate([np.zeros((*omega.shape[:-1], 1)), omega / 2], axis=-1))
+
+
+def rotation(theta: np.ndarray) -> np.ndarray:
+    """Rotation matrix (3 x 3) of a rotation vector (3,)."""
+    e, v = exponential(theta)[0], tilde(exponential(theta)[1:])
+    return np.asarray(np.eye(3) + 2 * e * v + 2 * v @ v)

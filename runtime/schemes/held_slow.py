@@ -36,7 +36,6 @@ class HeldSlow(OneStep):
 
     options: ClosureOptions
     counts_powers = True
-    positions = ("x", "x_last")
 
     @property
     def power_at(self) -> float:  # type: ignore[override]

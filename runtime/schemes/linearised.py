@@ -38,7 +38,6 @@ class Linearised(LinearSubSteps):
     options: LinearisedOptions
     counts_powers = True
     power_at = 0.5
-    positions = ("x", "x_mid")
 
     def __init__(self, model: Model, grid: Grid, options: LinearisedOptions) -> None:
         if grid.m[0] % 2:

@@ -42,7 +42,6 @@ class Scheme(ABC):
     closes: bool = True  # are all coordinates found from q_i by the closure, in every evaluation?
 
     adaptive: bool = False  # are its steps as long as a tolerance asks for, and dt the time between states to be seen?
-    positions: tuple[str, ...] = ("x",)  # fields that act on the next step and count turns from the charts
     counts_powers: bool = False  # do its stages call `worked`? Else a stage before them does what it would
     integrates_work: bool = False  # over its own steps, so that z has the work itself
     power_at: float = 0.0  # where in a step its powers are summed up: 0 its start, 1/2, or 1: the end of each sub-step

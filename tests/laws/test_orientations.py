@@ -19,7 +19,10 @@ from runtime.contract.coordinates import independent
 from runtime.contract.model import Model
 from runtime.contract.tape import as_function
 from runtime.gradients.differentiable_run import DifferentiableRun
+from runtime.operating.mode_solver import state_at
 from runtime.results.solution import Solution
+from runtime.schemes.catalogue import scheme_kind
+from runtime.studies.stability.spectrum import StepSpectrum
 from symgen.pipeline import derive
 from symgen.scene import Scene, SceneBuilder, SceneError
 from symgen.scenes.heavy_top import heavy_top
@@ -203,6 +206,17 @@ def test_linear_systems_turn_with_their_bodies(built_in: Build) -> None:
     J = 0.234375 + 15
     assert found["top.z"] == pytest.approx(-1, abs=1e-12) and found.stable
     assert np.abs(found.eigenvalues).max() == pytest.approx(np.sqrt(15 * 9.81 / J), rel=1e-10)
+
+
+def test_steps_grow_as_the_motion_does(built_in: Build) -> None:
+    """On the way over about the middle axis, whatever the scheme keeps: spectra of steps in axes of the body."""
+    model = built_in("tumbling_body")
+    motion = simulate(model, scheme="rk4", dt=0.01, t_end=1.0)
+    state, c = state_at(motion, len(motion.t) // 2), model.constants(model.parameter_vector())
+    for scheme in ("rk4", "single_rate", "linearised"):
+        steps = StepSpectrum(model, scheme_kind(scheme).build(scheme, model, 0.01, None, {}), c)
+        assert np.log(steps(state, 0.01).radius) / 0.01 == pytest.approx(1 / np.sqrt(3), rel=1e-3)
+        assert np.abs(steps(state, 0.01).growth).max() < 1e-4
 
 
 def test_gradient_and_resumed_run(model_of: Build, tmp_path: Path) -> None:

@@ -9,12 +9,12 @@ matrix is not finite.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import casadi as ca
 import numpy as np
 
-from runtime.contract.angular import angular_velocity, chart_rates
+from runtime.contract.angular import angular_velocity, chart_rates, parameter_rates, rotation
 from runtime.engine.program import Repeat, Until
 from runtime.schemes.scheme import Scheme
 
@@ -37,22 +37,30 @@ class TangentStep:
         """(z after a major step, amplification matrix on `columns`)."""
         tangent = np.zeros((len(z), len(self.columns)))
         tangent[self.columns, np.arange(len(self.columns))] = 1.0
+        self._set_out(z, tangent)
         z, tangent = self._step(z, tangent, c)
-        self._turn(z, tangent)
+        self._arrive(z, tangent)
         return z, tangent[self.columns]
 
-    def _turn(self, z: np.ndarray, tangent: np.ndarray) -> None:
-        """Changes of charts as changes of the turns that count from them, in place."""
-        layout, places = self.scheme.layout, self.scheme.model.places
-        if "chart" not in layout.sizes:
-            return
-        fields = [layout.slice(name).start for name in self.scheme.positions if name in layout.sizes]
-        first = layout.slice("chart").start
-        for k, turns in enumerate(places.turns):
-            own = slice(first + 4 * k, first + 4 * k + 4)
-            turned = angular_velocity(z[own], tangent[own].T).T
-            for start in fields:
-                tangent[start + turns] += chart_rates(-z[start + turns]) @ turned
+    def _orientations(self) -> Iterator[tuple[np.ndarray, slice]]:
+        """(places of the turns in z, of the chart) of each orientation; changes are rotations in its axes."""
+        layout = self.scheme.layout
+        if "chart" in layout.sizes:
+            first = layout.slice("chart").start
+            for k, turns in enumerate(self.scheme.model.places.turns):
+                yield layout.slice("x").start + turns, slice(first + 4 * k, first + 4 * k + 4)
+
+    def _set_out(self, z: np.ndarray, tangent: np.ndarray) -> None:
+        """Changes of turns put into their charts, from which everything else counts, in place."""
+        for turns, chart in self._orientations():
+            change = rotation(z[turns]) @ tangent[turns]
+            tangent[chart], tangent[turns] = parameter_rates(z[chart], change.T).T, 0.0
+
+    def _arrive(self, z: np.ndarray, tangent: np.ndarray) -> None:
+        """Changes of turns and charts together as those of turns, in place."""
+        for turns, chart in self._orientations():
+            own = np.linalg.solve(chart_rates(z[turns]), tangent[turns])
+            tangent[turns] = own + rotation(z[turns]).T @ angular_velocity(z[chart], tangent[chart].T).T
 
     def _again(self, body: Advance, node: Repeat | Until) -> Advance:
         if isinstance(node, Repeat):
