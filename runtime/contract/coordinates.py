@@ -24,6 +24,13 @@ def followed(model: Model) -> tuple[list[str], np.ndarray]:
     return names, np.concatenate([model.places.columns, model.places.parameters.ravel()])
 
 
+def told_state(model: Model, told: np.ndarray) -> np.ndarray:
+    """q (..., n) of what tells a motion (..., n_told); dependent coordinates that it does not tell are zero."""
+    q = np.zeros((*told.shape[:-1], len(model.coordinates)))
+    q[..., followed(model)[1]] = told
+    return q
+
+
 def independent_part(model: Model, q: np.ndarray) -> np.ndarray:
     """q_i (..., n_i) of all coordinates q (..., n); turns are rotation vectors, below 2 pi, from charts that are 1."""
     at, q = model.places, np.asarray(q)

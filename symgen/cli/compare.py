@@ -29,13 +29,14 @@ def run(arguments: argparse.Namespace) -> Outcome:
     """Differences as a table, and the picture."""
     import numpy as np
 
+    from runtime.contract.coordinates import followed
     from runtime.views import plots
     from symgen.cli.running import results_of
 
     first, second = results_of(arguments.first), results_of(arguments.second)
     path = Path(arguments.out) if arguments.out else Path(arguments.first) / "difference.png"
     plots.difference(first, second, path, arguments.names)
-    chosen = arguments.names or [name for name in first.model.q_i if name in second.model.coordinates]
+    chosen = arguments.names or [name for name in followed(first.model)[0] if name in second.model.coordinates]
     t = first.t[(first.t >= second.t[0]) & (first.t <= second.t[-1])]
     rows = {}
     for name in chosen:

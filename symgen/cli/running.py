@@ -107,6 +107,8 @@ def exit_code(solution: Solution) -> int:
 
 def summary(solution: Solution, judged: float | None = None) -> list[str]:
     """A few lines on a run for a person. judged: its error, where a reference knows it better than its estimate."""
+    from runtime.contract.coordinates import followed
+
     model, stats = solution.model, solution.stats
     m = ",".join(map(str, solution.m)) or "-"
     lines = [
@@ -141,8 +143,9 @@ def summary(solution: Solution, judged: float | None = None) -> list[str]:
         lines.append(f"chosen automatically: {stats['advice']}")
     if "engine_note" in stats:
         lines.append(str(stats["engine_note"]))
-    final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in model.q_i[:6])
-    more = ", ..." if len(model.q_i) > 6 else ""
+    names = followed(model)[0]
+    final = ", ".join(f"{name} = {float(solution[name][-1]):.9g}" for name in names[:7])
+    more = ", ..." if len(names) > 7 else ""
     return [*lines, f"at t = {float(solution.t[-1]):.6g} s: {final}{more}"]
 
 

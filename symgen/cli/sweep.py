@@ -183,7 +183,7 @@ def _refuse_unknown(model: Any, starts: dict[str, Any]) -> None:
             raise ModelError(
                 f"--over {name}",
                 f"model {model.name} has no parameter, coordinate or rate of this name",
-                f"it has {', '.join([*offered, *model.q_i])}",
+                f"it has {', '.join([*offered, *model.coordinates])}",
             )
 
 

@@ -13,7 +13,7 @@ from html import escape
 import numpy as np
 
 from runtime.contract.cards import card, line, table
-from runtime.contract.coordinates import followed
+from runtime.contract.coordinates import followed, independent, told_state
 from runtime.contract.errors import NoResult
 from runtime.contract.model import Model
 from runtime.operating.mode_solver import ModeSolver, State
@@ -162,9 +162,10 @@ def _states(problem: Problem) -> list[State]:
     """States along the reference path, rates by differences."""
     times = (np.arange(STATES) + 0.5 * np.sin(np.arange(STATES)) ** 2) / STATES * problem.t_end
     step = 1e-4 * problem.t_end / STATES
-    q_i, ahead = problem.path(times), problem.path(times + step)
+    now, ahead = (told_state(problem.model, problem.path(at)) for at in (times, times + step))
     loop = problem.state.q[problem.model.loop_columns]
-    return [State(float(t), q, (q_next - q) / step, loop) for t, q, q_next in zip(times, q_i, ahead, strict=True)]
+    q_i, v = independent(problem.model, now, (ahead - now) / step)
+    return [State(float(t), *row, loop) for t, *row in zip(times, q_i, v, strict=True)]
 
 
 def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> tuple[Search, float | None]:
