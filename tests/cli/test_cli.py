@@ -138,6 +138,13 @@ def test_a_toml_scene_is_simulated_without_leaving_code(capsys, folder, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
+def test_the_last_line_tells_orientations_by_euler_parameters(capsys) -> None:
+    """Their turns are coordinates of one step, which no user knows of."""
+    assert main(["simulate", "tumbling_body", "--t-end", "0.1"]) == 0
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert "body.e0 = " in last and "turn" not in last
+
+
 def test_no_energy_balance_is_claimed_where_the_samples_were_not_kept(capsys, folder) -> None:
     words = ["simulate", str(folder / "code"), "--t-end", "0.1", "--engine", "interpreted"]
     assert main(words) == 0

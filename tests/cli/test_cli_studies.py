@@ -81,6 +81,13 @@ def test_advise_ends_with_a_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*words, "--t-end", "3"]) == 0
 
 
+def test_advice_on_a_turning_body(capsys: pytest.CaptureFixture[str]) -> None:
+    """The reference path tells Euler parameters; frequencies are looked at in turns and angular velocities."""
+    code, out, _ = said(capsys, "advise", "tumbling_body", "--t-end", "0.2", "--tolerance", "1e-2")
+    assert code == 0
+    assert "run it with: symgen simulate tumbling_body" in out
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [
