@@ -165,7 +165,7 @@ def _states(problem: Problem) -> list[State]:
     now, ahead = (told_state(problem.model, problem.path(at)) for at in (times, times + step))
     loop = problem.state.q[problem.model.loop_columns]
     q_i, v = independent(problem.model, now, (ahead - now) / step)
-    return [State(float(t), *row, loop) for t, *row in zip(times, q_i, v, strict=True)]
+    return [State(float(t), q, rate, loop) for t, q, rate in zip(times, q_i, v, strict=True)]
 
 
 def _within_limit(problem: Problem, done: list[Search], states: list[State]) -> tuple[Search, float | None]:
