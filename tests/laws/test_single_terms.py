@@ -158,10 +158,10 @@ def test_second_order_integrals_of_a_flexible_body_in_space(model_of: Build) -> 
     rng = np.random.default_rng(3)
     q_f, q_f_dot = rng.normal(size=3), rng.normal(size=3)
     for omega in (*np.eye(3), rng.normal(size=3)):
-        values = dict(zip(model.coordinates, np.zeros(len(model.coordinates)), strict=True))
+        values = dict.fromkeys([*model.coordinates, *model.q_i], 0.0)
         rates = dict(values)
         values.update({"b.e0": 1.0, **{f"b.q{k + 1}": q_f[k] for k in range(3)}})
-        rates.update({f"b.e{k + 1}": omega[k] / 2 for k in range(3)})
+        rates.update({f"b.turn_{axis}": omega[k] for k, axis in enumerate("xyz")})
         rates.update({f"b.q{k + 1}": q_f_dot[k] for k in range(3)})
         q_i = np.array([values[name] for name in model.q_i])
         q_i_dot = np.array([rates[name] for name in model.q_i])

@@ -72,11 +72,11 @@ def advice_lines(advice: Advice, scene: str = "") -> list[str]:
                 f"  {one.label:34} dt = {one.best.setting:<10.4g} s  {one.best.seconds * 1e3:9.4g} ms  "
                 f"error {one.best.error:.2g}"
             )
-    lines += [advice.reason, f"run it with: {command(advice, scene)}"]
+    lines.append(advice.reason)
     if advice.varied is not None:
         varied = f"symgen simulate {scene or advice.model.name} --scheme auto --tolerance {advice.tolerance:g}"
-        lines.append(f"or let steps vary with {varied} ({advice.varied.reason})")
-    return lines
+        lines += [f"steps that vary ({advice.varied.reason}): {varied}"]
+    return [*lines, f"run it with: {command(advice, scene)}"]
 
 
 def command(advice: Advice, scene: str = "") -> str:
