@@ -177,6 +177,17 @@ def test_elastic_equilibria_of_cases_are_those_of_runs(built_in: Load) -> None:
         np.testing.assert_array_equal(found[name][1], expected.outputs[name])
 
 
+def test_turning_bodies_start_with_their_angular_velocities(built_in: Load) -> None:
+    model, spins = built_in("tumbling_body"), [-1.0, 2.5]
+    given: dict[str, Any] = {"scheme": "rk4", "dt": 0.01, "t_end": 0.5}
+    names = ["body.e1", "body.omega_x", "body.omega_z"]
+    found = ensemble(model, initial={"body.omega_x": spins}, reduce={name: ["end"] for name in names}, **given)
+    alone = [simulate(model, initial={"body.omega_x": spin}, **given) for spin in spins]
+    for name in names:
+        values = [run[name][-1] for run in alone]
+        assert np.asarray(found[f"{name}_end"]).tolist() == values and values[0] != values[1]
+
+
 def test_inputs_of_cases_are_those_of_runs(tmp_path: Path) -> None:
     """A cart pushed by a number of each case, along a function of time that all share, from a time of its own."""
     scene = (

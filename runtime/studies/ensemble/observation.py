@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from runtime.contract.coordinates import joined
+from runtime.contract.coordinates import joined, parameter_columns
 from runtime.contract.model import Model, ModelError
 from runtime.engine.program import Call, Fields, Layout, Program, Until, make_stage
 from runtime.engine.program import Sequence as InSequence
@@ -21,16 +21,24 @@ from runtime.schemes.scheme import LARGEST, Scheme
 
 ENERGIES = ("kinetic", "elastic", "potential", "power_dissipated", "power_applied")
 ORDERS = ("", "_dot", "_ddot")
+AXES = "xyz"
 KERNELS = ("energy", "measures", "reactions")
 
 
 @dataclass(frozen=True)
 class Column:
-    """An output: entry `position` of the output `part` of a kernel; "state": of q, q_dot or q_ddot (part: suffix)."""
+    """An output: entry `position` of the output `part` of a kernel; "state": of q, q_dot or q_ddot (part: suffix);
+    "spin": angular velocity about an axis (part: x, y or z) of the body whose Euler parameters begin at `position`.
+    """
 
     kernel: str
     part: str
     position: int = 0
+
+    @property
+    def suffixes(self) -> set[str]:
+        """Which of q, q_dot, q_ddot it reads, if it is one of these or made of them."""
+        return {"state": {self.part}, "spin": {"", "_dot"}}.get(self.kernel, set())
 
 
 def column(model: Model, name: str) -> Column:
@@ -62,6 +70,8 @@ def _quantities(model: Model) -> dict[str, Column]:
         found |= {f"{prefix}{name}": Column("measures", "measures", k) for prefix in ("", "measure.")}
     for k, name in enumerate(model.coordinates):
         found |= {f"{name}{suffix}": Column("state", suffix, k) for suffix in ORDERS}
+    for body, e in parameter_columns(model).items():
+        found |= {f"{body}.omega_{axis}": Column("spin", axis, e[0]) for axis in AXES}
     return found
 
 
@@ -86,10 +96,10 @@ class Observation:
         self.model, self.scheme = model, scheme
         self.columns = [column(model, name) for name in names]
         self.kernels = [name for name in KERNELS if any(one.kernel == name for one in self.columns)]
-        needed = {one.part for one in self.columns if one.kernel == "state" and self._dependent(one)}
+        needed = {suffix for one in self.columns if self._dependent(one) for suffix in one.suffixes}
         read = {name for kernel in self.kernels for name in model.kernel(kernel).name_in()}
         self.dependent = [suffix for suffix in ORDERS if suffix in needed or f"q{suffix}" in read]
-        independent = {one.part for one in self.columns if one.kernel == "state"} | set(self.dependent)
+        independent = {suffix for one in self.columns for suffix in one.suffixes} | set(self.dependent)
         self.independent = [suffix for suffix in ORDERS if suffix in independent or f"q{suffix}" in read]
         if model.q_d and scheme.closes and model.loop_unknowns and self.dependent:
             # the closure is looked at again, with the rates that follow from it
@@ -100,7 +110,8 @@ class Observation:
             self.closes = False
 
     def _dependent(self, one: Column) -> bool:
-        return self.model.coordinates[one.position] in self.model.q_d
+        columns = range(one.position, one.position + (4 if one.kernel == "spin" else 1))
+        return bool(one.suffixes) and any(self.model.coordinates[column] in self.model.q_d for column in columns)
 
     @property
     def fields(self) -> dict[str, int]:
@@ -122,7 +133,7 @@ class Observation:
             )
             parts.append(Until(body, layout.slice("seen_open").start, MOST_CLOSURES, 1))
         parts += [self._kernel_stage(layout, c_size, name) for name in self.kernels]
-        if any(one.kernel == "state" for one in self.columns):
+        if any(one.suffixes for one in self.columns):
             parts.append(make_stage("observed_state", layout, c_size, self._states))
         return InSequence(tuple(parts))
 
@@ -163,6 +174,11 @@ class Observation:
         for k, one in enumerate(self.columns):
             if one.kernel == "state":
                 outputs[k] = self._whole(z, one.part)[one.position]
+            elif one.kernel == "spin":
+                e, e_dot = (
+                    ca.vertsplit(self._whole(z, suffix)[one.position : one.position + 4]) for suffix in ORDERS[:2]
+                )
+                outputs[k] = _spin(e, e_dot, AXES.index(one.part))
         return {"outputs": outputs}
 
     def _whole(self, z: Fields, suffix: str) -> ca.SX:
@@ -171,3 +187,10 @@ class Observation:
         sizes = {"i": len(model.q_i), "d": len(model.q_d)}
         parts = (z.get(f"seen_{kind}{suffix}", ca.SX.zeros(size)) for kind, size in sizes.items())
         return ca.densify(joined(model, *parts))
+
+
+def _spin(e: Sequence[ca.SX], e_dot: Sequence[ca.SX], axis: int) -> ca.SX:
+    """Component of 2 conj(e) o e', added up as runtime/contract/angular.py does."""
+    i, j = 1 + (axis + 1) % 3, 1 + (axis + 2) % 3
+    a = [e[0], *(-part for part in e[1:])]
+    return 2 * ((a[0] * e_dot[1 + axis] + e_dot[0] * a[1 + axis]) + (a[i] * e_dot[j] - a[j] * e_dot[i]))

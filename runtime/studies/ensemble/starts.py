@@ -10,7 +10,7 @@ from runtime.contract.consistent_state import InitialStateError
 from runtime.contract.coordinates import independent
 from runtime.contract.model import Model, ModelError
 from runtime.operating.assembly import closable
-from runtime.operating.given_state import keeps_independent
+from runtime.operating.given_state import keeps_independent, spin_names
 from runtime.running.inputs import started
 from runtime.running.schedule import Schedule
 from runtime.start.start_state import start_state
@@ -46,8 +46,8 @@ class CaseStarts:
         same = np.array_equal(self._own[others], self._defaults[others])
         # where nothing is changed, the state is the model's own as it was found when it was generated
         self._changed = bool(initial or model.sources) or t0 != 0 or not same
-        self._places = [(name in model.coordinates, _column(model, name)) for name in initial]
         self._lanes, self._closable = in_lanes(model, initial, start), closable(model)
+        self._places = [(name in model.coordinates, _column(model, name)) for name in initial] if self._lanes else []
 
     def of(self, table: np.ndarray) -> Starts:
         """Of rows of samples (cases, parameters and initial values)."""
@@ -85,6 +85,8 @@ class CaseStarts:
 def in_lanes(model: Model, initial: list[str], start: str) -> bool:
     """Can these starts be made in lanes? Else Python makes them one by one."""
     chosen = start or str(model.simulation.get("start", "given"))
+    if set(initial) & set(spin_names(model)):
+        return False
     names = [model.coordinates[_column(model, name)] for name in initial]
     given = chosen == "given" or (not start and any(name in model.elastic for name in names))
     free = not model.constraints or (closable(model) and keeps_independent(model, names, ()))
