@@ -249,11 +249,15 @@ def _failure(model: Model, clamped: Clamped, found: Found) -> NoEquilibrium:
     left = at.Q + at.S[clamped.rows].T @ clamped.holding(at)
     residual = {name: float(value) for name, value in zip(model.q_i, left, strict=True)}
     worst = max(residual, key=lambda name: abs(residual[name]))
-    unit = force_unit(model, worst)
+    remedy = "Hold that coordinate, give it a rate, or begin elsewhere with `initial`"
+    if worst not in model.coordinates:
+        remedy = (
+            "That is a turn of a body: a steady spin is one of angles with rates of their own, those of joints or of "
+            'orientation = "zxz"; for a state at rest give `rates` without Euler parameters'
+        )
     return NoEquilibrium(
-        f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} {unit} "
-        f"is left at {worst} after {found.iterations} iterations. Hold that coordinate, give it a rate, or begin "
-        "elsewhere with `initial`",
+        f"model {model.name} has no equilibrium in reach of its initial state: a force of {residual[worst]:.6g} "
+        f"{force_unit(model, worst)} is left at {worst} after {found.iterations} iterations. {remedy}",
         residual,
     )
 

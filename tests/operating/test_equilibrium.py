@@ -233,3 +233,26 @@ def test_a_chain_comes_to_rest_from_anywhere(model_of: Build, start: str) -> Non
     turned = [found[f"link{k}.theta"] for k in range(n)] - angles(weight_by_force)
     assert found.stable
     np.testing.assert_allclose(np.sin(turned / 2), 0.0, atol=1e-9)
+
+
+def test_a_top_that_precesses(model_of: Callable[..., Model], built_in: Callable[..., Model]) -> None:
+    """By hand: m g l = C (spin + p cos theta) p - A p^2 cos theta, where the tilt theta is sought.
+
+    With Euler parameters a spin has no rates of its own, and the refusal says what has.
+    """
+
+    scene = (
+        SceneBuilder("top", space="spatial")
+        .gravity(0, 0, -9.81)
+        .rigid(
+            "top", mass=15.0, inertia=[0.25, 0.25, 0.5], orientation="zxz", markers={"foot": {"position": (0, 0, -1)}}
+        )
+        .spherical("pivot", "ground.origin", "top.foot")
+        .initial({"top.theta2": 0.5})
+        .build()
+    )
+    A, C, spin, p = 15.25, 0.5, 150.0, 2.0
+    tilt = equilibrium(model_of(scene), rates={"top.theta1": p, "top.theta3": spin})["top.theta2"]
+    assert C * (spin + p * math.cos(tilt)) * p - A * p**2 * math.cos(tilt) == pytest.approx(15.0 * 9.81, rel=1e-9)
+    with pytest.raises(NoEquilibrium, match="turn of a body: a steady spin is one of angles"):
+        equilibrium(built_in("heavy_top"), rates={"top.e2": 75.0, "top.e3": -2.30769})
