@@ -26,7 +26,7 @@ BROKEN = (
     TypeError,
     EOFError,
     AttributeError,
-    NotImplementedError,
+    NotImplementedError,  # of zipfile, for a compression that it does not know
     RuntimeError,
     zipfile.BadZipFile,
 )

@@ -8,9 +8,9 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from runtime.contract.packing import packed, unpacked
+from symgen.scene.appearance import MOST_TRIANGLES
 from symgen.scene.fields import StrictModel, refuse
 
-MOST_TRIANGLES = 20_000
 REMEDY = "take what FlexibleBody.surface gives"
 
 
@@ -50,6 +50,8 @@ class FlexibleSurface(StrictModel):
         places, n = unpacked(self.triangles, "<i4"), sizes["vertices"] // 3
         if sizes["vertices"] != 3 * n or sizes["shapes"] != 3 * n * nf or sizes["stresses"] not in (0, 6 * n * nf):
             return f"vertices, shapes and stresses hold {list(sizes.values())} numbers, for {nf} modes"
+        if n > 3 * MOST_TRIANGLES:
+            return f"vertices are {n}, more than the corners of {MOST_TRIANGLES} triangles"
         if len(places) % 3 or not 3 <= len(places) <= 3 * MOST_TRIANGLES:
             return f"triangles hold {len(places)} places: three for each, of 1 to {MOST_TRIANGLES} triangles"
         if places.min() < 0 or places.max() >= n:

@@ -15,6 +15,7 @@ from runtime.views.mechanism.solids import AROUND, RINGS, Solid, solid
 from runtime.views.viewer.record import view_record
 from symgen.generate import generate
 from symgen.scene import Scene, SceneBuilder, SceneError, read_mesh
+from symgen.scene.surface import FlexibleSurface
 
 UPRIGHT = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 LYING = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
@@ -126,3 +127,21 @@ def test_wrong_shapes_are_named(shape: dict[str, object], problem: str) -> None:
     with pytest.raises(SceneError, match=problem) as caught:
         disk(**shape)
     assert "wheel" in caught.value.item and "shape" in caught.value.item
+
+
+@pytest.mark.parametrize(
+    ("vertices", "triangles", "shapes", "fault"),
+    [
+        (np.zeros((3, 3)), [[0, 1, 2]], np.zeros((3, 3, 2)), ""),
+        (np.zeros((3, 3)), [[0, 1, 2]], np.zeros((3, 3, 1)), "hold [9, 9, 0] numbers, for 2 modes"),
+        (np.zeros((3, 3)), [[0, 1]], np.zeros((3, 3, 2)), "triangles hold 2 places"),
+        (np.zeros((3, 3)), [[0, 1, 3]], np.zeros((3, 3, 2)), "triangles name vertices from 0 to 3 of 3"),
+        (np.zeros((60_001, 3)), [[0, 1, 2]], np.zeros((60_001, 3, 2)), "vertices are 60001, more than the corners"),
+    ],
+)
+def test_a_surface_that_does_not_fit_its_body_says_what(
+    vertices: np.ndarray, triangles: list[list[int]], shapes: np.ndarray, fault: str
+) -> None:
+    surface = FlexibleSurface(vertices=vertices, triangles=triangles, shapes=shapes)  # type: ignore[arg-type]
+    found = surface.fault(2)
+    assert fault in found and bool(fault) == bool(found)
