@@ -15,6 +15,7 @@ from runtime.results.samples import Samples
 from runtime.results.section_forces import SectionForces, Way, section_forces
 from runtime.results.showing import SHOWS
 from runtime.results.solution_card import solution_card
+from runtime.results.stresses import Stresses, StressWay, stresses
 
 if TYPE_CHECKING:
     import xarray
@@ -65,6 +66,14 @@ class Solution(Samples):
         of modal forces. at: 33 sections if left out. Errors as of runtime.results.section_forces.section_forces.
         """
         return section_forces(self, body, at, way)
+
+    def stresses(self, body: str, way: StressWay = "equilibrium") -> Stresses:
+        """Stress components and von Mises stress of a finite-element body at the gauges of the scene.
+
+        way: "equilibrium" of all forces on it (mode acceleration with inertia relief), or "modes", the sum of modal
+        stresses. Errors as of runtime.results.stresses.stresses.
+        """
+        return stresses(self, body, way)
 
     def body_motion(self, body: str) -> BodyMotion:
         """Motion of a flexible body in space and the forces at its markers, for `FlexibleBody.equilibrium_stresses()`.

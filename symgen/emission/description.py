@@ -16,6 +16,7 @@ from runtime.contract.records import (
     Drawing,
     EventRecord,
     FunctionSpec,
+    GaugeRecord,
     JointRecord,
     LoadedBody,
     LoadRecord,
@@ -70,6 +71,12 @@ def describe(derived: Derived, functions: Sequence[FunctionSpec] | None = None) 
                 [eq.names[c] for c in turning.parameters],
             )
             for turning in derived.system.reduced.turnings
+        ],
+        gauges=[
+            GaugeRecord(body.name, name, **gauge.model_dump(mode="json"))
+            for body in scene.moving_bodies
+            if isinstance(body, SpatialModalBody)
+            for name, gauge in body.gauges.items()
         ],
         beams=[BeamRecord(body, sets, eq.loads_on(body), missing.get(body, 0.0)) for body, sets in eq.beams.items()],
     )

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.frame import LineMesh, frame_structure
+from symgen.fe.gauges import Gauges, gauge_fields, gauge_places
 from symgen.fe.inertia import InertiaIntegrals, dusted, inertia_integrals
 from symgen.fe.interfaces import Interface, NodeSet, interface
 from symgen.fe.losses import FlexibilityLoss, effective_masses, flexibility_losses
@@ -151,15 +152,27 @@ class FlexibleBody:
         """Frequencies of the modes [Hz], (nf,)."""
         return np.sqrt(self.modes.eigenvalues) / (2.0 * np.pi)
 
-    def fields(self, damping_ratio: float | Sequence[float] = 0.0, surface: int = 0) -> dict[str, Any]:
+    def fields(
+        self, damping_ratio: float | Sequence[float] = 0.0, surface: int = 0, gauges: Gauges | None = None
+    ) -> dict[str, Any]:
         """Plain numbers and lists for a spatial modal body of a scene; `damping_ratio` of all modes or of each.
 
         surface: how many triangles of its surface go with it at most, for pictures; 0: none.
+        gauges: where the stress of a solid is known: a place [m] from the origin or the id of a node by name, or how
+        many to find, where the stresses of its modes are largest.
         M_ff = 1 [kg], K_ff = omega^2 [N/m] and D_ff = 2 zeta omega [N s/m] are diagonal.
-        Raises FiniteElementError for a ratio that is negative or for a wrong number of ratios.
+        Raises FiniteElementError for a ratio that is negative, for a wrong number of ratios, and for gauges that are no
+        places or on a body without known stresses.
         """
         looks = self.surface(surface) if surface else {}
-        return modal_fields(self.integrals, self.modes.eigenvalues, self.markers, self.stiffening, damping_ratio, looks)
+        values = self.modes.eigenvalues
+        found = modal_fields(self.integrals, values, self.markers, self.stiffening, damping_ratio, looks)
+        return found if gauges is None else {**found, "gauges": self._gauges(gauges)}
+
+    def _gauges(self, gauges: Gauges) -> dict[str, Any]:
+        stresses, omega = self.stresses(), np.sqrt(self.modes.eigenvalues)
+        places = gauge_places(self.structure, self.origin, gauges, stresses, omega, self.interfaces)
+        return gauge_fields(places, stresses, self.equilibrium_stresses(at=list(places.values()))) if places else {}
 
     def surface(self, max_triangles: int = 20_000, triangles: ArrayLike | None = None) -> dict[str, Array]:
         """The boundary for `solution.view(surfaces={...})`: vertices (n, 3) [m], triangles (m, 3), shapes (n, 3, nf).

@@ -1,12 +1,8 @@
 """Stresses of a solid body by the forces that act on it: mode acceleration with inertia relief.
 
 The sum of modal stresses needs the static shapes of all loads among its modes. Here the body is solved statically for
-what loads it at each moment: the forces and moments at its interfaces, and the inertia forces -M a of the acceleration
-
-    a = a_o + G rho0 + sum_a G_a phi_a,   G = alpha~ + omega~ omega~,  G_a = G q_a + 2 omega~ q_a' + 1 q_a''
-
-All of it is linear in its causes, so that one static solution of the free body (balanced by its rigid acceleration) for
-each unit cause suffices: 9 fields x_i e_j, 9 nf fields phi_a,i e_j, 6 loads an interface. Weight and a_o are rigid.
+what loads it at each moment. That is linear in its causes (runtime/contract/stress_causes.py), so that one static
+solution of the free body (balanced by its rigid acceleration) for each unit cause suffices.
 """
 
 from __future__ import annotations
@@ -17,15 +13,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from runtime.contract.body_motion import BodyMotion, cross_matrix
+from runtime.contract.body_motion import BodyMotion
+from runtime.contract.stress_causes import UnknownInterface, causes
 from symgen.fe.errors import FiniteElementError
 from symgen.fe.interfaces import Interface
 from symgen.fe.static import inertia_relief
 from symgen.fe.stresses import linear_fit, solid_stress, von_mises
-from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
+from symgen.fe.structure import AXES, FEStructure
 from symgen.modes.cleaning import Array, fixed
-
-SAME_PLACE = 1e-9  # of the size of the body: a marker of another name there stands for the interface
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,30 +55,13 @@ class EquilibriumStresses:
             raise FiniteElementError(
                 "motion", f"{motion.body} has {nf} modes, not {self.nf}", "give that body's motion"
             )
-        G, turning = motion.field(), 2.0 * cross_matrix(motion.omega)
-        modes = (
-            motion.q_f[:, :, None, None] * G[:, None]
-            + motion.q_f_dot[:, :, None, None] * turning[:, None]
-            + motion.q_f_ddot[:, :, None, None] * np.eye(AXES)
-        )
-        N = len(motion.t)
-        forces = {name: np.zeros((N, RIGID_MOTIONS)) for name in self.interfaces}
-        for one in motion.forces:
-            forces[self._interface(one.marker, one.position)] += one.wrench
-        fields = [-G.transpose(0, 2, 1).reshape(N, -1), -modes.transpose(0, 1, 3, 2).reshape(N, -1)]
-        return np.hstack([*fields, *forces.values()])
-
-    def _interface(self, marker: str, position: Array) -> str:
-        """The interface that a marker stands for: of its name, else at its place."""
-        if marker in self.interfaces:
-            return marker
         size = float(np.ptp(self.points, axis=0).max()) if len(self.points) > 1 else 1.0
-        for name, place in self.interfaces.items():
-            if np.abs(place - position).max() <= SAME_PLACE * size:
-                return name
-        raise FiniteElementError(
-            f"marker '{marker}'", "forces act there, but it is no interface", "name an interface at that place"
-        )
+        try:
+            return causes(motion, self.interfaces, size)
+        except UnknownInterface as error:
+            raise FiniteElementError(
+                f"marker '{error}'", "forces act there, but it is no interface", "name an interface at that place"
+            ) from None
 
 
 def equilibrium_stresses(

@@ -48,6 +48,7 @@ from symgen.scene.measures import (
     DistanceMeasure,
     Measure,
     SectionForceMeasure,
+    StressMeasure,
     XMeasure,
     YMeasure,
     ZMeasure,
@@ -75,8 +76,9 @@ __all__ = [
     "RevoluteJoint",
     "RigidBody", "RigidMarker", "RotationalSpringDamper", "Scene", "SceneBuilder", "SceneError", "ScrewJoint",
     "SectionForceMeasure",
-    "Simulation", "SphericalJoint", "SpringDamper", "Structure", "Torque", "TorsionModes", "UniversalJoint",
-    "WeldJoint", "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh", "with_ends",
+    "Simulation", "SphericalJoint", "SpringDamper", "StressMeasure", "Structure", "Torque", "TorsionModes",
+    "UniversalJoint", "WeldJoint", "XMeasure", "YMeasure", "ZMeasure", "lateral_ends", "parse_expression", "read_mesh",
+    "with_ends",
 ]  # fmt: skip
 
 _RENAMED = {

@@ -171,6 +171,10 @@ class SceneBuilder:
         """A measure of ``type`` normal_force, shear_force, bending_moment, ... of a beam at a marker."""
         return self._add("measures", type, name, {"marker": marker})
 
+    def measure_stress(self, name: str, gauge: str, component: str = "von_mises") -> Self:
+        """A measure of the stress of a finite-element body at `body.gauge`, or `body.all` for the largest."""
+        return self._add("measures", "stress", name, {"gauge": gauge, "component": component})
+
     def measure_coordinate(self, name: str, coordinate: str) -> Self:
         """A measure of a coordinate itself."""
         return self._add("measures", "coordinate", name, {"coordinate": coordinate})

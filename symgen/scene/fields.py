@@ -151,6 +151,13 @@ def _marker_reference(value: object) -> str:
     return str(value)
 
 
+def _gauge_reference(value: object) -> str:
+    parts = value.split(".") if isinstance(value, str) else []
+    if len(parts) != 2 or not all(re.fullmatch(NAME_PATTERN, part) for part in parts):
+        raise refuse(f"{show(value)} does not name a gauge", 'write "body.gauge", or "body.all" for the largest')
+    return str(value)
+
+
 def _coordinate(value: object) -> str:
     if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_.*?]{1,140}", value):
         raise refuse(f"{show(value)} is not a coordinate", 'write "body.coordinate", for instance "crank.theta"')
@@ -165,6 +172,7 @@ Inertia = Annotated[
     PlainValidator(_inertia, json_schema_input_type=float | str | list[float | str]),
 ]
 MarkerRef = Annotated[str, PlainValidator(_marker_reference, json_schema_input_type=str)]
+GaugeRef = Annotated[str, PlainValidator(_gauge_reference, json_schema_input_type=str)]
 Coordinate = Annotated[str, PlainValidator(_coordinate, json_schema_input_type=str)]
 Text = Annotated[str, Strict(), Field(max_length=MAX_TEXT)]
 Flag = Annotated[bool, Strict()]

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from symgen.scene.bodies import MarkerDirections, Orientation
 from symgen.scene.fields import Bound, Flag, Matrix, Meaning, Name, Number, Quantity, StrictModel
+from symgen.scene.gauges import StressGauge
 from symgen.scene.surface import FlexibleSurface
 
 Block = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
@@ -43,7 +44,7 @@ class SpatialModalBody(StrictModel):
     mass [kg]; first_moment: int rho0 dm [kg m]; inertia_moments: int rho0_i rho0_j dm [kg m^2], 3 x 3 about the frame
     origin; M_ff, K_ff, D_ff: nf x nf; phi_integral: int Phi dm, 3 x nf; rho_phi[a][i][j] = int rho0_i Phi_ja dm;
     phi_phi[a][b][i][j] = int Phi_ia Phi_jb dm (left out: no terms of second order in q_f in the inertia); surface: for
-    pictures.
+    pictures; gauges: where stresses are known.
     """
 
     type: Literal["flexible"] = "flexible"
@@ -61,6 +62,7 @@ class SpatialModalBody(StrictModel):
     orientation: Orientation = "euler_parameters"
     free: Flag = False
     surface: FlexibleSurface | None = None
+    gauges: dict[Name, StressGauge] = Field(default_factory=dict)
     markers: dict[Name, FlexibleMarker] = Field(default_factory=dict)
 
     @property

@@ -6,7 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from symgen.scene.fields import Coordinate, MarkerRef, Name, StrictModel
+from symgen.scene.fields import Coordinate, GaugeRef, MarkerRef, Name, StrictModel
+
+ALL_GAUGES = "all"
 
 
 class _Measure(StrictModel):
@@ -71,7 +73,27 @@ class SectionForceMeasure(StrictModel):
     marker: MarkerRef
 
 
+class StressMeasure(StrictModel):
+    """Stress [Pa] of a finite-element body at a gauge `body.gauge` by its modes, in the body's axes.
+
+    component: von_mises, or xx, yy, zz, yz, xz, xy. `body.all`: the largest von Mises stress of all its gauges.
+    `Solution.stresses` has what equilibrium says.
+    """
+
+    type: Literal["stress"] = "stress"
+    name: Name
+    gauge: GaugeRef
+    component: Literal["von_mises", "xx", "yy", "zz", "yz", "xz", "xy"] = "von_mises"
+
+
 Measure = Annotated[
-    AngleMeasure | DistanceMeasure | XMeasure | YMeasure | ZMeasure | CoordinateMeasure | SectionForceMeasure,
+    AngleMeasure
+    | DistanceMeasure
+    | XMeasure
+    | YMeasure
+    | ZMeasure
+    | CoordinateMeasure
+    | SectionForceMeasure
+    | StressMeasure,
     Field(discriminator="type"),
 ]

@@ -13,13 +13,14 @@ import casadi as ca
 from symgen.algebra.parameters import ParameterTable
 from symgen.algebra.rows import Row, add_to
 from symgen.algebra.scalar import ONE, add
+from symgen.bodies.gauge_stress import gauge_stress
 from symgen.bodies.outlines import Picture
 from symgen.joints.instance import ConstraintRow
 from symgen.loads.effect import LoadEffect
-from symgen.scene import Scene
+from symgen.scene import Scene, SpatialModalBody
 from symgen.scene.joints import Joint
 from symgen.scene.loads import Load
-from symgen.scene.measures import Measure, SectionForceMeasure
+from symgen.scene.measures import Measure, SectionForceMeasure, StressMeasure
 from symgen.system.equations import Equations
 from symgen.system.signals import motion_derivatives
 from symgen.system.switching import ExpressionReader
@@ -198,8 +199,18 @@ class Mechanism(Generic[Marker]):
         if isinstance(measure, SectionForceMeasure):
             unit = "N m" if "moment" in measure.type else "N"
             return self.space.section_force(measure.type, measure.marker), unit
+        if isinstance(measure, StressMeasure):
+            return self._stress(measure), "Pa"
         value = self.space.measure(measure.type, measure.marker_a, measure.marker_b)
         return value, "rad" if measure.type == "angle" else "m"
+
+    def _stress(self, measure: StressMeasure) -> ca.SX:
+        """Of a finite-element body at a gauge, or the largest of all."""
+        eq, (name, _, gauge) = self.equations, measure.gauge.partition(".")
+        body = self.scene.body(name)
+        assert isinstance(body, SpatialModalBody)
+        q_f = [eq.q[column] for column in eq.body_columns[name] if eq.coordinates[column].elastic]
+        return gauge_stress(body, gauge, measure.component, q_f, self.table)
 
     def _add_states(self) -> None:
         """s' = g(q, q', s, u, t) as the motion of a coordinate of unit inertia whose rate is s."""

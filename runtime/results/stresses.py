@@ -1,0 +1,109 @@
+"""Stresses of finite-element bodies at the gauges that a scene places on them.
+
+Two ways, as of section forces. The sum of modal stresses needs the static shapes of all loads among the modes.
+Equilibrium takes them from the forces on the body and its inertia forces (mode acceleration with inertia relief,
+runtime/contract/stress_causes.py): the modes enter through the motion only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import numpy as np
+
+from runtime.contract.errors import ArgumentError
+from runtime.contract.model import ModelError
+from runtime.contract.stress_causes import UnknownInterface, causes
+from runtime.contract.stress_records import GaugeRecord
+from runtime.results.body_motion import body_motion
+
+if TYPE_CHECKING:
+    from runtime.results.samples import Samples
+
+StressWay = Literal["equilibrium", "modes"]
+COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
+
+
+class LargestStress(NamedTuple):
+    """The largest von Mises stress over time and place: value [Pa], t [s], gauge."""
+
+    value: float
+    t: float
+    gauge: str
+
+
+@dataclass(frozen=True, eq=False)
+class Stresses:
+    """Stresses of a body in its own axes at its gauges.
+
+    t (N,) [s]; gauges: their names (n); components (N, n, 6) [Pa] in the order xx yy zz yz xz xy.
+    """
+
+    body: str
+    t: np.ndarray
+    gauges: list[str]
+    components: np.ndarray
+
+    @property
+    def von_mises(self) -> np.ndarray:
+        """(N, n) [Pa]."""
+        xx, yy, zz, yz, xz, xy = np.moveaxis(self.components, 2, 0)
+        square = ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2)
+        return np.asarray(np.sqrt(square))
+
+    def at(self, gauge: str) -> np.ndarray:
+        """(N, 6) [Pa] at a gauge. Raises ModelError for an unknown one."""
+        if gauge not in self.gauges:
+            raise ModelError(f"{self.body} has no gauge {gauge!r}; it has {', '.join(self.gauges)}")
+        return np.asarray(self.components[:, self.gauges.index(gauge)])
+
+    def largest(self) -> LargestStress:
+        """The largest von Mises stress over all samples and gauges."""
+        values = self.von_mises
+        sample, place = np.unravel_index(int(np.nanargmax(values)), values.shape)
+        return LargestStress(float(values[sample, place]), float(self.t[sample]), self.gauges[place])
+
+
+def stresses(solution: Samples, body: str, way: StressWay = "equilibrium") -> Stresses:
+    """Stresses of a flexible body at all of its gauges.
+
+    Raises ModelError for a body without gauges, and, by equilibrium, for gauges that know modal stresses only and for
+    forces at a marker that was no interface of the finite-element model; ArgumentError for unknown ways.
+    """
+    if way not in ("equilibrium", "modes"):
+        raise ArgumentError(f"way {way!r} is not known; give equilibrium or modes")
+    gauges = [one for one in solution.model.description.gauges if one.body == body]
+    if not gauges:
+        known = ", ".join(sorted({one.body for one in solution.model.description.gauges})) or "none"
+        raise ModelError(
+            f"model {solution.model.name} has no gauges on {body!r}, only on: {known}; give its body "
+            "FlexibleBody.fields(gauges=...)"
+        )
+    if way == "modes":
+        own = [k for k, one in enumerate(solution.model.description.coordinates) if one.owner == body and one.elastic]
+        found = [solution.q[:, own] @ np.array(one.shapes).T for one in gauges]
+    else:
+        found = _by_equilibrium(solution, body, gauges)
+    return Stresses(body, solution.t, [one.name for one in gauges], np.stack(found, axis=1))
+
+
+def _by_equilibrium(solution: Samples, body: str, gauges: list[GaugeRecord]) -> list[np.ndarray]:
+    motion = body_motion(solution, body)
+    described = solution.model.description
+    geometry = np.asarray(solution.model.kernel("geometry")(p=solution.parameters)["positions"])
+    places = {point.name: geometry[:, k] for k, point in enumerate(described.drawing.points) if point.body == body}
+    size = float(np.ptp(np.array(list(places.values())), axis=0).max())
+    found = []
+    for one in gauges:
+        if not one.fields:
+            raise ModelError(f"gauge {body}.{one.name} knows modal stresses only; ask for way='modes'")
+        try:
+            amounts = causes(motion, {name: places[name] for name in one.forces}, size)
+        except UnknownInterface as error:
+            raise ModelError(
+                f"forces act on {body} at the marker {error}, which was no interface of its finite-element model; "
+                "make it one, or ask for way='modes'"
+            ) from None
+        found.append(amounts @ np.hstack([np.array(one.fields), *(np.array(part) for part in one.forces.values())]).T)
+    return found

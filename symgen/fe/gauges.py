@@ -1,0 +1,104 @@
+"""Gauges: places of a solid whose stress a scene knows, named by the user or found where stresses are largest."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symgen.fe.errors import FiniteElementError
+from symgen.fe.inertia import dusted
+from symgen.fe.interfaces import Interface
+from symgen.fe.mode_acceleration import EquilibriumStresses
+from symgen.fe.stresses import VOIGT, ModalStresses, linear_fit
+from symgen.fe.structure import AXES, RIGID_MOTIONS, FEStructure
+from symgen.modes.cleaning import Array
+
+Gauges = Mapping[str, int | ArrayLike] | int  # node id or place [m] by name; or how many to find
+MOST_GAUGES = 200
+DRAWS = 400  # random deflections of equal energy in every mode, among which the largest stresses are looked for
+
+
+def gauge_places(
+    body: FEStructure,
+    origin: Array,
+    gauges: Gauges,
+    stresses: ModalStresses,
+    omega: Array,
+    parts: Mapping[str, Interface],
+) -> dict[str, Array]:
+    """Name -> place (3,) [m] from `origin`; omega (nf,) [rad/s] of the modes. Raises FiniteElementError."""
+    if isinstance(gauges, int):
+        if isinstance(gauges, bool) or not 1 <= gauges <= MOST_GAUGES:
+            raise FiniteElementError(
+                "gauges", f"{gauges!r} cannot be found", f"ask for 1 to {MOST_GAUGES}, or name them"
+            )
+        found = most_stressed(body, origin, gauges, stresses, omega, parts)
+        return {f"g{k + 1}": place for k, place in enumerate(found)}
+    if len(gauges) > MOST_GAUGES:
+        raise FiniteElementError("gauges", f"{len(gauges)} are named", f"name at most {MOST_GAUGES}")
+    return {name: _place(body, origin, name, given) for name, given in gauges.items()}
+
+
+def gauge_fields(
+    places: Mapping[str, Array], stresses: ModalStresses, recovered: EquilibriumStresses
+) -> dict[str, dict[str, Any]]:
+    """What a scene holds of each gauge; recovered: at these places."""
+    near, weights = linear_fit(stresses.points, np.array(list(places.values())))
+    modal = np.stack([np.einsum("amk,mk->ma", stresses.tensors[:, i, j][:, near], weights) for i, j in VOIGT], axis=1)
+    causes = np.stack([recovered.tensors[:, i, j] for i, j in VOIGT])  # (6, k, gauges)
+    first = 9 + 9 * recovered.nf
+    found = {}
+    for place, name in enumerate(places):
+        own = causes[:, :, place]
+        forces = {
+            marker: _clean(own[:, start : start + RIGID_MOTIONS])
+            for marker, start in zip(recovered.interfaces, range(first, own.shape[1], RIGID_MOTIONS), strict=True)
+        }
+        found[name] = {
+            "position": places[name].tolist(),
+            "shapes": _clean(modal[place]),
+            "fields": _clean(own[:, :first]),
+            "forces": forces,
+        }
+    return found
+
+
+def most_stressed(
+    body: FEStructure, origin: Array, count: int, stresses: ModalStresses, omega: Array, parts: Mapping[str, Interface]
+) -> Array:
+    """(count, 3) places of the surface which together come nearest to the largest von Mises stress of deflections.
+
+    One after another, the next where it adds most, over random deflections; interfaces, where forces are spread, apart.
+    """
+    held = np.concatenate([part.places for part in parts.values()])
+    surface = np.setdiff1d(np.unique(body.facets), held)
+    if len(surface) < count:
+        raise FiniteElementError("gauges", f"the surface has {len(surface)} nodes off the interfaces", "ask for fewer")
+    places = body.positions[surface] - origin
+    draws = np.random.default_rng(0).standard_normal((DRAWS, len(omega))) / omega
+    xx, yy, zz, yz, xz, xy = np.moveaxis(stresses.at(places) @ draws.T, 1, 0)  # (nodes, draws) each
+    mises = np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (yz**2 + xz**2 + xy**2))
+    mises /= mises.max(axis=0)
+    best, chosen = np.zeros(DRAWS), []
+    for _ in range(count):
+        chosen.append(int(np.maximum(mises, best).sum(axis=1).argmax()))
+        best = np.maximum(best, mises[chosen[-1]])
+    return np.asarray(places[chosen])
+
+
+def _place(body: FEStructure, origin: Array, name: str, given: int | ArrayLike) -> Array:
+    item = f"gauges['{name}']"
+    if isinstance(given, int | np.integer):
+        return np.asarray(body.positions[body.places(item, [int(given)])[0]] - origin)
+    point = np.asarray(given, dtype=float)
+    if point.shape != (AXES,) or not np.isfinite(point).all():
+        raise FiniteElementError(item, f"{given!r} is no place", "give x, y, z in metres, or the id of a node")
+    return point
+
+
+def _clean(values: Array) -> list[list[float]]:
+    found: list[list[float]] = dusted(values, float(np.abs(values).max(initial=0.0))).tolist()
+    return found
