@@ -2,7 +2,8 @@
 
 A run asks for few functions, and those that grow with the square of a long chain's length are not among them. Functions
 on demand read p itself, c = p: what depends on parameters only is taken out of a step by the run's own preparation
-(runtime/engine/prepare.py). So values agree with those of the emitted text to rounding.
+(runtime/engine/prepare.py). So values agree with those of the emitted text to rounding. What a run asked for can be
+written behind it (`leave`); the rest is derived when the folder that was written is asked for it.
 """
 
 from __future__ import annotations
@@ -11,8 +12,7 @@ import hashlib
 import json
 import shutil
 import tempfile
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
@@ -20,24 +20,37 @@ import casadi as ca
 import numpy as np
 
 from runtime.contract.cache import cache_folder
-from runtime.contract.model import Model
+from runtime.contract.model import Model, ModelError
 from runtime.contract.tape import as_function
 from symgen.emission.description import describe
 from symgen.emission.manifest import clean
 from symgen.emission.write import compare_model, emit, kept, write_model
-from symgen.pipeline import Derived, derive, derive_on_demand
+from symgen.pipeline import Derived, derive, derive_on_demand, looked_at
 from symgen.scene import Scene, SceneError
 
+LARGEST_COMPLETE = 200  # coordinates of a scene that is written with all functions where nothing else is said
+QUADRATIC = {
+    "condensed", "augmented", "blocks", "dQ_hat_dq_i", "dQ_hat_dq_i_dot", "residual_jacobian", "deflections",
+    "deflection_response", "slow_response", "fast_rows",
+}  # fmt: skip
 
-def generate(scene: Scene, folder: str | Path, functions: frozenset[str] | None = None, to_keep: bool = False) -> Path:
+
+def generate(
+    scene: Scene,
+    folder: str | Path,
+    functions: frozenset[str] | None = None,
+    to_keep: bool = False,
+    complete: bool = False,
+) -> Path:
     """Derive, condense and emit `scene` into `folder`; returns the folder.
 
-    functions: names of the functions to emit (all by default; large models may leave the Jacobians out). to_keep: leave
-    out what a repository does not keep of a large model. Raises SceneError for bad scenes and for a folder that cannot
-    be written.
+    functions: names of the functions to emit. By default all, but for a tree of more than LARGEST_COMPLETE coordinates
+    those that grow with its length, not with the square of it; the folder says which these are, and the others are
+    derived when a model loaded from it is asked for them. complete: all whatever the length. to_keep: leave out what a
+    repository does not keep of a large model. Raises SceneError for bad scenes and for a folder that cannot be written.
     """
     target = Path(folder)
-    files = emit(derive(scene, functions))
+    files = emit(_derived(scene, functions, complete))
     written = kept(files) if to_keep else files
     write_model(written, target)
     for name in files.keys() - written.keys():
@@ -45,13 +58,29 @@ def generate(scene: Scene, folder: str | Path, functions: frozenset[str] | None 
     return target
 
 
-def check(scene: Scene, folder: str | Path, functions: frozenset[str] | None = None, kept_only: bool = False) -> str:
+def check(
+    scene: Scene,
+    folder: str | Path,
+    functions: frozenset[str] | None = None,
+    kept_only: bool = False,
+    complete: bool = False,
+) -> str:
     """Unified diff between `folder` and what the generator emits now; empty if they agree.
 
     kept_only: the folder holds what a repository keeps; the manifest's hashes stand for the rest.
     """
-    files = emit(derive(scene, functions))
+    files = emit(_derived(scene, functions, complete))
     return compare_model(kept(files) if kept_only else files, Path(folder))
+
+
+def _derived(scene: Scene, functions: frozenset[str] | None, complete: bool) -> Derived:
+    if functions is not None or complete or len(scene.coordinates()) <= LARGEST_COMPLETE:
+        return derive(scene, functions)
+    found = derive_on_demand(scene)
+    if "forward_dynamics" not in found.tapes:
+        return derive(scene)
+    short = [name for name in found.tapes if name not in QUADRATIC and not name.startswith("substep_")]
+    return looked_at(found, short)
 
 
 def completed(scene: Scene, folder: Path) -> Path:
@@ -94,13 +123,12 @@ def model_of(scene: Scene) -> Model:
     Raises SceneError for a bad scene; what only a function shows is raised when that is asked for.
     """
     derived = derive_on_demand(scene)
-    builders: dict[str, Callable[[], ca.Function]] = {name: partial(_built, derived, name) for name in derived.tapes}
     text, initial = scene.to_toml(), derived.initial
     return Model(
         description=describe(derived, functions=()),
         initial_q=np.array([clean(value) for value in initial.q]),
         initial_q_dot=np.array([clean(value) for value in initial.q_dot]),
-        builders=builders,
+        builders=FunctionsOnDemand(derived),
         initial_changes=initial.changed,
         digest=digest_on_demand(text),
         scene_toml=text,
@@ -113,5 +141,42 @@ def digest_on_demand(scene_toml: str) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def _built(derived: Derived, name: str) -> ca.Function:
-    return as_function(name, derived.tapes[name])
+def model_of_text(scene_toml: str) -> Model:
+    """`model_of` the scene of a TOML text: the entry point `symgen.functions` of the runtime. Raises SceneError."""
+    return model_of(Scene.from_toml_text(scene_toml))
+
+
+def leave(model: Model, folder: str | Path) -> Path:
+    """Write a model of `model_of` with the functions that were asked of it until now; returns the folder.
+
+    model.md and the manifest say which were left out: a model that is loaded from the folder has these derived when
+    they are asked for. Raises SceneError for a folder that cannot be written or holds files of somebody else, and
+    ModelError for a model that was not derived on demand.
+    """
+    if not isinstance(model.builders, FunctionsOnDemand):
+        raise ModelError(
+            model.name, "its functions were not derived on demand", "copy its folder, or generate the scene"
+        )
+    write_model(emit(looked_at(model.builders.derived)), Path(folder))
+    return Path(folder)
+
+
+class FunctionsOnDemand(Mapping[str, Callable[[], ca.Function]]):
+    """What builds each function of a scene that was derived on demand, by name."""
+
+    def __init__(self, derived: Derived) -> None:
+        self.derived = derived
+
+    def __getitem__(self, name: str) -> Callable[[], ca.Function]:
+        if name not in self:
+            raise KeyError(name)
+        return lambda: as_function(name, self.derived.tapes[name])
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.derived.tapes
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.derived.tapes)
+
+    def __len__(self) -> int:
+        return len(self.derived.tapes)

@@ -26,9 +26,9 @@ cli         the command line
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from warnings import warn
 
@@ -62,7 +62,10 @@ from symgen.tapes.on_demand import TapesOnDemand
 
 @dataclass(frozen=True)
 class Derived:
-    """Everything the generator knows about a scene: input of the emission."""
+    """Everything the generator knows about a scene: input of the emission.
+
+    left_out: names of functions that the scene has beside those of the tapes.
+    """
 
     scene: Scene
     topology: Topology
@@ -73,6 +76,7 @@ class Derived:
     parameters: list[Parameter]
     bounded: list[BoundedQuantity]
     tapes: Mapping[str, Tape]
+    left_out: tuple[str, ...] = ()
 
     @property
     def redundant(self) -> list[int]:
@@ -176,6 +180,14 @@ def derive_on_demand(scene: Scene) -> Derived:
     constants = {"constants": Kernel({"p": p}, {"c": p}).tape}
     kernels = {name: partial(tape, build) for name, build in found.builders().items()}
     return found.derived(TapesOnDemand({**constants, **kernels, **found.of_parameters()}))
+
+
+def looked_at(derived: Derived, more: Collection[str] = ()) -> Derived:
+    """What `derive_on_demand` gave, with the tapes that were looked at until now, `constants`, and more by name."""
+    if not isinstance(derived.tapes, TapesOnDemand):
+        return derived
+    made = derived.tapes.made({"constants", *more})
+    return replace(derived, tapes=made, left_out=tuple(name for name in derived.tapes if name not in made))
 
 
 @contextmanager

@@ -16,6 +16,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from runtime.contract.left_out import left_out
 from runtime.contract.manifest import FORMAT, OLDER, described, manifest_digest
 from runtime.contract.model import Model, ModelError
 
@@ -109,7 +110,7 @@ def _model(path: Path, manifest: dict[str, Any], data: dict[str, Any], module: M
         description=found,
         initial_q=np.array([data["q"][name] for name in names]),
         initial_q_dot=np.array([data["q_dot"][name] for name in names]),
-        builders=module.FUNCTIONS,
+        builders={**module.FUNCTIONS, **left_out(path, manifest.get("left_out", ()), found, scene_toml)},
         initial_changes={name: (given, used) for name, (given, used) in data["changed"].items()},
         digest=manifest["sha256"],
         scene_toml=scene_toml,

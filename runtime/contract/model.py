@@ -163,9 +163,11 @@ class Model:
 
     @property
     def operations(self) -> dict[str, int]:
-        """Operations of each function; where they are derived on demand, of those that were asked for."""
+        """Operations of each function; where they are derived on demand, of those that were asked for until now."""
         emitted = {spec.name: spec.operations for spec in self.description.functions}
-        return emitted or {name: int(kernel.n_instructions()) for name, kernel in self._kernels.items()}
+        return {
+            name: int(kernel.n_instructions()) for name, kernel in self._kernels.items() if name not in emitted
+        } | emitted
 
     def coordinate(self, name: str) -> Coordinate:
         """The record of a coordinate. Raises ModelError for an unknown name."""

@@ -33,6 +33,11 @@ def add(subparsers: Any) -> None:
         action="store_true",
         help="write nothing; exit 1 with a unified diff if the code there is not current",
     )
+    command.add_argument(
+        "--complete",
+        action="store_true",
+        help="all functions of a long tree too, also those that grow with the square of its length",
+    )
     command.add_argument("--functions", metavar="A,B", help="only these functions (large models can go without some)")
 
 
@@ -44,7 +49,7 @@ def run(arguments: argparse.Namespace) -> Outcome:
         results = []
         for source in sources:
             progress.note(f"{source.scene.name} ...")
-            results.append(_check(source, functions) if arguments.check else _write(source, functions))
+            results.append((_check if arguments.check else _write)(source, functions, arguments.complete))
     if not arguments.check:
         return Outcome({"generated": results}, [f"{entry['scene']} -> {entry['folder']}" for entry in results])
     stale = [entry for entry in results if entry["diff"]]
@@ -87,22 +92,24 @@ def _functions(text: str | None) -> frozenset[str] | None:
     return names
 
 
-def _write(source: Source, functions: frozenset[str] | None) -> dict[str, str]:
+def _write(source: Source, functions: frozenset[str] | None, complete: bool) -> dict[str, str]:
     from symgen.generate import generate
 
-    return {"scene": source.scene.name, "folder": str(generate(source.scene, source.folder, functions, source.builtin))}
+    folder = generate(source.scene, source.folder, functions, source.builtin, complete)
+    return {"scene": source.scene.name, "folder": str(folder)}
 
 
-def _check(source: Source, functions: frozenset[str] | None) -> dict[str, str]:
+def _check(source: Source, functions: frozenset[str] | None, complete: bool) -> dict[str, str]:
     from symgen.generate import check
 
-    diff = check(source.scene, source.folder, functions, source.builtin)
+    diff = check(source.scene, source.folder, functions, source.builtin, complete)
     return {"scene": source.scene.name, "folder": str(source.folder), "diff": diff}
 
 
 def _mending(arguments: argparse.Namespace) -> str:
     words = ["symgen", "generate", arguments.scene or "--all"]
     words += [f"--with={name}={value:g}" for name, value in arguments.made_with]
+    words += ["--complete"] if arguments.complete else []
     for option, value in (("--out", arguments.out), ("--functions", arguments.functions)):
         words += [option, value] if value else []
     return shlex.join(words)

@@ -37,11 +37,13 @@ def run(arguments: argparse.Namespace) -> Outcome:
     from runtime.running.checkpoint import read_checkpoint
     from runtime.views.report import run_report
     from symgen.cli.progress import Progress
-    from symgen.cli.running import exit_code, leave_results, summary
-    from symgen.cli.sources import opened_model, opened_text
+    from symgen.cli.running import MODEL_FOLDER, exit_code, leave_all, summary
+    from symgen.cli.sources import opened_model, opened_text, try_leaving_model
 
     folder = Path(arguments.out) if arguments.out else None
-    keep = folder / "model" if folder else None
+    keep = folder / MODEL_FOLDER if folder else None
+    if keep:
+        try_leaving_model(keep)
     header = read_checkpoint(arguments.file).header
     model = (
         opened_model(arguments.scene, keep=keep, digest=header.digest)
@@ -57,6 +59,6 @@ def run(arguments: argparse.Namespace) -> Outcome:
             progress=progress,
             checkpoint_every=arguments.checkpoint_every,
         )
-    files = leave_results(solution, folder) if folder else {}
+    files = leave_all(solution, folder, pictures=False) if folder else {}
     lines = summary(solution) + ([f"results in {folder}"] if folder else [])
     return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

@@ -77,6 +77,20 @@ def loaded_or_run(arguments: argparse.Namespace) -> tuple[Solution, Path | None]
     return run_model(opened_model(arguments.scene, arguments.made_with), arguments), None
 
 
+def leave_all(solution: Solution, folder: Path, pictures: bool) -> dict[str, str]:
+    """Results, pictures if wanted, and the model with what all that asked of it; {what: path}.
+
+    Raises OutputError or SceneError.
+    """
+    from symgen.cli.sources import leave_model
+
+    try:
+        files = leave_results(solution, folder)
+        return {**files, **leave_pictures(solution, folder)} if pictures else files
+    finally:
+        leave_model(solution.model, folder / MODEL_FOLDER)
+
+
 def leave_results(solution: Solution, folder: Path) -> dict[str, str]:
     """solution.npz, solution.csv, report.json and report.md in `folder`; {what: path}. Raises OutputError."""
     from runtime.views.report import run_report, write_report

@@ -44,13 +44,15 @@ def run(arguments: argparse.Namespace) -> Outcome:
     from runtime.views.report import run_report
     from symgen.cli.arguments import UsageError
     from symgen.cli.input_files import input_samples
-    from symgen.cli.running import exit_code, leave_pictures, leave_results, run_model, summary
-    from symgen.cli.sources import opened_model
+    from symgen.cli.running import MODEL_FOLDER, exit_code, leave_all, run_model, summary
+    from symgen.cli.sources import opened_model, try_leaving_model
 
     if arguments.plots and not arguments.out:
         raise UsageError("--plots needs --out DIR")
     folder = Path(arguments.out) if arguments.out else None
-    model = opened_model(arguments.scene, arguments.made_with, folder / "model" if folder else None)
+    model = opened_model(arguments.scene, arguments.made_with)
+    if folder:
+        try_leaving_model(folder / MODEL_FOLDER)
     solution = run_model(
         model,
         arguments,
@@ -60,8 +62,6 @@ def run(arguments: argparse.Namespace) -> Outcome:
         checkpoint=arguments.checkpoint,
         checkpoint_every=arguments.checkpoint_every,
     )
-    files = leave_results(solution, folder) if folder else {}
-    if folder and arguments.plots is not False:
-        files |= leave_pictures(solution, folder)
+    files = leave_all(solution, folder, arguments.plots is not False) if folder else {}
     lines = summary(solution) + ([f"results in {folder}"] if folder else [])
     return Outcome({"report": run_report(solution), "files": files}, lines, exit_code(solution))

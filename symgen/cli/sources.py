@@ -112,11 +112,12 @@ def opened_model(
     """The model of a generated folder, or of a scene: from its own folder if current, else derived anew.
 
     Code is only run from a folder that was named (or is built in): a file arm.toml does not run what lies in ./arm.
-    keep: folder that gets the model's files; without, functions are derived when a run asks for them. digest: of the
-    model that is meant, where a run goes on. Raises ModelError or SceneError.
+    Functions of a scene are derived when a run asks for them. digest: of the model that is meant, where a run goes on;
+    keep: folder of the model's files if that one was generated. Raises ModelError or SceneError.
     """
     from runtime.contract.loading import load_model
-    from symgen.generate import completed
+    from symgen.generate import completed, digest_on_demand
+    from symgen.scene import Scene
 
     folder = Path(word)
     if not is_folder(word) or builtin_name(word) is not None or made_with:
@@ -124,10 +125,36 @@ def opened_model(
         if not (source.named and is_current(source)):
             return _derived(source.scene, keep, digest)
         folder = completed(source.scene, source.folder) if source.builtin else source.folder
-    model = load_model(folder)
-    if keep is not None and keep.resolve() != folder.resolve():
-        _copy(folder, keep)
-    return model
+    elif digest is not None and (kept := _scene_text(folder)) is not None and digest == digest_on_demand(kept):
+        return _derived(Scene.from_toml_text(kept), keep, digest)  # what its run was derived from, bit for bit
+    return load_model(folder)
+
+
+def try_leaving_model(folder: Path) -> None:
+    """See that `leave_model` can write, before something long is begun. Raises SceneError or OutputError."""
+    from runtime.contract.files import try_writing
+    from symgen.emission.ownership import MANIFEST, refuse_foreign_files
+    from symgen.emission.write import FILES
+
+    refuse_foreign_files(FILES, folder)
+    try_writing(folder / MANIFEST)
+
+
+def leave_model(model: Model, folder: Path) -> None:
+    """The files of a model that ran: those of its folder, or what was derived for the run. Raises SceneError."""
+    from symgen.generate import leave
+
+    if not model.folder:
+        leave(model, folder)
+    elif Path(model.folder) != folder.resolve():
+        _copy(Path(model.folder), folder)
+
+
+def _scene_text(folder: Path) -> str | None:
+    try:
+        return (folder / "scene.toml").read_bytes().decode("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
 
 
 def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> Model:
@@ -144,13 +171,11 @@ def opened_text(name: str, text: str, digest: str, keep: Path | None = None) -> 
 
 
 def _derived(scene: Scene, keep: Path | None, digest: str | None) -> Model:
-    """On demand, unless files are to be kept, or the digest says that it was generated."""
+    """On demand, unless the digest says that it was generated: into the folder to keep, or one for this moment."""
     from runtime.contract.loading import load_model
     from symgen.generate import digest_on_demand, generate, model_of
 
-    if keep is None if digest is None else digest == digest_on_demand(scene.to_toml()):
-        if keep is not None:
-            generate(scene, keep)
+    if digest is None or digest == digest_on_demand(scene.to_toml()):
         return model_of(scene)
     if keep is not None:
         return load_model(generate(scene, keep))
@@ -168,8 +193,4 @@ def _copy(source: Path, target: Path) -> None:
 
 def is_current(source: Source) -> bool:
     """Was the code in the source's folder generated from this very scene?"""
-    try:
-        text = (source.folder / "scene.toml").read_bytes().decode("utf-8")
-    except (OSError, UnicodeDecodeError):
-        return False
-    return (source.folder / "manifest.json").is_file() and text == source.scene.to_toml()
+    return (source.folder / "manifest.json").is_file() and _scene_text(source.folder) == source.scene.to_toml()

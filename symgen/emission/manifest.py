@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from importlib.metadata import version
+from typing import Any
 
 from runtime.contract import manifest as contract
 from symgen.emission.description import describe
@@ -32,9 +33,11 @@ def clean(value: float) -> float:
 def manifest_text(derived: Derived, files: Mapping[str, str]) -> str:
     """The manifest, with sha256 of every other file of the model."""
     scene = derived.scene
-    more = {
+    more: dict[str, Any] = {
         "description": scene.description,
         "baumgarte": scene.baumgarte.model_dump(mode="json") if scene.baumgarte else None,
     }
+    if derived.left_out:
+        more["left_out"] = derived.left_out
     versions = {package: version(package) for package in ("casadi", "sympy", "symgen")}
     return contract.manifest_text(describe(derived), files, versions, more)

@@ -179,6 +179,13 @@ def _functions(derived: Derived) -> str:
     for spec in derived.functions.values():
         equation = f"({spec.equation})" if spec.equation else ""
         lines.append(f"| `{spec.name}` | {spec.operations} | {spec.meaning} | {equation} |")
+    if derived.left_out:
+        lines += [
+            "",
+            f"Not in this folder: {', '.join(f'`{name}`' for name in derived.left_out)}. They are derived from "
+            "scene.toml when a run or a picture asks for them, which needs symgen beside the runtime; "
+            "`symgen generate --complete` with this folder writes them all.",
+        ]
     return "\n".join(lines)
 
 

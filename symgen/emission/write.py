@@ -17,6 +17,7 @@ from symgen.pipeline import Derived
 from symgen.scene import SceneError
 
 LARGEST_TEXT = 15_000  # lines of model.py; what is longer is made again when it is needed
+FILES = ("model.py", "data.json", "model.md", "scene.toml", "manifest.json")
 DATA_TOLERANCE = 1e-9  # eigenvectors and assembled states differ in the last digits between machines
 
 

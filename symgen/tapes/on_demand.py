@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from runtime.contract.tape import Tape
 
@@ -18,6 +18,13 @@ class TapesOnDemand(Mapping[str, Tape]):
         if name not in self._made:
             self._made[name] = self._makers[name]()
         return self._made[name]
+
+    def made(self, always: Collection[str] = ()) -> dict[str, Tape]:
+        """Those that were looked at and those of these names, in the order of all."""
+        return {name: self[name] for name in self._makers if name in self._made or name in always}
+
+    def __contains__(self, name: object) -> bool:  # without making it
+        return name in self._makers
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._makers)
