@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeVar
 
 import casadi as ca
+import numpy as np
 
 T = TypeVar("T")
 
@@ -94,14 +96,14 @@ class Layout:
         """Length of z."""
         return sum(self.sizes.values())
 
+    @cached_property
+    def _slices(self) -> dict[str, slice]:
+        ends = np.cumsum([0, *self.sizes.values()]).tolist()
+        return {name: slice(*ends[k : k + 2]) for k, name in enumerate(self.sizes)}
+
     def slice(self, name: str) -> slice:
         """Where a field lies in z."""
-        start = 0
-        for field, size in self.sizes.items():
-            if field == name:
-                return slice(start, start + size)
-            start += size
-        raise KeyError(name)
+        return self._slices[name]
 
     def unpack(self, z: ca.SX) -> dict[str, ca.SX]:
         """Fields of z by name."""

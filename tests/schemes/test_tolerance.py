@@ -82,6 +82,34 @@ def test_between_the_ends_of_a_step_the_order_is_kept(built_in: Load, scheme: st
 
 
 @pytest.mark.parametrize("scheme", METHODS)
+def test_steps_keep_their_length_while_the_error_allows_it(built_in: Load, scheme: str) -> None:
+    """Of a swinging pendulum few steps have another length than the one before; none is thrown away for that."""
+    runs = PreparedRuns(built_in("pendulum"), scheme, options={"tolerance": 1e-5})
+    layout, dt = runs.scheme.layout, 1e-3
+    z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, dt)
+    lengths: list[float] = []
+    for _ in range(4000):
+        runs.stepper.run(z, runs.stepper.ready(runs.c, dt), 1)
+        if z[layout.slice("accepted")] > len(lengths):
+            lengths.append(float(z[layout.slice("h_try")][0]))
+    changes = int((np.diff(lengths[20:]) != 0).sum())
+    assert len(lengths) > 60 and changes < 0.25 * len(lengths)
+    assert z[layout.slice("rejected")] <= 0.1 * len(lengths)
+
+
+def test_errors_are_measured_by_amplitudes_as_they_grow(model_of: Build) -> None:
+    """A vibration of 1e-3 rad on a motion that grows to 5: as many steps in one application as in 200, to a tenth."""
+    model, taken = model_of(rotor("3.6*cos(60*t) + 100*t**3")), []
+    for seen in (1, 200):
+        runs = PreparedRuns(model, "dopri5", options={"tolerance": 1e-4})
+        z = runs.stepper.start(0.0, runs.state.q, runs.state.q_dot, runs.c, 1.0 / seen)
+        z[runs.scheme.layout.slice("h_next")] = 1e-3
+        runs.stepper.run(z, runs.stepper.ready(runs.c, 1.0 / seen), seen)
+        taken.append(float(z[runs.scheme.layout.slice("accepted")][0]))
+    assert taken[0] == pytest.approx(taken[1], rel=0.1)
+
+
+@pytest.mark.parametrize("scheme", METHODS)
 def test_no_step_crosses_a_stop(built_in: Load, scheme: str) -> None:
     """Thirteen stops, some closer than a step and some next to each other: each is the end of a step."""
     model = built_in("pendulum")

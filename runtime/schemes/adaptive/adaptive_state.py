@@ -21,6 +21,8 @@ from runtime.schemes.switching.times import SwitchTime
 
 STOPS = 4  # times ahead that z knows; whoever runs the scheme fills in the next ones
 FIRST = 0.1  # of dt: the first step that is tried
+# what an attempt changes although it may be refused: `before` keeps it
+RESTORED = ("closure_error", "h_least", "h_largest", "det_now", "det_low", "det_high")
 
 
 class AdaptiveState(OneStep):
@@ -63,14 +65,26 @@ class AdaptiveState(OneStep):
             "t_to": state(1),
             "a_from": state(n),
             **self.method_fields(),
+            "q_seen": state(n if self.model.description.orientations else 0),
+            "q_error": state(n),
+            "v_error": state(n),
             "q_low": state(n),
             "q_high": state(n),
+            "weight": state(n),
+            "ranging": given(1),
+            "width": state(1),
+            "wider": state(1),
             "h_next": state(1),
-            "log_error": state(1),
-            "was_rejected": state(1),
+            "h_try": state(1),
+            "t_try": state(1),
+            "end": state(1),
+            "peak": state(1),
+            "peak_before": state(1),
+            "odd": state(1),
             "fresh": state(1),
             "cold": state(1),
             "det_now": account(loop_blocks(self.model)),
+            "before": account(len(RESTORED) - 3 + 3 * loop_blocks(self.model)),
             "going": account(1),
             "stops": given(STOPS),
             "beside": given(1),
@@ -90,13 +104,16 @@ class AdaptiveState(OneStep):
         start = equations.close_well(q_i, loop, t0)
         for end in ("from", "to"):
             fields |= {f"q_{end}": q_i, f"v_{end}": q_i_dot, f"loop_{end}": fields["loop"], f"t_{end}": t0}
+        seen = self.ranged(q_i, start)
         return {
             **fields,
-            "q_low": self.ranged(q_i, start),
-            "q_high": self.ranged(q_i, start),
+            "q_seen": seen if self.model.description.orientations else ca.SX(0, 1),
+            "q_low": seen,
+            "q_high": seen,
             "h_next": FIRST * equations.h[0],
             "fresh": ca.SX(1),
             "cold": ca.SX(1),
+            "ranging": ca.SX(1),
             "det_now": start.det_loop,
             "stops": ca.SX.ones(STOPS) * LARGEST,
             "h_least": ca.SX(LARGEST),
@@ -136,13 +153,15 @@ class AdaptiveState(OneStep):
 
     def look_ahead(self, z: np.ndarray, jumps: Sequence[SwitchTime]) -> None:
         """Write the next of all times, rising, that no step may cross to z (flat), and how near they are looked at."""
+        stops, beside = self.layout.slice("stops"), self.layout.slice("beside")
+        if not jumps:
+            z[stops], z[beside] = LARGEST, 0.0
+            return
         first = bisect_right(jumps, float(z[self.layout.slice("t_to")][0]), key=lambda one: one.time)
         ahead = [one.time for one in jumps[first : first + STOPS]]
         near = jumps[max(0, first - 1) : first + STOPS]
-        z[self.layout.slice("stops")] = [*ahead, *[LARGEST] * (STOPS - len(ahead))]
-        z[self.layout.slice("beside")] = max(
-            (max(one.after - one.time, one.time - one.before) for one in near), default=0
-        )
+        z[stops] = [*ahead, *[LARGEST] * (STOPS - len(ahead))]
+        z[beside] = max((max(one.after - one.time, one.time - one.before) for one in near), default=0)
 
     def land(self, z: np.ndarray) -> None:
         """From z (flat) on, end a step at every state that is seen."""

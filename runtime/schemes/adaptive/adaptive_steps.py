@@ -5,7 +5,8 @@ end there; a state in between is had from the method's own interpolant. An appli
 
     aim             the time that is to be reached
     until reached:  from an accepted step on: move to its end, evaluate there what does not depend on h
-                    attempt a step; accept it, or keep where it began and what was evaluated there
+                    attempt a step as long as the last one
+                    where its error or the time asks for it: judge the step, refuse it or not, choose the next length
     show            the interpolant at the time that was to be reached
 
 The tolerance stands among the constants, behind the step, and h is a field of z: one program serves all of both.
@@ -21,13 +22,14 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from runtime.engine.program import Fields, Program, Sequence, Until
-from runtime.schemes.adaptive.adaptive_state import STOPS, AdaptiveState
-from runtime.schemes.adaptive.controller import SMALLEST, not_across, step_factor
-from runtime.schemes.adaptive.error_norm import mean_square
+from runtime.schemes.adaptive.adaptive_state import RESTORED, STOPS, AdaptiveState
+from runtime.schemes.adaptive.controller import FORGET, REFUSED, in_band, not_across, peak_after, step_factor
+from runtime.schemes.adaptive.error_norm import mean_square, weights
 from runtime.schemes.scheme import LARGEST
 from runtime.schemes.stage_equations import ClosedConfiguration, StageEquations
 
 ATTEMPTS = 1 << 13  # in one application of the program; the next one goes on
+WIDER = 1.5  # ranges whose squares, weighted, add up to so much more than before make the weights be formed anew
 LEAST, LEAST_OF_TIME = 1e-12, 1e-14  # of dt and of t: shorter steps are not made
 
 
@@ -77,10 +79,12 @@ class AdaptiveSteps(AdaptiveState):
 
     def program(self) -> Program:
         """To the next time that is to be seen."""
-        flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "going")}
+        flag = {name: self.layout.slice(name).start for name in ("fresh", "cold", "odd", "going", "ranging")}
         begin = Until(self.stage("begin", self._begin), flag["cold"], 1, usual=int(not self.first_same_as_last))
-        start = Until(Sequence((self.stage("move", self._move), begin)), flag["fresh"], 1, usual=1)
-        reach = Until(Sequence((start, self.stage("attempt", self._attempt))), flag["going"], ATTEMPTS, usual=1)
+        widen = Until(self.stage("range", self._range), flag["ranging"], 1, usual=1)
+        start = Until(Sequence((widen, self.stage("move", self._move), begin)), flag["fresh"], 1, usual=1)
+        judge = Until(self.stage("judge", self._judge), flag["odd"], 1, usual=0)
+        reach = Until(Sequence((start, self.stage("attempt", self._attempt), judge)), flag["going"], ATTEMPTS, usual=1)
         return Sequence((self.stage("aim", self._aim), reach, self.stage("show", self._show)))
 
     def _goal(self, z: Fields, equations: StageEquations) -> ca.SX:
@@ -89,7 +93,30 @@ class AdaptiveSteps(AdaptiveState):
     def _aim(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         low, high = ca.fmin(z["det_low"], z["det_now"]), ca.fmax(z["det_high"], z["det_now"])
         way = self._left(z, self._goal(z, equations) - z["t_to"], z["t_to"])
-        return {"going": way, "det_low": low, "det_high": high}
+        now = self._seen(z)
+        low_now, high_now = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
+        weight = weights(self.model, low_now, high_now)
+        width = WIDER * ca.dot(weight, (high_now - low_now) ** 2)
+        plan = self.planned(z, equations, z["t_to"], z["h_next"])
+        return {"going": way, "det_low": low, "det_high": high, "weight": weight, "width": width, **plan}
+
+    @staticmethod
+    def _seen(z: Fields) -> ca.SX:
+        """What ranges are told of at the end of the last step."""
+        return z["q_seen"] if z["q_seen"].numel() else z["q_to"]
+
+    @staticmethod
+    def _before(z: Fields) -> dict[str, ca.SX]:
+        """What the fields of RESTORED were before the last attempt."""
+        names, ends = [name for name in RESTORED], [0]
+        for name in names:
+            ends.append(ends[-1] + z[name].numel())
+        return dict(zip(names, ca.vertsplit(z["before"], ends), strict=True))
+
+    def _square(self, weight: ca.SX, dq: ca.SX, h_dv: ca.SX, equations: StageEquations) -> ca.SX:
+        """The square of e, the size of an estimated error over the tolerance of a step."""
+        asked = equations.h[-1] / self.strictness
+        return mean_square(weight, dq, h_dv) / (asked * asked)
 
     @staticmethod
     def _left(z: Fields, way: ca.SX, t: ca.SX) -> ca.SX:
@@ -100,6 +127,7 @@ class AdaptiveSteps(AdaptiveState):
     def _move(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """The end of a step becomes a start, that of turns their charts."""
         out = {f"{name}_from": z[f"{name}_to"] for name in ("q", "v", "loop", "t")}
+        out["before"] = ca.vertcat(*(z[name] for name in RESTORED))
         if self.charts.size:
             zeroed = self.charts.zeroed(z["q_to"])
             out |= {"chart": self.charts.turned(z["chart"], z["q_to"]), "q_from": zeroed, "q_to": zeroed}
@@ -107,6 +135,12 @@ class AdaptiveSteps(AdaptiveState):
             out |= self._worked(z, z["power_to"])
         cold = z["cold"] if self.first_same_as_last else ca.SX(1)
         return {**out, **self.moved(z), "fresh": ca.SX(0), "cold": cold}
+
+    def _range(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """Ranges widen by what was reached."""
+        now = self._seen(z)
+        low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
+        return {"q_low": low, "q_high": high, "wider": ca.dot(z["weight"], (high - low) ** 2) - z["width"]}
 
     def _begin(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
         """What is evaluated at a start."""
@@ -143,60 +177,72 @@ class AdaptiveSteps(AdaptiveState):
         a = equations.accelerations(motion, v) if equations.drives else ca.SX.zeros(q.numel())
         return equations.power_of(motion, v, a)
 
-    def step_end(self, z: Fields, equations: StageEquations) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """(length [s] of the step to try, time at its end, may something jump there?).
+    def planned(self, z: Fields, equations: StageEquations, t: ca.SX, wanted: ca.SX) -> dict[str, ca.SX]:
+        """The step to try from t on, where one of `wanted` [s] would be right: its length, its end, what limits it.
 
-        The one place where the end of a step is chosen. Nothing crosses the next of
-        `stops`, nor, where z `lands`, the time that is to be reached.
+        The one place where the end of a step is chosen. Nothing crosses the next of `stops`, nor, where z `lands`, the
+        time that is to be reached.
         """
-        t, stop = z["t_from"], ca.SX(LARGEST)
-        for k in range(STOPS):
-            stop = ca.fmin(stop, ca.if_else(z["stops"][k] > t, z["stops"][k], LARGEST))
-        end = ca.fmin(stop, ca.if_else(z["lands"] > 0, self._goal(z, equations), LARGEST))
-        h = not_across(z["h_next"], end - t)
-        arrives = h >= end - t
-        return h, ca.if_else(arrives, end, t + h), arrives
+        end, goal = ca.SX(LARGEST), self._goal(z, equations)
+        for stop in [*ca.vertsplit(z["stops"]), ca.if_else(z["lands"] > 0, goal, LARGEST)]:
+            end = ca.fmin(end, ca.if_else(stop > t, stop, LARGEST))
+        h = not_across(wanted, end - t)
+        return {"h_try": h, "t_try": ca.if_else(h >= end - t, end, t + h), "end": end, "h_next": wanted}
 
     def _attempt(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
-        h, t, at_stop = self.step_end(z, equations)
+        """As if it were accepted and the next one as long; `_judge` says otherwise where the estimate asks for it."""
+        h, t = z["h_try"], z["t_try"]
         tried = self.attempted(z, equations, h)
-        ranged = self.ranged(tried.q, tried.seen[-1])
-        low, high = ca.fmin(z["q_low"], ranged), ca.fmax(z["q_high"], ranged)
-        asked = equations.h[-1] / self.strictness
-        square = mean_square(self.model, low, high, tried.dq, h * tried.dv) / (asked * asked)
-        accepted = square <= 1  # not where the error is no number
-        log_error = ca.log(ca.fmax(square, SMALLEST**2)) / 2
-        factor = step_factor(accepted, log_error, z["log_error"], self.error_order, z["was_rejected"])
-        longer = ca.fmax(
-            h * factor, ca.if_else(h < z["h_next"], z["h_next"], 0.0)
-        )  # a stop shortened it, not the error
-        t_reached = ca.if_else(accepted, t, z["t_from"])
-        h_next = ca.if_else(accepted, longer, h * factor)
-        stuck = h_next < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t)
-        taken = {
-            "t_to": t,
-            "q_low": low,
-            "q_high": high,
-            "log_error": ca.if_else(at_stop, 0.0, log_error),
-            "fresh": ca.SX(1),
-            "cold": at_stop,
-            "accepted": z["accepted"] + 1,
-            "h_least": ca.fmin(z["h_least"], h),
-            "h_largest": ca.fmax(z["h_largest"], h),
-            **self.closed(z, *tried.seen),
-            "det_now": tried.seen[-1].det_loop,
-            **({"pending": h} if "work_from" in z else {}),
-        }
+        square = self._square(z["weight"], tried.dq, h * tried.dv, equations)
+        peak = ca.fmax(square, FORGET**2 * z["peak"])
+        # so far from an end another step and a half would not reach it
+        usual = ca.logic_and(ca.logic_and(in_band(square, peak), t + 2 * h < z["end"]), z["wider"] <= 0)
+        seen = {"q_seen": self.ranged(tried.q, tried.seen[-1])} if z["q_seen"].numel() else {}
         return {
             **tried.kept,
             **tried.powers,
-            **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop},  # until t_to is beyond t_from, nobody looks
-            **{name: ca.if_else(accepted, new, z[name]) for name, new in taken.items()},
-            "h_next": h_next,
-            "was_rejected": ca.if_else(accepted, 0.0, 1.0),
+            **seen,
+            **{"q_to": tried.q, "v_to": tried.v, "loop_to": tried.loop, "t_to": t, "t_try": t + h},
+            **{"q_error": tried.dq, "v_error": tried.dv, "odd": ca.if_else(usual, 0.0, 1.0)},
+            **{"peak": peak, "peak_before": z["peak"]},
+            **self.closed(z, *tried.seen),
+            "det_now": tried.seen[-1].det_loop,
+            "h_least": ca.fmin(z["h_least"], h),
+            "h_largest": ca.fmax(z["h_largest"], h),
+            "accepted": z["accepted"] + 1,
+            "fresh": ca.SX(1),
+            "cold": ca.SX(0),
+            "going": self._goal(z, equations) - t,
+            **({"pending": h} if "work_from" in z else {}),
+        }
+
+    def _judge(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:
+        """Of a step that was not as usual: is it accepted, and what comes next?"""
+        h, now = z["h_try"], self._seen(z)
+        low, high = ca.fmin(z["q_low"], now), ca.fmax(z["q_high"], now)
+        weight = weights(self.model, low, high)
+        square = self._square(weight, z["q_error"], h * z["v_error"], equations)
+        peak = ca.fmax(square, FORGET**2 * z["peak_before"])
+        accepted = square <= REFUSED**2
+        factor = step_factor(square, peak, self.error_order)
+        wanted = h * factor
+        wanted = ca.if_else(accepted, ca.fmax(wanted, ca.if_else(h < z["h_next"], z["h_next"], 0.0)), wanted)
+        t = ca.if_else(accepted, z["t_to"], z["t_from"])
+        stuck = ca.logic_or(z["stuck"] > 0, wanted < LEAST * equations.h[0] + LEAST_OF_TIME * ca.fabs(t))
+        restored = {name: ca.if_else(accepted, z[name], old) for name, old in self._before(z).items()}
+        return {
+            **restored,
+            **self.planned(z, equations, t, wanted),
+            **{"weight": weight, "width": WIDER * ca.dot(weight, (high - low) ** 2), "wider": ca.SX(0)},
+            "peak": peak_after(square, peak, factor, self.error_order),
+            "t_to": t,
+            "accepted": z["accepted"] - ca.if_else(accepted, 0.0, 1.0),
             "rejected": z["rejected"] + ca.if_else(accepted, 0.0, 1.0),
-            "stuck": ca.if_else(stuck, 1.0, z["stuck"]),
-            "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t_reached, t_reached),
+            "fresh": ca.if_else(accepted, 1.0, 0.0),
+            "cold": ca.logic_and(accepted, z["t_to"] >= z["end"]),
+            "stuck": stuck,
+            "going": self._left({**z, "stuck": stuck}, self._goal(z, equations) - t, t),
+            **({"pending": ca.if_else(accepted, h, 0.0)} if "work_from" in z else {}),
         }
 
     def _show(self, z: Fields, equations: StageEquations) -> Mapping[str, ca.SX]:

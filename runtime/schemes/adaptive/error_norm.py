@@ -18,10 +18,15 @@ TURN = np.pi  # rad: what turns on and on is not measured by how far it has come
 LEAST = 1e-10  # m or rad: a motion that begins as a power of time is as large as its error for ever
 
 
-def mean_square(model: Model, low: ca.SX, high: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
-    """The square of the size of errors dq and h dv (n_i each) of coordinates seen between low and high."""
+def weights(model: Model, low: ca.SX, high: ca.SX) -> ca.SX:
+    """(n_i) what squares of errors are multiplied by, of coordinates seen between low and high."""
     scale = amplitudes(model, (high - low) / 2)
-    return ca.sum1((dq * dq + h_dv * h_dv) / (scale * scale)) / (2 * len(model.q_i))
+    return 1 / (2 * len(model.q_i) * scale * scale)
+
+
+def mean_square(weight: ca.SX, dq: ca.SX, h_dv: ca.SX) -> ca.SX:
+    """The square of the size of errors dq and h dv (n_i each)."""
+    return ca.dot(weight, dq * dq + h_dv * h_dv)
 
 
 def amplitudes(model: Model, half_ranges: ca.SX) -> ca.SX:
